@@ -1,0 +1,17 @@
+#include "base/realtime.hpp"
+
+#include <xmmintrin.h>
+
+namespace raks {
+namespace {
+constexpr std::uint32_t kFlushToZero = 0x8000;       // MXCSR.FTZ
+constexpr std::uint32_t kDenormalsAreZero = 0x0040;  // MXCSR.DAZ
+}  // namespace
+
+FlushToZeroScope::FlushToZeroScope() noexcept : saved_(_mm_getcsr()) {
+    _mm_setcsr(saved_ | kFlushToZero | kDenormalsAreZero);
+}
+
+FlushToZeroScope::~FlushToZeroScope() { _mm_setcsr(saved_); }
+
+}  // namespace raks

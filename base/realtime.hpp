@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+/// Marks a function that runs on the audio or motion thread: no allocation, lock, system call that
+/// can block, throw or log. The rtsan build (clang 22) checks it when it runs, and
+/// -Wfunction-effects when it is compiled; g++ knows no such attribute.
+#if defined(__clang__) && __has_cpp_attribute(clang::nonblocking)
+#define RAKS_NONBLOCKING [[clang::nonblocking]]
+#else
+#define RAKS_NONBLOCKING
+#endif
+
+namespace raks {
+
+/// Sets flush-to-zero and denormals-are-zero on this thread and puts the old state back at the
+/// end, so that a fading tail costs and gives the same bits everywhere (a loop that decays into
+/// denormals is 60 times slower without it).
+/// Threads: any. Real-time: yes.
+class FlushToZeroScope {
+ public:
+    FlushToZeroScope() noexcept;
+    ~FlushToZeroScope();
+    FlushToZeroScope(const FlushToZeroScope&) = delete;
+    FlushToZeroScope& operator=(const FlushToZeroScope&) = delete;
+
+ private:
+    std::uint32_t saved_;
+};
+
+}  // namespace raks

@@ -1,0 +1,54 @@
+# Compiler settings shared by every target of ours: C++20, warnings, sanitizers.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+option(RAKS_TESTS "Build the tests" ON)
+option(RAKS_WERROR "Warnings are errors" OFF)
+option(RAKS_COVERAGE "Instrument for gcov" OFF)
+set(RAKS_SANITIZE "" CACHE STRING "Value of -fsanitize=, empty for none")
+
+# -O1 in Debug: the tests of signal code are too slow without it. No -g in Release: half the
+# compile time. No -ffast-math anywhere: bits must repeat and NaN must be seen.
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+
+add_library(raks_options INTERFACE)
+target_compile_options(raks_options INTERFACE -ffp-contract=off)
+target_compile_definitions(raks_options INTERFACE $<$<CONFIG:Debug>:RAKS_ASSERTS=1>)
+if(RAKS_SANITIZE)
+    target_compile_options(raks_options INTERFACE -fsanitize=${RAKS_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(raks_options INTERFACE -fsanitize=${RAKS_SANITIZE})
+    if(RAKS_SANITIZE MATCHES "undefined")
+        target_compile_options(raks_options INTERFACE -fno-sanitize-recover=undefined)
+    endif()
+endif()
+if(RAKS_COVERAGE)
+    target_compile_options(raks_options INTERFACE --coverage)
+    target_link_options(raks_options INTERFACE --coverage)
+endif()
+
+add_library(raks_warnings INTERFACE)
+target_compile_options(raks_warnings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+    -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wdouble-promotion -Wformat=2
+    $<$<BOOL:${RAKS_WERROR}>:-Werror>)
+
+find_program(RAKS_CCACHE ccache)
+if(RAKS_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${RAKS_CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${RAKS_CCACHE})
+endif()
+find_program(RAKS_MOLD mold)
+if(RAKS_MOLD)
+    add_link_options(-fuse-ld=mold)
+endif()
+
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)

@@ -1,0 +1,49 @@
+#include "motion/skeleton/pose_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.hpp"
+
+namespace raks::motion {
+
+void PoseTrack::append_final(HopIndex hop, const Pose& pose) noexcept {
+    RAKS_ASSERT(hop >= 0 && (is_empty() || hop == newest_final_ + 1));
+    if (is_empty()) {
+        first_ = hop;
+    }
+    poses_[static_cast<std::size_t>(hop) % kSlots] = pose;
+    newest_final_ = hop;
+    predicted_ = 0;
+}
+
+void PoseTrack::set_predicted(int ahead, const Pose& pose) noexcept {
+    RAKS_ASSERT(!is_empty() && ahead >= 1 && ahead <= kPredictedPoses && ahead <= predicted_ + 1);
+    poses_[static_cast<std::size_t>(newest_final_ + ahead) % kSlots] = pose;
+    predicted_ = std::max(predicted_, ahead);
+}
+
+HopIndex PoseTrack::oldest_final() const noexcept {
+    return std::max(first_, newest_final_ - kFinalPoses + 1);
+}
+
+const Pose& PoseTrack::at_hop(HopIndex hop) const noexcept {
+    if (is_empty()) {
+        return poses_[0];
+    }
+    const HopIndex inside = std::clamp(hop, oldest_final(), newest());
+    return poses_[static_cast<std::size_t>(inside) % kSlots];
+}
+
+Pose PoseTrack::at(StreamTime time) const noexcept {
+    const Nanos past_oldest = time - time_of_hop(oldest_final());
+    if (is_empty() || past_oldest.count() <= 0) {
+        return at_hop(oldest_final());
+    }
+    const HopIndex hop = oldest_final() + past_oldest / kHop;
+    const float t =
+        static_cast<float>((past_oldest % kHop).count()) / static_cast<float>(kHop.count());
+    return hop >= newest() ? at_hop(hop) : interpolate(at_hop(hop), at_hop(hop + 1), t);
+}
+
+}  // namespace raks::motion

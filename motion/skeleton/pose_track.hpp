@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "base/time.hpp"
+#include "motion/skeleton/pose.hpp"
+
+namespace raks::motion {
+
+/// What the dancer publishes: one pose every 10 ms; the last 0.6 s final, the next 0.2 s predicted
+/// (renewed every hop). Drawing asks it for the moment at which a picture is seen and heard: a past
+/// one in `play`, now or a little ahead with a microphone.
+///
+/// A trivially copyable value (about 70 kB): it passes through LatestValue<PoseTrack>.
+class PoseTrack {
+ public:
+    static constexpr int kFinalPoses = 60;
+    static constexpr int kPredictedPoses = 20;
+
+    /// Empties the track.
+    void clear() noexcept {
+        newest_final_ = -1;
+        predicted_ = 0;
+    }
+
+    /// Appends the final pose of the hop after the newest one (or of any hop when empty). What was
+    /// predicted is forgotten. Real-time: yes.
+    void append_final(HopIndex hop, const Pose& pose) noexcept;
+
+    /// Sets the predicted pose of hop newest_final() + ahead, ahead = 1..kPredictedPoses, in
+    /// order. Real-time: yes.
+    void set_predicted(int ahead, const Pose& pose) noexcept;
+
+    [[nodiscard]] bool is_empty() const noexcept { return newest_final_ < 0; }
+    /// Hop of the newest final pose; -1 when empty.
+    [[nodiscard]] HopIndex newest_final() const noexcept { return newest_final_; }
+    [[nodiscard]] HopIndex oldest_final() const noexcept;
+    /// Hop of the last pose there is, final or predicted.
+    [[nodiscard]] HopIndex newest() const noexcept { return newest_final_ + predicted_; }
+
+    /// The pose of one hop; hops outside the track give its nearest end. A T-pose when empty.
+    [[nodiscard]] const Pose& at_hop(HopIndex hop) const noexcept;
+
+    /// The pose at a moment, interpolated between two hops; clamped to the track's ends.
+    [[nodiscard]] Pose at(StreamTime time) const noexcept;
+
+ private:
+    static constexpr std::size_t kSlots = kFinalPoses + kPredictedPoses;
+
+    std::array<Pose, kSlots> poses_{};  // pose of hop h in slot h % kSlots
+    HopIndex first_ = 0;                // first hop since clear()
+    HopIndex newest_final_ = -1;
+    int predicted_ = 0;
+};
+static_assert(std::is_trivially_copyable_v<PoseTrack>);
+
+}  // namespace raks::motion

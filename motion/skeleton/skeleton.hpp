@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "motion/skeleton/humanoid.hpp"
+#include "motion/skeleton/pose.hpp"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+namespace raks::motion {
+
+/// Bone lengths of one humanoid in T-pose, in metres. All rest rotations are identity, so a bone's
+/// frame has the world's axes in T-pose.
+struct Skeleton {
+    /// From the parent bone's joint to this bone's joint; for hips the place in the world (its
+    /// height is the standing height of the hips).
+    std::array<glm::vec3, kBoneCount> offsets{};
+    /// Ball of the foot, toe tip and heel on the sole, in the left foot bone's frame in T-pose
+    /// (mirrored for the right). Their y is the sole: rest height of the foot + y = 0, the floor.
+    glm::vec3 ball{};
+    glm::vec3 toe_tip{};
+    glm::vec3 heel{};
+
+    [[nodiscard]] float hips_height() const noexcept { return offsets[0].y; }
+};
+
+/// The built-in mannequin's skeleton: 1.714 m tall.
+[[nodiscard]] const Skeleton& mannequin_skeleton() noexcept;
+
+/// Place and orientation of every bone in the world for one pose.
+struct WorldPose {
+    std::array<glm::vec3, kBoneCount> positions{};
+    std::array<glm::quat, kBoneCount> rotations{};
+
+    [[nodiscard]] const glm::vec3& position(Bone bone) const noexcept {
+        return positions[index_of(bone)];
+    }
+    [[nodiscard]] const glm::quat& rotation(Bone bone) const noexcept {
+        return rotations[index_of(bone)];
+    }
+    /// World place of a point fixed to a bone.
+    [[nodiscard]] glm::vec3 point(Bone bone, glm::vec3 local) const noexcept {
+        return position(bone) + rotation(bone) * local;
+    }
+};
+
+/// Forward kinematics. Threads: any. Real-time: yes (52 products).
+[[nodiscard]] WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept;
+
+/// A point of the foot (ball, toe tip or heel of the skeleton) on one side, in the world.
+[[nodiscard]] glm::vec3 foot_point(const WorldPose& world,
+                                   Side side,
+                                   glm::vec3 left_local) noexcept;
+
+}  // namespace raks::motion

@@ -1,0 +1,71 @@
+#include "base/file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+namespace raks {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileTest : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        folder_ = fs::path(::testing::TempDir()) /
+                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+    fs::path folder_;
+};
+
+TEST_F(FileTest, what_was_written_is_read) {
+    const std::string bytes("a\0b\n", 4);
+    ASSERT_TRUE(write_file(folder_ / "x", bytes));
+    EXPECT_EQ(read_file(folder_ / "x").value(), bytes);
+    EXPECT_FALSE(fs::exists(folder_ / "x.part"));
+}
+
+TEST_F(FileTest, an_uncommitted_file_leaves_what_was_there) {
+    ASSERT_TRUE(write_file(folder_ / "x", "old"));
+    {
+        auto pending = PendingFile::create(folder_ / "x");
+        ASSERT_TRUE(pending);
+        ASSERT_TRUE(fs::exists(pending->part()));
+    }
+    EXPECT_EQ(read_file(folder_ / "x").value(), "old");
+    EXPECT_FALSE(fs::exists(folder_ / "x.part"));
+}
+
+TEST_F(FileTest, errors_name_the_file_and_the_reason) {
+    EXPECT_EQ(read_file(folder_ / "none").error().message,
+              (folder_ / "none").string() + ": cannot be opened: No such file or directory");
+    EXPECT_EQ(read_file(folder_).error().message, folder_.string() + ": is a folder, not a file");
+    EXPECT_EQ(write_file(folder_ / "a" / "b", "").error().message,
+              (folder_ / "a" / "b").string() + ": cannot be written: No such file or directory");
+    ASSERT_TRUE(write_file(folder_ / "big", std::string(100, 'x')));
+    EXPECT_NE(read_file(folder_ / "big", 99).error().message.find("larger than"),
+              std::string::npos);
+}
+
+TEST_F(FileTest, a_full_disk_leaves_the_old_file_and_no_part) {
+    ASSERT_TRUE(write_file(folder_ / "x", "old"));
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit saved{};
+    getrlimit(RLIMIT_FSIZE, &saved);
+    rlimit small = saved;
+    small.rlim_cur = 1000;
+    setrlimit(RLIMIT_FSIZE, &small);
+    const auto result = write_file(folder_ / "x", std::string(1U << 20U, 'x'));
+    setrlimit(RLIMIT_FSIZE, &saved);
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().message.find("File too large"), std::string::npos);
+    EXPECT_EQ(read_file(folder_ / "x").value(), "old");
+    EXPECT_FALSE(fs::exists(folder_ / "x.part"));
+}
+
+}  // namespace
+}  // namespace raks
