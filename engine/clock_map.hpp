@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/realtime.hpp"
+#include "base/time.hpp"
+
+namespace raks::engine {
+
+/// A straight line between CLOCK_MONOTONIC and stream time, as last known.
+/// A trivially copyable value: it passes through LatestValue<ClockLine>.
+struct ClockLine {
+    StreamTime stream_anchor{};
+    HostTime host_anchor{};
+    double stream_per_host = 1.0;  ///< rate of the device's clock, about 1
+    bool is_running = false;       ///< false: paused or not started; stream time stands still
+
+    [[nodiscard]] StreamTime stream_at(HostTime host) const noexcept;
+    /// Inverse of stream_at; the anchor while not running.
+    [[nodiscard]] HostTime host_at(StreamTime stream) const noexcept;
+};
+
+/// The only place where stream time meets host time: a delay-locked loop over the pairs that the
+/// audio callback takes (Adriaensen 2005, "Using a DLL to filter time"). Scheduling jitter of the
+/// callback is averaged, the device's drift is followed, a jump (lost audio) starts anew.
+///
+/// Threads: one (the audio callback). Real-time: yes.
+class ClockMap {
+ public:
+    /// The block whose first sample has stream time `stream` was handed over at `host`.
+    void update(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING;
+    /// Stream time stands still from here (pause, end); the next update starts anew.
+    void stop() noexcept RAKS_NONBLOCKING;
+
+    [[nodiscard]] const ClockLine& line() const noexcept { return line_; }
+
+ private:
+    void restart(StreamTime stream, HostTime host) noexcept;
+
+    ClockLine line_;
+    double seconds_since_restart_ = 0.0;
+};
+
+}  // namespace raks::engine
