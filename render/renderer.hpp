@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "base/expected.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "render/gl/frame_target.hpp"
+#include "render/scene/scene.hpp"
+
+namespace raks::render {
+
+class Avatar;
+
+/// How much work a picture may be. `automatic` is `fast` on software drivers (llvmpipe, softpipe,
+/// swrast), else `high`.
+///   fast: light per vertex, soft blobs for a shadow, no reflection, no anti-aliasing;
+///         16 CPU-ms a picture at 1280x720 with llvmpipe
+///   high: light per fragment, shadow map, reflection, 4 samples a pixel; meant for GPUs
+enum class Quality { automatic, fast, high };
+
+struct RendererConfig {
+    Quality quality = Quality::automatic;
+};
+
+/// Draws one avatar on its stage with OpenGL 3.3 core: works in whatever context is current when it
+/// is created (window or off-screen) and must be used and destroyed with that one current.
+/// The same pose, scene and size give the same pixels on the same machine.
+/// Threads: the context's. Real-time: no (but draw() allocates nothing after its first call).
+class Renderer {
+ public:
+    /// Uploads the avatar and compiles the shaders. The avatar may be destroyed afterwards.
+    /// Errors: no context is current, OpenGL older than 3.3, a shader that the driver refuses.
+    [[nodiscard]] static Expected<Renderer> create(const Avatar& avatar,
+                                                   const RendererConfig& config = {});
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer();
+
+    /// Draws the whole picture: clears `target`'s rectangle, then stage and dancer. A rectangle
+    /// without area (a minimized window) draws nothing. Leaves `target` bound and depth test,
+    /// blending, face culling and scissor off.
+    void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);
+
+    /// Quality::fast or Quality::high: what `automatic` became.
+    [[nodiscard]] Quality quality() const noexcept;
+
+    /// Samples a pixel that a target or window for this quality should have: 1 or 4.
+    [[nodiscard]] int samples() const noexcept;
+
+    /// One line to tell the user once, or empty: that a software driver draws with fast shaders.
+    [[nodiscard]] std::string_view notice() const noexcept;
+
+ private:
+    struct Parts;
+    explicit Renderer(std::unique_ptr<Parts> parts) noexcept;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// Quality from what the user asked for and the driver's GL_RENDERER string.
+[[nodiscard]] Quality resolve_quality(Quality wanted, std::string_view gl_renderer) noexcept;
+
+}  // namespace raks::render

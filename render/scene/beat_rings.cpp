@@ -1,0 +1,47 @@
+#include "render/scene/beat_rings.hpp"
+
+#include <cmath>
+
+namespace raks::render {
+namespace {
+
+// The ring starts at the feet and slows down on its way out, as a wave does.
+constexpr float kFirstRadius = 0.30F;    // metres
+constexpr float kReach = 1.05F;          // metres from the first to the last radius
+constexpr float kRunSeconds = 0.55F;     // time constant of the way out
+constexpr float kFadeSeconds = 0.40F;    // time constant of the light
+constexpr float kDarkest = 0.02F;        // below it nothing is drawn
+constexpr float kBeatBrightness = 0.6F;  // of a beat that is no downbeat
+constexpr float kLeastConfidence = 0.05F;
+
+}  // namespace
+
+BeatRing beat_ring(float age, BeatAccent accent) noexcept {
+    if (!(age >= 0.0F)) {
+        return {};
+    }
+    const float full = accent == BeatAccent::downbeat ? 1.0F : kBeatBrightness;
+    const float brightness = full * std::exp(-age / kFadeSeconds);
+    if (brightness < kDarkest) {
+        return {};
+    }
+    return {kFirstRadius + kReach * (1.0F - std::exp(-age / kRunSeconds)), brightness};
+}
+
+BeatRings beat_rings(const BeatGrid& grid, StreamTime time) noexcept {
+    BeatRings rings{};
+    if (!(grid.confidence >= kLeastConfidence)) {
+        return rings;
+    }
+    double beat = std::floor(grid.beats_at(time).count());
+    for (BeatRing& ring : rings) {
+        const Nanos age = time - grid.time_of(Beats(beat));
+        const bool is_downbeat = grid.bar_position(Beats(beat)) < 0.5;
+        ring = beat_ring(static_cast<float>(to_seconds(age)),
+                         is_downbeat ? BeatAccent::downbeat : BeatAccent::beat);
+        beat -= 1.0;
+    }
+    return rings;
+}
+
+}  // namespace raks::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "base/beat_grid.hpp"
+#include "base/time.hpp"
+
+namespace raks::render {
+
+/// A ring of light that runs outward over the floor from a beat on.
+struct BeatRing {
+    float radius = 0.0F;      ///< metres, from the middle of the floor
+    float brightness = 0.0F;  ///< [0, 1]; 0: not drawn. 1: a downbeat at its moment
+};
+
+/// The rings that are alive; those that are not have brightness 0.
+using BeatRings = std::array<BeatRing, 3>;
+
+/// The rings of the beats at and before `time`: one leaves on every beat, a brighter one on the
+/// downbeat. None where the grid's confidence is below 0.05 (nothing is known). Pure.
+[[nodiscard]] BeatRings beat_rings(const BeatGrid& grid, StreamTime time) noexcept;
+
+/// The ring of one beat, `age` >= 0 seconds after it; dark once it has faded.
+enum class BeatAccent { beat, downbeat };
+[[nodiscard]] BeatRing beat_ring(float age, BeatAccent accent) noexcept;
+
+}  // namespace raks::render

@@ -1,0 +1,117 @@
+#include "render/scene/camera.hpp"
+
+#include "render/scene/names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/ext/scalar_constants.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+
+namespace raks::render {
+namespace {
+
+constexpr float kNear = 0.1F;
+constexpr float kFar = 60.0F;
+constexpr float kNarrowestAspect = 0.75F;
+
+float wrapped(float angle) noexcept {
+    const float turn = 2.0F * glm::pi<float>();
+    return angle - turn * std::floor((angle + glm::pi<float>()) / turn);
+}
+
+struct Preset {
+    std::string_view name;
+    float yaw_degrees;
+    float pitch_degrees;
+    float distance;
+    float target_height;
+    float fov_degrees;
+};
+
+// Framing of "wide" and "portrait": rendering notes; the others after looking at them.
+constexpr std::array<Preset, 6> kPresets = {{
+    {"wide", -14.0F, 6.0F, 4.3F, 0.86F, 26.0F},
+    {"portrait", -14.0F, 6.0F, 3.3F, 0.88F, 33.0F},
+    {"front", 0.0F, 6.0F, 4.3F, 0.86F, 26.0F},
+    {"side", 90.0F, 6.0F, 4.3F, 0.86F, 26.0F},
+    {"back", 180.0F, 6.0F, 4.3F, 0.86F, 26.0F},
+    {"top", 0.0F, 55.0F, 5.0F, 0.6F, 26.0F},
+}};
+
+constexpr auto kNames = [] {
+    std::array<std::string_view, kPresets.size()> names{};
+    std::transform(kPresets.begin(), kPresets.end(), names.begin(), [](const Preset& preset) {
+        return preset.name;
+    });
+    return names;
+}();
+
+Camera camera_of(const Preset& preset) noexcept {
+    Camera camera;
+    camera.yaw = wrapped(glm::radians(preset.yaw_degrees));
+    camera.pitch = glm::radians(preset.pitch_degrees);
+    camera.distance = preset.distance;
+    camera.target = {0.0F, preset.target_height, 0.0F};
+    camera.vertical_fov = glm::radians(preset.fov_degrees);
+    return camera;
+}
+
+}  // namespace
+
+void Camera::orbit(float yaw_by, float pitch_by) noexcept {
+    if (!std::isfinite(yaw_by) || !std::isfinite(pitch_by)) {
+        return;
+    }
+    yaw = wrapped(yaw + yaw_by);
+    pitch = std::clamp(pitch + pitch_by, kMinPitch, kMaxPitch);
+}
+
+void Camera::pan(float right, float up) noexcept {
+    if (!std::isfinite(right) || !std::isfinite(up)) {
+        return;
+    }
+    target.x = std::clamp(target.x + right * std::cos(yaw), -kMaxPan, kMaxPan);
+    target.z = std::clamp(target.z - right * std::sin(yaw), -kMaxPan, kMaxPan);
+    target.y = std::clamp(target.y + up, 0.0F, kMaxTargetHeight);
+}
+
+void Camera::zoom(float factor) noexcept {
+    if (std::isfinite(factor) && factor > 0.0F) {
+        distance = std::clamp(distance * factor, kMinDistance, kMaxDistance);
+    }
+}
+
+glm::vec3 Camera::position() const noexcept {
+    const float along = distance * std::cos(pitch);
+    return target +
+           glm::vec3(along * std::sin(yaw), distance * std::sin(pitch), along * std::cos(yaw));
+}
+
+glm::mat4 Camera::view_from_world() const noexcept {
+    return glm::lookAt(position(), target, glm::vec3(0.0F, 1.0F, 0.0F));
+}
+
+glm::mat4 Camera::clip_from_view(float aspect) const noexcept {
+    const float narrowing = std::max(1.0F, kNarrowestAspect / aspect);
+    const float fov = 2.0F * std::atan(std::tan(0.5F * vertical_fov) * narrowing);
+    return glm::perspective(fov, aspect, kNear, kFar);
+}
+
+std::span<const std::string_view> camera_names() noexcept { return kNames; }
+
+Expected<Camera> find_camera(std::string_view name) {
+    const auto* const found =
+        std::find_if(kPresets.begin(), kPresets.end(), [&](const Preset& preset) {
+            return preset.name == name;
+        });
+    if (found == kPresets.end()) {
+        return fail(unknown_name("camera", name, kNames));
+    }
+    return camera_of(*found);
+}
+
+}  // namespace raks::render

@@ -1,0 +1,123 @@
+#include "render/scene/theme.hpp"
+
+#include "render/scene/names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace raks::render {
+namespace {
+
+/// Linear colour of an sRGB hexadecimal one. The exponent 2.2 is the inverse of the shaders' gamma,
+/// so that a colour that is not lit comes out as written.
+glm::vec3 srgb(std::uint32_t hex) noexcept {
+    const auto channel = [hex](unsigned shift) {
+        const auto byte = static_cast<float>((hex >> shift) & 0xFFU);
+        return std::pow(byte / 255.0F, 2.2F);
+    };
+    return {channel(16), channel(8), channel(0)};
+}
+
+Theme stage() noexcept {
+    Theme theme;
+    theme.name = "stage";
+    theme.dress = Dress::dancer;
+    theme.skin = srgb(0xcd9470);
+    theme.suit = srgb(0xa61b33);
+    theme.stripe = srgb(0xf2a93b);
+    theme.hair = srgb(0x2a1718);
+    theme.shoes = srgb(0x7a1424);
+    theme.trim = srgb(0xf2a541);
+    theme.stick_middle = srgb(0xdcd8d0);
+    theme.stick_left = srgb(0x3fb5ad);
+    theme.stick_right = srgb(0xd9622f);
+    theme.background_top = srgb(0x11131f);
+    theme.background_glow = srgb(0x3a3f63);
+    theme.background_horizon = srgb(0x1b1e2f);
+    theme.floor_centre = srgb(0x4a4f78);
+    theme.floor_edge = srgb(0x262a44);
+    theme.ring = srgb(0xffb454);
+    theme.key_light = {2.05F, 1.86F, 1.66F};
+    theme.fill_light = {0.16F, 0.24F, 0.46F};
+    theme.rim_light = {1.2F, 1.5F, 2.4F};
+    theme.sky_light = {0.22F, 0.26F, 0.38F};
+    theme.ground_light = {0.15F, 0.11F, 0.13F};
+    theme.exposure = 0.74F;
+    return theme;
+}
+
+Theme workshop_dark() noexcept {
+    Theme theme;
+    theme.name = "workshop_dark";
+    theme.dress = Dress::mannequin;
+    theme.body = srgb(0xdcd8d0);
+    theme.joint_bands = srgb(0xd9622f);
+    theme.band_edge = srgb(0x2a2a30);
+    theme.stick_middle = srgb(0xdcd8d0);
+    theme.stick_left = srgb(0x3fb5ad);
+    theme.stick_right = srgb(0xd9622f);
+    theme.background_top = srgb(0x10141d);
+    theme.background_glow = srgb(0x2b3d52);
+    theme.background_horizon = srgb(0x18202d);
+    theme.floor_centre = srgb(0x475a72);
+    theme.floor_edge = srgb(0x222e42);
+    theme.ring = srgb(0x62d0c8);
+    theme.key_light = {2.0F, 1.9F, 1.78F};
+    theme.fill_light = {0.2F, 0.3F, 0.48F};
+    theme.rim_light = {1.2F, 1.5F, 1.9F};
+    theme.sky_light = {0.26F, 0.31F, 0.4F};
+    theme.ground_light = {0.15F, 0.14F, 0.15F};
+    theme.exposure = 0.7F;
+    return theme;
+}
+
+Theme studio_light() noexcept {
+    Theme theme;
+    theme.name = "studio_light";
+    theme.dress = Dress::mannequin;
+    theme.body = srgb(0xd9bd97);
+    theme.joint_bands = srgb(0xa8794e);
+    theme.band_edge = srgb(0x5a3b26);
+    theme.stick_middle = srgb(0xd9bd97);
+    theme.stick_left = srgb(0x3f8f89);
+    theme.stick_right = srgb(0xa8794e);
+    theme.background_top = srgb(0xd9d4cb);
+    theme.background_glow = srgb(0xf3efe8);
+    theme.background_horizon = srgb(0xe6e1d9);
+    theme.floor_centre = srgb(0xe9e3d8);
+    theme.floor_edge = srgb(0xded7cb);
+    theme.ring = srgb(0xb05a3c);
+    theme.key_light = {2.1F, 1.98F, 1.82F};
+    theme.fill_light = {0.3F, 0.34F, 0.42F};
+    theme.rim_light = {0.7F, 0.7F, 0.72F};
+    theme.sky_light = {0.52F, 0.55F, 0.6F};
+    theme.ground_light = {0.34F, 0.3F, 0.26F};
+    theme.exposure = 0.66F;
+    return theme;
+}
+
+constexpr std::array<std::string_view, 3> kNames = {"stage", "workshop_dark", "studio_light"};
+
+const std::array<Theme, kNames.size()>& themes() noexcept {
+    static const std::array<Theme, kNames.size()> all = {stage(), workshop_dark(), studio_light()};
+    return all;
+}
+
+}  // namespace
+
+std::span<const std::string_view> theme_names() noexcept { return kNames; }
+
+const Theme& default_theme() noexcept { return themes()[0]; }
+
+Expected<const Theme*> find_theme(std::string_view name) {
+    for (const Theme& theme : themes()) {
+        if (theme.name == name) {
+            return &theme;
+        }
+    }
+    return fail(unknown_name("theme", name, kNames));
+}
+
+}  // namespace raks::render
