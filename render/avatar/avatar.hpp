@@ -1,0 +1,128 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "motion/skeleton/humanoid.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+/// A drawable body: one skinned mesh and the joints that move it. Metres, y up, facing +z, the
+/// figure's left is +x. OpenGL stays out of this header: the arrays below are uploaded as they are.
+namespace raks::render {
+
+/// Joints that are no bones: they lie between a bone and its parent and take a part of the bone's
+/// rotation, so that linear blend skinning keeps the volume of shoulders, hips, elbows, wrists.
+inline constexpr int kHelperCount = 14;
+/// Matrices of a skinning palette: the 52 bones in the order of motion::Bone, then the helpers.
+inline constexpr int kPaletteSize = motion::kBoneCount + kHelperCount;
+
+/// Colour areas of a vertex: signed distances to the area's edge, positive inside, 127 = 0.04 m.
+/// Interpolated over the triangle and cut in the fragment shader by
+/// `clamp(d / fwidth(d) + 0.5, 0, 1)`, edges stay sharp on a coarse mesh without a texture.
+enum class AvatarMask : std::uint8_t {
+    suit,    ///< unitard; its edge, |suit| < 0.06, is the trim (piping)
+    stripe,  ///< signed distance to the middle of the side stripe: drawn where |stripe| < 0.2,
+             ///< inside the suit and where outer > 0
+    outer,   ///< outer side of trunk and limb
+    hair,    ///< hair cap and bun
+    shoe,    ///< dance shoe
+    sole,    ///< sole and heel of the shoe, a part of `shoe`
+    band,    ///< joint bands of the plain mannequin: neck, waist, elbow, wrist, knee, ankle
+};
+inline constexpr int kMaskCount = 7;
+inline constexpr std::array<std::string_view, kMaskCount> kMaskNames = {
+    "suit",
+    "stripe",
+    "outer",
+    "hair",
+    "shoe",
+    "sole",
+    "band",
+};
+inline constexpr float kMaskRange = 0.04F;  ///< metres that are 127 in a mask byte
+
+/// One vertex as uploaded, in the bind pose; 36 bytes, no padding.
+///
+///     offset  type        OpenGL attribute                      is
+///     0       float[3]    3 GL_FLOAT                            position, metres
+///     12      int16[4]    4 GL_SHORT, normalized                unit normal; w = 0
+///     20      uint8[4]    4 GL_UNSIGNED_BYTE, integer           palette indices, 0..65
+///     24      uint8[4]    4 GL_UNSIGNED_BYTE, normalized        weights, sum exactly 255
+///     28      int8[7]     4 + 3 GL_BYTE, normalized             masks by AvatarMask (28: suit,
+///                                                               stripe, outer, hair; 32: shoe,
+///                                                               sole, band)
+///     35      uint8       1 GL_UNSIGNED_BYTE, normalized        ambient occlusion, 255 = open
+struct AvatarVertex {
+    std::array<float, 3> position{};
+    std::array<std::int16_t, 4> normal{};
+    std::array<std::uint8_t, 4> joints{};
+    std::array<std::uint8_t, 4> weights{};
+    std::array<std::int8_t, kMaskCount> masks{};
+    std::uint8_t ambient_occlusion = 255;
+};
+static_assert(sizeof(AvatarVertex) == 36 && std::is_trivially_copyable_v<AvatarVertex>);
+static_assert(offsetof(AvatarVertex, normal) == 12 && offsetof(AvatarVertex, joints) == 20);
+static_assert(offsetof(AvatarVertex, weights) == 24 && offsetof(AvatarVertex, masks) == 28);
+static_assert(offsetof(AvatarVertex, ambient_occlusion) == 35);
+
+/// What a helper joint takes of its source bone's rotation q = swing * roll, where roll turns about
+/// the helper's roll axis.
+enum class HelperKind : std::uint8_t {
+    half_swing,       ///< half of the swing, no roll: armpit, groin, buttock
+    swing_half_roll,  ///< all of the swing, half of the roll: limbs rolled in shoulder and hip
+    half_rotation,    ///< half of q: elbow, knee
+    half_roll,        ///< half of the roll alone: forearm, of the hand's roll
+};
+
+struct HelperJoint {
+    std::string_view name;  ///< "leftElbowHalf"
+    HelperKind kind = HelperKind::half_rotation;
+    motion::Bone parent = motion::Bone::hips;
+    motion::Bone source = motion::Bone::hips;
+    glm::vec3 roll_axis{};  ///< unit, in the source's frame
+    glm::vec3 offset{};     ///< from the parent's joint, in the parent's frame
+};
+
+/// Immutable once built.
+struct Avatar {
+    std::string name;
+    motion::Skeleton skeleton;
+    motion::Pose bind_pose;  ///< an A-pose: the posture in which vertices and normals are given
+    std::vector<AvatarVertex> vertices;  ///< fewer than 65,536
+    std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from outside
+    std::array<glm::mat4, kPaletteSize> inverse_bind{};  ///< joint from world, in the bind pose
+    std::array<HelperJoint, kHelperCount> helpers{};
+    std::string licence;  ///< SPDX identifier
+};
+
+/// The built-in mannequin: a dancer of 1.71 m, closed, manifold and mirror-symmetric, 10,000 to
+/// 15,000 vertices, made from formulas alone. The same binary makes the same bytes. Costs about
+/// 0.2 s of one core.
+/// Threads: any. Real-time: no (allocates).
+[[nodiscard]] Avatar build_mannequin();
+
+/// The pose as the body shows it: collar bones rise with raised arms (scapulohumeral rhythm) where
+/// the pose does not say so itself; the arm keeps its direction in the world. The identity for arms
+/// below the horizontal. `skinning_palette` applies it; a stick figure should, too.
+/// Threads: any. Real-time: yes.
+[[nodiscard]] motion::Pose with_shoulder_rhythm(const motion::Pose& pose) noexcept;
+
+/// Skinning matrices of one pose, `world_from_bind`: a vertex goes to
+/// `sum_i weights[i] / 255 * palette[joints[i]] * vec4(position, 1)`.
+/// Identity matrices for the avatar's bind pose. The hips are placed at `pose.hips_position`.
+/// Threads: any. Real-time: yes (no allocation).
+void skinning_palette(const Avatar& avatar,
+                      const motion::Pose& pose,
+                      std::span<glm::mat4, kPaletteSize> palette) noexcept;
+
+}  // namespace raks::render
