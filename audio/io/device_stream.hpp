@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "audio/io/devices.hpp"
+#include "base/expected.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+/// When a block passed the device.
+struct BlockTime {
+    std::int64_t first_frame = 0;  ///< frames that this stream moved before this block
+    HostTime entered{};            ///< CLOCK_MONOTONIC when the callback was entered
+    bool is_xrun = false;          ///< the device lost or repeated audio before this block
+};
+
+/// What runs on the device's audio thread, with flush-to-zero set. Real-time: must be.
+class StreamCallback {
+ public:
+    virtual ~StreamCallback() = default;
+    /// A block from an input stream, interleaved; any number of frames from 1 up.
+    virtual void on_input(std::span<const float> /*interleaved*/,
+                          int /*channels*/,
+                          const BlockTime& /*time*/) noexcept {}
+    /// A block for an output stream, interleaved, to be filled whole (it comes zeroed).
+    virtual void on_output(std::span<float> /*interleaved*/,
+                           int /*channels*/,
+                           const BlockTime& /*time*/) noexcept {}
+};
+
+struct StreamConfig {
+    int channels = 2;              ///< wanted, 1..8; the device may have fewer: see channels()
+    int rate_hz = 0;               ///< 0: the device's default; else the nearest that it takes
+    double latency_seconds = 0.0;  ///< wanted; 0: the device's low default, 50 ms on PulseAudio
+};
+
+/// One running direction of one device. Any block size (PortAudio is left to choose), the
+/// device's own rate, and a way out when the device dies.
+///
+/// A dead device (e.g. a killed JACK server): callbacks stop, and stopping or closing the stream
+/// hangs for ever. So: ask is_alive() now and then; when false, call abandon() and drop the
+/// object; the process can still exit.
+/// Threads: one control thread; callbacks(), is_alive() from any. Real-time: no.
+class DeviceStream {
+ public:
+    /// Opens and starts. `callback` must outlive the stream (for ever, after abandon()).
+    /// Errors: the device cannot be opened so; one line names it and says what it can do.
+    [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_input(
+        const AudioDevice& device, const StreamConfig& config, StreamCallback& callback);
+    [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_output(
+        const AudioDevice& device, const StreamConfig& config, StreamCallback& callback);
+    ~DeviceStream();  ///< stops and closes, unless it is dead or abandoned: then it is leaked
+    DeviceStream(const DeviceStream&) = delete;
+    DeviceStream& operator=(const DeviceStream&) = delete;
+
+    [[nodiscard]] SampleRate rate() const noexcept;
+    [[nodiscard]] int channels() const noexcept;
+    /// What PortAudio reports, clamped to 0..2 s (unset values were seen): a hint.
+    [[nodiscard]] Nanos reported_latency() const noexcept;
+
+    /// Callbacks so far.
+    [[nodiscard]] std::uint64_t callbacks() const noexcept;
+    /// Blocks flagged as xrun so far.
+    [[nodiscard]] std::uint64_t xruns() const noexcept;
+    /// False when no callback came for 0.5 s before `now`, or PortAudio calls it inactive.
+    [[nodiscard]] bool is_alive(HostTime now) const noexcept;
+    /// Leaves the stream to itself for ever: it is never stopped, closed or freed, and PortAudio
+    /// never terminated, in this process.
+    void abandon() noexcept;
+
+ private:
+    struct Impl;
+    explicit DeviceStream(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace raks::audio
