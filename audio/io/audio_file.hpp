@@ -20,8 +20,8 @@ struct AudioFileInfo {
     int channels = 2;         ///< 1..kMaxFileChannels
     /// What the file claims, in seconds; often wrong (truncated or without a header): for a
     /// progress bar, never for the size of a buffer or for the end. Empty when it does not say.
-    std::optional<double> claimed_seconds;
-    std::string format;  ///< for people: "WAV", "MP3", "aac in mov,mp4"
+    std::optional<double> claimed_seconds{};
+    std::string format{};  ///< for people: "WAV", "MP3", "aac in mov,mp4"
 };
 
 inline constexpr int kMaxFileChannels = 64;

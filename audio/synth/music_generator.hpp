@@ -40,7 +40,7 @@ struct MusicPlan {
     int channels = 2;                 ///< 1 (the average of the two) or 2
     std::uint64_t seed = 1;           ///< key, chords, clave side, melody, small accents
     double first_beat_seconds = 0.0;  ///< when beat 0, a downbeat, sounds; >= 0
-    std::vector<Silence> silences;    ///< ascending, not overlapping; the beats count on inside
+    std::vector<Silence> silences{};  ///< ascending, not overlapping; the beats count on inside
 };
 
 /// A beat that the piece was made from.

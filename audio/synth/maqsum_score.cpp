@@ -1,0 +1,86 @@
+#include <array>
+
+#include "audio/synth/pattern.hpp"
+#include "audio/synth/score.hpp"
+#include "base/random.hpp"
+
+namespace raks::audio {
+namespace {
+
+/// Hijaz: 1, flat 2, 3, 4, 5, flat 6, flat 7; semitones above the tonic.
+constexpr std::array<int, 7> kHijaz{0, 1, 4, 5, 7, 8, 10};
+
+int hijaz_pitch(int tonic, int degree) {
+    const int octave = degree >= 0 ? degree / 7 : -((6 - degree) / 7);
+    return tonic + 12 * octave + kHijaz[static_cast<std::size_t>(degree - 7 * octave)];
+}
+
+/// Darbuka: D T - T D - T - in eighths, with ka between the strokes from the second phrase on.
+void write_rhythm(Score& score, double start, int bar) {
+    strike(score, Sound::darbuka_dum, "X.......X.......", start, 0.25);
+    strike(score, Sound::darbuka_tek, "..X...X.....X...", start, 0.25, 0.9);
+    if (bar >= 4) {
+        strike(score,
+               Sound::darbuka_ka,
+               bar % 4 == 3 ? ".....o.o..o.ooxo" : ".....o.o..o...oo",
+               start,
+               0.25);
+    }
+    if (bar >= 2) {
+        strike(score, Sound::riq, "xooo", start, 1.0);
+        strike(score, Sound::riq, "o.o.o.o.", start + 0.5, 0.5, 0.6);
+    }
+}
+
+/// A phrase of two bars, its second half an answer that ends on the tonic. Four phrases a verse,
+/// A A B A: heard again, a line becomes a tune.
+void write_phrase(Score& score, double start, int phrase, int tonic, std::uint64_t seed) {
+    const bool is_second = phrase % 4 == 2;
+    const CounterRandom random(seed, is_second ? 12 : 11);
+    int degree = is_second ? 7 : 4;
+    for (int step = 0; step < 16; ++step) {
+        const auto i = static_cast<std::uint64_t>(step);
+        const bool is_strong = step % 4 == 0;
+        if (!is_strong && random.uniform(3 * i) < 0.35) {
+            continue;
+        }
+        const bool is_last = step >= 12;
+        const int move = static_cast<int>(random.below(3 * i + 1, 5)) - 2;
+        const int home = is_last ? 0 : 4;
+        degree += move + (degree > home + 3 ? -1 : (degree < home - 3 ? 1 : 0));
+        degree = step == 14 ? 0 : (step == 12 ? 1 : degree);
+        const double length = step == 14 ? 0.95 : 0.48;
+        const int pitch = hijaz_pitch(tonic, degree);
+        score.push_back({start + 0.5 * step, Sound::oud, pitch, length, is_strong ? 0.95 : 0.75});
+        if (length < 0.5 && random.uniform(3 * i + 2) < 0.25) {  // risha: the stroke doubled
+            score.push_back({start + 0.5 * step + 0.25, Sound::oud, pitch, 0.24, 0.55});
+        }
+        if (step >= 14) {
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+Score write_maqsum(double beats, std::uint64_t seed) {
+    const CounterRandom random(seed, 3);
+    const int tonic = 50 + static_cast<int>(random.below(0, 5));
+    Score score;
+    for (int bar = 0; 4.0 * bar < beats; ++bar) {
+        const double start = 4.0 * bar;
+        write_rhythm(score, start, bar);
+        if (bar >= 2 && bar % 2 == 0) {
+            write_phrase(score, start, bar / 2 - 1, tonic, seed);
+        }
+        if (bar >= 4) {
+            score.push_back({start, Sound::bass, tonic - 12, 1.4, 0.8});
+            score.push_back({start + 2.0, Sound::bass, tonic - 12, 0.9, 0.65});
+            score.push_back({start + 3.0, Sound::bass, tonic - 5, 0.8, 0.6});
+        }
+    }
+    std::erase_if(score, [beats](const Note& note) { return note.beat >= beats; });
+    return score;
+}
+
+}  // namespace raks::audio

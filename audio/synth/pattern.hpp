@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string_view>
+
+#include "audio/synth/score.hpp"
+
+namespace raks::audio {
+
+/// Adds one note per letter of `pattern`, from `start` on, a step each: 'X' loud, 'x' medium,
+/// 'o' soft, anything else a rest.
+///
+///     strike(score, Sound::clave, "x..x..x...x.x...", bar_start, 0.5);
+inline void strike(Score& score,
+                   Sound sound,
+                   std::string_view pattern,
+                   double start,
+                   double step,
+                   double level = 1.0) {
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        const char mark = pattern[i];
+        const double velocity =
+            mark == 'X' ? 1.0 : (mark == 'x' ? 0.72 : (mark == 'o' ? 0.42 : 0.0));
+        if (velocity > 0.0) {
+            score.push_back({.beat = start + step * static_cast<double>(i),
+                             .sound = sound,
+                             .velocity = velocity * level});
+        }
+    }
+}
+
+}  // namespace raks::audio
