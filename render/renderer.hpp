@@ -10,7 +10,7 @@
 
 namespace raks::render {
 
-class Avatar;
+struct Avatar;
 
 /// How much work a picture may be. `automatic` is `fast` on software drivers (llvmpipe, softpipe,
 /// swrast), else `high`.

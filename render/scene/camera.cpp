@@ -79,6 +79,13 @@ void Camera::pan(float right, float up) noexcept {
     target.y = std::clamp(target.y + up, 0.0F, kMaxTargetHeight);
 }
 
+void Camera::pan_to(glm::vec3 place) noexcept {
+    if (std::isfinite(place.x) && std::isfinite(place.z)) {
+        target.x = std::clamp(place.x, -kMaxPan, kMaxPan);
+        target.z = std::clamp(place.z, -kMaxPan, kMaxPan);
+    }
+}
+
 void Camera::zoom(float factor) noexcept {
     if (std::isfinite(factor) && factor > 0.0F) {
         distance = std::clamp(distance * factor, kMinDistance, kMaxDistance);

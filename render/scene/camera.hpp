@@ -36,6 +36,9 @@ struct Camera {
     /// Moves the target in the picture plane, in metres: right, and up along the world's y.
     void pan(float right, float up) noexcept;
 
+    /// Looks at the place over or under `place`, at the target's height.
+    void pan_to(glm::vec3 place) noexcept;
+
     /// Multiplies the distance: 0.9 goes nearer, 1.1 away. Factors <= 0 or NaN do nothing.
     void zoom(float factor) noexcept;
 

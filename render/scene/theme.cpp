@@ -36,8 +36,8 @@ Theme stage() noexcept {
     theme.background_top = srgb(0x11131f);
     theme.background_glow = srgb(0x3a3f63);
     theme.background_horizon = srgb(0x1b1e2f);
-    theme.floor_centre = srgb(0x4a4f78);
-    theme.floor_edge = srgb(0x262a44);
+    theme.floor_centre = srgb(0x52588f);
+    theme.floor_edge = srgb(0x20244b);
     theme.ring = srgb(0xffb454);
     theme.key_light = {2.05F, 1.86F, 1.66F};
     theme.fill_light = {0.16F, 0.24F, 0.46F};
@@ -61,8 +61,8 @@ Theme workshop_dark() noexcept {
     theme.background_top = srgb(0x10141d);
     theme.background_glow = srgb(0x2b3d52);
     theme.background_horizon = srgb(0x18202d);
-    theme.floor_centre = srgb(0x475a72);
-    theme.floor_edge = srgb(0x222e42);
+    theme.floor_centre = srgb(0x4a6888);
+    theme.floor_edge = srgb(0x1b2943);
     theme.ring = srgb(0x62d0c8);
     theme.key_light = {2.0F, 1.9F, 1.78F};
     theme.fill_light = {0.2F, 0.3F, 0.48F};
@@ -86,9 +86,11 @@ Theme studio_light() noexcept {
     theme.background_top = srgb(0xd9d4cb);
     theme.background_glow = srgb(0xf3efe8);
     theme.background_horizon = srgb(0xe6e1d9);
-    theme.floor_centre = srgb(0xe9e3d8);
-    theme.floor_edge = srgb(0xded7cb);
+    theme.floor_centre = srgb(0xeae4dc);
+    theme.floor_edge = srgb(0xe7dfd5);
     theme.ring = srgb(0xb05a3c);
+    theme.floor_ambient = 0.72F;
+    theme.ring_cover = 1.0F;
     theme.key_light = {2.1F, 1.98F, 1.82F};
     theme.fill_light = {0.3F, 0.34F, 0.42F};
     theme.rim_light = {0.7F, 0.7F, 0.72F};

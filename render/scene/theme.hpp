@@ -40,6 +40,8 @@ struct Theme {
     glm::vec3 floor_centre{};
     glm::vec3 floor_edge{};
     glm::vec3 ring{};
+    float floor_ambient = 0.3F;  ///< share of the floor's light that no shadow takes, (0, 1)
+    float ring_cover = 0.0F;     ///< 0: rings add light (dark floor); 1: they cover (light floor)
 
     glm::vec3 key_light{};
     glm::vec3 fill_light{};

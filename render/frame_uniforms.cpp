@@ -1,0 +1,107 @@
+#include "render/frame_uniforms.hpp"
+
+#include "render/scene/stage_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+namespace raks::render {
+namespace {
+
+constexpr float kLineHalfWidth = 0.011F;  // metres, of a beat ring
+constexpr float kRingGlow = 0.30F;
+// The line on the floor that is always there.
+constexpr glm::vec4 kStillRing{1.25F, 0.22F, 0.008F, 0.0F};
+
+glm::vec4 direction(glm::vec3 d) noexcept { return {d, 0.0F}; }
+glm::vec4 colour(glm::vec3 c) noexcept { return {c, 1.0F}; }
+
+/// A light's hue at luminance 1. (Rec. 709)
+glm::vec3 hue(glm::vec3 light) noexcept {
+    return light / (0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b);
+}
+
+void set_materials(FrameUniforms& u, const Theme& theme, View view) noexcept {
+    constexpr float kSoleAgainstShoe = 0.35F;
+    if (view == View::stick) {
+        u.materials = {
+            colour(theme.stick_middle), colour(theme.stick_left), colour(theme.stick_right)};
+    } else if (theme.dress == Dress::dancer) {
+        u.materials = {colour(theme.skin),
+                       colour(theme.suit),
+                       colour(theme.stripe),
+                       colour(theme.hair),
+                       colour(theme.shoes),
+                       colour(theme.trim),
+                       colour(kSoleAgainstShoe * theme.shoes)};
+    } else {
+        u.materials = {colour(theme.body), colour(theme.joint_bands), colour(theme.band_edge)};
+    }
+}
+
+void set_lights(FrameUniforms& u, const Theme& theme, const LightDirections& lights) noexcept {
+    u.key_direction = direction(lights.key);
+    u.fill_direction = direction(lights.fill);
+    u.rim_direction = direction(lights.rim);
+    u.key_light = colour(theme.key_light);
+    u.fill_light = colour(theme.fill_light);
+    u.rim_light = colour(theme.rim_light);
+    u.sky_light = colour(theme.sky_light);
+    u.ground_light = colour(theme.ground_light);
+}
+
+void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
+    const Theme& theme = *scene.theme;
+    u.display_top = colour(display_colour(theme.background_top));
+    u.display_glow = colour(display_colour(theme.background_glow));
+    u.display_horizon = colour(display_colour(theme.background_horizon));
+    u.floor_centre = colour(theme.floor_centre);
+    u.floor_edge = colour(theme.floor_edge);
+    u.floor_key_tint = colour((1.0F - theme.floor_ambient) * hue(theme.key_light));
+    u.floor_sky_tint = colour(theme.floor_ambient * hue(theme.sky_light));
+    u.display_ring = {display_colour(theme.ring), theme.ring_cover};
+    u.rings[0] = kStillRing;
+    for (std::size_t i = 0; i < scene.rings.size(); ++i) {
+        const BeatRing& ring = scene.rings[i];
+        u.rings[i + 1] = {ring.radius, ring.brightness, kLineHalfWidth, kRingGlow};
+    }
+}
+
+}  // namespace
+
+glm::vec3 display_colour(glm::vec3 linear) noexcept {
+    return glm::pow(linear, glm::vec3(1.0F / 2.2F));
+}
+
+FrameView frame_view(const Scene& scene,
+                     const motion::WorldPose& dancer,
+                     const FrameTarget& target) noexcept {
+    FrameView view;
+    FrameUniforms& u = view.uniforms;
+    const float width = static_cast<float>(target.width);
+    const float height = static_cast<float>(target.height);
+    const LightDirections lights = light_directions(scene.camera);
+    u.clip_from_world = scene.camera.clip_from_world(width / height);
+    u.eye = {scene.camera.position(), 1.0F};
+    set_lights(u, *scene.theme, lights);
+    set_materials(u, *scene.theme, scene.view);
+    set_stage(u, scene);
+
+    const auto blobs = shadow_blobs(dancer, lights.key);
+    std::transform(blobs.begin(), blobs.end(), u.blobs.begin(), [](const ShadowBlob& blob) {
+        return glm::vec4(blob.x, blob.z, 1.0F / (blob.radius * blob.radius), blob.strength);
+    });
+    view.clip_from_light = light_clip_from_world(dancer.position(motion::Bone::hips), lights.key);
+    const glm::mat4 half_up = glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)),
+                                         glm::vec3(0.5F));  // [-1,1] to [0,1]
+    u.shadow_from_world = half_up * view.clip_from_light;
+
+    u.picture = {static_cast<float>(target.x), static_cast<float>(target.y), width, height};
+    u.tone = {scene.theme->exposure, scene.backdrop == Backdrop::stage ? 1.0F : 0.0F, 0.0F, 0.0F};
+    return view;
+}
+
+}  // namespace raks::render

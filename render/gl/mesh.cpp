@@ -1,0 +1,57 @@
+#include "render/gl/mesh.hpp"
+
+namespace raks::render::gl {
+namespace {
+
+/// OpenGL takes byte offsets into a buffer as pointers.
+const void* buffer_offset(std::size_t bytes) noexcept {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's form
+}
+
+void describe(const Attribute& attribute, GLsizei stride) {
+    glEnableVertexAttribArray(attribute.location);
+    const void* const offset = buffer_offset(attribute.offset);
+    if (attribute.reading == Reading::raw) {
+        glVertexAttribIPointer(
+            attribute.location, attribute.components, attribute.type, stride, offset);
+    } else {
+        glVertexAttribPointer(
+            attribute.location, attribute.components, attribute.type, GL_TRUE, stride, offset);
+    }
+}
+
+}  // namespace
+
+Mesh::Mesh(std::span<const std::byte> vertices,
+           std::size_t stride,
+           std::span<const Attribute> attributes,
+           std::span<const std::uint16_t> indices)
+    : index_count_(static_cast<GLsizei>(indices.size())) {
+    glBindVertexArray(array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    glBufferData(GL_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(vertices.size_bytes()),
+                 vertices.data(),
+                 GL_STATIC_DRAW);
+    for (const Attribute& attribute : attributes) {
+        describe(attribute, static_cast<GLsizei>(stride));
+    }
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(indices.size_bytes()),
+                 indices.data(),
+                 GL_STATIC_DRAW);
+    glBindVertexArray(0);
+}
+
+void Mesh::draw() const noexcept {
+    glBindVertexArray(array_.name());
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr);
+}
+
+void Mesh::draw_instances(int count) const noexcept {
+    glBindVertexArray(array_.name());
+    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr, count);
+}
+
+}  // namespace raks::render::gl

@@ -1,0 +1,162 @@
+#include "render/gl/offscreen_context.hpp"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <array>
+#include <utility>
+
+namespace raks::render {
+
+struct OffscreenContext::Handles {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+    std::string renderer_name;
+
+    Handles() = default;
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+    ~Handles() {
+        if (context != EGL_NO_CONTEXT) {
+            if (eglGetCurrentContext() == context) {
+                eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            }
+            eglDestroyContext(display, context);
+        }
+        // The display stays initialized: EGL shares it by platform, and another context of this
+        // process may be using it. (eglTerminate would mark all of its contexts for deletion.)
+    }
+};
+
+namespace {
+
+std::string egl_error() {
+    const EGLint code = eglGetError();
+    constexpr std::array<char, 17> kDigits = {"0123456789ABCDEF"};
+    std::string hex = "EGL error 0x";
+    for (int shift = 12; shift >= 0; shift -= 4) {
+        hex += kDigits[(static_cast<unsigned>(code) >> static_cast<unsigned>(shift)) & 0xFU];
+    }
+    return hex;
+}
+
+EGLDisplay surfaceless_display() {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+        return EGL_NO_DISPLAY;
+    }
+    return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+}
+
+EGLDisplay device_display() {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") ||
+        !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
+        return EGL_NO_DISPLAY;
+    }
+    EGLDeviceEXT device = nullptr;
+    EGLint count = 0;
+    if (eglQueryDevicesEXT(1, &device, &count) != EGL_TRUE || count < 1) {
+        return EGL_NO_DISPLAY;
+    }
+    return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+}
+
+EGLContext core_context(EGLDisplay display) {
+    constexpr std::array<EGLint, 5> kConfigWish = {
+        EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    constexpr std::array<EGLint, 7> kContextWish = {EGL_CONTEXT_MAJOR_VERSION,
+                                                    3,
+                                                    EGL_CONTEXT_MINOR_VERSION,
+                                                    3,
+                                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                    EGL_NONE};
+    EGLConfig config = nullptr;  // EGL_NO_CONFIG_KHR where none fits: nothing is drawn into it
+    EGLint count = 0;
+    eglChooseConfig(display, kConfigWish.data(), &config, 1, &count);
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, kContextWish.data());
+}
+
+struct Platform {
+    const char* name;
+    EGLDisplay (*display)();
+};
+constexpr std::array<Platform, 2> kPlatforms = {
+    {{"surfaceless", surfaceless_display}, {"device", device_display}}};
+
+/// Initializes the display and makes a context of it current; else says what failed.
+Expected<EGLContext> current_context(EGLDisplay display) {
+    if (display == EGL_NO_DISPLAY) {
+        return fail("not supported");
+    }
+    if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
+        return fail("cannot be initialized, " + egl_error());
+    }
+    if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
+        return fail("has no desktop OpenGL, " + egl_error());
+    }
+    const EGLContext context = core_context(display);
+    if (context == EGL_NO_CONTEXT) {
+        return fail("gives no OpenGL 3.3 core context, " + egl_error());
+    }
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
+        const std::string reason = egl_error();
+        eglDestroyContext(display, context);
+        return fail("cannot draw without a surface, " + reason);
+    }
+    return context;
+}
+
+std::string current_renderer_name() {
+    const GLubyte* const name = glGetString(GL_RENDERER);
+    if (name == nullptr) {
+        return "unknown";
+    }
+    return reinterpret_cast<const char*>(name);  // GL's own type for text
+}
+
+}  // namespace
+
+Expected<OffscreenContext> OffscreenContext::create() {
+    if (!epoxy_has_egl()) {
+        return fail(
+            "no way to draw without a window: libEGL.so.1 is missing; on Debian install "
+            "libegl1 libegl-mesa0 libgl1-mesa-dri");
+    }
+    std::string reasons;
+    for (const Platform& platform : kPlatforms) {
+        auto handles = std::make_unique<Handles>();
+        handles->display = platform.display();
+        const Expected<EGLContext> context = current_context(handles->display);
+        if (context) {
+            handles->context = *context;
+            handles->renderer_name = current_renderer_name();
+            return OffscreenContext(std::move(handles));
+        }
+        reasons.append(reasons.empty() ? "" : "; ");
+        reasons.append("EGL platform ").append(platform.name).append(": ");
+        reasons.append(context.error().message);
+    }
+    return fail("no way to draw without a window (" + reasons +
+                "); on Debian install libegl1 libegl-mesa0 libgl1-mesa-dri");
+}
+
+OffscreenContext::OffscreenContext(std::unique_ptr<Handles> handles) noexcept
+    : handles_(std::move(handles)) {}
+OffscreenContext::OffscreenContext(OffscreenContext&&) noexcept = default;
+OffscreenContext& OffscreenContext::operator=(OffscreenContext&&) noexcept = default;
+OffscreenContext::~OffscreenContext() = default;
+
+const std::string& OffscreenContext::renderer_name() const noexcept {
+    return handles_->renderer_name;
+}
+
+Expected<void> OffscreenContext::make_current() {
+    if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE ||
+        eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context) !=
+            EGL_TRUE) {
+        return fail("the off-screen context cannot be made current, " + egl_error());
+    }
+    return {};
+}
+
+}  // namespace raks::render

@@ -1,0 +1,45 @@
+in vec4 a;
+in vec3 b;
+#ifdef FAST
+in vec3 diffuse;
+in vec3 added;
+#else
+in vec3 world;
+in vec3 world_normal;
+in float open;
+uniform float mirror;
+#endif
+out vec4 colour;
+
+#ifdef FAST
+
+void main() { colour = vec4(sqrt(tone_mapped(albedo_of(a, b) * diffuse + added)), 1.0); }
+
+#else
+
+// Key light's highlight: GGX with Schlick's Fresnel term and the Kelemen visibility term.
+vec3 highlight(vec3 n, vec3 v) {
+    const float roughness = 0.53;
+    const float alpha2 = roughness * roughness * roughness * roughness;
+    vec3 h = normalize(v + key_direction.xyz);
+    float nh = max(dot(n, h), 0.0);
+    float lh = max(dot(key_direction.xyz, h), 0.05);
+    float d = nh * nh * (alpha2 - 1.0) + 1.0;
+    float fresnel = 0.04 + 0.96 * pow(1.0 - lh, 5.0);
+    float facing = max(dot(n, key_direction.xyz), 0.0);
+    return key_light.rgb * (facing * fresnel * alpha2 / (4.0 * d * d * lh * lh));
+}
+
+void main() {
+    if (mirror < 0.0 && world.y < 0.0) {
+        discard;  // what sinks into the floor has no image above it
+    }
+    vec3 n = normalize(world_normal);
+    vec3 v = normalize(vec3(eye.x, eye.y * mirror, eye.z) - world);
+    float lit = key_visibility(world + 0.012 * n);
+    vec3 light = albedo_of(a, b) * diffuse_light(n, open, lit);
+    light += highlight(n, v) * lit + 0.5 * rim_of(n, v, open);
+    colour = vec4(encoded(tone_mapped(light)), 1.0);
+}
+
+#endif

@@ -1,0 +1,27 @@
+layout(location = 0) in vec2 place;  // x, z in metres
+
+#ifdef FAST
+out vec4 shade;
+#else
+out vec3 world;
+#endif
+
+void main() {
+    vec4 clip = clip_from_world * vec4(place.x, 0.0, place.y, 1.0);
+    gl_Position = clip;
+#ifdef FAST
+    float radius = length(place);
+    float fade = smoothstep(kFadeStart, kFadeEnd, radius);
+    float lit = blob_shadow(place);
+    // Behind the camera there is no place in the picture; the clipper never shows that end.
+    vec3 behind = backdrop(backdrop_place(clip.xy / max(clip.w, 0.1)));
+    vec3 shown = mix(floor_colour(radius, lit),
+                     display_horizon.rgb,
+                     mirror_share(vec3(place.x, 0.0, place.y)));
+    shade = mix(vec4(0.0, 0.0, 0.0, 0.6 * (1.0 - lit) * (1.0 - fade)),
+                vec4(mix(shown, behind, fade), 1.0),
+                tone.y);
+#else
+    world = vec3(place.x, 0.0, place.y);
+#endif
+}

@@ -1,0 +1,81 @@
+// What all shaders of one picture share. Mirrored by FrameUniforms in render/frame_uniforms.hpp.
+// World: metres, y up. Lights are linear; colours named display_ are as shown (gamma applied).
+layout(std140) uniform Frame {
+    mat4 clip_from_world;
+    mat4 shadow_from_world;   // to [0, 1]^3 of the shadow map
+    vec4 eye;                 // world
+    vec4 key_direction;       // unit, toward the light
+    vec4 fill_direction;
+    vec4 rim_direction;
+    vec4 key_light;
+    vec4 fill_light;
+    vec4 rim_light;
+    vec4 sky_light;
+    vec4 ground_light;
+    vec4 materials[7];        // linear colours of the body, by material
+    vec4 display_top;         // backdrop
+    vec4 display_glow;
+    vec4 display_horizon;
+    vec4 floor_centre;        // linear
+    vec4 floor_edge;
+    vec4 floor_key_tint;      // key light on the floor, without the ambient share
+    vec4 floor_sky_tint;      // ambient share
+    vec4 display_ring;        // a: how far a ring covers the floor (0: it only adds light)
+    vec4 rings[4];            // radius, brightness, half width of the line, strength of its glow
+    vec4 blobs[11];           // x, z, 1 / radius^2, strength
+    vec4 picture;             // x, y, width, height in pixels
+    vec4 tone;                // exposure, 1 on the stage and 0 on a transparent backdrop
+};
+
+const float kFadeStart = 1.6;  // metres from the middle of the floor: there it begins to fade
+const float kFadeEnd = 4.6;    // and here it is the backdrop
+
+// Narkowicz 2015, "ACES filmic tone mapping curve", after exposure.
+vec3 tone_mapped(vec3 light) {
+    vec3 x = light * tone.x;
+    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+}
+
+vec3 encoded(vec3 linear) { return pow(linear, vec3(1.0 / 2.2)); }
+
+// Interleaved gradient noise (Jimenez 2014), +-0.5 / 255: hides the steps of dark gradients.
+float dither(vec2 pixel) {
+    return (fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+}
+
+// Colour of the backdrop. p.x: from the middle, p.y: from the upper edge; in picture heights.
+vec3 backdrop(vec2 p) {
+    vec3 base = mix(display_top.rgb, display_horizon.rgb, clamp(2.06 * p.y, 0.0, 1.0));
+    vec2 d = p - vec2(0.0, 0.32);
+    float glow = 0.69 * exp(-dot(d, d) / 0.31) * (1.0 - smoothstep(0.31, 0.60, p.y));
+    return mix(base, display_glow.rgb, glow);
+}
+
+vec2 backdrop_place(vec2 ndc) {
+    return vec2(0.5 * ndc.x * picture.z / picture.w, 0.5 - 0.5 * ndc.y);
+}
+
+// Light that the soft blobs under the joints leave, [0.15, 1].
+float blob_shadow(vec2 at) {
+    float left = 1.0;
+    for (int i = 0; i < 11; ++i) {
+        vec2 d = at - blobs[i].xy;
+        left *= 1.0 - blobs[i].w * exp(-dot(d, d) * blobs[i].z);
+    }
+    return max(left, 0.15);
+}
+
+// Share of the floor that mirrors what is above it: the flatter the view, the more.
+float mirror_share(vec3 at) {
+    float grazing = 1.0 - normalize(eye.xyz - at).y;
+    float grazing2 = grazing * grazing;
+    return 0.10 + 0.5 * grazing2 * grazing2 * grazing;
+}
+
+// Floor as shown, before rings; `lit` is 1 without shadow.
+vec3 floor_colour(float radius, float lit) {
+    float pool = exp(-0.22 * radius * radius);
+    vec3 albedo = mix(floor_edge.rgb, floor_centre.rgb, pool);
+    vec3 light = floor_key_tint.rgb * (lit * mix(0.3, 1.0, pool)) + floor_sky_tint.rgb;
+    return encoded(albedo * light);
+}

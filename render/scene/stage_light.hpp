@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+
+#include "motion/skeleton/skeleton.hpp"
+#include "render/scene/camera.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace raks::render {
+
+/// Unit directions toward the three lights, world space. They turn with the camera (the key light
+/// by 0.6 of its yaw, the others fully), so that every side of the dancer is well lit.
+struct LightDirections {
+    glm::vec3 key{};
+    glm::vec3 fill{};
+    glm::vec3 rim{};
+};
+[[nodiscard]] LightDirections light_directions(const Camera& camera) noexcept;
+
+/// A soft round shadow on the floor: light times 1 - strength * exp(-d^2 / radius^2).
+struct ShadowBlob {
+    float x = 0.0F;
+    float z = 0.0F;
+    float radius = 0.0F;    ///< metres
+    float strength = 0.0F;  ///< [0, 1]
+};
+inline constexpr std::size_t kShadowBlobs = 11;
+
+/// Blobs of the large joints, projected on the floor along the key light; wider and weaker with
+/// height. What the fast shaders have for a shadow.
+[[nodiscard]] std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world,
+                                                                glm::vec3 key) noexcept;
+
+/// Orthographic view from the key light around the dancer, 2.5 x 2.5 m, to clip space.
+[[nodiscard]] glm::mat4 light_clip_from_world(glm::vec3 hips, glm::vec3 key) noexcept;
+
+}  // namespace raks::render
