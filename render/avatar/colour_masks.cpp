@@ -1,0 +1,159 @@
+#include "render/avatar/colour_masks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/avatar/steps.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace raks::render {
+namespace {
+
+using motion::Bone;
+
+constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold; below, the leg's
+constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
+
+float mix(float a, float b, float t) noexcept { return a + (b - a) * t; }
+
+glm::vec3 nearest_on_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b) noexcept {
+    const glm::vec3 ab = b - a;
+    return a + ab * std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0F, 1.0F);
+}
+
+/// Positive between two planes, each given by a point and a normal from the first to the second.
+float between(
+    glm::vec3 p, glm::vec3 from, glm::vec3 n_from, glm::vec3 to, glm::vec3 n_to) noexcept {
+    return std::min(glm::dot(p - from, glm::normalize(n_from)),
+                    glm::dot(to - p, glm::normalize(n_to)));
+}
+
+}  // namespace
+
+ColourMasks::ColourMasks(const BodyField& field, const BindFrames& frames) noexcept
+    : field_(field),
+      shoulder_(frames.joint(Bone::left_upper_arm)),
+      elbow_(frames.joint(Bone::left_lower_arm)),
+      wrist_(frames.joint(Bone::left_hand)),
+      hip_(frames.joint(Bone::left_upper_leg)),
+      knee_(frames.joint(Bone::left_lower_leg)),
+      ankle_(frames.joint(Bone::left_foot)),
+      along_upper_arm_(glm::normalize(elbow_ - shoulder_)),
+      along_forearm_(glm::normalize(wrist_ - elbow_)),
+      along_thigh_(glm::normalize(knee_ - hip_)),
+      along_shank_(glm::normalize(ankle_ - knee_)),
+      along_hand_(frames.direction(Bone::left_hand, {1.0F, 0.0F, 0.0F})),
+      foot_from_world_(glm::conjugate(frames.bind().rotation(Bone::left_foot))) {}
+
+/// Outside of an ellipse about the neck's root: deep in front, high behind.
+float ColourMasks::neckline(glm::vec3 p) const noexcept {
+    constexpr float kHalfWidth = 0.072F;
+    constexpr float kCenterHeight = 1.440F;
+    const float half_height = mix(0.060F, 0.118F, smoothstep(-0.06F, 0.04F, p.z));
+    const glm::vec2 e{p.x / kHalfWidth, (p.y - kCenterHeight) / half_height};
+    const float length = std::max(glm::length(e), 1e-4F);
+    const float slope = glm::length(glm::vec2{e.x / kHalfWidth, e.y / half_height});
+    const float outside = (length - 1.0F) * length / std::max(slope, 1e-4F);
+    return std::min(outside, 1.452F - p.y + 0.3F * p.x);
+}
+
+/// A cap sleeve: its edge runs round the arm where arm and trunk are apart.
+float ColourMasks::sleeve(glm::vec3 p) const noexcept {
+    constexpr float kLength = 0.088F;
+    const float other = std::min(field_.core(p), field_.leg(p));
+    const float off_arm = std::max(0.0F, field_.arm(p) - other - 0.004F);
+    const glm::vec3 along = glm::normalize(along_upper_arm_ + glm::vec3{0.10F, 0.0F, 0.0F});
+    return kLength - glm::dot(p - shoulder_, along) + 1.6F * off_arm + 300.0F * off_arm * off_arm;
+}
+
+float ColourMasks::leg_end(glm::vec3 p) const noexcept {
+    constexpr float kBelowKnee = 0.335F;
+    if (p.y >= 0.8F) {
+        return 0.05F;
+    }
+    return glm::dot(knee_ + kBelowKnee * along_shank_ - p, along_shank_);
+}
+
+/// From the nearest point of the line hip - knee - ankle.
+glm::vec3 ColourMasks::from_leg_line(glm::vec3 p) const noexcept {
+    const glm::vec3 thigh = p - nearest_on_segment(p, hip_, knee_);
+    const glm::vec3 shank = p - nearest_on_segment(p, knee_, ankle_);
+    return glm::dot(thigh, thigh) < glm::dot(shank, shank) ? thigh : shank;
+}
+
+/// A cap cut by a plane that leaves the face free and dips in front of the ear, and the bun.
+float ColourMasks::hair(glm::vec3 p) const noexcept {
+    if (p.y <= 1.47F) {
+        return -kMaskRange;
+    }
+    const glm::vec3 r = p - glm::vec3{0.0F, 1.630F, 0.0F};
+    const glm::vec3 up_and_back = glm::normalize(glm::vec3{0.0F, 0.80F, -0.62F});
+    const float temple =
+        std::max(0.0F, p.x - 0.05F) * std::max(0.0F, 1.0F - std::abs(p.z - 0.02F) / 0.05F);
+    const float cap = glm::dot(r, up_and_back) + 0.006F + 0.30F * p.x * p.x / 0.07F - 1.2F * temple;
+    const float nape = p.y - 1.520F - 0.25F * std::max(0.0F, p.z + 0.02F);
+    const glm::vec3 bun{0.0F, 1.66F, -0.1176F};
+    return std::max(std::min(cap, nape), 0.046F - glm::length(p - bun));
+}
+
+/// `foot`: from the ankle, in the foot bone's frame.
+float ColourMasks::shoe(glm::vec3 foot) const noexcept {
+    const float height = foot.y + kAnkleHeight;
+    return 0.052F + 0.018F * smoothstep(0.06F, -0.04F, foot.z) -
+           0.022F * smoothstep(0.0F, 0.07F, foot.z) - height;
+}
+
+/// Joint bands of the plain mannequin.
+float ColourMasks::bands(glm::vec3 p) const noexcept {
+    const auto ring = [&](glm::vec3 joint, glm::vec3 n1, float before, glm::vec3 n2, float after) {
+        // Only near the joint: the planes go on through the whole body.
+        const float near = 0.11F - glm::length(p - joint);
+        return std::min(near, between(p, joint - before * n1, n1, joint + after * n2, n2));
+    };
+    const float limbs = std::max({
+        ring(elbow_, along_upper_arm_, 0.028F, along_forearm_, 0.028F),
+        ring(wrist_, along_forearm_, 0.016F, along_hand_, 0.004F),
+        ring(knee_, along_thigh_, 0.040F, along_shank_, 0.040F),
+        ring(ankle_, along_shank_, 0.034F, along_shank_, -0.012F),
+    });
+    const float waist = std::min(0.22F - p.x,
+                                 between(p,
+                                         {0.0F, 1.005F, 0.0F},
+                                         {0.0F, 1.0F, 0.10F},
+                                         {0.0F, 1.085F, 0.0F},
+                                         {0.0F, 1.0F, -0.12F}));
+    const float neck = std::min(0.12F - p.x,
+                                between(p,
+                                        {0.0F, 1.428F, -0.02F},
+                                        {0.0F, 1.0F, 0.30F},
+                                        {0.0F, 1.500F, -0.01F},
+                                        {0.0F, 1.0F, 0.30F}));
+    const float arm_beside_waist = 20.0F * (field_.arm(p) - field_.core(p));
+    return std::max({limbs, std::min(waist, arm_beside_waist), neck});
+}
+
+std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
+    constexpr float kSoleHeight = 0.007F;
+    const glm::vec3 off_leg = from_leg_line(p);
+    const glm::vec3 foot = foot_from_world_ * (p - ankle_);
+    const float stripe_shift = mix(-0.009F, -0.012F, smoothstep(0.76F, kHipHeight, p.y));
+    const float shoe_edge = shoe(foot);
+
+    std::array<float, kMaskCount> masks{};
+    const auto set = [&](AvatarMask mask, float value) {
+        masks[static_cast<std::size_t>(mask)] = value;
+    };
+    set(AvatarMask::suit, std::min({neckline(p), sleeve(p), leg_end(p)}));
+    set(AvatarMask::stripe, p.y > kHipHeight ? p.z + 0.012F : off_leg.z - stripe_shift);
+    set(AvatarMask::outer, p.y > kHipHeight ? p.x - 0.06F : off_leg.x);
+    set(AvatarMask::hair, hair(p));
+    set(AvatarMask::shoe, shoe_edge);
+    set(AvatarMask::sole, std::min(shoe_edge, kSoleHeight - (foot.y + kAnkleHeight)));
+    set(AvatarMask::band, bands(p));
+    return masks;
+}
+
+}  // namespace raks::render
