@@ -39,7 +39,9 @@ vec3 tone_mapped(vec3 light) {
 vec3 encoded(vec3 linear) { return pow(linear, vec3(1.0 / 2.2)); }
 
 // Interleaved gradient noise (Jimenez 2014), +-0.5 / 255: hides the steps of dark gradients.
-float dither(vec2 pixel) {
+// From the corner of the picture, so that a picture does not depend on its place in the target.
+float dither(vec2 fragment) {
+    vec2 pixel = fragment - picture.xy;
     return (fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <utility>
@@ -39,6 +40,17 @@ Picture tile(const PoseSheet& sheet, int column, int row, int width, int height)
     return tile;
 }
 
+double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += std::abs(a[i] - b[i]);
+    }
+    return sum / static_cast<double>(a.size());
+}
+// Of 255. Another place in the target moves the rasterizer's rounding: single steps of a byte.
+constexpr double kSame = 0.2;
+constexpr double kOther = 1.0;
+
 TEST_F(PoseSheetTest, shows_every_pose_from_every_camera_in_order) {
     motion::Pose sitting = standing_pose();
     sitting.hips_position.y -= 0.4F;
@@ -48,10 +60,10 @@ TEST_F(PoseSheetTest, shows_every_pose_from_every_camera_in_order) {
     EXPECT_EQ(sheet.width, 120);
     EXPECT_EQ(sheet.height, 4 * 80);  // two bands of front and side
     const auto at = [&](int column, int row) { return tile(sheet, column, row, 60, 80).rgba; };
-    EXPECT_EQ(at(0, 0), at(0, 2)) << "the same pose and camera";
-    EXPECT_EQ(at(0, 1), at(0, 3));
-    EXPECT_NE(at(0, 0), at(1, 0)) << "another pose";
-    EXPECT_NE(at(0, 0), at(0, 1)) << "another camera";
+    EXPECT_LT(mean_difference(at(0, 0), at(0, 2)), kSame) << "the same pose and camera";
+    EXPECT_LT(mean_difference(at(0, 1), at(0, 3)), kSame);
+    EXPECT_GT(mean_difference(at(0, 0), at(1, 0)), kOther) << "another pose";
+    EXPECT_GT(mean_difference(at(0, 0), at(0, 1)), kOther) << "another camera";
     EXPECT_TRUE(std::ranges::all_of(at(1, 2), [](std::uint8_t byte) { return byte == 0; }))
         << "no fourth pose: its tile stays empty";
 }

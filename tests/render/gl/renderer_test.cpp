@@ -296,8 +296,9 @@ TEST_F(RendererTest, state_that_others_draw_with_is_handed_back) {
     Renderer renderer = make_renderer(Quality::high);
     OffscreenTarget target = make_target(32, 32, 4);
     renderer.draw(Scene{}, step_pose(), target.frame());
-    for (const GLenum capability :
-         {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL}) {
+    constexpr std::array<GLenum, 5> kCapabilities = {
+        GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL};
+    for (const GLenum capability : kCapabilities) {
         EXPECT_EQ(glIsEnabled(capability), GL_FALSE) << capability;
     }
     GLint bound = 0;
