@@ -17,8 +17,7 @@ float ring_light(float radius) {
     for (int i = 0; i < 4; ++i) {
         float d = (radius - rings[i].x) / rings[i].z;
         float line = exp(-d * d);
-        float glow = rings[i].w / (1.0 + d * d * 0.06);
-        glow *= glow;
+        float glow = rings[i].w * exp(-d * d / 40.0);
         sum += rings[i].y * (line + glow);
     }
     return min(sum, 1.0);

@@ -12,7 +12,7 @@ vec3 albedo_of(vec4 a, vec3 b) {
     colour = mix(colour, materials[6].rgb, inside(b.y));
     colour = mix(colour, materials[1].rgb, suit);
     colour = mix(colour, materials[2].rgb, inside(0.2 - abs(a.y)) * suit * inside(a.z));
-    return mix(colour, materials[5].rgb, inside(0.06 - abs(a.x)));
+    return mix(colour, materials[5].rgb, inside(0.14 - abs(a.x)));
 }
 #elif defined(DRESS_MANNEQUIN)
 // b.z: joint band
