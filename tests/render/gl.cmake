@@ -1,6 +1,3 @@
-if(TARGET raks_render_avatar)
-    raks_test_program(render_gl
-        SOURCES gl/scene_test.cpp gl/offscreen_test.cpp gl/renderer_test.cpp
-                gl/pose_sheet_test.cpp
-        LIBRARIES raks::render_renderer raks::render_avatar)
-endif()
+raks_test_program(render_gl
+    SOURCES gl/scene_test.cpp gl/offscreen_test.cpp gl/renderer_test.cpp gl/pose_sheet_test.cpp
+    LIBRARIES raks::render_renderer raks::render_avatar)
