@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,7 +32,6 @@ struct Recipe {
     std::vector<Burst> bursts;
     double drop = 0.0;
     double drop_time = 0.01;  ///< seconds
-    double gain = 1.0;
 };
 
 std::vector<Burst> scrape(int teeth, double seconds, double gain) {
@@ -222,13 +222,22 @@ std::vector<float> synthesize_drum(const SoundRequest& request) {
     std::vector<float> out(sum.size());
     for (std::size_t i = 0; i < sum.size(); ++i) {
         const double t = static_cast<double>(sum.size() - i) / request.rate;
-        out[i] = static_cast<float>(recipe.gain * sum[i] * std::min(t / 0.005, 1.0));
+        out[i] = static_cast<float>(sum[i] * std::min(t / 0.005, 1.0));
     }
     return out;
 }
 
 std::vector<float> synthesize(const SoundRequest& request) {
-    return is_pitched(request.sound) ? synthesize_tone(request) : synthesize_drum(request);
+    std::vector<float> out =
+        is_pitched(request.sound) ? synthesize_tone(request) : synthesize_drum(request);
+    float peak = 1e-9F;
+    for (const float sample : out) {
+        peak = std::max(peak, std::abs(sample));
+    }
+    for (float& sample : out) {
+        sample /= peak;
+    }
+    return out;
 }
 
 }  // namespace raks::audio

@@ -23,37 +23,37 @@ struct Strip {
 constexpr std::array<Strip, kSoundCount> kStrips{{
     {0.80F, 0.00F, 0.00F},   // click_high
     {0.60F, 0.00F, 0.00F},   // click_low
-    {0.60F, 0.00F, 0.02F},   // kick
+    {0.70F, 0.00F, 0.02F},   // kick
     {0.62F, 0.00F, 0.00F},   // house_kick
-    {0.42F, 0.05F, 0.12F},   // snare
-    {0.42F, -0.05F, 0.16F},  // clap
-    {0.20F, 0.30F, 0.03F},   // closed_hat
-    {0.20F, 0.35F, 0.06F},   // open_hat
-    {0.16F, 0.40F, 0.20F},   // crash
-    {0.17F, 0.45F, 0.22F},   // clave
-    {0.17F, 0.30F, 0.12F},   // cowbell
-    {0.12F, 0.30F, 0.10F},   // cowbell_mouth
-    {0.34F, -0.35F, 0.14F},  // conga_open
+    {0.60F, 0.05F, 0.12F},   // snare
+    {0.50F, -0.05F, 0.16F},  // clap
+    {0.32F, 0.30F, 0.03F},   // closed_hat
+    {0.30F, 0.35F, 0.06F},   // open_hat
+    {0.26F, 0.40F, 0.20F},   // crash
+    {0.26F, 0.45F, 0.22F},   // clave
+    {0.24F, 0.30F, 0.12F},   // cowbell
+    {0.18F, 0.30F, 0.10F},   // cowbell_mouth
+    {0.36F, -0.35F, 0.14F},  // conga_open
     {0.36F, -0.45F, 0.14F},  // conga_low
-    {0.30F, -0.35F, 0.12F},  // conga_slap
-    {0.22F, -0.35F, 0.05F},  // conga_heel
-    {0.20F, -0.60F, 0.10F},  // guiro_long
-    {0.20F, -0.60F, 0.10F},  // guiro_short
-    {0.12F, 0.65F, 0.06F},   // maracas
-    {0.30F, 0.35F, 0.18F},   // timbale_high
-    {0.32F, 0.45F, 0.18F},   // timbale_low
-    {0.13F, 0.50F, 0.12F},   // cascara
-    {0.66F, 0.00F, 0.14F},   // darbuka_dum
-    {0.40F, 0.12F, 0.16F},   // darbuka_tek
-    {0.30F, -0.12F, 0.16F},  // darbuka_ka
-    {0.16F, 0.50F, 0.16F},   // riq
-    {0.50F, 0.00F, 0.02F},   // bass
-    {0.32F, 0.00F, 0.00F},   // synth_bass
-    {0.20F, -0.25F, 0.16F},  // piano
-    {0.19F, 0.28F, 0.26F},   // brass
-    {0.34F, -0.15F, 0.26F},  // oud
-    {0.17F, -0.20F, 0.25F},  // stab
-    {0.10F, 0.15F, 0.30F},   // pad
+    {0.40F, -0.35F, 0.12F},  // conga_slap
+    {0.24F, -0.35F, 0.05F},  // conga_heel
+    {0.28F, -0.60F, 0.10F},  // guiro_long
+    {0.28F, -0.60F, 0.10F},  // guiro_short
+    {0.26F, 0.65F, 0.06F},   // maracas
+    {0.36F, 0.35F, 0.18F},   // timbale_high
+    {0.36F, 0.45F, 0.18F},   // timbale_low
+    {0.24F, 0.50F, 0.12F},   // cascara
+    {0.60F, 0.00F, 0.14F},   // darbuka_dum
+    {0.58F, 0.12F, 0.16F},   // darbuka_tek
+    {0.40F, -0.12F, 0.16F},  // darbuka_ka
+    {0.36F, 0.50F, 0.16F},   // riq
+    {0.36F, 0.00F, 0.02F},   // bass
+    {0.26F, 0.00F, 0.00F},   // synth_bass
+    {0.27F, -0.25F, 0.16F},  // piano
+    {0.22F, 0.28F, 0.26F},   // brass
+    {0.46F, -0.15F, 0.26F},  // oud
+    {0.22F, -0.20F, 0.25F},  // stab
+    {0.11F, 0.15F, 0.30F},   // pad
 }};
 
 /// Brings the band to about -16 LUFS (ffmpeg's ebur128 over 60 s of each style).
@@ -62,13 +62,13 @@ double band_gain(Style style) {
         case Style::clicks:
             return 1.0;
         case Style::drums:
-            return 1.0;
+            return 1.3;
         case Style::salsa:
-            return 1.0;
+            return 0.87;
         case Style::maqsum:
-            return 1.0;
+            return 1.18;
         case Style::house:
-            return 1.0;
+            return 0.91;
     }
     return 1.0;
 }

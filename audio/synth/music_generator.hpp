@@ -68,7 +68,7 @@ struct GeneratedMusic {
 ///
 ///     const auto music = generate({.style = Style::salsa, .tempo = {{0, 90}, {20, 140}}});
 ///
-/// Errors: every fault of the plan, in one line. Cost: about 1/100 of the piece's length.
+/// Errors: every fault of the plan, in one line. Cost: about 1/300 of the piece's length.
 /// Threads: any, no shared state. Real-time: no.
 [[nodiscard]] Expected<GeneratedMusic> generate(const MusicPlan& plan);
 

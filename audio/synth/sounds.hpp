@@ -17,10 +17,10 @@ struct SoundRequest {
     double rate = 48'000.0;
 };
 
-/// One stroke or note, mono, peak about 1, starting at its attack and ending faded out.
+/// One stroke or note, mono, peak 1, starting at its attack and ending faded out.
 [[nodiscard]] std::vector<float> synthesize(const SoundRequest& request);
 
-/// The two halves of synthesize().
+/// The two halves of synthesize(), at any level.
 [[nodiscard]] std::vector<float> synthesize_drum(const SoundRequest& request);
 [[nodiscard]] std::vector<float> synthesize_tone(const SoundRequest& request);
 

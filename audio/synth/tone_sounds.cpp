@@ -22,9 +22,9 @@ struct String {
     double detune = 0.0;         ///< second string, as a part of the frequency; 0: one string
 };
 
-constexpr String kPiano{14, 1.05, 2.6, 0.30, 0.00045, 0.125, 0.06, 0.18, 0.0008};
-constexpr String kBass{7, 1.35, 1.5, 0.55, 0.0001, 0.23, 0.04, 0.12, 0.0};
-constexpr String kOud{16, 0.95, 1.1, 0.35, 0.0001, 0.17, 0.05, 0.25, 0.0015};
+constexpr String kPiano{16, 0.85, 2.6, 0.30, 0.00045, 0.125, 0.06, 0.18, 0.0008};
+constexpr String kBass{9, 1.10, 1.5, 0.55, 0.0001, 0.23, 0.04, 0.12, 0.0};
+constexpr String kOud{20, 0.75, 1.1, 0.35, 0.0001, 0.17, 0.05, 0.25, 0.0015};
 
 std::vector<float> pluck(const String& string, const SoundRequest& request) {
     const double length = request.seconds + string.release;
