@@ -1,5 +1,6 @@
 #include "render/frame_uniforms.hpp"
 
+#include "render/avatar/avatar.hpp"
 #include "render/scene/stage_light.hpp"
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 namespace raks::render {
 namespace {
 
-constexpr float kLineHalfWidth = 0.011F;  // metres, of a beat ring
-constexpr float kRingGlow = 0.30F;
+constexpr float kLineHalfWidth = 0.015F;  // metres, of a beat ring
+constexpr float kRingGlow = 0.25F;
 // The line on the floor that is always there.
 constexpr glm::vec4 kStillRing{1.25F, 0.22F, 0.008F, 0.0F};
 
@@ -70,6 +71,17 @@ void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
     }
 }
 
+/// Of frame.glsl's dither at the picture's corner.
+float dither_phase(const FrameTarget& target) noexcept {
+    const double phase = 0.754877666 * target.x + 0.569840296 * target.y;
+    return static_cast<float>(phase - std::floor(phase));
+}
+
+/// Pixels that a mask's full range (0.04 m) covers at 1 m before the camera.
+float mask_pixels(const glm::mat4& clip_from_view, float height) noexcept {
+    return kMaskRange * clip_from_view[1][1] * 0.5F * height;
+}
+
 }  // namespace
 
 glm::vec3 display_colour(glm::vec3 linear) noexcept {
@@ -84,7 +96,8 @@ FrameView frame_view(const Scene& scene,
     const float width = static_cast<float>(target.width);
     const float height = static_cast<float>(target.height);
     const LightDirections lights = light_directions(scene.camera);
-    u.clip_from_world = scene.camera.clip_from_world(width / height);
+    const glm::mat4 clip_from_view = scene.camera.clip_from_view(width / height);
+    u.clip_from_world = clip_from_view * scene.camera.view_from_world();
     u.eye = {scene.camera.position(), 1.0F};
     set_lights(u, *scene.theme, lights);
     set_materials(u, *scene.theme, scene.view);
@@ -100,7 +113,10 @@ FrameView frame_view(const Scene& scene,
     u.shadow_from_world = half_up * view.clip_from_light;
 
     u.picture = {static_cast<float>(target.x), static_cast<float>(target.y), width, height};
-    u.tone = {scene.theme->exposure, scene.backdrop == Backdrop::stage ? 1.0F : 0.0F, 0.0F, 0.0F};
+    u.tone = {scene.theme->exposure,
+              scene.backdrop == Backdrop::stage ? 1.0F : 0.0F,
+              dither_phase(target),
+              mask_pixels(clip_from_view, height)};
     return view;
 }
 

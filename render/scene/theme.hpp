@@ -40,7 +40,7 @@ struct Theme {
     glm::vec3 floor_centre{};
     glm::vec3 floor_edge{};
     glm::vec3 ring{};
-    float floor_ambient = 0.3F;  ///< share of the floor's light that no shadow takes, (0, 1)
+    float floor_ambient = 0.2F;  ///< share of the floor's light that no shadow takes, (0, 1)
     float ring_cover = 0.5F;     ///< from 0: rings add light, to 1: they cover the floor
 
     glm::vec3 key_light{};

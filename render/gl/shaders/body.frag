@@ -25,7 +25,7 @@ vec3 highlight(vec3 n, vec3 v) {
     float nh = max(dot(n, h), 0.0);
     float lh = max(dot(key_direction.xyz, h), 0.05);
     float d = nh * nh * (alpha2 - 1.0) + 1.0;
-    float fresnel = 0.03 + 0.97 * pow(1.0 - lh, 5.0);
+    float fresnel = 0.025 + 0.975 * pow(1.0 - lh, 5.0);
     float facing = max(dot(n, key_direction.xyz), 0.0);
     return key_light.rgb * (facing * fresnel * alpha2 / (4.0 * d * d * lh * lh));
 }

@@ -9,6 +9,7 @@ out vec3 b;
 #ifdef FAST
 out vec3 diffuse;
 out vec3 added;
+out float sharpness;
 #else
 out vec3 world;
 out vec3 world_normal;
@@ -30,8 +31,9 @@ void main() {
     float shine4 = shine * shine; // ^4
     float shine8 = shine4 * shine4;
     float shine24 = shine8 * shine8 * shine8;
-    added = rim_of(n, v, occlusion) * 0.5 + key_light.rgb * (0.09 * shine24 * shine4);
+    added = rim_of(n, v, occlusion) * 0.5 + key_light.rgb * (0.07 * shine24 * shine4);
     gl_Position = clip_from_world * vec4(at, 1.0);
+    sharpness = tone.w / gl_Position.w;
 #else
     world = at;
     world_normal = n;

@@ -24,7 +24,8 @@ layout(std140) uniform Frame {
     vec4 rings[4];            // radius, brightness, half width of the line, strength of its glow
     vec4 blobs[11];           // x, z, 1 / radius^2, strength
     vec4 picture;             // x, y, width, height in pixels
-    vec4 tone;                // exposure, 1 on the stage and 0 on a transparent backdrop
+    vec4 tone;                // exposure; 1 on the stage, 0 on a transparent backdrop; phase of the
+                              // dither; pixels of 0.04 m at 1 m distance
 };
 
 const float kFadeStart = 1.6;  // metres from the middle of the floor: there it begins to fade
@@ -38,11 +39,11 @@ vec3 tone_mapped(vec3 light) {
 
 vec3 encoded(vec3 linear) { return pow(linear, vec3(1.0 / 2.2)); }
 
-// Interleaved gradient noise (Jimenez 2014), +-0.5 / 255: hides the steps of dark gradients.
-// From the corner of the picture, so that a picture does not depend on its place in the target.
+// Ordered noise, +-0.5 / 255: hides the steps of dark gradients. (Roberts 2018, "R2 sequence"; half
+// the cost of interleaved gradient noise.) From the corner of the picture, so that a picture does
+// not depend on its place in the target.
 float dither(vec2 fragment) {
-    vec2 pixel = fragment - picture.xy;
-    return (fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+    return fract(dot(fragment, vec2(0.754877666, 0.569840296)) - tone.z) / 255.0 - 0.5 / 255.0;
 }
 
 // Colour of the backdrop. p.x: from the middle, p.y: from the upper edge; in picture heights.
