@@ -1,0 +1,169 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/beats.hpp"
+#include "base/expected.hpp"
+#include "motion/skeleton/humanoid.hpp"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+
+/// One dance figure as learnt from people: what `raks train figure` writes and the dancer dances.
+///
+/// **Time base.** Everything is a function of the figure's *phase*, counted in beats from count 1
+/// (phase 0) to `beats`. The phase axis carries `samples_per_beat` equidistant samples a beat, so a
+/// figure has T = beats x samples_per_beat samples and sample i lies at phase i / samples_per_beat.
+/// Features, deltas and the HMM's steps are per *sample*; velocities inside the features are per
+/// *beat*. A figure thus knows no seconds: the dancer paces it by the tracked beat.
+///
+/// **Space.** Right-handed, metres of the source body, y up, heading 0 faces +z, positive turns
+/// from +z towards +x (right-hand rule about +y).
+namespace raks::motion {
+
+enum class Part : std::uint8_t { torso, upper, lower };
+inline constexpr std::array<Part, 3> kParts = {Part::torso, Part::upper, Part::lower};
+inline constexpr std::array<std::string_view, 3> kPartNames = {"torso", "upper", "lower"};
+
+enum class DanceRole : std::uint8_t { lead, follow };
+inline constexpr std::array<std::string_view, 2> kRoleNames = {"lead", "follow"};
+
+/// The torso's first six features, in this order; three of each spine joint follow.
+enum class RootFeature : std::uint8_t {
+    velocity_left,     ///< heading-local +x; metres a beat
+    velocity_forward,  ///< heading-local +z; metres a beat
+    yaw_rate,          ///< radians a beat
+    height,            ///< of the hips over the floor; metres
+    tilt_x,            ///< exponential map of the hips' rotation without its heading; radians.
+    tilt_z,            ///< (The part about the vertical is zero by definition and left out.)
+};
+inline constexpr std::size_t kRootFeatures = 6;
+
+/// A joint whose rotation is a feature: three numbers, the exponential map (axis x angle, radians,
+/// in the joint's frame) of `mean^-1 * local rotation`.
+struct JointFeature {
+    Bone bone = Bone::hips;
+    glm::dquat mean{1.0, 0.0, 0.0, 0.0};  ///< unit
+};
+
+/// What one state says of each feature: a Gaussian over value, delta and delta-delta, all of
+/// length D (the part's dimension). With x(i) the feature at sample i:
+///     delta(i)       = (x(i+1) - x(i-1)) / 2
+///     delta_delta(i) = x(i+1) - 2 x(i) + x(i-1)
+/// (Tokuda et al. 2000, windows of three samples). At the ends of a figure the neighbours come
+/// from the motion around it. `mean` is also the mean of the HMM's emission.
+struct FigureState {
+    std::vector<double> mean;
+    std::vector<double> variance;  ///< > 0
+    std::vector<double> delta_mean;
+    std::vector<double> delta_variance;  ///< > 0
+    std::vector<double> delta_delta_mean;
+    std::vector<double> delta_delta_variance;  ///< > 0
+};
+
+/// A left-to-right HMM of one part of the body, with its states on equal slices of the phase:
+/// state k of N spans [k, k+1) x beats / N.
+struct PartModel {
+    Part part = Part::torso;
+    std::vector<JointFeature> joints;  ///< torso: after the six root features
+    std::vector<FigureState> states;   ///< N, at least 1
+
+    std::vector<double> initial;                  ///< N, sums to 1
+    std::vector<std::vector<double>> transition;  ///< N x N; row + its exit sums to 1
+    std::vector<double> exit;  ///< N: chance that the figure ends after the state
+    std::vector<std::vector<double>> covariance;  ///< D x D, of all states; positive definite
+
+    /// Within one human repeat the variance of each feature over the phase, mean over the repeats:
+    /// what a mean trajectory is scaled to so that averaging does not shrink the dance. D, > 0.
+    std::vector<double> global_variance;
+
+    /// D: features of one sample.
+    [[nodiscard]] std::size_t dimension() const noexcept {
+        return 3 * joints.size() + (part == Part::torso ? kRootFeatures : 0);
+    }
+    /// The state of sample i of a figure of T samples, 0 <= i < T.
+    [[nodiscard]] std::size_t state_at(std::size_t sample, std::size_t samples) const noexcept {
+        return sample * states.size() / samples;
+    }
+};
+
+/// When one foot lands at one count: distance from the count, late is positive. (Landing: the
+/// foot's speed, mean of ankle and toe tip, falls under 0.30 m/s after a step over 0.6 m/s.)
+struct LandingOffset {
+    int repeats = 0;  ///< how many repeats had one; 0: this foot does not step here
+    Beats median{};
+    Beats deviation{};  ///< standard deviation
+};
+
+inline constexpr std::size_t kContactBins = 64;  ///< over one figure
+
+struct FigureModel {
+    static constexpr std::string_view kFormat = "raks-figure";
+    static constexpr int kVersion = 1;
+
+    std::string name;   ///< "basic"
+    std::string dance;  ///< "salsa", a genre label
+    DanceRole role = DanceRole::lead;
+    std::string attribution;
+
+    int beats = 8;              ///< length; 1 to 64
+    int samples_per_beat = 24;  ///< 4 to 200
+    Bpm learnt_tempo{120.0};    ///< mean over the repeats
+    int repeats = 0;            ///< how many it was learnt from
+
+    std::array<PartModel, 3> parts;  ///< by Part
+
+    /// From the first sample to the sample at phase `beats`: place in metres in the heading frame
+    /// of the start (x left, y forward), and turn in radians.
+    glm::dvec2 net_displacement{0.0, 0.0};
+    double net_turn = 0.0;
+
+    /// Height of the hips over the sole in the source's T-pose; metres. Lengths of the root's
+    /// features scale by (target's hips height) / this.
+    double source_hips_height = 1.0;
+
+    /// Chance [0, 1] that the toe of a side rests on the floor; bin j spans the phase
+    /// [j, j+1) x beats / kContactBins. By Side.
+    std::array<std::array<double, kContactBins>, 2> contact{};
+    /// By Side, then by count 1..beats (index 0 is count 1).
+    std::array<std::vector<LandingOffset>, 2> landings;
+
+    [[nodiscard]] const PartModel& part(Part which) const noexcept {
+        return parts[static_cast<std::size_t>(which)];
+    }
+    /// T: samples of one figure.
+    [[nodiscard]] std::size_t samples() const noexcept {
+        return static_cast<std::size_t>(beats) * static_cast<std::size_t>(samples_per_beat);
+    }
+};
+
+/// The joints of each part, in the order of the features: spine, chest, neck; shoulder, upper arm,
+/// lower arm of the left, then of the right; upper leg, lower leg, foot of the left, then right.
+[[nodiscard]] std::vector<Bone> default_joints(Part part);
+
+/// Checks everything the dancer relies on. The error names the first wrong field, its value and
+/// what it must be: `parts[0].states[3].variance[0] is -0.2, must be > 0`.
+[[nodiscard]] Expected<void> validate(const FigureModel& model);
+
+/// Reads and validates a model file (JSON, at most 64 MiB). Errors, one line: not readable, not
+/// JSON, another format, a newer version, a missing or wrong field.
+/// Threads: workers. Real-time: no.
+[[nodiscard]] Expected<FigureModel> load_figure(const std::filesystem::path& path);
+
+/// The same from text; `name` stands for the file in errors.
+[[nodiscard]] Expected<FigureModel> parse_figure(std::string_view json, const std::string& name);
+
+/// The file's text: numbers in their shortest form that reads back to the same bits.
+[[nodiscard]] std::string figure_text(const FigureModel& model);
+
+/// Validates and writes (whole or not at all).
+[[nodiscard]] Expected<void> save_figure(const FigureModel& model,
+                                         const std::filesystem::path& path);
+
+}  // namespace raks::motion
