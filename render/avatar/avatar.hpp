@@ -91,6 +91,9 @@ struct HelperJoint {
     motion::Bone source = motion::Bone::hips;
     glm::vec3 roll_axis{};  ///< unit, in the source's frame
     glm::vec3 offset{};     ///< from the parent's joint, in the parent's frame
+    /// Metres by which the joint is lifted when its source points straight up: the shoulder muscle
+    /// bunches beside the neck. Nothing at or below the horizontal.
+    float lift = 0.0F;
 };
 
 /// Immutable once built.

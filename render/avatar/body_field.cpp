@@ -9,6 +9,7 @@
 namespace raks::render {
 namespace {
 
+constexpr float kNothing = std::numeric_limits<float>::max();
 constexpr float kFar = 0.06F;  // beyond it a bounding sphere stands for what it holds
 constexpr float kCoreLegBlend = 0.035F;
 constexpr float kCoreArmBlend = 0.045F;
@@ -247,17 +248,18 @@ float BodyField::solid_distance(const Solid& solid, glm::vec3 p) noexcept {
     return std::visit([&](const auto& shape) { return distance_to(shape, p); }, solid.shape);
 }
 
-float BodyField::fold(Group group, glm::vec3 p) const noexcept {
-    float distance = std::numeric_limits<float>::max();
+float BodyField::fold(Group group, glm::vec3 p, float distance) const noexcept {
     for (const Solid& solid : solids(group).solids) {
         const float bound = sphere_bound(p, solid.sphere_center, solid.sphere_radius);
         if (bound < distance + solid.blend) {
             const float own = bound > kFar ? bound : solid_distance(solid, p);
             distance = smooth_min(distance, own, solid.blend);
         }
-        if (solid.fold == Fold::both_sides) {
-            const float other = solid_distance(solid, {-p.x, p.y, p.z});
-            distance = smooth_min(distance, other, solid.blend);
+        const glm::vec3 image{-p.x, p.y, p.z};
+        if (solid.fold == Fold::both_sides &&
+            sphere_bound(image, solid.sphere_center, solid.sphere_radius) <
+                distance + solid.blend) {
+            distance = smooth_min(distance, solid_distance(solid, image), solid.blend);
         }
     }
     return distance;
@@ -270,14 +272,14 @@ float BodyField::core(glm::vec3 p) const noexcept {
     if (bound > kFar) {
         return bound;
     }
-    float distance = fold(Group::core, p);
+    float distance = fold(Group::core, p, kNothing);
     for (const Solid& carve : solids(Group::carve).solids) {
         const float away = sphere_bound(p, carve.sphere_center, carve.sphere_radius);
         if (-away + carve.blend > distance) {
             distance = smooth_max(distance, -solid_distance(carve, p), carve.blend);
         }
     }
-    return distance;
+    return fold(Group::detail, p, distance);
 }
 
 float BodyField::leg(glm::vec3 p) const noexcept {
@@ -288,18 +290,18 @@ float BodyField::leg(glm::vec3 p) const noexcept {
         return bound;
     }
     const float below_sole = glm::dot(sole_point_ - p, sole_normal_);
-    return smooth_max(fold(Group::leg, p), below_sole, kSoleBlend);
+    return smooth_max(fold(Group::leg, p, kNothing), below_sole, kSoleBlend);
 }
 
 float BodyField::finger(Group finger, glm::vec3 p) const noexcept {
     p.x = std::abs(p.x);
     const SolidGroup& group = solids(finger);
     const float bound = sphere_bound(p, group.sphere_center, group.sphere_radius);
-    return bound > kFar ? bound : fold(finger, p);
+    return bound > kFar ? bound : fold(finger, p, kNothing);
 }
 
 float BodyField::hand(glm::vec3 p) const noexcept {
-    const float palm = fold(Group::palm, p);
+    const float palm = fold(Group::palm, p, kNothing);
     float distance = palm;
     for (const Group group : kFingers) {
         const float blend = group == Group::thumb ? kPalmThumbBlend : kPalmFingerBlend;
@@ -315,7 +317,7 @@ float BodyField::arm(glm::vec3 p) const noexcept {
     constexpr float kFingerReach = 0.13F;  // from the palm's sphere to the farthest fingertip
     const float arm_bound = sphere_bound(p, upper.sphere_center, upper.sphere_radius);
     const float hand_bound = sphere_bound(p, palm.sphere_center, palm.sphere_radius + kFingerReach);
-    const float bare = arm_bound > kFar ? arm_bound : fold(Group::arm, p);
+    const float bare = arm_bound > kFar ? arm_bound : fold(Group::arm, p, kNothing);
     if (hand_bound > bare + kArmHandBlend) {
         return bare;
     }

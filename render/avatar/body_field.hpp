@@ -31,7 +31,7 @@ struct PreparedLoft {
 /// Signed distance to the mannequin's skin in the bind pose: negative inside, metres, about right
 /// near the surface. Symmetric in x.
 ///
-///     core    = trunk and head, folded by smooth minimum, less the carved parts
+///     core    = trunk and head, folded by smooth minimum, less the carved parts, plus details
 ///     hand    = min over fingers of smooth_min(palm, finger): fingers never grow together
 ///     arm     = smooth_min(arm, hand)
 ///     surface = min(smooth_min(core, leg), smooth_min(core, arm)): nor do limbs
@@ -70,7 +70,8 @@ class BodyField {
     static Solid prepare(const Primitive& primitive, const BindFrames& frames);
     static void enclose(SolidGroup& group) noexcept;
     static float solid_distance(const Solid& solid, glm::vec3 p) noexcept;
-    [[nodiscard]] float fold(Group group, glm::vec3 p) const noexcept;
+    /// Joins the group's solids to what is at `distance` already.
+    [[nodiscard]] float fold(Group group, glm::vec3 p, float distance) const noexcept;
     [[nodiscard]] float hand(glm::vec3 p) const noexcept;
     [[nodiscard]] const SolidGroup& solids(Group group) const noexcept {
         return groups_[static_cast<std::size_t>(group)];

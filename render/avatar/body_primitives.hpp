@@ -14,8 +14,20 @@
 namespace raks::render {
 
 /// Who blends with whom; fingers are groups of their own, so that they never grow together.
-enum class Group : std::uint8_t { core, carve, leg, arm, palm, thumb, index, middle, ring, little };
-inline constexpr int kGroupCount = 10;
+enum class Group : std::uint8_t {
+    core,
+    carve,   // taken away from core
+    detail,  // added to core after carving
+    leg,
+    arm,
+    palm,
+    thumb,
+    index,
+    middle,
+    ring,
+    little,
+};
+inline constexpr int kGroupCount = 11;
 
 /// Unit vectors of a solid: across, along, to the front. Left- or right-handed.
 struct SolidFrame {

@@ -14,6 +14,7 @@ namespace {
 
 using motion::Bone;
 
+constexpr glm::vec3 kBun{0.0F, 1.660F, -0.119F};  // centre, as in head_primitives.cpp
 constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold; below, the leg's
 constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
 
@@ -84,19 +85,17 @@ glm::vec3 ColourMasks::from_leg_line(glm::vec3 p) const noexcept {
     return glm::dot(thigh, thigh) < glm::dot(shank, shank) ? thigh : shank;
 }
 
-/// A cap cut by a plane that leaves the face free and dips in front of the ear, and the bun.
+/// Hair drawn back into a bun: a plane from the forehead down to the ear leaves the face free, a
+/// second one the nape; their corner in front of the ear is rounded.
 float ColourMasks::hair(glm::vec3 p) const noexcept {
-    if (p.y <= 1.47F) {
-        return -kMaskRange;
-    }
-    const glm::vec3 r = p - glm::vec3{0.0F, 1.630F, 0.0F};
-    const glm::vec3 up_and_back = glm::normalize(glm::vec3{0.0F, 0.80F, -0.62F});
-    const float temple =
-        std::max(0.0F, p.x - 0.05F) * std::max(0.0F, 1.0F - std::abs(p.z - 0.02F) / 0.05F);
-    const float cap = glm::dot(r, up_and_back) + 0.006F + 0.30F * p.x * p.x / 0.07F - 1.2F * temple;
-    const float nape = p.y - 1.520F - 0.25F * std::max(0.0F, p.z + 0.02F);
-    const glm::vec3 bun{0.0F, 1.66F, -0.1176F};
-    return std::max(std::min(cap, nape), 0.046F - glm::length(p - bun));
+    constexpr float kCorner = 0.030F;
+    const glm::vec3 forehead{0.0F, 1.668F, 0.075F};
+    const glm::vec3 up_and_back{0.0F, 0.440F, -0.898F};
+    const float cap = glm::dot(p - forehead, up_and_back) + 1.2F * p.x * p.x;
+    const float nape = p.y - 1.533F - 0.25F * std::max(0.0F, p.z + 0.06F);
+    const float h = std::max(kCorner - std::abs(cap - nape), 0.0F) / kCorner;
+    const float drawn_back = std::min(cap, nape) - 0.25F * kCorner * h * h;
+    return std::max(drawn_back, 0.046F - glm::length(p - kBun));
 }
 
 /// `foot`: from the ankle, in the foot bone's frame.

@@ -10,6 +10,8 @@ namespace {
 
 using motion::Bone;
 
+constexpr float kShoulderLift = 0.030F;  // metres, by eye
+
 struct LeftHelper {
     std::string_view left_name;
     std::string_view right_name;
@@ -81,6 +83,9 @@ HelperJoint on_side(const LeftHelper& left,
     helper.offset = left.kind == HelperKind::half_roll
                         ? glm::vec3{0.0F}
                         : skeleton.offsets[motion::index_of(helper.source)];
+    const bool is_shoulder =
+        left.kind == HelperKind::half_swing && left.source == Bone::left_upper_arm;
+    helper.lift = is_shoulder ? kShoulderLift : 0.0F;
     return helper;
 }
 
@@ -97,6 +102,15 @@ glm::quat roll_of(const glm::quat& q, glm::vec3 axis) noexcept {
 glm::quat half_of(const glm::quat& q) noexcept {
     const float sign = q.w < 0.0F ? -1.0F : 1.0F;
     return glm::normalize(glm::quat(1.0F + sign * q.w, sign * q.x, sign * q.y, sign * q.z));
+}
+
+/// Up in the parent's frame; grows with the square of the sine of the source's elevation.
+glm::vec3 lift_of(const HelperJoint& helper, const glm::quat& source) noexcept {
+    const float outward =
+        motion::index_of(helper.source) < motion::index_of(motion::Bone::right_upper_leg) ? 1.0F
+                                                                                          : -1.0F;
+    const float sine = std::max((source * (outward * helper.roll_axis)).y, 0.0F);
+    return {0.0F, helper.lift * sine * sine, 0.0F};
 }
 
 glm::mat4 matrix_of(const glm::quat& rotation, glm::vec3 position) noexcept {
@@ -137,10 +151,10 @@ void joint_matrices(const Avatar& avatar,
     }
     for (std::size_t i = 0; i < avatar.helpers.size(); ++i) {
         const HelperJoint& helper = avatar.helpers[i];
-        const glm::quat rotation =
-            world.rotation(helper.parent) * helper_rotation(helper, pose.rotation(helper.source));
-        world_from_joint[motion::kBoneParents.size() + i] =
-            matrix_of(rotation, world.point(helper.parent, helper.offset));
+        const glm::quat& source = pose.rotation(helper.source);
+        const glm::quat rotation = world.rotation(helper.parent) * helper_rotation(helper, source);
+        world_from_joint[motion::kBoneParents.size() + i] = matrix_of(
+            rotation, world.point(helper.parent, helper.offset + lift_of(helper, source)));
     }
 }
 

@@ -16,16 +16,16 @@ constexpr std::array kThighStations = {
     Station{0.21F, 0.069F, 0.075F, 0.068F, 0.001F, 0.002F},
     Station{0.28F, 0.06F, 0.064F, 0.058F, 0.0F, 0.002F},
     Station{0.34F, 0.0525F, 0.055F, 0.051F, -0.001F, 0.001F},
-    Station{0.385F, 0.0485F, 0.049F, 0.048F, -0.001F, 0.0F},
-    Station{0.42F, 0.0465F, 0.046F, 0.048F, -0.001F, -0.001F},
+    Station{0.385F, 0.0480F, 0.0475F, 0.048F, -0.001F, 0.0F},
+    Station{0.42F, 0.0445F, 0.0425F, 0.0465F, -0.001F, -0.001F},
 };
 
 constexpr std::array kShankStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{-0.03F, 0.0465F, 0.046F, 0.046F, 0.0F, -0.002F},
     Station{0.01F, 0.046F, 0.046F, 0.046F, 0.0F, -0.003F},
-    Station{0.05F, 0.045F, 0.0455F, 0.05F, 0.001F, -0.005F},
-    Station{0.095F, 0.05F, 0.044F, 0.06F, 0.002F, -0.007F},
+    Station{0.05F, 0.045F, 0.0470F, 0.05F, 0.001F, -0.005F},
+    Station{0.095F, 0.05F, 0.0450F, 0.06F, 0.002F, -0.007F},
     Station{0.135F, 0.0515F, 0.042F, 0.064F, 0.001F, -0.008F},
     Station{0.19F, 0.0465F, 0.038F, 0.058F, 0.0F, -0.008F},
     Station{0.25F, 0.0385F, 0.034F, 0.046F, -0.001F, -0.006F},
@@ -75,8 +75,8 @@ constexpr std::array kLeg = {
     Primitive{"patella",
               Group::leg,
               Bone::left_lower_leg,
-              0.04F,
-              Ellipsoid{{0.084F, 0.494F, 0.037F}, {0.025F, 0.04F, 0.015F}, kUpright}},
+              0.050F,
+              Ellipsoid{{0.084F, 0.499F, 0.0345F}, {0.023F, 0.036F, 0.0135F}, kUpright}},
     Primitive{"malleoli",
               Group::leg,
               Bone::left_foot,

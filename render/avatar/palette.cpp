@@ -13,10 +13,10 @@ namespace {
 
 using motion::Bone;
 
-/// Rise of the collar bone that an arm `elevation` over the horizontal asks for: a third of it
-/// (scapulohumeral rhythm, rule of thumb), with a soft start. Radians.
+/// Rise of the collar bone that an arm `elevation` over the horizontal asks for (scapulohumeral
+/// rhythm): 30 degrees when it points straight up, with a soft start. Radians.
 float wanted_rise(float elevation) noexcept {
-    constexpr float kShare = 0.33F;
+    constexpr float kShare = 0.40F;
     constexpr float kSoftStart = glm::radians(30.0F);
     if (elevation <= 0.0F) {
         return 0.0F;

@@ -107,22 +107,22 @@ float SkinRule::passed_at(std::size_t split, glm::vec3 p) const noexcept {
 }
 
 /// Keeps the arm's share off the trunk beside it.
-float SkinRule::arm_mask(glm::vec3 p, float d_core, float d_arm) const noexcept {
+float SkinRule::arm_mask(glm::vec3 p, float d_body, float d_arm) const noexcept {
     constexpr float kClearlyArm = 0.14F;  // metres from the shoulder
     const glm::vec3 shoulder = frames_.joint(Bone::left_upper_arm);
     const glm::vec3 along = glm::normalize(frames_.joint(Bone::left_lower_arm) - shoulder);
-    if (d_arm < d_core && glm::dot(p - shoulder, along) > kClearlyArm) {
+    if (d_arm < d_body && glm::dot(p - shoulder, along) > kClearlyArm) {
         return 1.0F;
     }
-    return smootherstep(-0.03F, 0.03F, d_core - d_arm);
+    return smootherstep(-0.03F, 0.03F, d_body - d_arm);
 }
 
 /// Returns what the arm leaves to the trunk.
 float SkinRule::add_arm(glm::vec3 p,
-                        float d_core,
+                        float d_body,
                         float d_arm,
                         JointShares& shares) const noexcept {
-    const float s = passed_at(kShoulder, p) * arm_mask(p, d_core, d_arm);
+    const float s = passed_at(kShoulder, p) * arm_mask(p, d_body, d_arm);
     if (s <= 0.0F) {
         return 1.0F;
     }
@@ -184,11 +184,10 @@ void SkinRule::add_hand(glm::vec3 p, float rest, JointShares& shares) const noex
 /// Returns what the leg leaves to the trunk of `share`.
 float SkinRule::add_leg(glm::vec3 p,
                         float share,
-                        float d_core,
+                        float nearer_than_core,
                         JointShares& shares) const noexcept {
     constexpr float kCrotch = 0.80F;  // height below which the legs are apart
-    const float d_leg = field_.leg(p);
-    const bool is_clearly_leg = p.y < kCrotch && d_leg < d_core - 0.02F;
+    const bool is_clearly_leg = p.y < kCrotch && nearer_than_core > 0.02F;
     const Thirds hip = through_helper(is_clearly_leg ? 1.0F : passed_at(kHip, p));
     // Near the middle both legs hold the skin, so that nothing tears between them.
     const float own = p.y > kCrotch ? 0.5F + 0.5F * smootherstep(0.0F, 0.018F, p.x) : 1.0F;
@@ -235,11 +234,12 @@ JointShares SkinRule::at(glm::vec3 p) const noexcept {
     constexpr float kNoLegAbove = 1.1F;
     JointShares shares{};
     const float d_core = field_.core(p);
+    const float d_leg = field_.leg(p);
     const float d_arm = field_.arm(p);
-    float rest = add_arm(p, d_core, d_arm, shares);
-    const bool is_arm = d_arm < d_core && d_arm < field_.leg(p);
-    if (p.y < kNoLegAbove && !is_arm) {
-        rest = add_leg(p, rest, d_core, shares);
+    const float d_body = std::min(d_core, d_leg);
+    float rest = add_arm(p, d_body, d_arm, shares);
+    if (p.y < kNoLegAbove && d_body <= d_arm) {
+        rest = add_leg(p, rest, d_core - d_leg, shares);
     }
     add_trunk(p, rest, shares);
     return shares;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "render/avatar/helper_joints.hpp"
+#include "render/avatar/steps.hpp"
 
 namespace raks::render {
 namespace {
@@ -30,6 +31,23 @@ std::vector<JointShares> smoothed(const std::vector<JointShares>& shares,
         }
     }
     return result;
+}
+
+/// Takes the other side's joints off the skin away from the middle, where smoothing brought them.
+void keep_sides_apart(glm::vec3 p, JointShares& shares) noexcept {
+    constexpr float kShared = 0.008F;  // metres from the middle
+    constexpr float kApart = 0.020F;
+    const float kept = 1.0F - smootherstep(kShared, kApart, p.x);
+    const auto fade = [&](std::size_t joint) { shares[joint] *= kept; };
+    for (std::size_t bone = motion::index_of(motion::Bone::right_upper_leg);
+         bone < motion::kBoneNames.size();
+         ++bone) {
+        fade(bone);
+    }
+    for (auto helper = static_cast<std::size_t>(Helper::right_shoulder_half); helper < kPaletteSize;
+         ++helper) {
+        fade(helper);
+    }
 }
 
 /// The four largest, rounded so that they sum to 255: the rest goes to the largest.
@@ -74,8 +92,9 @@ std::vector<PackedWeights> skin_weights(const BodyField& field,
     }
     std::vector<PackedWeights> packed;
     packed.reserve(shares.size());
-    for (const JointShares& vertex : shares) {
-        packed.push_back(pack(vertex));
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        keep_sides_apart(mesh.positions[i], shares[i]);
+        packed.push_back(pack(shares[i]));
     }
     return packed;
 }

@@ -28,9 +28,12 @@ class SkinRule {
 
  private:
     [[nodiscard]] float passed_at(std::size_t split, glm::vec3 p) const noexcept;
-    [[nodiscard]] float arm_mask(glm::vec3 p, float d_core, float d_arm) const noexcept;
-    float add_arm(glm::vec3 p, float d_core, float d_arm, JointShares& shares) const noexcept;
-    float add_leg(glm::vec3 p, float share, float d_core, JointShares& shares) const noexcept;
+    [[nodiscard]] float arm_mask(glm::vec3 p, float d_body, float d_arm) const noexcept;
+    float add_arm(glm::vec3 p, float d_body, float d_arm, JointShares& shares) const noexcept;
+    float add_leg(glm::vec3 p,
+                  float share,
+                  float nearer_than_core,
+                  JointShares& shares) const noexcept;
     void add_trunk(glm::vec3 p, float rest, JointShares& shares) const noexcept;
     void add_hand(glm::vec3 p, float rest, JointShares& shares) const noexcept;
 

@@ -61,14 +61,16 @@ float SurfaceCells::value_at(GridPoint point) {
     return entry->second;
 }
 
-/// Largest leaf that keeps what is at `p`: fingers and thumb 1; palm, wrist, head, feet 2; rest 4.
+/// Largest leaf that keeps what is at `p`: fingers, thumb, face 1; palm, wrist, head, feet 2;
+/// rest 4.
 int SurfaceCells::wanted_size(glm::vec3 p) const noexcept {
     const glm::vec3 from_wrist = p - wrist_;
     const float along_hand = glm::dot(from_wrist, hand_axis_);
     const float away = glm::length(from_wrist);
+    const bool is_face = p.z > 0.045F && p.y > 1.510F && p.y < 1.625F && p.x < 0.055F;
     const bool is_finger = along_hand > 0.050F && away < 0.24F;
     const bool is_thumb = along_hand > 0.005F && away < 0.24F && from_wrist.z > 0.034F;
-    if (is_finger || is_thumb) {
+    if (is_finger || is_thumb || is_face) {
         return 1;
     }
     const bool is_hand = along_hand > -0.050F && away < 0.28F;

@@ -60,7 +60,7 @@ constexpr std::array kTrunk = {
               Group::core,
               Bone::upper_chest,
               0.045F,
-              RoundCone{{0.026F, 1.418F, -0.042F}, {0.13F, 1.374F, -0.036F}, 0.022F, 0.028F}},
+              RoundCone{{0.022F, 1.438F, -0.040F}, {0.142F, 1.381F, -0.033F}, 0.024F, 0.027F}},
     Primitive{
         "scapula",
         Group::core,
@@ -78,7 +78,7 @@ constexpr std::array kTrunk = {
               Group::core,
               Bone::neck,
               0.028F,
-              RoundCone{{0.0F, 1.385F, -0.036F}, {0.0F, 1.54F, -0.008F}, 0.0465F, 0.0425F}},
+              RoundCone{{0.0F, 1.385F, -0.036F}, {0.0F, 1.54F, -0.008F}, 0.0500F, 0.0450F}},
     Primitive{"sternomastoid",
               Group::core,
               Bone::neck,
