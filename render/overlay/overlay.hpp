@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "base/expected.hpp"
+#include "render/gl/frame_target.hpp"
+
+namespace raks::render {
+
+/// Everything that the overlay shows, as it is at the moment that the picture is about. Views
+/// need to live until draw() returns; empty text and empty optionals are not shown.
+struct OverlayState {
+    // Tempo.
+    double bpm = 0.0;           ///< 0: none known
+    float confidence = 0.0F;    ///< [0, 1]; below kLockedConfidence it reads "listening"
+    double bar_position = 0.0;  ///< [0, beats_per_bar); whole part lights the dot
+    int beats_per_bar = 4;      ///< 1 to 12
+    bool is_bar_known = true;   ///< false: beats flash, no beat is called "1"
+    bool is_silent = false;     ///< reads "silence", beats rest
+    // Music and dance.
+    std::string_view genre;        ///< "salsa"
+    float genre_posterior = 0.0F;  ///< [0, 1]
+    std::string_view figure;       ///< "basic step"
+    int figure_count = 0;          ///< 1 to figure_counts; 0: none
+    int figure_counts = 8;
+    // Sound.
+    std::string_view source;         ///< file name or device
+    float level_dbfs = -120.0F;      ///< rms, >= -120
+    float loudness_lufs = -120.0F;   ///< momentary, >= -120
+    float volume = 1.0F;             ///< [0, 1]
+    std::optional<double> position;  ///< seconds into the file; none when live
+    std::optional<double> duration;  ///< seconds, where known
+    bool is_paused = false;
+    // Health.
+    std::optional<double> latency_ms;  ///< measured, sound to picture
+    double fps = 0.0;                  ///< 0: not shown
+    std::uint64_t drops = 0;           ///< events or blocks that found a full queue
+    std::uint64_t xruns = 0;           ///< blocks that the device lost
+    std::uint64_t late = 0;            ///< pictures or figures that came late
+    std::string_view message;          ///< one line, e.g. "screenshot saved: raks-....png"
+};
+
+/// From this confidence on the tempo counts as found.
+inline constexpr float kLockedConfidence = 0.35F;
+
+enum class OverlayView : std::uint8_t {
+    hidden,  ///< nothing but the message line
+    shown,
+    help,  ///< shown, and the list of keys above it
+};
+
+/// The information over the picture: tempo and bar, genre and figure, level, position, health.
+/// Needs an OpenGL 3.3 core context, current at create(), draw() and destruction: a window's or
+/// an off-screen one. Draws over what the target holds and restores OpenGL's state.
+/// The same state, view and size draw the same picture.
+/// Threads: the one that owns the context. Real-time: no.
+class Overlay {
+ public:
+    /// Errors: no usable OpenGL context.
+    [[nodiscard]] static Expected<Overlay> create();
+    Overlay(Overlay&&) noexcept;
+    Overlay& operator=(Overlay&&) noexcept;
+    ~Overlay();
+
+    /// Draws over `target`. Text grows with the height of the picture, and with `content_scale`
+    /// (Window::content_scale) on fine monitors.
+    void draw(const OverlayState& state,
+              OverlayView view,
+              const FrameTarget& target,
+              float content_scale = 1.0F);
+
+ private:
+    struct Impl;
+    explicit Overlay(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace raks::render

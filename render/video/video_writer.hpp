@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "base/expected.hpp"
+
+namespace raks::render {
+
+/// Pictures per second as a fraction, so that no picture time is ever rounded: 30/1, 30000/1001.
+struct FrameRate {
+    int numerator = 30;
+    int denominator = 1;
+
+    /// The fraction that is meant by a decimal number: 29.97 is 30000/1001, 12.5 is 25/2.
+    /// `fps` > 0; the result is exact to 0.001.
+    [[nodiscard]] static FrameRate nearest(double fps) noexcept;
+    [[nodiscard]] double fps() const noexcept {
+        return static_cast<double>(numerator) / denominator;
+    }
+};
+
+/// What is traded against encoding time and file size.
+///             .mp4 (x264)          .avi (Motion JPEG)
+///   draft     ultrafast, crf 23    qscale 6
+///   normal    veryfast,  crf 20    qscale 3     (8.5 and 3 CPU-ms a picture at 1280x720)
+///   high      medium,    crf 17    qscale 2
+enum class VideoQuality : std::uint8_t { draft, normal, high };
+
+struct VideoOptions {
+    int width = 1280;  ///< pixels; 16 to 8192, even unless pictures are written as files
+    int height = 720;  ///< pixels; as width
+    FrameRate rate{};  ///< 1 to 240 pictures a second
+    VideoQuality quality = VideoQuality::normal;
+    int audio_rate = 48'000;  ///< Hz; .mp4: one of AAC's rates (8,000 to 96,000)
+    int audio_channels = 2;   ///< 0 (no sound track), 1 or 2
+};
+
+/// Writes a film with sound. The extension chooses the form:
+///
+///   X.mp4   H.264 (BT.709, limited range, 4:2:0) and AAC 160 kb/s
+///   X.avi   Motion JPEG and 16 bit PCM: plays everywhere, needs no H.264 encoder
+///   X, X/   a folder of pictures 000001.png, 000002.png, ...; sound is accepted and dropped
+///
+/// Picture k is shown from k / rate on and sample n is heard at n / audio_rate: what is added at
+/// the same time is seen and heard at the same time (the encoders' own delay is taken off in the
+/// file). Sound may be added ahead of or behind the pictures; the sound track ends exactly with
+/// the last picture: it is cut, or filled with silence.
+///
+/// The same input gives the same bytes (fixed thread count, no dates, no library versions).
+/// Everything goes to NAME.part first, which gets its name in finish(): a film that is not
+/// finished leaves nothing behind. A program that is told to stop calls finish() and keeps what
+/// was added. It also ignores SIGXFSZ, so that a file size limit arrives here as an error.
+///
+///     auto film = VideoWriter::create("out.mp4", {.width = 1280, .height = 720});
+///     (*film)->add_sound(samples);  (*film)->add_picture(rgba);  (*film)->finish();
+///
+/// Threads: one. Real-time: no.
+class VideoWriter {
+ public:
+    /// Errors: an unknown extension (names the known ones), a size, rate or channel number that
+    /// the form cannot hold, no such encoder in this FFmpeg, a path that cannot be written, a
+    /// folder that already holds files.
+    [[nodiscard]] static Expected<std::unique_ptr<VideoWriter>> create(
+        const std::filesystem::path& path, const VideoOptions& options);
+
+    VideoWriter(const VideoWriter&) = delete;
+    VideoWriter& operator=(const VideoWriter&) = delete;
+    /// Removes the part unless finish() succeeded.
+    virtual ~VideoWriter() = default;
+
+    /// Adds one picture: width x height x 4 bytes RGBA, top row first; alpha is not looked at
+    /// (kept in .png). Errors: a full disk and the like; nothing more can be added then.
+    [[nodiscard]] virtual Expected<void> add_picture(std::span<const std::uint8_t> rgba) = 0;
+    /// Adds interleaved samples, any number of whole audio frames, [-1, 1] (clipped; NaN is 0).
+    [[nodiscard]] virtual Expected<void> add_sound(std::span<const float> interleaved) = 0;
+    /// Completes the file and gives it its name. Needs at least one picture. Once.
+    [[nodiscard]] virtual Expected<void> finish() = 0;
+
+ protected:
+    VideoWriter() = default;
+};
+
+}  // namespace raks::render
