@@ -53,10 +53,9 @@ class AudioFileReader {
     std::string warning_;
 };
 
-/// Opens by libsndfile (WAV, AIFF, FLAC, Ogg Vorbis, Opus, MP3 and its other formats) or FFmpeg
-/// (M4A, AAC, WebM, WMA, the sound of videos).
-/// Errors, one line each: missing, empty, a folder, not audio, no sound track, a rate outside
-/// 8-192 kHz (0 Hz too), too many channels.
+/// Opens by libsndfile (WAV, AIFF, FLAC, Ogg Vorbis, Opus and its other formats) or FFmpeg (MP3,
+/// M4A, AAC, WebM, WMA, the sound of videos). Errors, one line each: missing, empty, a folder, not
+/// audio, no sound track, a rate outside 8-192 kHz (0 Hz too), too many channels.
 [[nodiscard]] Expected<std::unique_ptr<AudioFileReader>> open_audio_file(
     const std::filesystem::path& path);
 

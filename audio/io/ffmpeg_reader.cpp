@@ -1,0 +1,495 @@
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/log.h>
+#include <libavutil/opt.h>
+#include <libswresample/swresample.h>
+}
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "audio/io/audio_file_backends.hpp"
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Only containers of sound: FFmpeg would also take pictures, subtitles, plain text and play-lists
+// (which name other files) for media.
+constexpr const char* kFormats =
+    "mp3,aac,mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,ogg,asf,avi,flv,flac,wav,w64,aiff,au,caf,ac3,"
+    "eac3,dts,amr,amrnb,amrwb,ape,wv,tta,tak,mpc,mpc8,mpeg,mpegts,mpegvideo,rm,xwma,dsf,oma,loas,"
+    "gxf,mxf,nut,swf,voc,aa,aax,adts,latm";
+
+constexpr double kPrerollSeconds = 0.30;  // an MP3 frame leans on up to nine before it
+constexpr int kMaxFaultsInARow = 2000;    // of packets: a damaged stretch, not a hang
+constexpr int kMaxPacketsToFirstFrame = 5000;
+constexpr double kShortBySeconds = 1.0;  // less than this under the claim is rounding
+
+struct Closer {
+    void operator()(AVFormatContext* context) const noexcept { avformat_close_input(&context); }
+    void operator()(AVCodecContext* context) const noexcept { avcodec_free_context(&context); }
+    void operator()(AVPacket* packet) const noexcept { av_packet_free(&packet); }
+    void operator()(AVFrame* frame) const noexcept { av_frame_free(&frame); }
+    void operator()(SwrContext* context) const noexcept { swr_free(&context); }
+};
+template <typename T>
+using Handle = std::unique_ptr<T, Closer>;
+
+std::string reason(int error_number) {
+    char text[AV_ERROR_MAX_STRING_SIZE] = {};
+    av_strerror(error_number, text, sizeof text);
+    return text;
+}
+
+class FfmpegReader final : public AudioFileReader {
+ public:
+    explicit FfmpegReader(fs::path path) : path_(std::move(path)) {}
+
+    Expected<void> open();
+    std::size_t read(std::span<float> interleaved) override;
+    Expected<void> seek(std::int64_t frame) override;
+
+ private:
+    Expected<void> open_container();
+    Expected<void> open_decoder();
+    Expected<void> describe();
+    [[nodiscard]] bool decode_next();
+    [[nodiscard]] int feed_decoder();
+    void take_frame();
+    [[nodiscard]] bool prepare_converter();
+    void place_frame();
+    void drop_until_target();
+    [[nodiscard]] bool skip_packets_before(std::int64_t timestamp);
+    [[nodiscard]] std::int64_t frames_of(std::int64_t timestamp) const;
+    [[nodiscard]] std::int64_t timestamp_of(std::int64_t frame) const;
+    enum class SeekMethod { index, reading, decoding };
+    [[nodiscard]] SeekMethod seek_method() const;
+    [[nodiscard]] std::int64_t on_frame_grid(std::int64_t position) const;
+    [[nodiscard]] Expected<void> reopen();
+    void forget_decoded();
+    [[nodiscard]] Expected<void> seek_container(std::int64_t timestamp, std::int64_t frame);
+    void note_damage();
+    void note_end();
+    [[nodiscard]] std::size_t buffered_frames() const {
+        return (buffer_.size() - buffer_at_) / static_cast<std::size_t>(info_.channels);
+    }
+
+    fs::path path_;
+    Handle<AVFormatContext> container_;
+    Handle<AVCodecContext> decoder_;
+    Handle<AVPacket> packet_{av_packet_alloc()};
+    Handle<AVFrame> frame_{av_frame_alloc()};
+    Handle<SwrContext> converter_;
+    AVStream* stream_ = nullptr;
+    int converter_rate_ = 0;  // what the converter is set up for
+    int converter_channels_ = 0;
+    int converter_format_ = -1;
+
+    std::vector<float> buffer_;  // decoded, interleaved; from buffer_at_ on not yet read
+    std::size_t buffer_at_ = 0;
+    std::int64_t decoded_until_ = 0;  // frame number behind the buffer
+    std::int64_t first_timestamp_ = AV_NOPTS_VALUE;
+    std::int64_t target_ = 0;  // what lies before it is dropped, after a seek
+    bool is_placed_ = true;    // decoded_until_ is known; not right after a seek
+    bool is_flushed_ = false;  // the decoder was told the end
+    bool is_ended_ = false;
+    std::int64_t first_frames_ = 0;  // length of the first decoded frame
+    std::string head_fault_;
+};
+
+Expected<void> FfmpegReader::open() {
+    // Everything that FFmpeg has to say comes back as an error here.
+    av_log_set_level(AV_LOG_QUIET);
+    if (auto opened = open_container(); !opened) {
+        return opened;
+    }
+    if (auto opened = open_decoder(); !opened) {
+        return opened;
+    }
+    return describe();
+}
+
+Expected<void> FfmpegReader::open_container() {
+    AVFormatContext* context = nullptr;
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "protocol_whitelist", "file", 0);
+    av_dict_set(&options, "format_whitelist", kFormats, 0);
+    const std::string url = "file:" + path_.string();
+    const int error = avformat_open_input(&context, url.c_str(), nullptr, &options);
+    av_dict_free(&options);
+    container_.reset(context);
+    if (error < 0) {
+        return fail(path_.string() + ": is not audio that can be read");
+    }
+    if (const int found = avformat_find_stream_info(context, nullptr); found < 0) {
+        return fail(path_.string() + ": is not audio that can be read: " + reason(found));
+    }
+    return {};
+}
+
+Expected<void> FfmpegReader::open_decoder() {
+    const AVCodec* codec = nullptr;
+    const int index = av_find_best_stream(container_.get(), AVMEDIA_TYPE_AUDIO, -1, -1, &codec, 0);
+    if (index < 0) {
+        return fail(path_.string() + ": has no sound track");
+    }
+    for (unsigned i = 0; i < container_->nb_streams; ++i) {
+        if (static_cast<int>(i) != index) {
+            container_->streams[i]->discard = AVDISCARD_ALL;
+        }
+    }
+    stream_ = container_->streams[index];
+    const AVCodecParameters& head = *stream_->codecpar;
+    if (auto checked = check_head(path_, head.sample_rate, head.ch_layout.nb_channels); !checked) {
+        return checked;
+    }
+    decoder_.reset(avcodec_alloc_context3(codec));
+    if (!decoder_ || avcodec_parameters_to_context(decoder_.get(), stream_->codecpar) < 0) {
+        return fail(path_.string() + ": its sound track cannot be decoded");
+    }
+    decoder_->pkt_timebase = stream_->time_base;
+    decoder_->thread_count = 1;
+    if (const int error = avcodec_open2(decoder_.get(), codec, nullptr); error < 0) {
+        return fail(path_.string() + ": its sound track cannot be decoded: " + reason(error));
+    }
+    return {};
+}
+
+/// The truth about rate and channels is in the first decoded frame (AAC may double the rate that
+/// its head says).
+Expected<void> FfmpegReader::describe() {
+    info_.channels = 0;  // until the first frame says it
+    while (buffer_.empty() && head_fault_.empty() && decode_next()) {
+    }
+    if (!head_fault_.empty()) {
+        return fail(head_fault_);
+    }
+    if (buffer_.empty()) {
+        return fail(path_.string() + ": holds no sound that can be decoded");
+    }
+    first_frames_ = static_cast<std::int64_t>(buffered_frames());
+    const std::string_view codec = decoder_->codec->name;
+    info_.format = codec == "mp3float" || codec == "mp3"
+                       ? "MP3"
+                       : fmt::format("{} in {}", codec, container_->iformat->name);
+    if (container_->duration > 0) {
+        info_.claimed_seconds = static_cast<double>(container_->duration) / AV_TIME_BASE;
+    }
+    return {};
+}
+
+std::int64_t FfmpegReader::frames_of(std::int64_t timestamp) const {
+    return av_rescale_q(timestamp, stream_->time_base, AVRational{1, info_.rate.hertz()});
+}
+
+std::int64_t FfmpegReader::timestamp_of(std::int64_t frame) const {
+    return av_rescale_q(frame, AVRational{1, info_.rate.hertz()}, stream_->time_base);
+}
+
+void FfmpegReader::note_damage() {
+    if (warning_.empty() && info_.channels > 0) {
+        warning_ = fmt::format("{}: is damaged at {:.2f} s",
+                               path_.string(),
+                               static_cast<double>(decoded_until_) / info_.rate.hertz());
+    }
+}
+
+void FfmpegReader::note_end() {
+    is_ended_ = true;
+    const bool is_claim_sure =
+        container_->duration_estimation_method != AVFMT_DURATION_FROM_BITRATE;
+    const double seconds = static_cast<double>(decoded_until_) / info_.rate.hertz();
+    if (warning_.empty() && is_claim_sure && info_.claimed_seconds && is_placed_ &&
+        seconds < *info_.claimed_seconds - kShortBySeconds) {
+        warning_ = fmt::format("{}: is damaged or cut off at {:.2f} s", path_.string(), seconds);
+    }
+}
+
+/// Gives the decoder its next packet, or the end. Returns 0 or FFmpeg's error.
+int FfmpegReader::feed_decoder() {
+    for (int faults = 0; faults < kMaxFaultsInARow; ++faults) {
+        const int got = av_read_frame(container_.get(), packet_.get());
+        if (got == AVERROR_EOF || (got < 0 && avio_feof(container_->pb) != 0)) {
+            is_flushed_ = true;
+            return avcodec_send_packet(decoder_.get(), nullptr);
+        }
+        if (got < 0) {
+            note_damage();
+            continue;
+        }
+        const bool is_ours = packet_->stream_index == stream_->index;
+        const int sent = is_ours ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;
+        av_packet_unref(packet_.get());
+        if (sent < 0 && sent != AVERROR(EAGAIN)) {
+            note_damage();
+            continue;
+        }
+        if (is_ours) {
+            return 0;
+        }
+        faults = 0;
+    }
+    return AVERROR_INVALIDDATA;
+}
+
+/// Decodes one more frame into the buffer (which may stay empty: dropped after a seek). False at
+/// the end.
+bool FfmpegReader::decode_next() {
+    int faults = 0;
+    while (!is_ended_ && faults < kMaxPacketsToFirstFrame) {
+        const int got = avcodec_receive_frame(decoder_.get(), frame_.get());
+        if (got == 0) {
+            take_frame();
+            av_frame_unref(frame_.get());
+            return true;
+        }
+        if (got == AVERROR(EAGAIN) && !is_flushed_) {
+            if (feed_decoder() < 0) {
+                break;
+            }
+        } else if (got == AVERROR_EOF || is_flushed_) {
+            break;
+        } else {
+            note_damage();
+        }
+        ++faults;
+    }
+    if (info_.channels > 0 && !is_ended_) {
+        note_end();
+    }
+    is_ended_ = true;
+    return false;
+}
+
+/// Sets the converter up for frames like this one: to interleaved floats, of the rate and the
+/// number of channels that the first frame had.
+bool FfmpegReader::prepare_converter() {
+    const int channels = frame_->ch_layout.nb_channels;
+    if (converter_ && converter_rate_ == frame_->sample_rate && converter_channels_ == channels &&
+        converter_format_ == frame_->format) {
+        return true;
+    }
+    AVChannelLayout from{};
+    AVChannelLayout to{};
+    if (frame_->ch_layout.order == AV_CHANNEL_ORDER_UNSPEC) {
+        av_channel_layout_default(&from, channels);
+    } else {
+        av_channel_layout_copy(&from, &frame_->ch_layout);
+    }
+    if (channels == info_.channels) {
+        av_channel_layout_copy(&to, &from);
+    } else {
+        av_channel_layout_default(&to, info_.channels);
+    }
+    SwrContext* context = nullptr;
+    const int set = swr_alloc_set_opts2(&context,
+                                        &to,
+                                        AV_SAMPLE_FMT_FLT,
+                                        info_.rate.hertz(),
+                                        &from,
+                                        static_cast<AVSampleFormat>(frame_->format),
+                                        frame_->sample_rate,
+                                        0,
+                                        nullptr);
+    av_channel_layout_uninit(&from);
+    av_channel_layout_uninit(&to);
+    converter_.reset(context);
+    converter_rate_ = frame_->sample_rate;
+    converter_channels_ = channels;
+    converter_format_ = frame_->format;
+    if (set < 0 || swr_init(context) < 0) {
+        converter_.reset();
+        return false;
+    }
+    return true;
+}
+
+/// A position that a coarse time stamp gave (Matroska's are whole milliseconds), moved to where a
+/// frame of this length can start.
+std::int64_t FfmpegReader::on_frame_grid(std::int64_t position) const {
+    const std::int64_t size = frame_->nb_samples;
+    const double resolution = av_q2d(stream_->time_base) * info_.rate.hertz();  // in frames
+    if (resolution <= 1.0 || size <= 0 || position <= 0) {
+        return position;
+    }
+    const double steps = static_cast<double>(position - first_frames_) / static_cast<double>(size);
+    const std::int64_t near = first_frames_ + std::llround(steps) * size;
+    return static_cast<double>(std::abs(near - position)) <= resolution ? near : position;
+}
+
+/// Where the frame at hand lies: behind the last one, or, after a seek, where its time stamp says.
+void FfmpegReader::place_frame() {
+    const std::int64_t timestamp = frame_->best_effort_timestamp;
+    if (first_timestamp_ == AV_NOPTS_VALUE) {
+        first_timestamp_ = timestamp != AV_NOPTS_VALUE ? timestamp : 0;
+    }
+    if (is_placed_ || timestamp == AV_NOPTS_VALUE) {
+        return;
+    }
+    decoded_until_ = on_frame_grid(frames_of(timestamp - first_timestamp_));
+    is_placed_ = true;
+}
+
+void FfmpegReader::take_frame() {
+    const int channels = frame_->ch_layout.nb_channels;
+    if (info_.channels == 0) {
+        if (const auto head = check_head(path_, frame_->sample_rate, channels); !head) {
+            head_fault_ = head.error().message;
+            return;
+        }
+        info_.rate = SampleRate(frame_->sample_rate);
+        info_.channels = channels;
+    }
+    if (frame_->sample_rate <= 0 || channels < 1 || channels > kMaxFileChannels ||
+        !prepare_converter()) {
+        note_damage();
+        return;
+    }
+    place_frame();
+    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(buffer_at_));
+    buffer_at_ = 0;
+    const std::size_t before = buffer_.size();
+    const auto width = static_cast<std::size_t>(info_.channels);
+    const int room = swr_get_out_samples(converter_.get(), frame_->nb_samples);
+    buffer_.resize(before + static_cast<std::size_t>(std::max(room, 0)) * width);
+    auto* out = reinterpret_cast<std::uint8_t*>(buffer_.data() + before);
+    const auto** in = const_cast<const std::uint8_t**>(frame_->extended_data);
+    const int made = swr_convert(converter_.get(), &out, room, in, frame_->nb_samples);
+    buffer_.resize(before + static_cast<std::size_t>(std::max(made, 0)) * width);
+    decoded_until_ += std::max(made, 0);
+    drop_until_target();
+}
+
+void FfmpegReader::drop_until_target() {
+    const auto width = static_cast<std::size_t>(info_.channels);
+    const std::int64_t start = decoded_until_ - static_cast<std::int64_t>(buffered_frames());
+    if (start < target_) {
+        const auto surplus = static_cast<std::size_t>(target_ - start);
+        buffer_at_ += std::min(surplus, buffered_frames()) * width;
+    }
+}
+
+std::size_t FfmpegReader::read(std::span<float> interleaved) {
+    const auto width = static_cast<std::size_t>(info_.channels);
+    const std::size_t wanted = interleaved.size() / width;
+    std::size_t done = 0;
+    while (done < wanted) {
+        const std::size_t count = std::min(wanted - done, buffered_frames());
+        std::copy_n(buffer_.data() + buffer_at_, count * width, interleaved.data() + done * width);
+        buffer_at_ += count * width;
+        done += count;
+        if (done < wanted && !decode_next()) {
+            break;
+        }
+    }
+    return done;
+}
+
+/// How to reach a frame exactly. Formats without an index let FFmpeg guess from the bit rate; their
+/// packets are small: reading past them without decoding costs about 1 ms a minute of sound. Where
+/// time stamps are coarse and frames differ in length, only decoding from the start counts right.
+FfmpegReader::SeekMethod FfmpegReader::seek_method() const {
+    const std::string_view name = container_->iformat->name;
+    if (name == "mp3" || name == "aac" || name == "ac3" || name == "mpegts" || name == "mpeg") {
+        return SeekMethod::reading;
+    }
+    const bool is_coarse = av_q2d(stream_->time_base) * info_.rate.hertz() > 1.0;
+    return is_coarse && decoder_->codec_id == AV_CODEC_ID_VORBIS ? SeekMethod::decoding
+                                                                 : SeekMethod::index;
+}
+
+/// Reads on to the last packet that starts at or before `timestamp`, and gives it to the decoder.
+bool FfmpegReader::skip_packets_before(std::int64_t timestamp) {
+    while (av_read_frame(container_.get(), packet_.get()) >= 0) {
+        const bool is_ours = packet_->stream_index == stream_->index;
+        const std::int64_t end = packet_->pts + packet_->duration;
+        const bool is_enough = is_ours && (packet_->pts == AV_NOPTS_VALUE || end > timestamp);
+        if (is_enough) {
+            const int sent = avcodec_send_packet(decoder_.get(), packet_.get());
+            av_packet_unref(packet_.get());
+            return sent >= 0;
+        }
+        av_packet_unref(packet_.get());
+    }
+    return true;  // behind the end: the next read says so
+}
+
+Expected<void> FfmpegReader::seek_container(std::int64_t timestamp, std::int64_t frame) {
+    int error = av_seek_frame(container_.get(), stream_->index, timestamp, AVSEEK_FLAG_BACKWARD);
+    if (error < 0) {
+        error = av_seek_frame(container_.get(), -1, 0, AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY);
+    }
+    if (error < 0) {
+        return fail(fmt::format("{}: cannot go to {:.2f} s: {}",
+                                path_.string(),
+                                static_cast<double>(frame) / info_.rate.hertz(),
+                                reason(error)));
+    }
+    return {};
+}
+
+/// Everything as just opened (a seek to the start would treat the encoder's delay otherwise).
+Expected<void> FfmpegReader::reopen() {
+    decoder_.reset();
+    container_.reset();
+    if (auto opened = open_container(); !opened) {
+        return opened;
+    }
+    if (auto opened = open_decoder(); !opened) {
+        return opened;
+    }
+    forget_decoded();
+    is_placed_ = true;
+    return {};
+}
+
+void FfmpegReader::forget_decoded() {
+    converter_.reset();
+    buffer_.clear();
+    buffer_at_ = 0;
+    decoded_until_ = 0;
+    is_flushed_ = false;
+    is_ended_ = false;
+    is_placed_ = false;
+}
+
+Expected<void> FfmpegReader::seek(std::int64_t frame) {
+    const auto preroll = static_cast<std::int64_t>(kPrerollSeconds * info_.rate.hertz());
+    const SeekMethod method = frame <= preroll ? SeekMethod::decoding : seek_method();
+    target_ = frame;
+    if (method == SeekMethod::decoding) {
+        return reopen();
+    }
+    const std::int64_t from = first_timestamp_ + timestamp_of(frame - preroll);
+    const std::int64_t start = std::min<std::int64_t>(first_timestamp_, 0);
+    auto sought = seek_container(method == SeekMethod::index ? from : start, frame);
+    if (!sought) {
+        return sought;
+    }
+    avcodec_flush_buffers(decoder_.get());
+    forget_decoded();
+    if (method == SeekMethod::reading && !skip_packets_before(from)) {
+        note_damage();
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<AudioFileReaderPtr> open_by_ffmpeg(const fs::path& path) {
+    auto reader = std::make_unique<FfmpegReader>(path);
+    if (auto opened = reader->open(); !opened) {
+        return fail(opened.error());
+    }
+    return reader;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,120 @@
+#include <sndfile.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "audio/io/audio_file_backends.hpp"
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+// libsndfile 1.2.0 seeks in Vorbis are wrong for up to 1000 samples, and land 1000 samples late in
+// the last page (a page holds up to about a second).
+constexpr double kVorbisPrerollSeconds = 2.0;
+
+struct CloseSndfile {
+    void operator()(SNDFILE* file) const noexcept { sf_close(file); }
+};
+using SndfileHandle = std::unique_ptr<SNDFILE, CloseSndfile>;
+
+std::string format_name(int format) {
+    SF_FORMAT_INFO info{};
+    info.format = format & SF_FORMAT_TYPEMASK;
+    const bool is_known = sf_command(nullptr, SFC_GET_FORMAT_INFO, &info, sizeof info) == 0;
+    return is_known && info.name != nullptr ? info.name : "audio";
+}
+
+class SndfileReader final : public AudioFileReader {
+ public:
+    SndfileReader(fs::path path, SndfileHandle file, const SF_INFO& head)
+        : path_(std::move(path)), file_(std::move(file)), claimed_frames_(head.frames) {
+        info_.rate = SampleRate(head.samplerate);
+        info_.channels = head.channels;
+        info_.format = format_name(head.format);
+        if ((head.format & SF_FORMAT_SUBMASK) == SF_FORMAT_VORBIS) {
+            preroll_ = static_cast<sf_count_t>(kVorbisPrerollSeconds * head.samplerate);
+        }
+        if (head.frames > 0 && head.frames < SF_COUNT_MAX) {
+            info_.claimed_seconds = static_cast<double>(head.frames) / head.samplerate;
+        }
+    }
+
+    std::size_t read(std::span<float> interleaved) override {
+        const auto wanted = static_cast<sf_count_t>(interleaved.size()) / info_.channels;
+        const sf_count_t got =
+            is_behind_end_ ? 0 : sf_readf_float(file_.get(), interleaved.data(), wanted);
+        position_ += got;
+        if (got <= 0 && !is_behind_end_) {
+            note_end();
+        }
+        return got > 0 ? static_cast<std::size_t>(got) : 0;
+    }
+
+    Expected<void> seek(std::int64_t frame) override {
+        is_behind_end_ = info_.claimed_seconds && frame >= claimed_frames_;
+        position_ = frame;
+        const sf_count_t from = std::max<sf_count_t>(frame - preroll_, 0);
+        if (is_behind_end_) {
+            return {};
+        }
+        if (sf_seek(file_.get(), from, SEEK_SET) != from) {
+            return fail(fmt::format("{}: cannot go to {:.2f} s: {}",
+                                    path_.string(),
+                                    static_cast<double>(frame) / info_.rate.hertz(),
+                                    sf_strerror(file_.get())));
+        }
+        read_past(frame - from);
+        return {};
+    }
+
+ private:
+    void read_past(sf_count_t frames) {
+        constexpr sf_count_t kChunk = 4096;
+        std::vector<float> chunk(static_cast<std::size_t>(kChunk * info_.channels));
+        while (frames > 0) {
+            const sf_count_t got =
+                sf_readf_float(file_.get(), chunk.data(), std::min(frames, kChunk));
+            if (got <= 0) {
+                return;
+            }
+            frames -= got;
+        }
+    }
+
+    void note_end() {
+        const bool is_short = info_.claimed_seconds && position_ < claimed_frames_;
+        if (is_short || sf_error(file_.get()) != SF_ERR_NO_ERROR) {
+            warning_ = fmt::format("{}: is damaged or cut off at {:.2f} s",
+                                   path_.string(),
+                                   static_cast<double>(position_) / info_.rate.hertz());
+        }
+    }
+
+    fs::path path_;
+    SndfileHandle file_;
+    sf_count_t claimed_frames_;
+    sf_count_t preroll_ = 0;  ///< read past after a seek
+    std::int64_t position_ = 0;
+    bool is_behind_end_ = false;
+};
+
+}  // namespace
+
+Expected<AudioFileReaderPtr> open_by_sndfile(const fs::path& path) {
+    SF_INFO head{};
+    SndfileHandle file(sf_open(path.c_str(), SFM_READ, &head));
+    if (!file) {
+        return fail(path.string() + ": is not audio that can be read: " + sf_strerror(nullptr));
+    }
+    if (auto checked = check_head(path, head.samplerate, head.channels); !checked) {
+        return fail(checked.error());
+    }
+    return std::make_unique<SndfileReader>(path, std::move(file), head);
+}
+
+}  // namespace raks::audio
