@@ -30,7 +30,7 @@ inline constexpr int kPaletteSize = motion::kBoneCount + kHelperCount;
 /// Interpolated over the triangle and cut in the fragment shader by
 /// `clamp(d / fwidth(d) + 0.5, 0, 1)`, edges stay sharp on a coarse mesh without a texture.
 enum class AvatarMask : std::uint8_t {
-    suit,    ///< unitard; its edge, |suit| < 0.06, is the trim (piping)
+    suit,    ///< unitard; along its edge, where |suit| is small, runs the trim (piping)
     stripe,  ///< signed distance to the middle of the side stripe: drawn where |stripe| < 0.2,
              ///< inside the suit and where outer > 0
     outer,   ///< outer side of trunk and limb

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/avatar/shoe_sole.hpp"
+
 #include <glm/geometric.hpp>
 
 namespace raks::render {
@@ -16,7 +18,7 @@ constexpr float kCoreArmBlend = 0.045F;
 constexpr float kArmHandBlend = 0.020F;
 constexpr float kPalmFingerBlend = 0.0075F;
 constexpr float kPalmThumbBlend = 0.016F;
-constexpr float kSoleBlend = 0.010F;
+constexpr float kSoleBlend = 0.008F;
 
 constexpr std::array kFingers = {
     Group::thumb, Group::index, Group::middle, Group::ring, Group::little};
@@ -241,6 +243,7 @@ BodyField::BodyField(const BindFrames& frames) {
         enclose(group);
     }
     sole_point_ = frames.point(motion::Bone::left_foot, glm::vec3{0.0F});
+    foot_forward_ = frames.direction(motion::Bone::left_foot, {0.0F, 0.0F, 1.0F});
     sole_normal_ = frames.direction(motion::Bone::left_foot, {0.0F, 1.0F, 0.0F});
 }
 
@@ -289,7 +292,9 @@ float BodyField::leg(glm::vec3 p) const noexcept {
     if (bound > kFar) {
         return bound;
     }
-    const float below_sole = glm::dot(sole_point_ - p, sole_normal_);
+    const glm::vec3 from_sole = p - sole_point_;
+    const float below_sole =
+        sole_height(glm::dot(from_sole, foot_forward_)) - glm::dot(from_sole, sole_normal_);
     return smooth_max(fold(Group::leg, p, kNothing), below_sole, kSoleBlend);
 }
 

@@ -80,6 +80,7 @@ class BodyField {
     std::array<SolidGroup, kGroupCount> groups_;
     glm::vec3 sole_point_{};
     glm::vec3 sole_normal_{};
+    glm::vec3 foot_forward_{};
 };
 
 }  // namespace raks::render

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/avatar/shoe_sole.hpp"
 #include "render/avatar/steps.hpp"
 
 #include <glm/common.hpp>
@@ -16,6 +17,7 @@ using motion::Bone;
 
 constexpr glm::vec3 kBun{0.0F, 1.660F, -0.119F};  // centre, as in head_primitives.cpp
 constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold; below, the leg's
+constexpr float kAnkleZ = -0.022F;      // of the foot bone in T-pose
 constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
 
 float mix(float a, float b, float t) noexcept { return a + (b - a) * t; }
@@ -135,7 +137,6 @@ float ColourMasks::bands(glm::vec3 p) const noexcept {
 }
 
 std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
-    constexpr float kSoleHeight = 0.007F;
     const glm::vec3 off_leg = from_leg_line(p);
     const glm::vec3 foot = foot_from_world_ * (p - ankle_);
     const float stripe_shift = mix(-0.009F, -0.012F, smoothstep(0.76F, kHipHeight, p.y));
@@ -150,7 +151,8 @@ std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
     set(AvatarMask::outer, p.y > kHipHeight ? p.x - 0.06F : off_leg.x);
     set(AvatarMask::hair, hair(p));
     set(AvatarMask::shoe, shoe_edge);
-    set(AvatarMask::sole, std::min(shoe_edge, kSoleHeight - (foot.y + kAnkleHeight)));
+    set(AvatarMask::sole,
+        std::min(shoe_edge, sole_top(foot.z + kAnkleZ) - (foot.y + kAnkleHeight)));
     set(AvatarMask::band, bands(p));
     return masks;
 }

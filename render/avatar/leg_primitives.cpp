@@ -16,8 +16,8 @@ constexpr std::array kThighStations = {
     Station{0.21F, 0.069F, 0.075F, 0.068F, 0.001F, 0.002F},
     Station{0.28F, 0.06F, 0.064F, 0.058F, 0.0F, 0.002F},
     Station{0.34F, 0.0525F, 0.055F, 0.051F, -0.001F, 0.001F},
-    Station{0.385F, 0.0480F, 0.0475F, 0.048F, -0.001F, 0.0F},
-    Station{0.42F, 0.0445F, 0.0425F, 0.0465F, -0.001F, -0.001F},
+    Station{0.375F, 0.0488F, 0.0490F, 0.048F, -0.001F, 0.0F},
+    Station{0.40F, 0.0462F, 0.0450F, 0.0470F, -0.001F, -0.001F},
 };
 
 constexpr std::array kShankStations = {
@@ -44,7 +44,8 @@ constexpr std::array kFootStations = {
     Station{0.07F, 0.037F, 0.034F, 0.03F, 0.003F, 0.024F},
     Station{0.105F, 0.0415F, 0.0245F, 0.026F, 0.003F, 0.02F},
     Station{0.135F, 0.041F, 0.018F, 0.022F, 0.001F, 0.017F},
-    Station{0.16F, 0.033F, 0.014F, 0.019F, -0.004F, 0.015F},
+    Station{0.155F, 0.0365F, 0.0155F, 0.0200F, -0.0020F, 0.0155F},
+    Station{0.168F, 0.0290F, 0.0125F, 0.0175F, -0.0050F, 0.0145F},
 };
 
 constexpr std::array kLeg = {
@@ -59,7 +60,7 @@ constexpr std::array kLeg = {
                     {0.0F, 0.01478F, 0.99989F}},
                    2.0F,
                    0.06F,
-                   0.03F}},
+                   0.055F}},
     Primitive{"shank",
               Group::leg,
               Bone::left_lower_leg,
@@ -96,7 +97,7 @@ constexpr std::array kLeg = {
               Group::leg,
               Bone::left_foot,
               0.022F,
-              Loft{kFootStations, {0.082F, 0.0F, 0.0F}, kAlongFoot, 2.3F, 0.02F, 0.02F}},
+              Loft{kFootStations, {0.082F, 0.0F, 0.0F}, kAlongFoot, 2.3F, 0.02F, 0.013F}},
 };
 
 }  // namespace
