@@ -26,11 +26,12 @@ struct RendererConfig {
 /// Draws one avatar on its stage with OpenGL 3.3 core: works in whatever context is current when it
 /// is created (window or off-screen) and must be used and destroyed with that one current.
 /// The same pose, scene and size give the same pixels on the same machine.
-/// Threads: the context's. Real-time: no (but draw() allocates nothing after its first call).
+/// Threads: the context's. Real-time: no (draw() itself allocates nothing; the driver may).
 class Renderer {
  public:
     /// Uploads the avatar and compiles the shaders. The avatar may be destroyed afterwards.
-    /// Errors: no context is current, OpenGL older than 3.3, a shader that the driver refuses.
+    /// Precondition: an OpenGL context is current on this thread.
+    /// Errors: OpenGL older than 3.3, a shader or a shadow map that the driver refuses.
     [[nodiscard]] static Expected<Renderer> create(const Avatar& avatar,
                                                    const RendererConfig& config = {});
     Renderer(Renderer&&) noexcept;

@@ -39,7 +39,7 @@ constexpr std::array<Preset, 6> kPresets = {{
     {"front", 0.0F, 6.0F, 4.3F, 0.86F, 26.0F},
     {"side", 90.0F, 6.0F, 4.3F, 0.86F, 26.0F},
     {"back", 180.0F, 6.0F, 4.3F, 0.86F, 26.0F},
-    {"top", 0.0F, 55.0F, 5.0F, 0.6F, 26.0F},
+    {"top", 0.0F, 55.0F, 5.6F, 0.5F, 26.0F},
 }};
 
 constexpr auto kNames = [] {

@@ -30,9 +30,16 @@ vec3 highlight(vec3 n, vec3 v) {
     return key_light.rgb * (facing * fresnel * alpha2 / (4.0 * d * d * lh * lh));
 }
 
+// Whether the floor shows an image of a point: not of what sinks into it, and only where the line
+// of sight meets the disc.
+bool floor_mirrors(vec3 at) {
+    vec2 meets = mix(eye.xz, at.xz, eye.y / (eye.y + max(at.y, 0.0)));
+    return at.y >= 0.0 && length(meets) < kFadeEnd;
+}
+
 void main() {
-    if (mirror < 0.0 && world.y < 0.0) {
-        discard;  // what sinks into the floor has no image above it
+    if (mirror < 0.0 && !floor_mirrors(world)) {
+        discard;
     }
     vec3 n = normalize(world_normal);
     vec3 v = normalize(vec3(eye.x, eye.y * mirror, eye.z) - world);

@@ -215,6 +215,36 @@ TEST_F(RendererTest, the_dancer_darkens_the_floor_beside_it) {
     }
 }
 
+TEST_F(RendererTest, the_floor_mirrors_the_dancer_and_nothing_else_does) {
+    Renderer renderer = make_renderer(Quality::high);
+    Scene scene;
+    motion::Pose elsewhere = step_pose();
+    elsewhere.hips_position.x = 50.0F;
+    // In red: the suit's image raises it, its shadow does not.
+    const auto largest_rise_in_rows = [&](int from, int to) {
+        const Picture with = draw(renderer, scene, step_pose());
+        const Picture without = draw(renderer, scene, elsewhere);
+        int largest = 0;
+        for (int y = from; y < to; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                largest = std::max(largest, with.pixel(x, y)[0] - without.pixel(x, y)[0]);
+            }
+        }
+        return largest;
+    };
+    scene.camera.zoom(1.5F);
+    const int below_feet = pixel_of(scene.camera, {0.0F, 0.0F, 0.4F})[1];
+    EXPECT_GT(largest_rise_in_rows(below_feet, kHeight), 5);
+
+    // From far away and low the mirrored head would hang below the edge of the floor.
+    scene.camera.distance = Camera::kMaxDistance;
+    scene.camera.pitch = Camera::kMinPitch;
+    scene.camera.yaw = 0.0F;
+    const int floor_edge = pixel_of(scene.camera, {0.0F, 0.0F, 4.6F})[1];
+    ASSERT_LT(floor_edge, kHeight - 10);
+    EXPECT_EQ(largest_rise_in_rows(floor_edge + 1, kHeight), 0);
+}
+
 TEST_F(RendererTest, any_size_can_follow_any_other) {
     Renderer renderer = make_renderer(Quality::fast);
     const Scene scene;
