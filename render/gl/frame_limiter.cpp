@@ -1,0 +1,15 @@
+#include "render/gl/frame_limiter.hpp"
+
+#include <cerrno>
+#include <ctime>
+
+namespace raks::render {
+
+void sleep_until(HostTime due) noexcept {
+    const auto ns = due.time_since_epoch().count();
+    const timespec when{.tv_sec = ns / 1'000'000'000, .tv_nsec = ns % 1'000'000'000};
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr) == EINTR) {
+    }
+}
+
+}  // namespace raks::render

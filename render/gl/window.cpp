@@ -1,0 +1,350 @@
+#include "render/gl/window.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "render/gl/frame_limiter.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr double kUsualRefreshRate = 60.0;  // where the monitor tells none: Xvfb says 0
+
+/// GLFW, alive while any window is.
+class Glfw {
+ public:
+    Glfw() noexcept : is_up_(users++ > 0 || glfwInit() == GLFW_TRUE) {}
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+    ~Glfw() {
+        if (--users == 0 && is_up_) {
+            glfwTerminate();
+        }
+    }
+    [[nodiscard]] bool is_up() const noexcept { return is_up_; }
+
+ private:
+    static inline int users = 0;  // main thread alone
+    bool is_up_;
+};
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text != nullptr ? text : "unknown reason";
+}
+
+constexpr std::array kNamedKeys = {
+    std::pair{GLFW_KEY_SPACE, Key::space},     std::pair{GLFW_KEY_ESCAPE, Key::escape},
+    std::pair{GLFW_KEY_ENTER, Key::enter},     std::pair{GLFW_KEY_KP_ENTER, Key::enter},
+    std::pair{GLFW_KEY_TAB, Key::tab},         std::pair{GLFW_KEY_BACKSPACE, Key::backspace},
+    std::pair{GLFW_KEY_LEFT, Key::left},       std::pair{GLFW_KEY_RIGHT, Key::right},
+    std::pair{GLFW_KEY_UP, Key::up},           std::pair{GLFW_KEY_DOWN, Key::down},
+    std::pair{GLFW_KEY_HOME, Key::home},       std::pair{GLFW_KEY_END, Key::end},
+    std::pair{GLFW_KEY_PAGE_UP, Key::page_up}, std::pair{GLFW_KEY_PAGE_DOWN, Key::page_down},
+    std::pair{GLFW_KEY_F1, Key::f1},           std::pair{GLFW_KEY_F2, Key::f2},
+    std::pair{GLFW_KEY_F3, Key::f3},           std::pair{GLFW_KEY_F4, Key::f4},
+    std::pair{GLFW_KEY_F5, Key::f5},           std::pair{GLFW_KEY_F6, Key::f6},
+    std::pair{GLFW_KEY_F7, Key::f7},           std::pair{GLFW_KEY_F8, Key::f8},
+    std::pair{GLFW_KEY_F9, Key::f9},           std::pair{GLFW_KEY_F10, Key::f10},
+    std::pair{GLFW_KEY_F11, Key::f11},         std::pair{GLFW_KEY_F12, Key::f12},
+};
+
+std::optional<Key> named_key(int glfw_key) {
+    const auto* const found =
+        std::find_if(kNamedKeys.begin(), kNamedKeys.end(), [&](const auto& pair) {
+            return pair.first == glfw_key;
+        });
+    return found != kNamedKeys.end() ? std::optional(found->second) : std::nullopt;
+}
+
+constexpr std::array kMouseButtons = {
+    std::pair{GLFW_MOUSE_BUTTON_LEFT, MouseButton::left},
+    std::pair{GLFW_MOUSE_BUTTON_RIGHT, MouseButton::right},
+    std::pair{GLFW_MOUSE_BUTTON_MIDDLE, MouseButton::middle},
+};
+
+struct Rectangle {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// The monitor that shows most of the window, or the first one.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+    Rectangle own;
+    glfwGetWindowPos(window, &own.x, &own.y);
+    glfwGetWindowSize(window, &own.width, &own.height);
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    long best_area = 0;
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+        int x = 0;
+        int y = 0;
+        glfwGetMonitorPos(monitors[i], &x, &y);
+        const long wide = std::min(own.x + own.width, x + mode->width) - std::max(own.x, x);
+        const long high = std::min(own.y + own.height, y + mode->height) - std::max(own.y, y);
+        if (wide > 0 && high > 0 && wide * high > best_area) {
+            best_area = wide * high;
+            best = monitors[i];
+        }
+    }
+    return best;
+}
+
+/// Pictures a second of the monitor that the window is on, where it tells.
+std::optional<double> refresh_rate_of(GLFWwindow* window) {
+    GLFWmonitor* const monitor = monitor_of(window);
+    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    return mode != nullptr && mode->refreshRate > 0 ? std::optional<double>(mode->refreshRate)
+                                                    : std::nullopt;
+}
+
+FrameLimiter limiter_for(double max_fps, std::optional<double> refresh_rate) {
+    const double monitor_fps = refresh_rate.value_or(kUsualRefreshRate);
+    if (max_fps > 0.0 && max_fps < monitor_fps) {
+        return {max_fps, FrameLimiter::Pace::exact};
+    }
+    return {monitor_fps,
+            refresh_rate ? FrameLimiter::Pace::behind_vsync : FrameLimiter::Pace::exact};
+}
+
+}  // namespace
+
+struct Window::State {
+    Glfw glfw;
+    GLFWwindow* handle = nullptr;
+    double max_fps = 0.0;
+    FrameLimiter limiter{kUsualRefreshRate, FrameLimiter::Pace::exact};
+    Rectangle windowed;  // where it was before it went full screen
+
+    std::vector<WindowEvent> arriving;
+    std::vector<WindowEvent> delivered;
+    bool is_last_key_a_repeat = false;
+    std::array<bool, kMouseButtons.size()> is_held{};
+    double mouse_x = 0.0;
+    double mouse_y = 0.0;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (handle != nullptr) {
+            glfwDestroyWindow(handle);
+        }
+    }
+
+    [[nodiscard]] static State* self(GLFWwindow* window) {
+        return static_cast<State*>(glfwGetWindowUserPointer(window));
+    }
+    void listen();
+    void on_key(int glfw_key, int action, int modifiers);
+    void on_character(unsigned int codepoint);
+    void on_button(int button, int action);
+    void on_mouse(double x, double y);
+    [[nodiscard]] float pixels_per_unit() const;
+    [[nodiscard]] bool is_key_down(int key) const { return glfwGetKey(handle, key) == GLFW_PRESS; }
+    [[nodiscard]] bool has_shift() const {
+        return is_key_down(GLFW_KEY_LEFT_SHIFT) || is_key_down(GLFW_KEY_RIGHT_SHIFT);
+    }
+};
+
+void Window::State::listen() {
+    glfwSetWindowUserPointer(handle, this);
+    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+        self(window)->on_key(key, action, modifiers);
+    });
+    glfwSetCharCallback(handle, [](GLFWwindow* window, unsigned int codepoint) {
+        self(window)->on_character(codepoint);
+    });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int) {
+        self(window)->on_button(button, action);
+    });
+    glfwSetCursorPosCallback(
+        handle, [](GLFWwindow* window, double x, double y) { self(window)->on_mouse(x, y); });
+    glfwSetScrollCallback(handle, [](GLFWwindow* window, double dx, double dy) {
+        self(window)->arriving.emplace_back(
+            ScrollEvent{static_cast<float>(dx), static_cast<float>(dy)});
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
+        self(window)->arriving.emplace_back(DropEvent{{paths, paths + count}});
+    });
+}
+
+void Window::State::on_key(int glfw_key, int action, int modifiers) {
+    if (action == GLFW_RELEASE) {
+        return;
+    }
+    is_last_key_a_repeat = action == GLFW_REPEAT;
+    // Other keys with a character arrive in on_character(), as the keyboard's layout has them.
+    if (const auto key = named_key(glfw_key)) {
+        arriving.emplace_back(KeyEvent{.key = *key,
+                                       .has_shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                                       .has_control = (modifiers & GLFW_MOD_CONTROL) != 0,
+                                       .is_repeat = is_last_key_a_repeat});
+    }
+}
+
+void Window::State::on_character(unsigned int codepoint) {
+    if (codepoint == ' ') {
+        return;  // came as a named key
+    }
+    // GLFW sends no character while Control is held.
+    arriving.emplace_back(KeyEvent{.key = key_of(static_cast<char32_t>(codepoint)),
+                                   .has_shift = has_shift(),
+                                   .has_control = false,
+                                   .is_repeat = is_last_key_a_repeat});
+}
+
+void Window::State::on_button(int button, int action) {
+    for (std::size_t i = 0; i < kMouseButtons.size(); ++i) {
+        if (kMouseButtons[i].first == button) {
+            is_held[i] = action == GLFW_PRESS;
+            const float scale = pixels_per_unit();
+            arriving.emplace_back(MouseButtonEvent{.button = kMouseButtons[i].second,
+                                                   .is_down = is_held[i],
+                                                   .x = static_cast<float>(mouse_x) * scale,
+                                                   .y = static_cast<float>(mouse_y) * scale});
+        }
+    }
+}
+
+void Window::State::on_mouse(double x, double y) {
+    const float scale = pixels_per_unit();
+    const float dx = static_cast<float>(x - mouse_x) * scale;
+    const float dy = static_cast<float>(y - mouse_y) * scale;
+    mouse_x = x;
+    mouse_y = y;
+    const auto* const held = std::find(is_held.begin(), is_held.end(), true);
+    if (held == is_held.end()) {
+        return;
+    }
+    const auto index = static_cast<std::size_t>(held - is_held.begin());
+    arriving.emplace_back(MouseDragEvent{
+        .button = kMouseButtons[index].second, .has_shift = has_shift(), .dx = dx, .dy = dy});
+}
+
+float Window::State::pixels_per_unit() const {
+    int width = 0;
+    int pixels = 0;
+    glfwGetWindowSize(handle, &width, nullptr);
+    glfwGetFramebufferSize(handle, &pixels, nullptr);
+    return width > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0F;
+}
+
+Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Window::Window(Window&&) noexcept = default;
+Window& Window::operator=(Window&&) noexcept = default;
+Window::~Window() = default;
+
+Expected<Window> Window::create(const WindowOptions& options) {
+    auto state = std::make_unique<State>();
+    if (!state->glfw.is_up()) {
+        const char* const display = std::getenv("DISPLAY");  // NOLINT(concurrency-mt-unsafe)
+        return fail(display == nullptr || *display == '\0'
+                        ? "no display: DISPLAY is not set; use --headless, or `raks render`"
+                        : "no display: \"" + std::string(display) + "\": " + last_error() +
+                              "; use --headless, or `raks render`");
+    }
+    const auto yes_no = [](bool is_on) { return is_on ? GLFW_TRUE : GLFW_FALSE; };
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SAMPLES, options.samples);
+    glfwWindowHint(GLFW_TRANSPARENT_FRAMEBUFFER, yes_no(options.is_transparent));
+    glfwWindowHint(GLFW_VISIBLE, yes_no(options.is_visible));
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "raks");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raks");
+    state->handle =
+        glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    if (state->handle == nullptr) {
+        return fail("no window with OpenGL 3.3: " + last_error() +
+                    "; update the graphics driver, or use --headless");
+    }
+    glfwMakeContextCurrent(state->handle);
+    glfwSwapInterval(1);
+    glfwGetCursorPos(state->handle, &state->mouse_x, &state->mouse_y);
+    state->max_fps = options.max_fps;
+    state->limiter = limiter_for(options.max_fps, refresh_rate_of(state->handle));
+    state->listen();
+    Window window(std::move(state));
+    if (options.is_fullscreen) {
+        window.toggle_fullscreen();
+    }
+    return window;
+}
+
+std::span<const WindowEvent> Window::poll_events() {
+    glfwPollEvents();
+    state_->delivered.clear();
+    std::swap(state_->delivered, state_->arriving);
+    return state_->delivered;
+}
+
+bool Window::should_close() const { return glfwWindowShouldClose(state_->handle) == GLFW_TRUE; }
+
+void Window::request_close() { glfwSetWindowShouldClose(state_->handle, GLFW_TRUE); }
+
+FrameTarget Window::frame() const {
+    FrameTarget target;
+    glfwGetFramebufferSize(state_->handle, &target.width, &target.height);
+    return target;
+}
+
+float Window::content_scale() const {
+    float scale = 1.0F;
+    glfwGetWindowContentScale(state_->handle, &scale, nullptr);
+    return scale;
+}
+
+double Window::refresh_rate() const {
+    return refresh_rate_of(state_->handle).value_or(kUsualRefreshRate);
+}
+
+void Window::present() {
+    glfwSwapBuffers(state_->handle);
+    sleep_until(state_->limiter.next_due(std::chrono::time_point_cast<Nanos>(HostClock::now())));
+}
+
+void Window::toggle_fullscreen() {
+    Rectangle& back = state_->windowed;
+    if (is_fullscreen()) {
+        glfwSetWindowMonitor(
+            state_->handle, nullptr, back.x, back.y, back.width, back.height, GLFW_DONT_CARE);
+    } else {
+        GLFWmonitor* const monitor = monitor_of(state_->handle);
+        if (monitor == nullptr) {
+            return;
+        }
+        glfwGetWindowPos(state_->handle, &back.x, &back.y);
+        glfwGetWindowSize(state_->handle, &back.width, &back.height);
+        const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
+        glfwSetWindowMonitor(
+            state_->handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    glfwSwapInterval(1);  // some drivers forget it with the mode
+    state_->limiter = limiter_for(state_->max_fps, refresh_rate_of(state_->handle));
+}
+
+bool Window::is_fullscreen() const { return glfwGetWindowMonitor(state_->handle) != nullptr; }
+
+bool Window::is_transparent() const {
+    return glfwGetWindowAttrib(state_->handle, GLFW_TRANSPARENT_FRAMEBUFFER) == GLFW_TRUE;
+}
+
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(state_->handle, title.c_str());
+}
+
+}  // namespace raks::render

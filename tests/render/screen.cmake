@@ -1,0 +1,7 @@
+find_package(X11 REQUIRED)
+raks_test_program(render_window
+    SOURCES window/frame_limiter_test.cpp window/window_test.cpp
+    LIBRARIES raks::render_window PkgConfig::EPOXY X11::X11)
+raks_test_program(render_overlay
+    SOURCES overlay/key_bindings_test.cpp
+    LIBRARIES raks::render_overlay)

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace raks::test {
+
+/// A display of one's own for as long as this lives: starts Xvfb on a free number and sets DISPLAY
+/// and LIBGL_ALWAYS_SOFTWARE in this process. Throws std::runtime_error with what is missing when
+/// Xvfb does not start: a test then fails, it does not skip.
+class Xvfb {
+ public:
+    explicit Xvfb(int width = 1280, int height = 720);
+    ~Xvfb();
+    Xvfb(const Xvfb&) = delete;
+    Xvfb& operator=(const Xvfb&) = delete;
+
+    /// ":7"
+    [[nodiscard]] const std::string& display() const noexcept { return display_; }
+
+ private:
+    pid_t pid_ = -1;
+    std::string display_;
+};
+
+/// Runs a program found on PATH without a shell, waits for it and returns what it wrote on stdout.
+/// Throws std::runtime_error when it cannot be started or its exit code is not 0.
+std::string run_program(const std::vector<std::string>& command);
+
+}  // namespace raks::test
