@@ -37,7 +37,7 @@ vec3 tone_mapped(vec3 light) {
     return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
 }
 
-vec3 encoded(vec3 linear) { return pow(linear, vec3(1.0 / 2.2)); }
+vec3 encoded(vec3 light) { return pow(light, vec3(1.0 / 2.2)); }
 
 // Ordered noise, +-0.5 / 255: hides the steps of dark gradients. (Roberts 2018, "R2 sequence"; half
 // the cost of interleaved gradient noise.) From the corner of the picture, so that a picture does

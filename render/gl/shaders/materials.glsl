@@ -1,10 +1,10 @@
 // Colour areas: signed distances (0.04 m = 1) cut to a crisp edge at the pixel.
 #ifdef FAST
 in float sharpness;  // pixels of 0.04 m here, seen face-on
-float inside(float distance) { return clamp(distance * sharpness + 0.5, 0.0, 1.0); }
+float inside(float depth) { return clamp(depth * sharpness + 0.5, 0.0, 1.0); }
 #else
-float inside(float distance) {
-    return clamp(distance / max(fwidth(distance), 1e-5) + 0.5, 0.0, 1.0);
+float inside(float depth) {
+    return clamp(depth / max(fwidth(depth), 1e-5) + 0.5, 0.0, 1.0);
 }
 #endif
 

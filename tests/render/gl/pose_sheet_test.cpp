@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <optional>
 #include <span>
@@ -32,10 +33,12 @@ class PoseSheetTest : public OffscreenTest {
 
 Picture tile(const PoseSheet& sheet, int column, int row, int width, int height) {
     Picture tile{width, height, {}};
+    const auto row_bytes = 4 * static_cast<std::ptrdiff_t>(width);
+    const auto sheet_bytes = 4 * static_cast<std::ptrdiff_t>(sheet.width);
     for (int y = 0; y < height; ++y) {
-        const auto start =
-            sheet.rgba.begin() + 4 * ((row * height + y) * sheet.width + column * width);
-        tile.rgba.insert(tile.rgba.end(), start, start + 4 * width);
+        const std::ptrdiff_t line = static_cast<std::ptrdiff_t>(row) * height + y;
+        const auto start = sheet.rgba.begin() + line * sheet_bytes + column * row_bytes;
+        tile.rgba.insert(tile.rgba.end(), start, start + row_bytes);
     }
     return tile;
 }

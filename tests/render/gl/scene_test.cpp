@@ -168,7 +168,8 @@ TEST(BeatRings, leave_on_the_beat_brighter_on_the_downbeat) {
 TEST(BeatRings, grow_and_fade_until_nothing_is_left) {
     BeatRing before = beat_ring(0.0F, BeatAccent::downbeat);
     int drawn = 0;
-    for (float age = 0.05F; age < 5.0F; age += 0.05F) {
+    for (int step = 1; step < 100; ++step) {
+        const float age = 0.05F * static_cast<float>(step);
         const BeatRing ring = beat_ring(age, BeatAccent::downbeat);
         EXPECT_LT(ring.brightness, std::max(before.brightness, 1e-9F)) << age;
         if (ring.brightness > 0.0F) {
