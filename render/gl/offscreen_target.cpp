@@ -97,6 +97,8 @@ FrameTarget OffscreenTarget::frame() const noexcept {
     return {.framebuffer = parts_->drawn.framebuffer.name(), .width = width(), .height = height()};
 }
 
+void OffscreenTarget::finish() const noexcept { glFinish(); }
+
 Expected<void> OffscreenTarget::read_rgba(std::span<std::uint8_t> rgba) {
     FrameTarget readable = frame();
     if (parts_->resolved) {

@@ -37,6 +37,10 @@ class OffscreenTarget {
     /// The whole picture, to draw into.
     [[nodiscard]] FrameTarget frame() const noexcept;
 
+    /// Waits until all that was drawn is in the picture: what a measurement of drawing without
+    /// reading back ends with.
+    void finish() const noexcept;
+
     /// Resolves the samples and reads the picture: RGBA, top row first, width * height * 4 bytes.
     /// Errors: as the free read_rgba.
     [[nodiscard]] Expected<void> read_rgba(std::span<std::uint8_t> rgba);
