@@ -32,11 +32,11 @@ inline constexpr int kPaletteSize = motion::kBoneCount + kHelperCount;
 enum class AvatarMask : std::uint8_t {
     suit,    ///< unitard; along its edge, where |suit| is small, runs the trim (piping)
     stripe,  ///< signed distance to the middle of the side stripe: drawn where |stripe| < 0.2,
-             ///< inside the suit and where outer > 0
+             ///< inside the suit and where outer > 0; on the face positive above the mouth
     outer,   ///< outer side of trunk and limb
     hair,    ///< hair cap and bun
     shoe,    ///< dance shoe
-    sole,    ///< sole and heel of the shoe, a part of `shoe`
+    accent,  ///< inside `shoe` its sole and heel; on the face lashes (stripe > 0) and lips (< 0)
     band,    ///< joint bands of the plain mannequin: neck, waist, elbow, wrist, knee, ankle
 };
 inline constexpr int kMaskCount = 7;
@@ -46,7 +46,7 @@ inline constexpr std::array<std::string_view, kMaskCount> kMaskNames = {
     "outer",
     "hair",
     "shoe",
-    "sole",
+    "accent",
     "band",
 };
 inline constexpr float kMaskRange = 0.04F;  ///< metres that are 127 in a mask byte
@@ -60,7 +60,7 @@ inline constexpr float kMaskRange = 0.04F;  ///< metres that are 127 in a mask b
 ///     24      uint8[4]    4 GL_UNSIGNED_BYTE, normalized        weights, sum exactly 255
 ///     28      int8[7]     4 + 3 GL_BYTE, normalized             masks by AvatarMask (28: suit,
 ///                                                               stripe, outer, hair; 32: shoe,
-///                                                               sole, band)
+///                                                               accent, band)
 ///     35      uint8       1 GL_UNSIGNED_BYTE, normalized        ambient occlusion, 255 = open
 struct AvatarVertex {
     std::array<float, 3> position{};

@@ -9,6 +9,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace raks::render {
 namespace {
@@ -16,6 +17,8 @@ namespace {
 using motion::Bone;
 
 constexpr glm::vec3 kBun{0.0F, 1.660F, -0.119F};  // centre, as in head_primitives.cpp
+constexpr float kFaceHeight = 1.50F;              // metres: above, nothing of the suit
+constexpr float kMouthTop = 1.56F;
 constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold; below, the leg's
 constexpr float kAnkleZ = -0.022F;      // of the foot bone in T-pose
 constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
@@ -25,6 +28,13 @@ float mix(float a, float b, float t) noexcept { return a + (b - a) * t; }
 glm::vec3 nearest_on_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b) noexcept {
     const glm::vec3 ab = b - a;
     return a + ab * std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0F, 1.0F);
+}
+
+/// First-order distance to the edge of an ellipse about the origin, positive inside.
+float within_ellipse(glm::vec2 p, glm::vec2 radii) noexcept {
+    const glm::vec2 scaled = p / radii;
+    const float length = std::max(glm::length(scaled), 1e-4F);
+    return (1.0F - length) * length / std::max(glm::length(scaled / radii), 1e-4F);
 }
 
 /// Positive between two planes, each given by a point and a normal from the first to the second.
@@ -52,15 +62,10 @@ ColourMasks::ColourMasks(const BodyField& field, const BindFrames& frames) noexc
       foot_from_world_(glm::conjugate(frames.bind().rotation(Bone::left_foot))) {}
 
 /// Outside of an ellipse about the neck's root: deep in front, high behind.
-float ColourMasks::neckline(glm::vec3 p) const noexcept {
-    constexpr float kHalfWidth = 0.072F;
-    constexpr float kCenterHeight = 1.440F;
+float ColourMasks::neckline(glm::vec3 p) noexcept {
     const float half_height = mix(0.060F, 0.118F, smoothstep(-0.06F, 0.04F, p.z));
-    const glm::vec2 e{p.x / kHalfWidth, (p.y - kCenterHeight) / half_height};
-    const float length = std::max(glm::length(e), 1e-4F);
-    const float slope = glm::length(glm::vec2{e.x / kHalfWidth, e.y / half_height});
-    const float outside = (length - 1.0F) * length / std::max(slope, 1e-4F);
-    return std::min(outside, 1.452F - p.y + 0.3F * p.x);
+    const float inside = within_ellipse({p.x, p.y - 1.440F}, {0.072F, half_height});
+    return std::min(-inside, 1.452F - p.y + 0.3F * p.x);
 }
 
 /// A cap sleeve: its edge runs round the arm where arm and trunk are apart.
@@ -89,19 +94,31 @@ glm::vec3 ColourMasks::from_leg_line(glm::vec3 p) const noexcept {
 
 /// Hair drawn back into a bun: a plane from the forehead down to the ear leaves the face free, a
 /// second one the nape; their corner in front of the ear is rounded.
-float ColourMasks::hair(glm::vec3 p) const noexcept {
+float ColourMasks::hair(glm::vec3 p) noexcept {
     constexpr float kCorner = 0.030F;
     const glm::vec3 forehead{0.0F, 1.668F, 0.075F};
     const glm::vec3 up_and_back{0.0F, 0.440F, -0.898F};
-    const float cap = glm::dot(p - forehead, up_and_back) + 1.2F * p.x * p.x;
+    const float parting = 0.009F * (1.0F - smoothstep(0.0F, 0.030F, p.x));
+    const float cap = glm::dot(p - forehead, up_and_back) + 1.2F * p.x * p.x - parting;
     const float nape = p.y - 1.533F - 0.25F * std::max(0.0F, p.z + 0.06F);
     const float h = std::max(kCorner - std::abs(cap - nape), 0.0F) / kCorner;
     const float drawn_back = std::min(cap, nape) - 0.25F * kCorner * h * h;
     return std::max(drawn_back, 0.046F - glm::length(p - kBun));
 }
 
+/// Lips, drawn up at the corners, and the lashes of closed eyes.
+float ColourMasks::make_up(glm::vec3 p) noexcept {
+    const float lips = within_ellipse({p.x, p.y - 1.5377F - 5.0F * p.x * p.x}, {0.0205F, 0.0066F});
+    // The lashes hang on an arc: lowest in the middle of the lid, tapering to both corners.
+    const float along = (p.x - 0.0335F) / 0.0175F;
+    const float arc = 1.5865F + 0.0045F * along * along;
+    const float thickness = 0.0026F * (1.0F - along * along) - 0.0004F;
+    const float lashes = thickness - std::abs(p.y - arc);
+    return std::min(std::max(lips, lashes), p.z - 0.035F);
+}
+
 /// `foot`: from the ankle, in the foot bone's frame.
-float ColourMasks::shoe(glm::vec3 foot) const noexcept {
+float ColourMasks::shoe(glm::vec3 foot) noexcept {
     const float height = foot.y + kAnkleHeight;
     return 0.052F + 0.018F * smoothstep(0.06F, -0.04F, foot.z) -
            0.022F * smoothstep(0.0F, 0.07F, foot.z) - height;
@@ -147,12 +164,15 @@ std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
         masks[static_cast<std::size_t>(mask)] = value;
     };
     set(AvatarMask::suit, std::min({neckline(p), sleeve(p), leg_end(p)}));
-    set(AvatarMask::stripe, p.y > kHipHeight ? p.z + 0.012F : off_leg.z - stripe_shift);
+    const float stripe = p.y > kFaceHeight  ? p.y - kMouthTop
+                         : p.y > kHipHeight ? p.z + 0.012F
+                                            : off_leg.z - stripe_shift;
+    set(AvatarMask::stripe, stripe);
     set(AvatarMask::outer, p.y > kHipHeight ? p.x - 0.06F : off_leg.x);
     set(AvatarMask::hair, hair(p));
     set(AvatarMask::shoe, shoe_edge);
-    set(AvatarMask::sole,
-        std::min(shoe_edge, sole_top(foot.z + kAnkleZ) - (foot.y + kAnkleHeight)));
+    const float sole = sole_top(foot.z + kAnkleZ) - (foot.y + kAnkleHeight);
+    set(AvatarMask::accent, std::max(std::min(shoe_edge, sole), make_up(p)));
     set(AvatarMask::band, bands(p));
     return masks;
 }

@@ -22,12 +22,13 @@ class ColourMasks {
     [[nodiscard]] std::array<float, kMaskCount> at(glm::vec3 p) const noexcept;
 
  private:
-    [[nodiscard]] float neckline(glm::vec3 p) const noexcept;
+    [[nodiscard]] static float neckline(glm::vec3 p) noexcept;
     [[nodiscard]] float sleeve(glm::vec3 p) const noexcept;
     [[nodiscard]] float leg_end(glm::vec3 p) const noexcept;
     [[nodiscard]] glm::vec3 from_leg_line(glm::vec3 p) const noexcept;
-    [[nodiscard]] float hair(glm::vec3 p) const noexcept;
-    [[nodiscard]] float shoe(glm::vec3 foot) const noexcept;
+    [[nodiscard]] static float hair(glm::vec3 p) noexcept;
+    [[nodiscard]] static float make_up(glm::vec3 p) noexcept;
+    [[nodiscard]] static float shoe(glm::vec3 foot) noexcept;
     [[nodiscard]] float bands(glm::vec3 p) const noexcept;
 
     const BodyField& field_;

@@ -1,6 +1,7 @@
 #include "render/avatar/surface_cells.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -8,11 +9,11 @@
 namespace raks::render {
 namespace {
 
-constexpr int kRootSize = 512;        // finest cells along the root cube
+constexpr int kRootSize = 1024;       // finest cells along the root cube
 constexpr float kRootMetres = 2.44F;  // 2.40, 2.44 and 2.52 were seen to give manifold meshes
 constexpr float kCell = kRootMetres / static_cast<float>(kRootSize);
 constexpr glm::vec3 kRootCorner{0.0F, -0.1F, -0.5F * kRootMetres};
-constexpr int kLargestLeaf = 4;
+constexpr int kLargestLeaf = 8;
 
 // A cell may go when the field says that the surface is farther than this. The field is no exact
 // distance: 1.5 half diagonals and 2 mm left holes where the leaf size changes.
@@ -25,9 +26,11 @@ constexpr std::uint32_t key(GridPoint p) noexcept {
            static_cast<std::uint32_t>(p[2]) << 20;
 }
 
-/// A leaf's key: its corner; the size, 1, 2 or 4, in the two upper bits.
+/// A leaf's key: its corner; the size, 1, 2, 4 or 8, in the two upper bits.
 constexpr std::uint32_t leaf_key(GridPoint corner, int size) noexcept {
-    return key(corner) | static_cast<std::uint32_t>(size / 2) << 30;
+    const auto doublings =
+        static_cast<std::uint32_t>(std::countr_zero(static_cast<unsigned>(size)));
+    return key(corner) | doublings << 30;
 }
 
 }  // namespace
@@ -61,22 +64,27 @@ float SurfaceCells::value_at(GridPoint point) {
     return entry->second;
 }
 
-/// Largest leaf that keeps what is at `p`: fingers, thumb, face 1; palm, wrist, head, feet 2;
-/// rest 4.
+/// Largest leaf that keeps what is at `p`: lids 1 (2.4 mm); fingers, thumb, face 2; palm, wrist,
+/// head, feet 4; the rest 8 (19 mm).
 int SurfaceCells::wanted_size(glm::vec3 p) const noexcept {
     const glm::vec3 from_wrist = p - wrist_;
     const float along_hand = glm::dot(from_wrist, hand_axis_);
     const float away = glm::length(from_wrist);
-    const bool is_face = p.z > 0.045F && p.y > 1.510F && p.y < 1.625F && p.x < 0.055F;
+    const bool is_lid =
+        p.z > 0.045F && p.y > 1.580F && p.y < 1.597F && p.x > 0.012F && p.x < 0.054F;
+    if (is_lid) {
+        return 1;
+    }
+    const bool is_face = p.z > 0.045F && p.y > 1.516F && p.y < 1.612F && p.x < 0.054F;
     const bool is_finger = along_hand > 0.050F && away < 0.24F;
     const bool is_thumb = along_hand > 0.005F && away < 0.24F && from_wrist.z > 0.034F;
     if (is_finger || is_thumb || is_face) {
-        return 1;
+        return 2;
     }
     const bool is_hand = along_hand > -0.050F && away < 0.28F;
     const bool is_head = p.y > 1.44F && p.x < 0.12F;
     const bool is_foot = p.y < 0.11F;
-    return is_hand || is_head || is_foot ? 2 : kLargestLeaf;
+    return is_hand || is_head || is_foot ? 4 : kLargestLeaf;
 }
 
 void SurfaceCells::split(GridPoint corner, int size) {

@@ -34,7 +34,7 @@ class SurfaceCells {
     SurfaceCells(const BodyField& field, const BindFrames& frames);
 
     [[nodiscard]] std::vector<SurfaceCell>& leaves() noexcept { return leaves_; }
-    /// The leaf that holds the finest cell at `place`; nullptr where the octree has no leaf of 4
+    /// The leaf that holds the finest cell at `place`; nullptr where the octree has no leaf of 8
     /// cells or fewer.
     [[nodiscard]] SurfaceCell* leaf_at(GridPoint place) noexcept;
     /// The field at a grid point, computed once.

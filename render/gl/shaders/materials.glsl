@@ -9,12 +9,14 @@ float inside(float depth) {
 #endif
 
 #if defined(DRESS_DANCER)
-// a: suit, stripe, outer side, hair; b: shoe, sole
+// a: suit, stripe, outer side, hair; b: shoe, accent (sole and heel, lashes, lips)
 vec3 albedo_of(vec4 a, vec3 b) {
     float suit = inside(a.x);
     vec3 colour = mix(materials[0].rgb, materials[3].rgb, inside(a.w));
     colour = mix(colour, materials[4].rgb, inside(b.x));
-    colour = mix(colour, materials[6].rgb, inside(b.y));
+    vec3 lips = mix(materials[0].rgb, materials[4].rgb, 0.6);
+    vec3 accent = mix(mix(lips, materials[3].rgb, inside(a.y)), materials[6].rgb, inside(b.x));
+    colour = mix(colour, accent, inside(b.y));
     colour = mix(colour, materials[1].rgb, suit);
     colour = mix(colour, materials[2].rgb, inside(0.2 - abs(a.y)) * suit * inside(a.z));
     return mix(colour, materials[5].rgb, inside(0.14 - abs(a.x)));

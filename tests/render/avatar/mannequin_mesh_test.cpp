@@ -142,7 +142,7 @@ TEST(MannequinMesh, every_colour_area_covers_a_sensible_part_of_the_skin) {
         {0.20F, 0.95F},  // outer
         {0.03F, 0.15F},  // hair
         {0.02F, 0.15F},  // shoe
-        {0.01F, 0.10F},  // sole
+        {0.01F, 0.12F},  // accent
         {0.02F, 0.20F},  // band
     }};
     for (std::size_t m = 0; m < kShares.size(); ++m) {
