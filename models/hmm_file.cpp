@@ -1,0 +1,133 @@
+#include "models/hmm_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/file.hpp"
+#include "models/json_fields.hpp"
+
+namespace raks::models {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
+
+template <typename Row>
+Json list_of(const Row& row) {
+    Json list = Json::array();
+    for (Eigen::Index i = 0; i < row.size(); ++i) {
+        list.push_back(row(i));
+    }
+    return list;
+}
+
+Json table_of(const Eigen::MatrixXd& matrix) {
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        rows.push_back(list_of(matrix.row(i)));
+    }
+    return rows;
+}
+
+Eigen::VectorXd vector_of(const JsonDocument::Field& field) {
+    const std::vector<double> numbers = field.numbers();
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                             static_cast<Eigen::Index>(numbers.size()));
+}
+
+Eigen::MatrixXd matrix_of(const JsonDocument::Field& field) {
+    std::vector<Eigen::VectorXd> rows(field.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i] = vector_of(field[i]);
+        if (rows[i].size() != rows[0].size()) {
+            field[i].complain(fmt::format(
+                "has {} numbers, the first row has {}", rows[i].size(), rows[0].size()));
+            return {};  // before anything of rows x columns is allocated
+        }
+    }
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()),
+                           rows.empty() ? 0 : rows[0].size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        matrix.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
+    }
+    return matrix;
+}
+
+CovarianceType type_of(const JsonDocument::Field& field) {
+    const std::string name = field.text();
+    const auto* const found =
+        std::find(std::begin(kCovarianceNames), std::end(kCovarianceNames), name);
+    if (found == std::end(kCovarianceNames)) {
+        field.complain("must be diagonal, full, tied or spherical");
+        return CovarianceType::diagonal;
+    }
+    return static_cast<CovarianceType>(found - std::begin(kCovarianceNames));
+}
+
+}  // namespace
+
+std::string hmm_text(const GaussianHmm& model) {
+    Json json;
+    json["format"] = kHmmFormat;
+    json["version"] = kHmmVersion;
+    json["covariance_type"] = kCovarianceNames[static_cast<std::size_t>(model.covariance_type)];
+    json["initial"] = list_of(model.initial);
+    json["transition"] = table_of(model.transition);
+    json["exit"] = list_of(model.exit);
+    json["weights"] = table_of(model.weights);
+    json["means"] = table_of(model.means);
+    json["covariances"] = Json::array();
+    for (const Eigen::MatrixXd& covariance : model.covariances) {
+        json["covariances"].push_back(table_of(covariance));
+    }
+    return json.dump(1) + "\n";
+}
+
+Expected<GaussianHmm> parse_hmm(std::string_view text) {
+    Expected<JsonDocument> document = JsonDocument::parse(text, kHmmFormat, kHmmVersion);
+    if (!document) {
+        return fail(std::move(document.error()));
+    }
+    const JsonDocument::Field root = document->root();
+    GaussianHmm model;
+    model.covariance_type = type_of(root["covariance_type"]);
+    model.initial = vector_of(root["initial"]);
+    model.transition = matrix_of(root["transition"]);
+    model.exit = vector_of(root["exit"]);
+    model.weights = matrix_of(root["weights"]);
+    model.means = matrix_of(root["means"]);
+    const JsonDocument::Field covariances = root["covariances"];
+    for (std::size_t i = 0; i < covariances.size(); ++i) {
+        model.covariances.push_back(matrix_of(covariances[i]));
+    }
+    if (auto ok = document->finish(); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    if (auto ok = validate(model); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    return model;
+}
+
+Expected<GaussianHmm> load_hmm(const std::filesystem::path& path) {
+    const Expected<std::string> text = read_file(path, kMaxBytes);
+    if (!text) {
+        return fail(text.error());
+    }
+    Expected<GaussianHmm> model = parse_hmm(*text);
+    if (!model) {
+        return fail(std::move(model.error()).in(path.filename().string()));
+    }
+    return model;
+}
+
+Expected<void> save_hmm(const GaussianHmm& model, const std::filesystem::path& path) {
+    if (auto ok = validate(model); !ok) {
+        return fail(std::move(ok.error()).in(path.filename().string()));
+    }
+    return write_file(path, hmm_text(model));
+}
+
+}  // namespace raks::models

@@ -1,0 +1,333 @@
+#include "models/hmm_scorer.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.hpp"
+
+namespace raks::models {
+namespace {
+
+constexpr double kLogTwoPi = 1.8378770664093454836;
+
+double log_or_impossible(double chance) noexcept {
+    return chance > 0.0 ? std::log(chance) : kImpossible;
+}
+
+/// ln sum over arcs of exp(value at the other end + arc), in two passes.
+template <typename Value>
+double log_sum_over(std::span<const HmmScorer::Arc> arcs, const Value& value) noexcept {
+    double best = kImpossible;
+    for (const HmmScorer::Arc& arc : arcs) {
+        best = std::max(best, value(arc.state) + arc.log_chance);
+    }
+    if (best == kImpossible) {
+        return kImpossible;
+    }
+    double sum = 0.0;
+    for (const HmmScorer::Arc& arc : arcs) {
+        sum += std::exp(value(arc.state) + arc.log_chance - best);
+    }
+    return best + std::log(sum);
+}
+
+std::span<const double> row_of(const Frames& frames, Eigen::Index t) noexcept {
+    return {frames.data() + t * frames.cols(), static_cast<std::size_t>(frames.cols())};
+}
+
+std::span<double> row_of(Frames& frames, Eigen::Index t) noexcept {
+    return {frames.data() + t * frames.cols(), static_cast<std::size_t>(frames.cols())};
+}
+
+/// T x N, ln alpha (Rabiner 1989, eq. 19-20).
+Frames forward_table(const HmmScorer& scorer, const Frames& emissions) {
+    Frames alpha(emissions.rows(), emissions.cols());
+    for (Eigen::Index t = 0; t < emissions.rows(); ++t) {
+        for (std::size_t n = 0; n < scorer.states(); ++n) {
+            const double reached = t == 0
+                                       ? scorer.log_initial()[n]
+                                       : log_sum_over(scorer.arcs_into(n), [&](std::size_t from) {
+                                             return alpha(t - 1, static_cast<Eigen::Index>(from));
+                                         });
+            const Eigen::Index column = static_cast<Eigen::Index>(n);
+            alpha(t, column) = reached + emissions(t, column);
+        }
+    }
+    return alpha;
+}
+
+/// T x N, ln beta (eq. 24-25), ending with the exits.
+Frames backward_table(const HmmScorer& scorer, const Frames& emissions) {
+    Frames beta(emissions.rows(), emissions.cols());
+    for (Eigen::Index t = emissions.rows() - 1; t >= 0; --t) {
+        for (std::size_t n = 0; n < scorer.states(); ++n) {
+            beta(t, static_cast<Eigen::Index>(n)) =
+                t + 1 == emissions.rows()
+                    ? scorer.log_exit()[n]
+                    : log_sum_over(scorer.arcs_from(n), [&](std::size_t to) {
+                          const Eigen::Index column = static_cast<Eigen::Index>(to);
+                          return emissions(t + 1, column) + beta(t + 1, column);
+                      });
+        }
+    }
+    return beta;
+}
+
+double ending(const HmmScorer& scorer, std::span<const double> log_alpha) {
+    std::vector<double> ends(log_alpha.begin(), log_alpha.end());
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+        ends[n] += scorer.log_exit()[n];
+    }
+    return log_sum(ends);
+}
+
+}  // namespace
+
+double log_sum(std::span<const double> logs) noexcept {
+    double best = kImpossible;
+    for (const double value : logs) {
+        best = std::max(best, value);
+    }
+    if (best == kImpossible) {
+        return kImpossible;
+    }
+    double sum = 0.0;
+    for (const double value : logs) {
+        sum += std::exp(value - best);
+    }
+    return best + std::log(sum);
+}
+
+Expected<HmmScorer> HmmScorer::create(const GaussianHmm& model) {
+    if (auto ok = validate(model); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    HmmScorer scorer;
+    scorer.dimension_ = static_cast<std::size_t>(model.dimension());
+    scorer.mixtures_ = static_cast<std::size_t>(model.mixtures());
+    scorer.take_topology(model);
+    scorer.take_emissions(model);
+    return scorer;
+}
+
+void HmmScorer::take_topology(const GaussianHmm& model) {
+    const std::size_t n = static_cast<std::size_t>(model.states());
+    into_.resize(n);
+    from_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Eigen::Index row = static_cast<Eigen::Index>(i);
+        log_initial_.push_back(log_or_impossible(model.initial[row]));
+        log_exit_.push_back(model.exit.size() == 0 ? 0.0 : log_or_impossible(model.exit[row]));
+        for (std::size_t j = 0; j < n; ++j) {
+            const double chance = model.transition(row, static_cast<Eigen::Index>(j));
+            if (chance > 0.0) {
+                from_[i].push_back({j, std::log(chance)});
+                into_[j].push_back({i, std::log(chance)});
+            }
+        }
+    }
+}
+
+void HmmScorer::take_emissions(const GaussianHmm& model) {
+    const bool is_triangle = model.covariance_type == CovarianceType::full ||
+                             model.covariance_type == CovarianceType::tied;
+    const Eigen::Index d = model.dimension();
+    std::vector<double> log_determinants;
+    for (const Eigen::MatrixXd& covariance : model.covariances) {
+        Whitening whitening{is_triangle, {}};
+        double log_determinant = 0.0;
+        if (is_triangle) {
+            const Eigen::MatrixXd factor = Eigen::LLT<Eigen::MatrixXd>(covariance).matrixL();
+            const Eigen::MatrixXd inverse =
+                factor.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(d, d));
+            for (Eigen::Index i = 0; i < d; ++i) {
+                log_determinant += 2.0 * std::log(factor(i, i));
+                for (Eigen::Index j = 0; j <= i; ++j) {
+                    whitening.values.push_back(inverse(i, j));
+                }
+            }
+        } else {
+            for (Eigen::Index i = 0; i < d; ++i) {
+                const double variance = covariance(std::min(i, covariance.rows() - 1), 0);
+                log_determinant += std::log(variance);
+                whitening.values.push_back(1.0 / std::sqrt(variance));
+            }
+        }
+        log_determinants.push_back(log_determinant);
+        whitenings_.push_back(std::move(whitening));
+    }
+    for (Eigen::Index c = 0; c < model.means.rows(); ++c) {
+        const std::size_t which =
+            model.covariance_type == CovarianceType::tied ? 0 : static_cast<std::size_t>(c);
+        const double weight = model.weights(c / model.mixtures(), c % model.mixtures());
+        components_.push_back(
+            {log_or_impossible(weight) -
+                 0.5 * (static_cast<double>(d) * kLogTwoPi + log_determinants[which]),
+             which});
+        for (Eigen::Index i = 0; i < d; ++i) {
+            means_.push_back(model.means(c, i));
+        }
+    }
+}
+
+double HmmScorer::log_component(std::span<const double> frame,
+                                std::size_t component) const noexcept {
+    const double* mean = means_.data() + component * dimension_;
+    const Whitening& whitening = whitenings_[components_[component].whitening];
+    const double* coefficient = whitening.values.data();
+    double distance = 0.0;
+    for (std::size_t i = 0; i < dimension_; ++i) {
+        double white = 0.0;
+        if (whitening.is_triangle) {
+            for (std::size_t j = 0; j <= i; ++j) {
+                white += coefficient[j] * (frame[j] - mean[j]);
+            }
+            coefficient += i + 1;
+        } else {
+            white = coefficient[i] * (frame[i] - mean[i]);
+        }
+        distance += white * white;
+    }
+    return components_[component].log_scale - 0.5 * distance;
+}
+
+void HmmScorer::log_components(std::span<const double> frame,
+                               std::size_t state,
+                               std::span<double> out) const noexcept {
+    for (std::size_t k = 0; k < mixtures_; ++k) {
+        out[k] = log_component(frame, state * mixtures_ + k);
+    }
+}
+
+void HmmScorer::log_emissions(std::span<const double> frame, std::span<double> out) const noexcept {
+    RAKS_ASSERT(frame.size() == dimension_ && out.size() == states());
+    for (std::size_t n = 0; n < states(); ++n) {
+        // Streaming log-sum-exp: no buffer for the components.
+        double best = log_component(frame, n * mixtures_);
+        double sum = 1.0;
+        for (std::size_t k = 1; k < mixtures_; ++k) {
+            const double value = log_component(frame, n * mixtures_ + k);
+            if (value <= best) {
+                sum += value == kImpossible ? 0.0 : std::exp(value - best);
+            } else {
+                sum = sum * std::exp(best - value) + 1.0;
+                best = value;
+            }
+        }
+        out[n] = best + std::log(sum);
+    }
+}
+
+Frames HmmScorer::log_emissions(const Frames& frames) const {
+    Frames result(frames.rows(), static_cast<Eigen::Index>(states()));
+    for (Eigen::Index t = 0; t < frames.rows(); ++t) {
+        log_emissions(row_of(frames, t), row_of(result, t));
+    }
+    return result;
+}
+
+double log_likelihood(const HmmScorer& scorer, const Frames& frames) {
+    if (frames.rows() == 0) {
+        return 0.0;
+    }
+    const Frames alpha = forward_table(scorer, scorer.log_emissions(frames));
+    return ending(scorer, row_of(alpha, alpha.rows() - 1));
+}
+
+ViterbiResult viterbi(const HmmScorer& scorer, const Frames& log_emissions) {
+    const Eigen::Index frames = log_emissions.rows();
+    if (frames == 0) {
+        return {};
+    }
+    const std::size_t states = scorer.states();
+    std::vector<std::size_t> from(static_cast<std::size_t>(frames) * states, 0);
+    std::vector<double> score(states);
+    std::vector<double> next(states);
+    for (std::size_t n = 0; n < states; ++n) {
+        score[n] = scorer.log_initial()[n] + log_emissions(0, static_cast<Eigen::Index>(n));
+    }
+    for (Eigen::Index t = 1; t < frames; ++t) {
+        for (std::size_t n = 0; n < states; ++n) {
+            double best = kImpossible;
+            for (const HmmScorer::Arc& arc : scorer.arcs_into(n)) {
+                const double value = score[arc.state] + arc.log_chance;
+                if (value > best) {
+                    best = value;
+                    from[static_cast<std::size_t>(t) * states + n] = arc.state;
+                }
+            }
+            next[n] = best + log_emissions(t, static_cast<Eigen::Index>(n));
+        }
+        std::swap(score, next);
+    }
+    ViterbiResult result;
+    std::size_t state = 0;
+    for (std::size_t n = 0; n < states; ++n) {
+        const double value = score[n] + scorer.log_exit()[n];
+        if (value > result.log_probability) {
+            result.log_probability = value;
+            state = n;
+        }
+    }
+    result.path.resize(static_cast<std::size_t>(frames));
+    for (std::size_t t = result.path.size(); t-- > 0;) {
+        result.path[t] = state;
+        state = from[t * states + state];
+    }
+    return result;
+}
+
+ForwardBackward forward_backward(const HmmScorer& scorer, const Frames& log_emissions) {
+    const Eigen::Index n = static_cast<Eigen::Index>(scorer.states());
+    ForwardBackward result{
+        kImpossible, Frames::Zero(log_emissions.rows(), n), Eigen::MatrixXd::Zero(n, n)};
+    if (log_emissions.rows() == 0) {
+        return result;
+    }
+    const Frames alpha = forward_table(scorer, log_emissions);
+    const Frames beta = backward_table(scorer, log_emissions);
+    result.log_likelihood = ending(scorer, row_of(alpha, alpha.rows() - 1));
+    if (!std::isfinite(result.log_likelihood)) {
+        return result;
+    }
+    for (Eigen::Index t = 0; t < alpha.rows(); ++t) {
+        for (Eigen::Index i = 0; i < n; ++i) {
+            result.posteriors(t, i) = std::exp(alpha(t, i) + beta(t, i) - result.log_likelihood);
+        }
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (const HmmScorer::Arc& arc : scorer.arcs_from(static_cast<std::size_t>(i))) {
+            const Eigen::Index j = static_cast<Eigen::Index>(arc.state);
+            double count = 0.0;
+            for (Eigen::Index t = 0; t + 1 < alpha.rows(); ++t) {
+                count += std::exp(alpha(t, i) + arc.log_chance + log_emissions(t + 1, j) +
+                                  beta(t + 1, j) - result.log_likelihood);
+            }
+            result.transitions(i, j) = count;
+        }
+    }
+    return result;
+}
+
+StreamingForward::StreamingForward(const HmmScorer& scorer)
+    : scorer_(&scorer),
+      alpha_(scorer.states(), kImpossible),
+      next_(scorer.states(), kImpossible),
+      emissions_(scorer.states(), 0.0) {}
+
+double StreamingForward::process(std::span<const double> frame) noexcept {
+    scorer_->log_emissions(frame, emissions_);
+    for (std::size_t n = 0; n < alpha_.size(); ++n) {
+        const double reached = is_started_
+                                   ? log_sum_over(scorer_->arcs_into(n),
+                                                  [this](std::size_t from) { return alpha_[from]; })
+                                   : scorer_->log_initial()[n];
+        next_[n] = reached + emissions_[n];
+    }
+    alpha_.swap(next_);
+    is_started_ = true;
+    return log_sum(alpha_);
+}
+
+}  // namespace raks::models

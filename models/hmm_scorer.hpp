@@ -1,0 +1,123 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "models/gaussian_hmm.hpp"
+
+namespace raks::models {
+
+inline constexpr double kImpossible = -std::numeric_limits<double>::infinity();  ///< ln 0
+
+/// A model made ready to be evaluated: immutable; logarithms taken, covariances factorized, only
+/// the transitions that exist. Everything works on logarithms, so that no frame, however unlikely,
+/// underflows.
+class HmmScorer {
+ public:
+    struct Arc {
+        std::size_t state = 0;  ///< the other end
+        double log_chance = 0.0;
+    };
+
+    /// Errors: those of validate(model).
+    [[nodiscard]] static Expected<HmmScorer> create(const GaussianHmm& model);
+
+    [[nodiscard]] std::size_t states() const noexcept { return log_initial_.size(); }
+    [[nodiscard]] std::size_t mixtures() const noexcept { return mixtures_; }
+    [[nodiscard]] std::size_t dimension() const noexcept { return dimension_; }
+
+    /// ln b_n(o) of every state n for one frame of D features.
+    /// Threads: any. Real-time: yes (O(N D) or O(N D^2), no allocation).
+    void log_emissions(std::span<const double> frame, std::span<double> out) const noexcept;
+    /// ln (weight x density) of every component of one state.
+    void log_components(std::span<const double> frame,
+                        std::size_t state,
+                        std::span<double> out) const noexcept;
+    /// T x N. Real-time: no.
+    [[nodiscard]] Frames log_emissions(const Frames& frames) const;
+
+    [[nodiscard]] std::span<const double> log_initial() const noexcept { return log_initial_; }
+    /// ln of the chance to end after each state; 0 where sequences may end anywhere.
+    [[nodiscard]] std::span<const double> log_exit() const noexcept { return log_exit_; }
+    [[nodiscard]] std::span<const Arc> arcs_into(std::size_t state) const noexcept {
+        return into_[state];
+    }
+    [[nodiscard]] std::span<const Arc> arcs_from(std::size_t state) const noexcept {
+        return from_[state];
+    }
+
+ private:
+    struct Component {
+        double log_scale = 0.0;  // ln weight - (D ln 2 pi + ln |covariance|) / 2
+        std::size_t whitening = 0;
+    };
+    /// Inverse of the Cholesky factor: rows of a lower triangle, packed; or D reciprocal standard
+    /// deviations.
+    struct Whitening {
+        bool is_triangle = false;
+        std::vector<double> values;
+    };
+
+    [[nodiscard]] double log_component(std::span<const double> frame,
+                                       std::size_t component) const noexcept;
+    void take_topology(const GaussianHmm& model);
+    void take_emissions(const GaussianHmm& model);
+
+    std::size_t dimension_ = 0;
+    std::size_t mixtures_ = 1;
+    std::vector<double> log_initial_;
+    std::vector<double> log_exit_;
+    std::vector<std::vector<Arc>> into_;
+    std::vector<std::vector<Arc>> from_;
+    std::vector<double> means_;  // component-major
+    std::vector<Component> components_;
+    std::vector<Whitening> whitenings_;
+};
+
+/// ln sum exp; kImpossible for an empty or all-impossible list. Real-time: yes.
+[[nodiscard]] double log_sum(std::span<const double> logs) noexcept;
+
+/// ln p(o_1..o_T) of a whole sequence (with the exit, where the model has one).
+[[nodiscard]] double log_likelihood(const HmmScorer& scorer, const Frames& frames);
+
+struct ViterbiResult {
+    std::vector<std::size_t> path;  ///< T states; empty for no frames
+    double log_probability = kImpossible;
+};
+/// The most likely state path (Rabiner 1989, eq. 30-35). Ties go to the lower state.
+[[nodiscard]] ViterbiResult viterbi(const HmmScorer& scorer, const Frames& log_emissions);
+
+struct ForwardBackward {
+    double log_likelihood = kImpossible;
+    Frames posteriors;            ///< T x N, gamma; all 0 when the sequence is impossible
+    Eigen::MatrixXd transitions;  ///< N x N, expected counts (sum of xi)
+};
+[[nodiscard]] ForwardBackward forward_backward(const HmmScorer& scorer,
+                                               const Frames& log_emissions);
+
+/// Forward recursion one frame at a time: ln p(o_1..o_t) after each (a prefix: without exit).
+class StreamingForward {
+ public:
+    /// Keeps a reference to `scorer`.
+    explicit StreamingForward(const HmmScorer& scorer);
+
+    /// Threads: one. Real-time: yes (no allocation).
+    double process(std::span<const double> frame) noexcept;
+    void reset() noexcept { is_started_ = false; }
+
+    /// ln alpha of every state after the last frame.
+    [[nodiscard]] std::span<const double> log_alpha() const noexcept { return alpha_; }
+
+ private:
+    const HmmScorer* scorer_;
+    std::vector<double> alpha_;
+    std::vector<double> next_;
+    std::vector<double> emissions_;
+    bool is_started_ = false;
+};
+
+}  // namespace raks::models

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/expected.hpp"
+
+/// Reading model files with errors that name the field.
+namespace raks::models {
+
+/// A parsed document that remembers the first thing that was wrong with it. Readers go on with
+/// default values after a fault and ask for it once, at the end:
+///
+///     Expected<JsonDocument> document = JsonDocument::parse(text, "raks-hmm", 1);
+///     model.name = document->root()["name"].text();
+///     if (auto ok = document->finish(); !ok) { return fail(...); }   // "name is missing"
+class JsonDocument {
+ public:
+    class Field;
+
+    /// Errors: not JSON (line and column), nested deeper than 32, not an object with this
+    /// "format", a version newer than `version` or not a positive whole number.
+    [[nodiscard]] static Expected<JsonDocument> parse(std::string_view text,
+                                                      std::string_view format,
+                                                      int version);
+    JsonDocument(JsonDocument&&) noexcept;
+    JsonDocument& operator=(JsonDocument&&) noexcept;
+    ~JsonDocument();
+
+    [[nodiscard]] Field root();
+    /// The first fault, if there was one.
+    [[nodiscard]] Expected<void> finish() const;
+
+ private:
+    JsonDocument();
+    std::unique_ptr<nlohmann::json> json_;
+    std::unique_ptr<std::optional<Error>> fault_;  // on the heap: fields point to it
+};
+
+/// One value inside the document and the path to it. A missing one reads as 0, "" or empty, and is
+/// the document's fault.
+class JsonDocument::Field {
+ public:
+    [[nodiscard]] Field operator[](std::string_view key) const;  ///< of an object
+    [[nodiscard]] Field operator[](std::size_t index) const;     ///< of an array
+    [[nodiscard]] bool has(std::string_view key) const;
+    /// Entries of an array.
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] double number() const;
+    /// A whole number in [lowest, highest].
+    [[nodiscard]] int whole(int lowest, int highest) const;
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::vector<double> numbers() const;
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }
+    /// Notes a fault of this field: `PATH is WHAT`.
+    void complain(const std::string& what) const;
+
+ private:
+    friend class JsonDocument;
+    Field(const nlohmann::json* value, std::string path, std::optional<Error>* fault)
+        : value_(value), path_(std::move(path)), fault_(fault) {}
+
+    const nlohmann::json* value_;  // nullptr: missing
+    std::string path_;
+    std::optional<Error>* fault_;
+};
+
+}  // namespace raks::models

@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.hpp"
+#include "models/hmm_scorer.hpp"
+#include "models/hmm_training.hpp"
+
+namespace raks::models {
+namespace {
+
+/// Sequences of a left-to-right process with three clearly different states.
+TrainingSet three_state_data(std::size_t sequences, Eigen::Index dimension, std::uint64_t seed) {
+    TrainingSet set;
+    for (std::size_t s = 0; s < sequences; ++s) {
+        const CounterRandom random(seed, s);
+        const Eigen::Index frames = 24 + static_cast<Eigen::Index>(random.below(0, 12));
+        Frames sequence(frames, dimension);
+        for (Eigen::Index t = 0; t < frames; ++t) {
+            const double level = 4.0 * static_cast<double>(3 * t / frames);
+            for (Eigen::Index i = 0; i < dimension; ++i) {
+                const auto number = static_cast<std::uint64_t>(1 + t * dimension + i);
+                const double sign = i % 2 == 0 ? 1.0 : -1.0;
+                sequence(t, i) = level * sign + random.normal(number);
+            }
+        }
+        set.sequences.push_back(sequence);
+    }
+    return set;
+}
+
+class EveryCovariance : public ::testing::TestWithParam<CovarianceType> {};
+INSTANTIATE_TEST_SUITE_P(Hmm,
+                         EveryCovariance,
+                         ::testing::Values(CovarianceType::diagonal,
+                                           CovarianceType::full,
+                                           CovarianceType::tied,
+                                           CovarianceType::spherical),
+                         [](const auto& type) {
+                             return std::string(
+                                 kCovarianceNames[static_cast<std::size_t>(type.param)]);
+                         });
+
+TEST_P(EveryCovariance, likelihood_never_falls_and_zeros_stay_zero) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const TrainingSet set = three_state_data(7, 3, seed);
+        const BaumWelchOptions plain{
+            .iterations = 12, .tolerance = 0.0, .variance_floor = 0.0, .absolute_floor = 0.0};
+        const Expected<GaussianHmm> start = sliced_start(4, GetParam(), set, plain);
+        ASSERT_TRUE(start) << start.error().message;
+        const Expected<TrainingResult> result = baum_welch(*start, set, plain);
+        ASSERT_TRUE(result) << result.error().message;
+        ASSERT_EQ(result->log_likelihoods.size(), 13U);
+        for (std::size_t i = 1; i < result->log_likelihoods.size(); ++i) {
+            // 1e-7 absolute: rounding of sums of some hundred nats.
+            EXPECT_GE(result->log_likelihoods[i], result->log_likelihoods[i - 1] - 1e-7)
+                << "seed " << seed << ", iteration " << i;
+        }
+        ASSERT_TRUE(validate(result->model));
+        for (Eigen::Index i = 0; i < 4; ++i) {
+            for (Eigen::Index j = 0; j < 4; ++j) {
+                if (j != i && j != i + 1) {
+                    EXPECT_EQ(result->model.transition(i, j), 0.0);
+                }
+            }
+            EXPECT_NEAR(result->model.transition.row(i).sum() + result->model.exit[i], 1.0, 1e-12);
+        }
+    }
+}
+
+TEST_P(EveryCovariance, a_constant_feature_is_held_by_the_floor) {
+    TrainingSet set = three_state_data(4, 2, 9);
+    for (Frames& sequence : set.sequences) {
+        sequence.col(1).setConstant(0.25);
+    }
+    const Expected<GaussianHmm> start = sliced_start(3, GetParam(), set);
+    ASSERT_TRUE(start) << start.error().message;
+    const Expected<TrainingResult> result = baum_welch(*start, set);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(validate(result->model));
+    EXPECT_TRUE(std::isfinite(result->log_likelihoods.back()));
+}
+
+TEST(HmmTraining, finds_the_levels_of_a_three_state_process) {
+    const TrainingSet set = three_state_data(20, 2, 3);
+    const Expected<GaussianHmm> start = sliced_start(3, CovarianceType::full, set);
+    const Expected<TrainingResult> result = baum_welch(*start, set);
+    ASSERT_TRUE(result);
+    for (Eigen::Index n = 0; n < 3; ++n) {
+        // 20 sequences x about 10 frames of sd 1 a state: standard error 0.07, times 4.
+        EXPECT_NEAR(result->model.means(n, 0), 4.0 * static_cast<double>(n), 0.3);
+        EXPECT_NEAR(result->model.means(n, 1), -4.0 * static_cast<double>(n), 0.3);
+    }
+}
+
+TEST(HmmTraining, any_number_of_threads_gives_the_same_bits) {
+    const TrainingSet set = three_state_data(100, 3, 4);  // four chunks of 32 or less
+    const Expected<GaussianHmm> start = sliced_start(3, CovarianceType::tied, set);
+    BaumWelchOptions options{.iterations = 3, .tolerance = 0.0};
+    const Expected<TrainingResult> one = baum_welch(*start, set, options);
+    for (const int threads : {2, 3, 8}) {
+        options.threads = threads;
+        const Expected<TrainingResult> many = baum_welch(*start, set, options);
+        ASSERT_TRUE(one && many);
+        EXPECT_EQ(one->log_likelihoods, many->log_likelihoods);
+        EXPECT_EQ(one->model.means, many->model.means);
+        EXPECT_EQ(one->model.transition, many->model.transition);
+        EXPECT_EQ(one->model.covariances[0], many->model.covariances[0]);
+    }
+}
+
+TEST(HmmTraining, a_weight_of_two_is_the_sequence_twice) {
+    TrainingSet once = three_state_data(3, 2, 5);
+    TrainingSet twice = once;
+    once.weights = {1.0, 2.0, 1.0};
+    twice.sequences.push_back(twice.sequences[1]);
+    const BaumWelchOptions options{.iterations = 1, .tolerance = 0.0};
+    const Expected<GaussianHmm> start = sliced_start(3, CovarianceType::full, once, options);
+    const Expected<TrainingResult> a = baum_welch(*start, once, options);
+    const Expected<TrainingResult> b = baum_welch(*start, twice, options);
+    ASSERT_TRUE(a && b);
+    EXPECT_LE((a->model.means - b->model.means).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_NEAR(a->log_likelihoods.back(), b->log_likelihoods.back(), 1e-9);
+}
+
+TEST(HmmTraining, a_state_nothing_reaches_keeps_what_it_had) {
+    GaussianHmm start = left_to_right(3, 1, CovarianceType::diagonal, 3.0);
+    start.exit.resize(0);
+    start.transition.row(2) << 0.0, 0.0, 1.0;
+    start.means << 0.0, 1.0, 2.0;
+    TrainingSet set;
+    set.sequences = {Frames::Zero(1, 1)};  // one frame: states 1 and 2 are out of reach
+    const Expected<TrainingResult> result = baum_welch(start, set);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(validate(result->model));
+    EXPECT_EQ(result->model.transition.row(1), start.transition.row(1));
+    EXPECT_EQ(result->model.means(2, 0), 2.0);
+}
+
+TEST(HmmTraining, mixtures_raise_the_likelihood_of_two_clusters) {
+    TrainingSet set;
+    for (std::uint64_t s = 0; s < 6; ++s) {
+        const CounterRandom random(6, s);
+        Frames sequence(40, 1);
+        for (Eigen::Index t = 0; t < 40; ++t) {
+            const auto number = static_cast<std::uint64_t>(t);
+            sequence(t, 0) = (random.below(2 * number + 1000, 2) == 0 ? -3.0 : 3.0) +
+                             0.5 * random.normal(number);
+        }
+        set.sequences.push_back(sequence);
+    }
+    const Expected<GaussianHmm> start = sliced_start(1, CovarianceType::diagonal, set);
+    const Expected<TrainingResult> one = baum_welch(*start, set, {.iterations = 30});
+    const Expected<TrainingResult> two =
+        baum_welch(split_heaviest(one->model), set, {.iterations = 30});
+    ASSERT_TRUE(one && two) << two.error().message;
+    EXPECT_GT(two->log_likelihoods.back(), one->log_likelihoods.back() + 100.0);
+    EXPECT_NEAR(std::abs(two->model.means(0, 0)), 3.0, 0.3);
+    EXPECT_NEAR(two->model.means(0, 0), -two->model.means(1, 0), 0.3);
+}
+
+TEST(HmmTraining, refuses_data_that_cannot_be_learnt_from) {
+    const GaussianHmm start = left_to_right(3, 2, CovarianceType::full, 2.0);
+    const auto message = [&](TrainingSet set) {
+        const Expected<TrainingResult> result = baum_welch(start, set);
+        return result ? std::string("learnt") : result.error().message;
+    };
+    EXPECT_EQ(message({{Frames::Zero(5, 3)}, {}}), "sequence 0 has 3 features, must have 2");
+    EXPECT_EQ(message({{Frames::Constant(5, 2, std::nan(""))}, {}}),
+              "sequence 0 has a value that is not finite or too large");
+    EXPECT_EQ(message({{Frames::Constant(5, 2, 1e200)}, {}}),
+              "sequence 0 has a value that is not finite or too large");
+    EXPECT_EQ(message({{Frames::Zero(5, 2)}, {1.0, 2.0}}),
+              "2 weights for 1 sequences, must be as many or none");
+    EXPECT_EQ(message({{Frames::Zero(5, 2)}, {-1.0}}), "weight 0 is -1, must be finite and >= 0");
+    EXPECT_EQ(message({{Frames::Zero(2, 2)}, {}}),
+              "no sequence that the start model can produce; give it other data or fewer states");
+    EXPECT_FALSE(sliced_start(9, CovarianceType::full, {{Frames::Zero(5, 2)}, {}}));
+}
+
+}  // namespace
+}  // namespace raks::models
