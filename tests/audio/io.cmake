@@ -1,3 +1,3 @@
 raks_test_program(audio_io
-    SOURCES io/audio_file_test.cpp io/downmix_test.cpp io/mangled_files_test.cpp
+    SOURCES io/audio_file_test.cpp io/downmix_test.cpp io/file_player_test.cpp io/mangled_files_test.cpp
     LIBRARIES raks::audio_io raks::audio_synth)
