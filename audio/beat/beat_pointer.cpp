@@ -1,0 +1,234 @@
+#include "audio/beat/beat_pointer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "audio/beat/fast_exp.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr double kTemplateSigma = 0.022;  // seconds: how sharp an onset lies on its place
+constexpr double kOnHalf = 0.35;
+constexpr double kOnQuarter = 0.12;
+// What counts as "the same hypothesis" around the best state.
+constexpr double kNearTempo = 0.06;  // ratio
+constexpr double kNearPhase = 0.12;  // beats
+
+double hops_of(double bpm) { return 60.0 * kHopsPerSecond / bpm; }
+
+/// Sum in eight strands: the compiler vectorizes it without changing the order of additions.
+float sum_of(const std::vector<float>& values) noexcept {
+    std::array<float, 8> strands{};
+    std::size_t i = 0;
+    for (; i + strands.size() <= values.size(); i += strands.size()) {
+        for (std::size_t lane = 0; lane < strands.size(); ++lane) {
+            strands[lane] += values[i + lane];
+        }
+    }
+    float total = 0.0F;
+    for (; i < values.size(); ++i) {
+        total += values[i];
+    }
+    for (const float strand : strands) {
+        total += strand;
+    }
+    return total;
+}
+
+/// Template of one tempo: bumps at the beat (both ends), the half and the quarters, zero mean.
+std::vector<float> beat_template(int hops) {
+    const double period = hops / kHopsPerSecond;
+    const double places[][2] = {{0.0, 1.0},
+                                {period, 1.0},
+                                {period / 2, kOnHalf},
+                                {period / 4, kOnQuarter},
+                                {3 * period / 4, kOnQuarter}};
+    std::vector<double> values(static_cast<std::size_t>(hops));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double at = static_cast<double>(i) / kHopsPerSecond;
+        for (const auto& [place, height] : places) {
+            const double distance = (at - place) / kTemplateSigma;
+            values[i] = std::max(values[i], height * std::exp(-0.5 * distance * distance));
+        }
+    }
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / hops;
+    std::vector<float> result;
+    for (const double value : values) {
+        result.push_back(static_cast<float>(value - mean));
+    }
+    return result;
+}
+
+}  // namespace
+
+BeatPointer::BeatPointer(const BeatPointerConfig& config) : config_(config) {
+    const double shortest = hops_of(config.highest_bpm);
+    const double longest = hops_of(config.lowest_bpm);
+    for (int i = 0; i < config.tempi; ++i) {
+        const double share = static_cast<double>(i) / (config.tempi - 1);
+        const int hops =
+            static_cast<int>(std::lround(shortest * std::pow(longest / shortest, share)));
+        if (tempi_.empty() || hops != tempi_.back().hops) {
+            tempi_.push_back({static_cast<int>(prior_.size()), hops});
+            const double octaves =
+                std::log2(hops_of(1.0) / hops / config.centre_bpm) / config.octaves;
+            const float prior = static_cast<float>(std::exp(-0.5 * octaves * octaves) / hops);
+            prior_.insert(prior_.end(), static_cast<std::size_t>(hops), prior);
+            for (const float value : beat_template(hops)) {
+                template_.push_back(value * static_cast<float>(config.trust));
+            }
+        }
+    }
+    const float total = std::accumulate(prior_.begin(), prior_.end(), 0.0F);
+    for (float& value : prior_) {
+        value /= total;
+    }
+    for (const Tempo& from : tempi_) {
+        std::vector<double> row;
+        for (const Tempo& to : tempi_) {
+            const double ratio = static_cast<double>(to.hops) / from.hops;
+            row.push_back(std::exp(-config.stiffness * std::abs(ratio - 1.0)));
+        }
+        const double sum = std::accumulate(row.begin(), row.end(), 0.0);
+        for (const double value : row) {
+            transition_.push_back(static_cast<float>(value / sum));
+        }
+    }
+    default_prior_ = prior_;
+    probability_ = prior_;
+    moved_.resize(prior_.size());
+    arrivals_.resize(tempi_.size());
+    reset();
+}
+
+void BeatPointer::reset() noexcept RAKS_NONBLOCKING {
+    expect_any_tempo();
+    std::copy(prior_.begin(), prior_.end(), probability_.begin());
+}
+
+void BeatPointer::expect_any_tempo() noexcept RAKS_NONBLOCKING {
+    std::copy(default_prior_.begin(), default_prior_.end(), prior_.begin());
+}
+
+void BeatPointer::open_positions() noexcept RAKS_NONBLOCKING {
+    for (const Tempo& tempo : tempi_) {
+        const auto first = probability_.begin() + tempo.first;
+        const float share =
+            std::accumulate(first, first + tempo.hops, 0.0F) / static_cast<float>(tempo.hops);
+        for (int i = 0; i < tempo.hops; ++i) {
+            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            moved_[state] = 0.5F * (share + prior_[state]);
+        }
+    }
+    normalize();
+}
+
+void BeatPointer::move() noexcept {
+    std::fill(arrivals_.begin(), arrivals_.end(), 0.0F);
+    for (std::size_t from = 0; from < tempi_.size(); ++from) {
+        const auto last = static_cast<std::size_t>(tempi_[from].first + tempi_[from].hops - 1);
+        const float leaving = probability_[last];
+        const float* const row = &transition_[from * tempi_.size()];
+        for (std::size_t to = 0; to < tempi_.size(); ++to) {
+            arrivals_[to] += leaving * row[to];
+        }
+    }
+    std::copy(probability_.begin(), probability_.end() - 1, moved_.begin() + 1);
+    for (std::size_t i = 0; i < tempi_.size(); ++i) {
+        moved_[static_cast<std::size_t>(tempi_[i].first)] = arrivals_[i];
+    }
+}
+
+void BeatPointer::normalize() noexcept {
+    const float scale = 1.0F / sum_of(moved_);
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+        probability_[i] = moved_[i] * scale;
+    }
+}
+
+void BeatPointer::advance(float onset_strength) noexcept RAKS_NONBLOCKING {
+    move();
+    const float leak = static_cast<float>(config_.leak);
+    const float keep = 1.0F - leak;
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+        moved_[i] = (keep * moved_[i] + leak * prior_[i]) * fast_exp(template_[i] * onset_strength);
+    }
+    normalize();
+}
+
+void BeatPointer::advance_blind() noexcept RAKS_NONBLOCKING {
+    move();
+    normalize();
+}
+
+PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
+    const auto best = static_cast<int>(std::max_element(probability_.begin(), probability_.end()) -
+                                       probability_.begin());
+    const auto at =
+        std::upper_bound(tempi_.begin(),
+                         tempi_.end(),
+                         best,
+                         [](int state, const Tempo& tempo) { return state < tempo.first; }) -
+        1;
+    const double best_hops = at->hops;
+    const double best_phase = (best - at->first) / best_hops;
+    double mass = 0.0;
+    double period = 0.0;
+    double offset = 0.0;  // of the phase, from the best state's
+    for (const Tempo& tempo : tempi_) {
+        if (std::abs(tempo.hops / best_hops - 1.0) > kNearTempo) {
+            continue;
+        }
+        const int centre = static_cast<int>(std::lround(best_phase * tempo.hops));
+        const int reach = static_cast<int>(kNearPhase * tempo.hops) + 1;
+        for (int step = -reach; step <= reach; ++step) {
+            const int position = ((centre + step) % tempo.hops + tempo.hops) % tempo.hops;
+            const double p =
+                static_cast<double>(probability_[static_cast<std::size_t>(tempo.first + position)]);
+            double distance = position / static_cast<double>(tempo.hops) - best_phase;
+            distance -= std::round(distance);
+            mass += p;
+            period += p * tempo.hops;
+            offset += p * distance;
+        }
+    }
+    PointerEstimate estimate;
+    estimate.period_hops = period / mass;
+    estimate.phase = best_phase + offset / mass;
+    estimate.phase -= std::floor(estimate.phase);
+    estimate.mass = static_cast<float>(std::min(1.0, mass));
+    return estimate;
+}
+
+void BeatPointer::expect_tempo(double bpm) noexcept RAKS_NONBLOCKING {
+    for (const Tempo& tempo : tempi_) {
+        const double distance = (hops_of(bpm) / tempo.hops - 1.0) / 0.03;
+        const float weight = static_cast<float>(std::exp(-0.5 * distance * distance)) + 1e-6F;
+        for (int i = 0; i < tempo.hops; ++i) {
+            moved_[static_cast<std::size_t>(tempo.first + i)] =
+                weight / static_cast<float>(tempo.hops);
+        }
+    }
+    normalize();
+    std::copy(probability_.begin(), probability_.end(), prior_.begin());
+}
+
+void BeatPointer::expect_beat() noexcept RAKS_NONBLOCKING {
+    constexpr double kPhaseSigma = 0.06;  // beats
+    for (const Tempo& tempo : tempi_) {
+        for (int i = 0; i < tempo.hops; ++i) {
+            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            double phase = i / static_cast<double>(tempo.hops);
+            phase = (phase - std::round(phase)) / kPhaseSigma;
+            moved_[state] =
+                prior_[state] * static_cast<float>(std::exp(-0.5 * phase * phase) + 1e-4);
+        }
+    }
+    normalize();
+}
+
+}  // namespace raks::audio

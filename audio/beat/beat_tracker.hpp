@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "audio/analyzer_command.hpp"
+#include "audio/beat/bar_tracker.hpp"
+#include "audio/beat/beat_pointer.hpp"
+#include "audio/beat/tap_tempo.hpp"
+#include "audio/features/onset.hpp"
+#include "base/beat_grid.hpp"
+#include "base/music_state.hpp"
+#include "base/realtime.hpp"
+
+namespace raks::audio {
+
+/// What the tracker gets to know of one hop.
+struct TrackedHop {
+    HopIndex hop = 0;
+    StreamTime heard_until{};  ///< end of the audio behind this hop
+    Onset onset;
+    bool is_silent = false;  ///< no evidence: the tempo runs on, confidence falls
+};
+
+/// From the pointer's belief to a grid that can be danced to: a second-order filter follows the
+/// believed phase without its 10 ms steps, beats are announced when they are due and never revised,
+/// and confidence tells whether there is a beat at all.
+///
+/// Threads: one. Real-time: yes.
+class BeatTracker {
+ public:
+    BeatTracker() = default;
+
+    /// One hop; fills grid, beat and predicted of `state`.
+    void advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING;
+
+    /// One hop inside a gap of the audio: the grid runs on.
+    void advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_NONBLOCKING;
+
+    /// The audio goes on elsewhere: looks for the beat anew, keeps the tempo as a guess.
+    void jump() noexcept RAKS_NONBLOCKING;
+
+    /// Applied at its time, or at the next hop when that has passed. False: 16 wait already.
+    bool command(const AnalyzerCommand& command) noexcept RAKS_NONBLOCKING;
+
+    void reset() noexcept RAKS_NONBLOCKING;
+
+ private:
+    static constexpr std::size_t kCommands = 16;
+    static constexpr std::size_t kRecent = 64;  // hops of onset strength kept
+
+    void run_commands(StreamTime now) noexcept;
+    void apply(const AnalyzerCommand& command, StreamTime now) noexcept;
+    void follow(const PointerEstimate& estimate) noexcept;
+    void rate_confidence(const TrackedHop& hop) noexcept;
+    void publish(HopIndex hop, MusicState& state) const noexcept;
+    void announce(const TrackedHop& hop, MusicState& state) noexcept;
+    void set_position(double phase) noexcept;
+
+    BeatPointer pointer_;
+    BarTracker bars_;
+    TapTempo taps_;
+
+    // The grid at the current hop.
+    double position_ = 0.0;            // beats
+    double beats_per_hop_ = 1.0 / 50;  // 120 BPM
+    double nudge_hops_ = 0.0;          // the user's, later is positive
+    bool is_tempo_held_ = false;
+    int hops_apart_ = 0;  // hops in a row in which belief and grid disagreed
+    int hops_heard_ = 0;  // hops with evidence since reset or jump
+
+    // Confidence.
+    std::array<float, kRecent> recent_{};  // onset strength by hop, ring
+    long rated_beat_ = 0;                  // last beat whose onsets were rated
+    int beats_rated_ = 0;
+    float contrast_ = 0.0F;  // onset strength on the beat, running mean
+    float mass_ = 0.0F;      // the pointer's, smoothed
+    float confidence_ = 0.0F;
+
+    // Announcements.
+    long next_beat_ = 0;
+    long next_predicted_ = 0;
+    StreamTime last_beat_time_{std::chrono::seconds(-10)};
+    StreamTime last_predicted_time_{std::chrono::seconds(-10)};
+
+    std::array<AnalyzerCommand, kCommands> commands_{};
+    std::size_t command_count_ = 0;
+};
+
+}  // namespace raks::audio

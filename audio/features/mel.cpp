@@ -1,0 +1,107 @@
+#include "audio/features/mel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/assert.hpp"
+
+namespace raks::audio {
+namespace {
+
+double mel_of(double hertz) { return 1127.0 * std::log(1.0 + hertz / 700.0); }
+double hertz_of(double mel) { return 700.0 * (std::exp(mel / 1127.0) - 1.0); }
+
+using DenseFilters = std::vector<std::vector<double>>;  // bands x bins
+
+FilterBank sparse(const DenseFilters& dense) {
+    std::vector<FilterBank::Filter> filters;
+    for (const std::vector<double>& row : dense) {
+        const auto is_used = [](double weight) { return weight > 0.0; };
+        const auto first = std::find_if(row.begin(), row.end(), is_used);
+        const auto last = std::find_if(row.rbegin(), row.rend(), is_used).base();
+        FilterBank::Filter filter;
+        if (first < last) {
+            filter.first_bin = static_cast<int>(first - row.begin());
+            filter.weights.assign(first, last);
+        }
+        filters.push_back(std::move(filter));
+    }
+    return FilterBank(std::move(filters));
+}
+
+}  // namespace
+
+FilterBank::FilterBank(std::vector<Filter> filters) : filters_(std::move(filters)) {}
+
+void FilterBank::apply(std::span<const float> spectrum,
+                       std::span<float> bands) const noexcept RAKS_NONBLOCKING {
+    RAKS_ASSERT(bands.size() == filters_.size());
+    for (std::size_t band = 0; band < filters_.size(); ++band) {
+        const Filter& filter = filters_[band];
+        const float* const bins = spectrum.data() + filter.first_bin;
+        float sum = 0.0F;
+        for (std::size_t i = 0; i < filter.weights.size(); ++i) {
+            sum += bins[i] * filter.weights[i];
+        }
+        bands[band] = sum;
+    }
+}
+
+FilterBank htk_filter_bank(const MelConfig& config) {
+    const double low = mel_of(config.low_hz);
+    const double high = mel_of(config.high_hz);
+    std::vector<double> centres;  // of the bands, then the upper edge
+    for (int k = 1; k <= config.bands + 1; ++k) {
+        centres.push_back(low + k / (config.bands + 1.0) * (high - low));
+    }
+    const double bin_hz = static_cast<double>(config.sample_rate) / config.fft_size;
+    const int first = std::max(1, static_cast<int>(config.low_hz / bin_hz + 2.5) - 1);
+    const int end = std::min(config.fft_size / 2, static_cast<int>(config.high_hz / bin_hz + 0.5));
+    DenseFilters dense(static_cast<std::size_t>(config.bands),
+                       std::vector<double>(static_cast<std::size_t>(config.fft_size / 2 + 1)));
+    std::size_t channel = 0;
+    for (int bin = first; bin < end; ++bin) {
+        const double mel = mel_of(bin * bin_hz);
+        while (channel < dense.size() && centres[channel] < mel) {
+            ++channel;
+        }
+        const double lower = channel > 0 ? centres[channel - 1] : low;
+        const double weight = (centres[channel] - mel) / (centres[channel] - lower);
+        if (channel > 0) {
+            dense[channel - 1][static_cast<std::size_t>(bin)] = weight;
+        }
+        if (channel < dense.size()) {
+            dense[channel][static_cast<std::size_t>(bin)] = 1.0 - weight;
+        }
+    }
+    return sparse(dense);
+}
+
+FilterBank triangular_filter_bank(const MelConfig& config) {
+    const double low = mel_of(config.low_hz);
+    const double step = (mel_of(config.high_hz) - low) / (config.bands + 1);
+    const double bin_hz = static_cast<double>(config.sample_rate) / config.fft_size;
+    const std::size_t bins = static_cast<std::size_t>(config.fft_size / 2 + 1);
+    DenseFilters dense(static_cast<std::size_t>(config.bands), std::vector<double>(bins));
+    for (std::size_t band = 0; band < dense.size(); ++band) {
+        const double left = hertz_of(low + step * static_cast<double>(band));
+        const double middle = hertz_of(low + step * static_cast<double>(band + 1));
+        const double right = hertz_of(low + step * static_cast<double>(band + 2));
+        double total = 0.0;
+        for (std::size_t bin = 0; bin < bins; ++bin) {
+            const double hertz = static_cast<double>(bin) * bin_hz;
+            const double weight =
+                std::min((hertz - left) / (middle - left), (right - hertz) / (right - middle));
+            dense[band][bin] = std::max(0.0, weight);
+            total += dense[band][bin];
+        }
+        if (total == 0.0) {
+            dense[band]
+                 [std::min(bins - 1, static_cast<std::size_t>(std::lround(middle / bin_hz)))] = 1.0;
+        }
+    }
+    return sparse(dense);
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,132 @@
+#include "audio/features/mfcc.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raks::audio {
+namespace {
+
+constexpr int kFftSize = 512;
+constexpr double kLifter = 22.0;
+
+}  // namespace
+
+MfccStream::MfccStream(const MfccConfig& config)
+    : config_(config),
+      spectrum_(hamming_window(kWindow), kFftSize),
+      filters_(
+          htk_filter_bank({kSampleRate, kFftSize, config.bands, config.low_hz, config.high_hz})),
+      cosines_(static_cast<std::size_t>(config.bands)),
+      window_(kWindow),
+      emphasized_(kWindow),
+      bands_(static_cast<std::size_t>(config.bands)) {
+    const double scale = std::sqrt(2.0 / config.bands);
+    for (std::size_t band = 0; band < cosines_.size(); ++band) {
+        for (std::size_t j = 0; j < cosines_[band].size(); ++j) {
+            const double angle =
+                M_PI * static_cast<double>(j) / config.bands * (static_cast<double>(band) + 0.5);
+            cosines_[band][j] = scale * std::cos(angle);
+        }
+    }
+    lifter_[0] = 1.0;
+    for (std::size_t j = 1; j < lifter_.size(); ++j) {
+        lifter_[j] = 1.0 + kLifter / 2.0 * std::sin(M_PI * static_cast<double>(j) / kLifter);
+    }
+}
+
+void MfccStream::reset() noexcept RAKS_NONBLOCKING {
+    filled_ = frames_ = emitted_ = 0;
+    newest_ = -1;
+}
+
+void MfccStream::process(std::span<const float> samples, Sink& sink) noexcept RAKS_NONBLOCKING {
+    while (!samples.empty()) {
+        const std::size_t room = static_cast<std::size_t>(kWindow - filled_);
+        const std::size_t count = std::min(room, samples.size());
+        std::copy_n(samples.data(), count, window_.begin() + filled_);
+        filled_ += static_cast<int>(count);
+        samples = samples.subspan(count);
+        if (filled_ == kWindow) {
+            add_frame(sink);
+            std::copy(window_.begin() + kHop, window_.end(), window_.begin());
+            filled_ = kWindow - kHop;
+        }
+    }
+}
+
+void MfccStream::add_frame(Sink& sink) noexcept {
+    statics_[static_cast<std::size_t>(frames_ % kHistory)] = compute_static();
+    newest_ = frames_++;
+    if (newest_ - kLookAhead >= emitted_) {
+        emit(emitted_++, sink);
+    }
+}
+
+void MfccStream::finish(Sink& sink) noexcept RAKS_NONBLOCKING {
+    while (emitted_ < frames_) {
+        emit(emitted_++, sink);
+    }
+}
+
+MfccStream::Static MfccStream::compute_static() noexcept {
+    const float k = static_cast<float>(config_.pre_emphasis);
+    double energy = 0.0;
+    emphasized_[0] = window_[0] * (1.0F - k);
+    for (std::size_t i = 0; i < window_.size(); ++i) {
+        energy += static_cast<double>(window_[i]) * static_cast<double>(window_[i]);
+        if (i > 0) {
+            emphasized_[i] = window_[i] - k * window_[i - 1];
+        }
+    }
+    filters_.apply(spectrum_.compute(emphasized_), bands_);
+    std::array<double, kMfccStatic> cepstrum{};
+    for (std::size_t band = 0; band < bands_.size(); ++band) {
+        const double log_band = std::log(std::max(1.0, static_cast<double>(bands_[band])));
+        for (std::size_t j = 0; j < cepstrum.size(); ++j) {
+            cepstrum[j] += log_band * cosines_[band][j];
+        }
+    }
+    Static result{};
+    for (std::size_t j = 1; j < cepstrum.size(); ++j) {
+        result[j - 1] = static_cast<float>(cepstrum[j] * lifter_[j]);
+    }
+    result.back() = static_cast<float>(
+        config_.last == MfccConfig::Last::c0 ? cepstrum[0] : std::log(std::max(energy, 1e-30)));
+    return result;
+}
+
+const MfccStream::Static& MfccStream::static_at(int frame) const noexcept {
+    return statics_[static_cast<std::size_t>(std::clamp(frame, 0, newest_) % kHistory)];
+}
+
+MfccStream::Static MfccStream::delta_at(int frame) const noexcept {
+    const int inside = std::clamp(frame, 0, newest_);
+    const Static& after1 = static_at(inside + 1);
+    const Static& before1 = static_at(inside - 1);
+    const Static& after2 = static_at(inside + 2);
+    const Static& before2 = static_at(inside - 2);
+    Static delta{};
+    for (std::size_t i = 0; i < delta.size(); ++i) {
+        delta[i] = (after1[i] - before1[i] + 2.0F * (after2[i] - before2[i])) / 10.0F;
+    }
+    return delta;
+}
+
+void MfccStream::emit(int frame, Sink& sink) noexcept {
+    const Static& statics = static_at(frame);
+    const Static delta = delta_at(frame);
+    const Static after1 = delta_at(frame + 1);
+    const Static before1 = delta_at(frame - 1);
+    const Static after2 = delta_at(frame + 2);
+    const Static before2 = delta_at(frame - 2);
+    MfccVector vector{};
+    for (std::size_t i = 0; i < statics.size(); ++i) {
+        vector[i] = statics[i];
+        vector[i + kMfccStatic] = delta[i];
+        vector[i + 2 * kMfccStatic] =
+            (after1[i] - before1[i] + 2.0F * (after2[i] - before2[i])) / 10.0F;
+    }
+    sink.on_vector(vector);
+}
+
+}  // namespace raks::audio

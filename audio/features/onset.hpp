@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "audio/features/mel.hpp"
+#include "audio/features/spectrum.hpp"
+#include "base/realtime.hpp"
+
+namespace raks::audio {
+
+/// Bands in which onsets are heard apart: below 0.4 kHz (bass drum, bass, conga), to 2.5 kHz
+/// (voices, piano, snare), above (hats, bells, shakers).
+inline constexpr int kOnsetBands = 3;
+
+/// Onset strength of one hop.
+struct Onset {
+    std::array<float, kOnsetBands> flux{};        ///< half-wave rectified log-mel flux, >= 0
+    std::array<float, kOnsetBands> normalized{};  ///< in its own running sd, [-0.8, 3.5]
+    float strength = 0.0F;  ///< weighted sum of `normalized`: what the beat pointer follows
+    float total = 0.0F;     ///< sum of `flux`, >= 0; 0 in silence
+};
+
+/// Onset strength at 32 kHz every 320 samples: log-mel bands, each against the maximum of two
+/// earlier windows (a vibrato makes no onset), then normalized by a running mean and variance of
+/// 4 s, which stand still while `is_silent`. (Spectral energy flux of Ofli 2008, 4.2, made robust
+/// as in Boeck, Widmer 2013, "Maximum filter vibrato suppression".)
+///
+/// Threads: one. Real-time: compute, reset yes.
+class OnsetDetector {
+ public:
+    static constexpr int kSampleRate = 32'000;
+    static constexpr int kHop = 320;
+    static constexpr int kWindow = 1024;
+
+    OnsetDetector();
+
+    /// `window`: kWindow samples around the hop's moment, in [-1, 1].
+    Onset compute(std::span<const float> window, bool is_silent) noexcept RAKS_NONBLOCKING;
+    void reset() noexcept RAKS_NONBLOCKING;
+
+ private:
+    static constexpr int kMelBands = 36;
+    static constexpr int kHistory = 4;
+    using LogMel = std::array<float, kMelBands>;
+
+    [[nodiscard]] std::array<float, kOnsetBands> flux_of(const LogMel& now) const noexcept;
+    void normalize(Onset& onset) noexcept;
+
+    PowerSpectrum spectrum_;
+    FilterBank filters_;
+    std::vector<float> magnitude_;
+    std::array<LogMel, kHistory> history_{};  // of the last hops, ring
+    int hops_ = 0;
+    int hops_normalized_ = 0;
+    std::array<float, kOnsetBands> mean_{};
+    std::array<float, kOnsetBands> variance_{};
+};
+
+}  // namespace raks::audio

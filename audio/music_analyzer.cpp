@@ -1,0 +1,216 @@
+#include "audio/music_analyzer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "audio/beat/beat_tracker.hpp"
+#include "audio/features/loudness.hpp"
+#include "audio/features/onset.hpp"
+#include "audio/features/resampler.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr SampleRate kRhythmRate(OnsetDetector::kSampleRate);
+constexpr std::size_t kChunk = 256;  // input samples worked on at a time
+constexpr float kLoudest = 16.0F;
+constexpr float kLowestLevel = -120.0F;
+// Silence: quieter than this for longer than a beat at 50 BPM.
+constexpr float kSilentLevel = -58.0F;
+constexpr int kSilentHops = 130;
+constexpr Nanos kLongestGap = std::chrono::seconds(10);
+// Shorter gaps keep the beat: it runs on blind.
+constexpr Nanos kLongestBlindGap = std::chrono::milliseconds(200);
+
+float level_of(std::span<const float> samples) noexcept {
+    double energy = 0.0;
+    for (const float sample : samples) {
+        energy += static_cast<double>(sample) * static_cast<double>(sample);
+    }
+    const double mean = energy / static_cast<double>(samples.size());
+    return std::max(kLowestLevel, static_cast<float>(10.0 * std::log10(mean + 1e-12)));
+}
+
+}  // namespace
+
+/// The samples at 32 kHz run through a window; each time a hop's window is full its state is made.
+struct MusicAnalyzer::State {
+    Resampler resampler;
+    LoudnessMeter loudness;
+    OnsetDetector onsets;
+    BeatTracker tracker;
+
+    std::vector<float> clean = std::vector<float>(kChunk);
+    std::vector<float> resampled = std::vector<float>(1536);  // a chunk at 8 kHz becomes 1024
+    std::vector<float> window = std::vector<float>(OnsetDetector::kWindow);
+    std::size_t filled = 0;  // samples in `window`
+    HopIndex next_hop = 0;
+    std::int64_t lost_samples = 0;  // at kRhythmRate, to be jumped over next
+    int quiet_hops = 0;
+    bool is_discontinuity = false;
+    std::uint64_t bad_samples = 0;
+
+    void reset() noexcept;
+    void clean_chunk(std::span<const float> input) noexcept;
+    void take(std::span<const float> rhythm, Sink& sink) noexcept;
+    void finish_hop(Sink& sink) noexcept;
+    void jump_gap(Sink& sink) noexcept;
+};
+
+void MusicAnalyzer::State::reset() noexcept {
+    resampler.reset();
+    loudness.reset();
+    onsets.reset();
+    tracker.reset();
+    // The first hop's window is centred on the first sample: half of it lies before the stream.
+    std::fill(window.begin(), window.end(), 0.0F);
+    filled = OnsetDetector::kWindow / 2;
+    next_hop = 0;
+    lost_samples = 0;
+    quiet_hops = 0;
+    is_discontinuity = false;
+    bad_samples = 0;
+}
+
+void MusicAnalyzer::State::clean_chunk(std::span<const float> input) noexcept {
+    for (std::size_t i = 0; i < input.size(); ++i) {
+        const bool is_good = std::isfinite(input[i]);
+        bad_samples += is_good ? 0 : 1;
+        clean[i] = is_good ? std::clamp(input[i], -kLoudest, kLoudest) : 0.0F;
+    }
+}
+
+void MusicAnalyzer::State::take(std::span<const float> rhythm, Sink& sink) noexcept {
+    while (!rhythm.empty()) {
+        const std::size_t count = std::min(window.size() - filled, rhythm.size());
+        std::copy_n(rhythm.data(), count, window.begin() + static_cast<std::ptrdiff_t>(filled));
+        // Sample by sample the same for any blocks: the meter must not run ahead of the hop.
+        loudness.add(rhythm.first(count));
+        filled += count;
+        rhythm = rhythm.subspan(count);
+        if (filled == window.size()) {
+            finish_hop(sink);
+            std::copy(window.begin() + OnsetDetector::kHop, window.end(), window.begin());
+            filled -= OnsetDetector::kHop;
+        }
+    }
+}
+
+void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
+    MusicState state;
+    state.hop = next_hop++;
+    state.time = time_of_hop(state.hop);
+    state.heard_until =
+        state.time + kRhythmRate.time_of(OnsetDetector::kWindow / 2).time_since_epoch();
+    // The level of the hop itself: the samples around the window's middle.
+    state.level_dbfs = level_of(std::span(window).subspan(
+        (OnsetDetector::kWindow - OnsetDetector::kHop) / 2, OnsetDetector::kHop));
+    quiet_hops = state.level_dbfs < kSilentLevel ? std::min(quiet_hops + 1, kSilentHops) : 0;
+    state.is_silent = quiet_hops == kSilentHops || state.hop < quiet_hops;
+    const Onset onset = onsets.compute(window, state.is_silent);
+    state.onset_strength = onset.total;
+    state.loudness_lufs = loudness.momentary();
+    state.is_discontinuity = is_discontinuity;
+    is_discontinuity = false;
+    tracker.advance({state.hop, state.heard_until, onset, state.is_silent}, state);
+    state.genre_log_probability.fill(-20.0F);
+    state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
+    sink.on_state(state);
+}
+
+/// Stream time jumps over what was lost; the hops inside come out with the grid running on.
+void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
+    if (lost_samples > kRhythmRate.index_at(StreamTime(kLongestBlindGap))) {
+        tracker.jump();
+    }
+    // The window as if silence had come in: only its count matters for the hops in the gap.
+    std::int64_t left = lost_samples;
+    lost_samples = 0;
+    while (left > 0) {
+        const auto count =
+            std::min<std::int64_t>(static_cast<std::int64_t>(window.size() - filled), left);
+        std::fill_n(window.begin() + static_cast<std::ptrdiff_t>(filled), count, 0.0F);
+        filled += static_cast<std::size_t>(count);
+        left -= count;
+        if (filled == window.size()) {
+            MusicState state;
+            state.hop = next_hop++;
+            state.time = time_of_hop(state.hop);
+            state.heard_until = state.time;
+            state.is_silent = false;
+            state.genre_log_probability.fill(-20.0F);
+            state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
+            tracker.advance_blind(state.hop, state);
+            sink.on_state(state);
+            std::copy(window.begin() + OnsetDetector::kHop, window.end(), window.begin());
+            filled -= OnsetDetector::kHop;
+        }
+    }
+}
+
+MusicAnalyzer::MusicAnalyzer() : state_(std::make_unique<State>()) {}
+MusicAnalyzer::~MusicAnalyzer() = default;
+MusicAnalyzer::MusicAnalyzer(MusicAnalyzer&&) noexcept = default;
+MusicAnalyzer& MusicAnalyzer::operator=(MusicAnalyzer&&) noexcept = default;
+
+Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
+    if (!config.sample_rate.is_supported()) {
+        return fail("sample rate is " + std::to_string(config.sample_rate.hertz()) +
+                    " Hz, must be 8000 to 192000");
+    }
+    if (auto prepared = state_->resampler.prepare(config.sample_rate, kRhythmRate); !prepared) {
+        return prepared;
+    }
+    if (auto prepared = state_->loudness.prepare(kRhythmRate); !prepared) {
+        return prepared;
+    }
+    state_->reset();
+    return {};
+}
+
+void MusicAnalyzer::process(std::span<const float> mono, Sink& sink) noexcept RAKS_NONBLOCKING {
+    const FlushToZeroScope flush_to_zero;
+    State& state = *state_;
+    if (state.lost_samples > 0) {
+        state.jump_gap(sink);
+    }
+    while (!mono.empty()) {
+        const std::size_t count = std::min(mono.size(), kChunk);
+        state.clean_chunk(mono.first(count));
+        std::span<const float> chunk = std::span(state.clean).first(count);
+        mono = mono.subspan(count);
+        while (!chunk.empty()) {
+            const auto progress = state.resampler.process(chunk, state.resampled);
+            chunk = chunk.subspan(progress.taken);
+            state.take(std::span(state.resampled).first(progress.made), sink);
+        }
+    }
+}
+
+void MusicAnalyzer::command(const AnalyzerCommand& command) noexcept RAKS_NONBLOCKING {
+    state_->tracker.command(command);
+}
+
+void MusicAnalyzer::skip(Nanos lost) noexcept RAKS_NONBLOCKING {
+    State& state = *state_;
+    state.is_discontinuity = true;
+    if (lost.count() <= 0) {
+        state.tracker.jump();
+        return;
+    }
+    state.lost_samples += kRhythmRate.index_at(StreamTime(std::min(lost, kLongestGap)));
+}
+
+void MusicAnalyzer::reset() noexcept RAKS_NONBLOCKING { state_->reset(); }
+
+Nanos MusicAnalyzer::delay() const noexcept {
+    return state_->resampler.delay() +
+           kRhythmRate.time_of(OnsetDetector::kWindow / 2).time_since_epoch();
+}
+
+std::uint64_t MusicAnalyzer::bad_samples() const noexcept { return state_->bad_samples; }
+
+}  // namespace raks::audio

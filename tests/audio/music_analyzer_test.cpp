@@ -1,0 +1,228 @@
+#include "audio/music_analyzer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "base/random.hpp"
+#include "tests/audio/listen.hpp"
+#include "tests/support/realtime_guard.hpp"
+
+namespace raks::audio {
+namespace {
+
+using test::Collect;
+using test::listen;
+using test::music;
+
+/// Bit equality, field by field (padding differs).
+void expect_same(const MusicState& a, const MusicState& b) {
+    ASSERT_EQ(a.hop, b.hop);
+    ASSERT_EQ(a.time, b.time);
+    ASSERT_EQ(a.heard_until, b.heard_until);
+    ASSERT_EQ(a.grid.anchor_time, b.grid.anchor_time);
+    ASSERT_EQ(a.grid.anchor_beat, b.grid.anchor_beat);
+    ASSERT_EQ(a.grid.tempo, b.grid.tempo);
+    ASSERT_EQ(a.grid.bar_origin, b.grid.bar_origin);
+    ASSERT_EQ(a.grid.confidence, b.grid.confidence);
+    ASSERT_EQ(a.has_beat, b.has_beat);
+    ASSERT_EQ(a.beat.time, b.beat.time);
+    ASSERT_EQ(a.beat.bar_position, b.beat.bar_position);
+    ASSERT_EQ(a.has_predicted, b.has_predicted);
+    ASSERT_EQ(a.predicted, b.predicted);
+    ASSERT_EQ(a.loudness_lufs, b.loudness_lufs);
+    ASSERT_EQ(a.level_dbfs, b.level_dbfs);
+    ASSERT_EQ(a.onset_strength, b.onset_strength);
+    ASSERT_EQ(a.is_silent, b.is_silent);
+    ASSERT_EQ(a.is_discontinuity, b.is_discontinuity);
+}
+
+std::vector<MusicState> in_blocks(const GeneratedMusic& piece, std::size_t block) {
+    MusicAnalyzer analyzer;
+    EXPECT_TRUE(analyzer.prepare({.sample_rate = piece.rate}));
+    Collect collect;
+    const CounterRandom random(block);
+    std::uint64_t draw = 0;
+    const std::vector<float> mono = piece.mono();
+    for (std::size_t at = 0; at < mono.size();) {
+        const std::size_t wanted = block == 0 ? 1 + random.below(draw++, 3000) : block;
+        const std::size_t count = std::min(wanted, mono.size() - at);
+        analyzer.process(std::span(mono).subspan(at, count), collect);
+        at += count;
+    }
+    return collect.states;
+}
+
+TEST(MusicAnalyzer, any_blocks_give_the_same_bits) {
+    for (const int hertz : {44'100, 48'000}) {
+        const GeneratedMusic piece = music(Style::drums, {{0.0, 120.0}}, 5.0, hertz);
+        const auto whole = in_blocks(piece, 1'000'000);
+        ASSERT_GT(whole.size(), 490U);
+        for (const std::size_t block : {1U, 7U, 64U, 256U, 1000U, 8192U, 0U}) {
+            const auto states = in_blocks(piece, block);
+            ASSERT_EQ(states.size(), whole.size()) << block;
+            for (std::size_t i = 0; i < whole.size(); ++i) {
+                expect_same(states[i], whole[i]);
+            }
+        }
+    }
+}
+
+TEST(MusicAnalyzer, a_prefix_gives_the_same_states_as_the_whole) {
+    const GeneratedMusic piece = music(Style::salsa, {{0.0, 180.0}}, 12.0);
+    const auto whole = listen(piece);
+    for (const double seconds : {0.5, 3.21, 7.77}) {
+        GeneratedMusic prefix = piece;
+        prefix.samples.resize(static_cast<std::size_t>(seconds * 48'000));
+        const auto states = listen(prefix);
+        ASSERT_GT(states.size(), static_cast<std::size_t>(seconds * 100) - 5);
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            expect_same(states[i], whole[i]);
+        }
+    }
+}
+
+TEST(MusicAnalyzer, hops_are_10_ms_apart_and_come_within_the_delay) {
+    for (const int hertz : {8'000, 11'025, 22'050, 44'100, 48'000, 96'000, 192'000}) {
+        const SampleRate rate(hertz);
+        MusicAnalyzer analyzer;
+        ASSERT_TRUE(analyzer.prepare({.sample_rate = rate}));
+        EXPECT_LT(analyzer.delay(), std::chrono::milliseconds(40)) << hertz;
+        Collect collect;
+        const std::vector<float> block(static_cast<std::size_t>(hertz) / 50 + 1);
+        std::int64_t fed = 0;
+        while (fed < hertz * 3) {
+            analyzer.process(block, collect);
+            fed += static_cast<std::int64_t>(block.size());
+            const StreamTime complete = rate.time_of(fed) - analyzer.delay();
+            ASSERT_GE(time_of_hop(static_cast<HopIndex>(collect.states.size())), complete)
+                << hertz << ": a hop is missing";
+        }
+        for (std::size_t i = 0; i < collect.states.size(); ++i) {
+            ASSERT_EQ(collect.states[i].hop, static_cast<HopIndex>(i));
+            ASSERT_EQ(collect.states[i].time, time_of_hop(static_cast<HopIndex>(i)));
+        }
+    }
+}
+
+TEST(MusicAnalyzer, the_rate_of_the_input_does_not_move_the_beats) {
+    for (const int hertz : {22'050, 44'100, 96'000}) {
+        const GeneratedMusic piece = music(Style::drums, {{0.0, 120.0}}, 20.0, hertz);
+        const test::BeatScore score = test::score_beats(listen(piece), piece.beats, 8.0, 19.9);
+        EXPECT_GE(score.f_measure, 0.97) << hertz;
+        EXPECT_LE(std::abs(score.median_error), 0.005) << hertz;
+    }
+}
+
+TEST(MusicAnalyzer, nan_and_infinities_count_as_silence) {
+    MusicAnalyzer analyzer;
+    ASSERT_TRUE(analyzer.prepare({}));
+    Collect collect;
+    std::vector<float> samples(48'000, std::numeric_limits<float>::quiet_NaN());
+    samples[100] = std::numeric_limits<float>::infinity();
+    samples[200] = 1e30F;
+    analyzer.process(samples, collect);
+    analyzer.process(std::vector<float>(48'000), collect);
+    EXPECT_EQ(analyzer.bad_samples(), 47'999U);
+    for (const MusicState& state : collect.states) {
+        ASSERT_TRUE(std::isfinite(state.level_dbfs));
+        ASSERT_TRUE(std::isfinite(state.loudness_lufs));
+        ASSERT_TRUE(std::isfinite(state.grid.tempo.bpm()));
+    }
+    EXPECT_TRUE(collect.states.back().is_silent);
+}
+
+TEST(MusicAnalyzer, loudness_of_a_full_scale_sine_is_minus_3_lufs) {
+    // EBU Tech 3341: a 1 kHz sine at full scale in one channel is -3.01 LUFS.
+    GeneratedMusic piece;
+    piece.channels = 1;
+    for (int i = 0; i < 96'000; ++i) {
+        piece.samples.push_back(static_cast<float>(std::sin(2.0 * M_PI * 1000.0 * i / 48'000)));
+    }
+    const auto states = listen(piece);
+    EXPECT_NEAR(states[150].loudness_lufs, -3.01F, 0.1F);
+    EXPECT_NEAR(states[150].level_dbfs, -3.01F, 0.1F);
+}
+
+TEST(MusicAnalyzer, lost_audio_moves_stream_time_and_is_said) {
+    const GeneratedMusic piece = music(Style::drums, {{0.0, 120.0}}, 20.0);
+    const std::vector<float> mono = piece.mono();
+    MusicAnalyzer analyzer;
+    ASSERT_TRUE(analyzer.prepare({}));
+    Collect collect;
+    const std::size_t cut = 48'000 * 10;
+    analyzer.process(std::span(mono).first(cut), collect);
+    analyzer.skip(std::chrono::milliseconds(500));
+    analyzer.process(std::span(mono).subspan(cut + 24'000), collect);
+    ASSERT_GE(collect.states.size(), 1990U);
+    int discontinuities = 0;
+    for (std::size_t i = 0; i < collect.states.size(); ++i) {
+        ASSERT_EQ(collect.states[i].hop, static_cast<HopIndex>(i));
+        discontinuities += collect.states[i].is_discontinuity ? 1 : 0;
+    }
+    EXPECT_EQ(discontinuities, 1);
+    const test::BeatScore score = test::score_beats(collect.states, piece.beats, 13.5, 19.9);
+    EXPECT_GE(score.f_measure, 0.95) << "the beat is found again at its true time";
+}
+
+TEST(MusicAnalyzer, reset_gives_the_same_bits_again) {
+    const GeneratedMusic piece = music(Style::house, {{0.0, 124.0}}, 4.0);
+    MusicAnalyzer analyzer;
+    ASSERT_TRUE(analyzer.prepare({}));
+    Collect first;
+    analyzer.process(piece.mono(), first);
+    analyzer.reset();
+    Collect second;
+    analyzer.process(piece.mono(), second);
+    ASSERT_EQ(first.states.size(), second.states.size());
+    for (std::size_t i = 0; i < first.states.size(); ++i) {
+        expect_same(first.states[i], second.states[i]);
+    }
+}
+
+TEST(MusicAnalyzer, rates_out_of_range_are_refused) {
+    for (const int hertz : {-1, 0, 7'999, 192'001}) {
+        MusicAnalyzer analyzer;
+        const auto prepared = analyzer.prepare({.sample_rate = SampleRate(hertz)});
+        ASSERT_FALSE(prepared);
+        EXPECT_EQ(prepared.error().message,
+                  "sample rate is " + std::to_string(hertz) + " Hz, must be 8000 to 192000");
+    }
+}
+
+TEST(MusicAnalyzer, sixty_seconds_with_jump_and_silence_keep_the_real_time_rules) {
+    MusicPlan plan;
+    plan.style = Style::salsa;
+    plan.tempo = {{0.0, 170.0}, {30.0, 170.0}, {30.0, 200.0}};
+    plan.seconds = 60.0;
+    plan.channels = 1;
+    plan.silences = {{40.0, 45.0}};
+    const auto piece = generate(plan);
+    ASSERT_TRUE(piece);
+    const std::vector<float> mono = piece->mono();
+    MusicAnalyzer analyzer;
+    ASSERT_TRUE(analyzer.prepare({}));
+    Collect collect;
+    const CounterRandom random(2);
+    raks::test::RealtimeScope scope;
+    std::uint64_t draw = 0;
+    for (std::size_t at = 0; at < mono.size();) {
+        const std::size_t count =
+            std::min<std::size_t>(1 + random.below(draw++, 1024), mono.size() - at);
+        analyzer.process(std::span(mono).subspan(at, count), collect);
+        if (draw == 500) {
+            analyzer.skip(std::chrono::milliseconds(30));
+            analyzer.command({AnalyzerCommand::Kind::nudge, StreamTime{}, 0.01});
+        }
+        at += count;
+    }
+    analyzer.reset();
+    // Waits are the scheduler's on a busy machine only when a lock or sleep was taken: none here.
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+    EXPECT_GT(collect.states.size(), 5990U);
+}
+
+}  // namespace
+}  // namespace raks::audio
