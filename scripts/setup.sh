@@ -11,8 +11,8 @@ packages=(
     # libraries
     portaudio19-dev libsndfile1-dev libsamplerate0-dev libkissfft-dev libebur128-dev libpulse-dev
     libasound2-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
-    libx11-dev libimgui-dev libstb-dev libpng-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
-    libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
+    libx11-dev libimgui-dev libstb-dev libpng-dev libavcodec-dev libavformat-dev libavutil-dev
+    libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
     libexpected-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
     # what the program and its tests run on
     libegl1 libegl-mesa0 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils

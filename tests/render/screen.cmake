@@ -5,3 +5,6 @@ raks_test_program(render_window
 raks_test_program(render_overlay
     SOURCES overlay/key_bindings_test.cpp
     LIBRARIES raks::render_overlay)
+raks_test_program(render_video
+    SOURCES video/film_sync_test.cpp video/png_test.cpp video/video_writer_test.cpp
+    LIBRARIES raks::render_video PkgConfig::PNG)

@@ -3,7 +3,6 @@
 #include <sys/types.h>
 
 #include <string>
-#include <vector>
 
 namespace raks::test {
 
@@ -24,9 +23,5 @@ class Xvfb {
     pid_t pid_ = -1;
     std::string display_;
 };
-
-/// Runs a program found on PATH without a shell, waits for it and returns what it wrote on stdout.
-/// Throws std::runtime_error when it cannot be started or its exit code is not 0.
-std::string run_program(const std::vector<std::string>& command);
 
 }  // namespace raks::test

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 
+#include "tests/support/program.hpp"
 #include "tests/support/xvfb.hpp"
 
 namespace raks::render {

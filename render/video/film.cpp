@@ -1,0 +1,235 @@
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "render/video/picture_encoder.hpp"
+#include "render/video/sound_encoder.hpp"
+#include "render/video/video_forms.hpp"
+
+namespace raks::render {
+namespace {
+
+/// A film through FFmpeg's libraries. Sound is encoded only as far as the pictures reach, so that
+/// both tracks grow side by side and end together.
+class Film final : public VideoWriter {
+ public:
+    Film(PendingFile file, std::string name, const VideoOptions& options)
+        : file_(std::move(file)), name_(std::move(name)), options_(options) {}
+
+    [[nodiscard]] Expected<void> open(FilmForm form);
+    Expected<void> add_picture(std::span<const std::uint8_t> rgba) override;
+    Expected<void> add_sound(std::span<const float> interleaved) override;
+    Expected<void> finish() override;
+
+ private:
+    /// Sends a frame (null: the end) and writes what the encoder gives back.
+    [[nodiscard]] Expected<void> encode(AVCodecContext& codec,
+                                        const AVStream& stream,
+                                        const AVFrame* frame);
+    [[nodiscard]] Expected<void> encode_sound();
+    /// Audio frames until the end of the last picture, rounded down.
+    [[nodiscard]] std::int64_t sound_end() const noexcept;
+    /// After this every call fails with the same line.
+    [[nodiscard]] tl::unexpected<Error> give_up(const std::string& why);
+    [[nodiscard]] Expected<AVStream*> add_stream(const AVCodecContext& codec);
+
+    PendingFile file_;  // first, so that it is removed after the muxer closed it
+    std::string name_;
+    VideoOptions options_;
+    MuxerHandle muxer_;
+    std::optional<PictureEncoder> pictures_;
+    std::optional<SoundEncoder> sound_;
+    AVStream* picture_stream_ = nullptr;  // the muxer's
+    AVStream* sound_stream_ = nullptr;
+    PacketHandle packet_;
+    std::int64_t picture_count_ = 0;
+    std::optional<Error> failure_;
+};
+
+tl::unexpected<Error> Film::give_up(const std::string& why) {
+    failure_ = Error{name_ + ": " + why};
+    return fail(*failure_);
+}
+
+Expected<AVStream*> Film::add_stream(const AVCodecContext& codec) {
+    AVStream* const stream = avformat_new_stream(muxer_.get(), nullptr);
+    if (stream == nullptr || avcodec_parameters_from_context(stream->codecpar, &codec) < 0) {
+        return give_up("out of memory");
+    }
+    stream->time_base = codec.time_base;
+    stream->avg_frame_rate = codec.framerate;
+    return stream;
+}
+
+Expected<void> Film::open(FilmForm form) {
+    AVFormatContext* muxer = nullptr;
+    const std::string url = "file:" + file_.part().string();
+    const char* const format = form == FilmForm::mp4 ? "mp4" : "avi";
+    if (const int error = avformat_alloc_output_context2(&muxer, nullptr, format, url.c_str());
+        error < 0) {
+        return give_up("this FFmpeg cannot write ." + std::string(format) + ": " +
+                       av_reason(error));
+    }
+    muxer_.reset(muxer);
+    muxer_->flags |= AVFMT_FLAG_BITEXACT;
+    packet_.reset(av_packet_alloc());
+
+    auto pictures = PictureEncoder::create(form, options_, muxer_->oformat->flags);
+    if (!pictures) {
+        return give_up(pictures.error().message);
+    }
+    pictures_ = std::move(*pictures);
+    auto stream = add_stream(pictures_->codec());
+    if (!stream) {
+        return fail(stream.error());
+    }
+    picture_stream_ = *stream;
+    if (options_.audio_channels > 0) {
+        auto sound = SoundEncoder::create(form, options_, muxer_->oformat->flags);
+        if (!sound) {
+            return give_up(sound.error().message);
+        }
+        sound_ = std::move(*sound);
+        stream = add_stream(sound_->codec());
+        if (!stream) {
+            return fail(stream.error());
+        }
+        sound_stream_ = *stream;
+    }
+    int error = avio_open(&muxer_->pb, url.c_str(), AVIO_FLAG_WRITE);
+    if (error >= 0) {
+        error = avformat_write_header(muxer_.get(), nullptr);
+    }
+    if (error < 0) {
+        return give_up("cannot be written: " + av_reason(error));
+    }
+    return {};
+}
+
+Expected<void> Film::encode(AVCodecContext& codec, const AVStream& stream, const AVFrame* frame) {
+    if (const int error = avcodec_send_frame(&codec, frame); error < 0) {
+        return give_up("cannot be encoded: " + av_reason(error));
+    }
+    for (;;) {
+        int error = avcodec_receive_packet(&codec, packet_.get());
+        if (error == AVERROR(EAGAIN) || error == AVERROR_EOF) {
+            return {};
+        }
+        if (error < 0) {
+            return give_up("cannot be encoded: " + av_reason(error));
+        }
+        if (packet_->duration == 0 && codec.codec_type == AVMEDIA_TYPE_VIDEO) {
+            packet_->duration = 1;  // else the last picture of an .mp4 has no length
+        }
+        av_packet_rescale_ts(packet_.get(), codec.time_base, stream.time_base);
+        packet_->stream_index = stream.index;
+        error = av_interleaved_write_frame(muxer_.get(), packet_.get());
+        if (error < 0) {
+            return give_up("cannot be written: " + av_reason(error));
+        }
+    }
+}
+
+std::int64_t Film::sound_end() const noexcept {
+    return av_rescale_rnd(
+        picture_count_,
+        static_cast<std::int64_t>(options_.audio_rate) * options_.rate.denominator,
+        options_.rate.numerator,
+        AV_ROUND_DOWN);
+}
+
+Expected<void> Film::encode_sound() {
+    for (;;) {
+        auto frame = sound_->next(sound_end());
+        if (!frame) {
+            return give_up(frame.error().message);
+        }
+        if (!*frame) {
+            return {};
+        }
+        if (auto done = encode(sound_->codec(), *sound_stream_, frame->get()); !done) {
+            return done;
+        }
+    }
+}
+
+Expected<void> Film::add_picture(std::span<const std::uint8_t> rgba) {
+    if (failure_) {
+        return fail(*failure_);
+    }
+    if (auto fits = check_picture(rgba, options_); !fits) {
+        return give_up(fits.error().message);
+    }
+    auto frame = pictures_->convert(rgba, picture_count_);
+    if (!frame) {
+        return give_up(frame.error().message);
+    }
+    ++picture_count_;
+    if (auto done = encode(pictures_->codec(), *picture_stream_, frame->get()); !done) {
+        return done;
+    }
+    return sound_ ? encode_sound() : Expected<void>{};
+}
+
+Expected<void> Film::add_sound(std::span<const float> interleaved) {
+    if (failure_) {
+        return fail(*failure_);
+    }
+    if (!sound_) {
+        return {};
+    }
+    if (interleaved.size() % static_cast<std::size_t>(options_.audio_channels) != 0) {
+        return give_up(std::to_string(interleaved.size()) + " samples are no whole number of " +
+                       std::to_string(options_.audio_channels) + "-channel audio frames");
+    }
+    sound_->add(interleaved);
+    return encode_sound();
+}
+
+Expected<void> Film::finish() {
+    if (!failure_ && picture_count_ == 0) {
+        return give_up("no picture was drawn; nothing is written");
+    }
+    if (failure_) {
+        return fail(*failure_);
+    }
+    if (sound_) {
+        sound_->set_length(sound_end());
+        if (auto done = encode_sound(); !done) {
+            return done;
+        }
+        if (auto done = encode(sound_->codec(), *sound_stream_, nullptr); !done) {
+            return done;
+        }
+    }
+    if (auto done = encode(pictures_->codec(), *picture_stream_, nullptr); !done) {
+        return done;
+    }
+    int error = av_write_trailer(muxer_.get());
+    const int close_error = avio_closep(&muxer_->pb);
+    error = error < 0 ? error : close_error;
+    if (error < 0) {
+        return give_up("cannot be written: " + av_reason(error));
+    }
+    failure_ = Error{name_ + ": is finished already"};
+    return file_.commit();
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<VideoWriter>> create_film(const std::filesystem::path& path,
+                                                   FilmForm form,
+                                                   const VideoOptions& options) {
+    av_log_set_level(AV_LOG_QUIET);  // what matters comes back as an error
+    auto file = PendingFile::create(path);
+    if (!file) {
+        return fail(file.error());
+    }
+    auto film = std::make_unique<Film>(std::move(*file), path.string(), options);
+    if (auto opened = film->open(form); !opened) {
+        return fail(opened.error());
+    }
+    return film;
+}
+
+}  // namespace raks::render

@@ -1,0 +1,12 @@
+#include "render/video/video_forms.hpp"
+
+namespace raks::render {
+
+Expected<std::unique_ptr<VideoWriter>> create_film(const std::filesystem::path& path,
+                                                   FilmForm /*form*/,
+                                                   const VideoOptions& /*options*/) {
+    return fail(path.string() +
+                ": this build has no FFmpeg; name a folder to get numbered .png pictures");
+}
+
+}  // namespace raks::render

@@ -1,0 +1,150 @@
+#include "render/video/sound_encoder.hpp"
+
+extern "C" {
+#include <libavutil/channel_layout.h>
+}
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace raks::render {
+namespace {
+
+constexpr std::int64_t kPcmFrameSize = 1024;
+constexpr std::int64_t kAacBitsPerChannel = 80'000;
+
+std::string rates_of(const AVCodec& kind) {
+    std::vector<int> rates;
+    for (const int* rate = kind.supported_samplerates; *rate != 0; ++rate) {
+        rates.push_back(*rate);
+    }
+    std::sort(rates.begin(), rates.end());
+    std::string text;
+    for (const int rate : rates) {
+        text += (text.empty() ? "" : ", ") + std::to_string(rate);
+    }
+    return text;
+}
+
+bool is_rate_known(const AVCodec& kind, int rate) {
+    if (kind.supported_samplerates == nullptr) {
+        return true;
+    }
+    for (const int* known = kind.supported_samplerates; *known != 0; ++known) {
+        if (*known == rate) {
+            return true;
+        }
+    }
+    return false;
+}
+
+float clean(float sample) { return std::isnan(sample) ? 0.0F : std::clamp(sample, -1.0F, 1.0F); }
+
+void fill_planar(AVFrame& frame, const float* from, std::size_t channels) {
+    const auto count = static_cast<std::size_t>(frame.nb_samples);
+    for (std::size_t c = 0; c < channels; ++c) {
+        auto* const plane = reinterpret_cast<float*>(frame.extended_data[c]);
+        for (std::size_t i = 0; i < count; ++i) {
+            plane[i] = clean(from[i * channels + c]);
+        }
+    }
+}
+
+void fill_packed(AVFrame& frame, const float* from, std::size_t channels) {
+    auto* const to = reinterpret_cast<std::int16_t*>(frame.data[0]);
+    const std::size_t count = static_cast<std::size_t>(frame.nb_samples) * channels;
+    for (std::size_t i = 0; i < count; ++i) {
+        to[i] = static_cast<std::int16_t>(std::lrint(clean(from[i]) * 32767.0F));
+    }
+}
+
+}  // namespace
+
+Expected<SoundEncoder> SoundEncoder::create(FilmForm form,
+                                            const VideoOptions& options,
+                                            int muxer_flags) {
+    const bool is_aac = form == FilmForm::mp4;
+    const AVCodec* const kind =
+        avcodec_find_encoder(is_aac ? AV_CODEC_ID_AAC : AV_CODEC_ID_PCM_S16LE);
+    if (kind == nullptr) {
+        return fail(is_aac ? "this FFmpeg has no AAC encoder; write an .avi instead"
+                           : "this FFmpeg has no PCM encoder");
+    }
+    if (!is_rate_known(*kind, options.audio_rate)) {
+        return fail("sound of " + std::to_string(options.audio_rate) +
+                    " Hz does not fit AAC; its rates are " + rates_of(*kind));
+    }
+    SoundEncoder encoder;
+    encoder.codec_.reset(avcodec_alloc_context3(kind));
+    if (!encoder.codec_) {
+        return fail("out of memory");
+    }
+    AVCodecContext& codec = *encoder.codec_;
+    codec.sample_fmt = is_aac ? AV_SAMPLE_FMT_FLTP : AV_SAMPLE_FMT_S16;
+    codec.sample_rate = options.audio_rate;
+    av_channel_layout_default(&codec.ch_layout, options.audio_channels);
+    codec.bit_rate = is_aac ? kAacBitsPerChannel * options.audio_channels : 0;
+    codec.time_base = {1, options.audio_rate};
+    codec.thread_count = kEncoderThreads;
+    codec.flags |= AV_CODEC_FLAG_BITEXACT;
+    if ((muxer_flags & AVFMT_GLOBALHEADER) != 0) {
+        codec.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    }
+    if (const int error = avcodec_open2(&codec, kind, nullptr); error < 0) {
+        return fail(std::string(kind->name) + " does not start: " + av_reason(error));
+    }
+    encoder.channels_ = options.audio_channels;
+    encoder.frame_size_ = codec.frame_size > 0 ? codec.frame_size : kPcmFrameSize;
+    return encoder;
+}
+
+std::int64_t SoundEncoder::kept() const noexcept {
+    return static_cast<std::int64_t>(samples_.size() - first_) / channels_;
+}
+
+void SoundEncoder::add(std::span<const float> interleaved) {
+    if (first_ > samples_.size() / 2) {  // so each sample moves about once
+        samples_.erase(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(first_));
+        first_ = 0;
+    }
+    samples_.insert(samples_.end(), interleaved.begin(), interleaved.end());
+}
+
+void SoundEncoder::set_length(std::int64_t audio_frames) {
+    length_ = audio_frames;
+    const std::int64_t left = std::max<std::int64_t>(0, audio_frames - position_);
+    samples_.resize(first_ + static_cast<std::size_t>(left * channels_), 0.0F);
+}
+
+Expected<FrameHandle> SoundEncoder::next(std::int64_t until) {
+    const std::int64_t ready = std::min(kept(), until - position_);
+    if (ready >= frame_size_) {
+        return take(frame_size_);
+    }
+    return length_ >= 0 && ready > 0 ? take(ready) : FrameHandle();
+}
+
+Expected<FrameHandle> SoundEncoder::take(std::int64_t audio_frames) {
+    FrameHandle frame(av_frame_alloc());
+    if (!frame) {
+        return fail("out of memory");
+    }
+    frame->format = codec_->sample_fmt;
+    frame->sample_rate = codec_->sample_rate;
+    frame->nb_samples = static_cast<int>(audio_frames);
+    frame->pts = position_;
+    if (av_channel_layout_copy(&frame->ch_layout, &codec_->ch_layout) < 0 ||
+        av_frame_get_buffer(frame.get(), 0) < 0) {
+        return fail("out of memory");
+    }
+    const auto channels = static_cast<std::size_t>(channels_);
+    const bool is_planar = codec_->sample_fmt == AV_SAMPLE_FMT_FLTP;
+    (is_planar ? fill_planar : fill_packed)(*frame, samples_.data() + first_, channels);
+    first_ += static_cast<std::size_t>(audio_frames) * channels;
+    position_ += audio_frames;
+    return frame;
+}
+
+}  // namespace raks::render

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "base/file.hpp"
+#include "render/video/video_writer.hpp"
+
+/// The forms of a film, each a VideoWriter of its own. Options are valid when they come here.
+namespace raks::render {
+
+enum class FilmForm { mp4, avi };
+
+/// .mp4 and .avi through FFmpeg's libraries.
+[[nodiscard]] Expected<std::unique_ptr<VideoWriter>> create_film(const std::filesystem::path& path,
+                                                                 FilmForm form,
+                                                                 const VideoOptions& options);
+
+/// A folder of numbered PNG files.
+[[nodiscard]] Expected<std::unique_ptr<VideoWriter>> create_picture_folder(
+    const std::filesystem::path& path, const VideoOptions& options);
+
+/// One clear line when a picture's bytes do not fit the size.
+[[nodiscard]] Expected<void> check_picture(std::span<const std::uint8_t> rgba,
+                                           const VideoOptions& options);
+
+}  // namespace raks::render
