@@ -248,7 +248,14 @@ BodyField::BodyField(const BindFrames& frames) {
 }
 
 float BodyField::solid_distance(const Solid& solid, glm::vec3 p) noexcept {
-    return std::visit([&](const auto& shape) { return distance_to(shape, p); }, solid.shape);
+    if (const auto* loft = std::get_if<PreparedLoft>(&solid.shape)) {
+        return distance_to(*loft, p);
+    }
+    if (const auto* cone = std::get_if<RoundCone>(&solid.shape)) {
+        return distance_to(*cone, p);
+    }
+    const auto* ellipsoid = std::get_if<Ellipsoid>(&solid.shape);
+    return ellipsoid != nullptr ? distance_to(*ellipsoid, p) : kNothing;
 }
 
 float BodyField::fold(Group group, glm::vec3 p, float distance) const noexcept {

@@ -130,7 +130,7 @@ void SurfaceCells::add_leaf(GridPoint corner, int size) {
     }
     for (std::size_t k = 0; k < 8; ++k) {
         if (group[k] == static_cast<int>(k)) {
-            cell.corner_groups[k] = static_cast<std::int8_t>(cell.group_count++);
+            cell.corner_groups[k] = cell.group_count++;
         } else {
             cell.corner_groups[k] = group[k] < 0
                                         ? std::int8_t{-1}

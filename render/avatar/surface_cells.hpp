@@ -21,7 +21,7 @@ struct SurfaceCell {
     int size = 1;
     /// Group of each corner: the inside corners that hang together by edges of the cell share one;
     /// -1 outside. Corner k is at (k & 1, k >> 1 & 1, k >> 2 & 1).
-    std::array<std::int8_t, 8> corner_groups{};
+    std::array<int, 8> corner_groups{};
     int group_count = 0;
     /// Mesh vertex (left half) of group 0; those of the other groups follow it. -1: none yet.
     int first_vertex = -1;

@@ -108,8 +108,9 @@ TEST(HelperJoints, split_a_rotation_into_swing_and_roll) {
 TEST(HelperJoints, do_not_jump_when_a_limb_swings_through_180_degrees) {
     const HelperJoint& twist = mannequin().helpers[1];
     glm::quat before = helper_rotation(twist, turn(150.0F, kZ) * turn(30.0F, kX));
-    for (float degrees = 151.0F; degrees < 180.0F; degrees += 1.0F) {
-        const glm::quat now = helper_rotation(twist, turn(degrees, kZ) * turn(30.0F, kX));
+    for (int degrees = 151; degrees < 180; ++degrees) {
+        const glm::quat now =
+            helper_rotation(twist, turn(static_cast<float>(degrees), kZ) * turn(30.0F, kX));
         ASSERT_LT(angle_between(before, now), 6.0F) << degrees;
         before = now;
     }
@@ -151,8 +152,8 @@ TEST(ShoulderRhythm, adds_nothing_to_a_collar_bone_that_is_up_already) {
 
 TEST(ShoulderRhythm, moves_without_jumps) {
     float before = collar_rise(with_shoulder_rhythm(arms_at(-90.0F)));
-    for (float elevation = -89.0F; elevation <= 90.0F; elevation += 1.0F) {
-        const float now = collar_rise(with_shoulder_rhythm(arms_at(elevation)));
+    for (int elevation = -89; elevation <= 90; ++elevation) {
+        const float now = collar_rise(with_shoulder_rhythm(arms_at(static_cast<float>(elevation))));
         ASSERT_LT(std::abs(now - before), 0.5F) << elevation;
         before = now;
     }
