@@ -108,7 +108,7 @@ float ColourMasks::hair(glm::vec3 p) noexcept {
 
 /// Lips, drawn up at the corners, and the lashes of closed eyes.
 float ColourMasks::make_up(glm::vec3 p) noexcept {
-    const float lips = within_ellipse({p.x, p.y - 1.5377F - 5.0F * p.x * p.x}, {0.0205F, 0.0066F});
+    const float lips = within_ellipse({p.x, p.y - 1.5375F - 8.0F * p.x * p.x}, {0.0220F, 0.0064F});
     // The lashes hang on an arc: lowest in the middle of the lid, tapering to both corners.
     const float along = (p.x - 0.0335F) / 0.0175F;
     const float arc = 1.5865F + 0.0045F * along * along;

@@ -73,12 +73,12 @@ constexpr std::array kHead = {
               Group::detail,
               Bone::head,
               0.005F,
-              RoundCone{{0.0F, 1.5430F, 0.0818F}, {0.0220F, 1.5412F, 0.0780F}, 0.0050F, 0.0024F}},
+              RoundCone{{0.0F, 1.5428F, 0.0818F}, {0.0230F, 1.5424F, 0.0775F}, 0.0050F, 0.0024F}},
     Primitive{"lower_lip",
               Group::detail,
               Bone::head,
               0.005F,
-              RoundCone{{0.0F, 1.5338F, 0.0803F}, {0.0190F, 1.5378F, 0.0778F}, 0.0056F, 0.0024F}},
+              RoundCone{{0.0F, 1.5336F, 0.0803F}, {0.0200F, 1.5388F, 0.0775F}, 0.0056F, 0.0024F}},
 };
 
 }  // namespace
