@@ -14,8 +14,8 @@ namespace raks::audio {
 /// One thing that can be listened to or played on.
 struct AudioDevice {
     int portaudio_index = -1;  ///< what PortAudio opens
-    std::string name;          ///< as the user sees it and may type it
-    std::string host_api;      ///< "JACK", "ALSA", "OSS", "PulseAudio monitor"
+    std::string name{};        ///< as the user sees it and may type it
+    std::string host_api{};    ///< "JACK", "ALSA", "OSS", "PulseAudio monitor"
     int input_channels = 0;
     int output_channels = 0;
     double default_rate = 48'000.0;
@@ -23,7 +23,7 @@ struct AudioDevice {
     bool is_default_output = false;
     /// Not empty: a monitor of what the computer plays; opened through ALSA's `pulse` with
     /// PULSE_SOURCE set to this in our own process.
-    std::string pulse_source;
+    std::string pulse_source{};
 
     [[nodiscard]] bool is_monitor() const noexcept { return !pulse_source.empty(); }
 };
@@ -59,13 +59,13 @@ struct DeviceChoice {
 };
 
 /// What to listen to. `wanted`: a number of the list, a name, or a part of a name that only one
-/// input has (case does not matter); empty: JACK's `system`, else a monitor (the default sink's
-/// first), else the default input, else the first.
+/// input has (case does not matter); empty: a monitor (the default sink's first), else
+/// JACK's `system`, else the default input, else the first.
 /// Errors: no such input (the error lists what there is), several match, no input at all.
 /// Pure. Threads: any.
 [[nodiscard]] Expected<DeviceChoice> choose_input(std::span<const AudioDevice> devices,
                                                   std::string_view wanted = {});
-/// What to play on; the same rules without monitors.
+/// What to play on; the same rules without monitors: JACK's `system`, the default, the first.
 [[nodiscard]] Expected<DeviceChoice> choose_output(std::span<const AudioDevice> devices,
                                                    std::string_view wanted = {});
 

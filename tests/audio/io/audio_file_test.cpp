@@ -244,6 +244,32 @@ TEST_F(AudioFileTest, a_file_longer_than_the_limit_is_refused_not_cut) {
     EXPECT_TRUE(read_all_mono(folder_ / "x.wav", 3.0));
 }
 
+TEST_F(AudioFileTest, ten_hours_are_read_in_bounded_memory) {
+    constexpr std::int64_t kFrames = 10LL * 3600 * 8'000;
+    const std::vector<float> zeros(8'000, 0.0F);
+    ASSERT_TRUE(write_wav(folder_ / "long.wav", zeros, 1, SampleRate(8'000)));
+    std::string head = read_file(folder_ / "long.wav")->substr(0, 44);
+    const auto data_bytes = static_cast<std::uint32_t>(2 * kFrames);
+    const std::uint32_t riff_bytes = data_bytes + 36;
+    std::memcpy(head.data() + 4, &riff_bytes, 4);
+    std::memcpy(head.data() + 40, &data_bytes, 4);
+    ASSERT_TRUE(write_file(folder_ / "long.wav", head));
+    fs::resize_file(folder_ / "long.wav", 44 + 2 * kFrames);  // a hole: takes no disk
+    rusage before{};
+    getrusage(RUSAGE_SELF, &before);
+    auto reader = open_audio_file(folder_ / "long.wav").value();
+    std::vector<float> chunk(16'384);
+    std::int64_t frames = 0;
+    while (const std::size_t got = reader->read(chunk)) {
+        frames += static_cast<std::int64_t>(got);
+    }
+    EXPECT_EQ(frames, kFrames);
+    rusage after{};
+    getrusage(RUSAGE_SELF, &after);
+    EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 4L * 1024);  // KiB
+    EXPECT_THAT(read_all_mono(folder_ / "long.wav").error().message, HasSubstr("is longer than"));
+}
+
 TEST_F(AudioFileTest, a_full_disk_leaves_no_wav) {
     std::signal(SIGXFSZ, SIG_IGN);
     rlimit saved{};

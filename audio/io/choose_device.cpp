@@ -1,0 +1,156 @@
+// Which device is meant: pure, so that tests need no hardware.
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <functional>
+
+#include "audio/io/devices.hpp"
+
+namespace raks::audio {
+namespace {
+
+using Devices = std::span<const AudioDevice>;
+
+enum class Direction { input, output };
+
+bool can(const AudioDevice& device, Direction direction) {
+    return direction == Direction::input ? device.input_channels > 0 : device.output_channels > 0;
+}
+
+const char* name_of(Direction direction) {
+    return direction == Direction::input ? "input" : "output";
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    return result;
+}
+
+/// "0 'system' (JACK), 2 'USB Mic' (ALSA)"; or that there is none.
+std::string list_of(Devices devices, Direction direction) {
+    std::string list;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (can(devices[i], direction)) {
+            list += (list.empty() ? "" : ", ") + std::to_string(i) + " '" + devices[i].name +
+                    "' (" + devices[i].host_api + ")";
+        }
+    }
+    return list.empty() ? std::string("there is none") : "there are " + list;
+}
+
+std::string described(const AudioDevice& device) {
+    return "'" + device.name + "' (" + device.host_api + ")";
+}
+
+DeviceChoice chosen(const AudioDevice& device, const std::string& why) {
+    return {device, described(device) + ": " + why};
+}
+
+using Match = std::function<bool(const AudioDevice&)>;
+
+std::vector<const AudioDevice*> all_that(Devices devices, Direction direction, const Match& match) {
+    std::vector<const AudioDevice*> found;
+    for (const AudioDevice& device : devices) {
+        if (can(device, direction) && match(device)) {
+            found.push_back(&device);
+        }
+    }
+    return found;
+}
+
+/// The number that `text` is, whole; or nothing.
+std::optional<std::size_t> number_in(std::string_view text) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_whole = error == std::errc() && end == text.data() + text.size();
+    return is_whole ? std::optional(number) : std::nullopt;
+}
+
+Expected<DeviceChoice> choose_named(Devices devices, Direction direction, std::string_view wanted) {
+    const std::string name(wanted);
+    if (const auto number = number_in(wanted); number && *number < devices.size()) {
+        if (!can(devices[*number], direction)) {
+            return fail("device " + name + " " + described(devices[*number]) + " is no " +
+                        name_of(direction) + "; " + list_of(devices, direction));
+        }
+        return chosen(devices[*number], "number " + name + ", as asked for");
+    }
+    const std::string low = lower(wanted);
+    const auto same = all_that(
+        devices, direction, [&](const AudioDevice& device) { return lower(device.name) == low; });
+    if (!same.empty()) {
+        return chosen(*same.front(), "as asked for");
+    }
+    const auto similar = all_that(devices, direction, [&](const AudioDevice& device) {
+        return lower(device.name).find(low) != std::string::npos;
+    });
+    if (similar.size() == 1) {
+        return chosen(*similar.front(), "the only name with '" + name + "'");
+    }
+    if (similar.size() > 1) {
+        return fail("'" + name + "' fits several " + name_of(direction) +
+                    "s: " + described(*similar[0]) + ", " + described(*similar[1]) +
+                    "; name one in full or by number: " + list_of(devices, direction));
+    }
+    return fail(std::string("no ") + name_of(direction) + " '" + name + "'; " +
+                list_of(devices, direction));
+}
+
+struct Preference {
+    Match match;
+    const char* why;
+};
+
+Expected<DeviceChoice> choose_best(Devices devices,
+                                   Direction direction,
+                                   std::span<const Preference> preferences) {
+    for (const Preference& preference : preferences) {
+        const auto found = all_that(devices, direction, preference.match);
+        if (!found.empty()) {
+            return chosen(*found.front(), preference.why);
+        }
+    }
+    return fail(
+        std::string("no audio ") + name_of(direction) +
+        " was found; start a sound server (JACK, PulseAudio, PipeWire) or plug a device in");
+}
+
+bool is_monitor(const AudioDevice& device) {
+    // PipeWire's JACK library shows a sink's monitor as a client of that name.
+    return device.is_monitor() ||
+           (device.host_api == "JACK" && lower(device.name).find("monitor") != std::string::npos);
+}
+bool is_jack_system(const AudioDevice& device) {
+    return device.host_api == "JACK" && device.name == "system";
+}
+bool is_any(const AudioDevice&) { return true; }
+
+}  // namespace
+
+Expected<DeviceChoice> choose_input(Devices devices, std::string_view wanted) {
+    if (!wanted.empty()) {
+        return choose_named(devices, Direction::input, wanted);
+    }
+    const Preference preferences[] = {
+        {is_monitor, "it is what this computer plays"},
+        {is_jack_system, "JACK is running and this is its input"},
+        {[](const AudioDevice& device) { return device.is_default_input; }, "the default input"},
+        {is_any, "the first input there is"}};
+    return choose_best(devices, Direction::input, preferences);
+}
+
+Expected<DeviceChoice> choose_output(Devices devices, std::string_view wanted) {
+    if (!wanted.empty()) {
+        return choose_named(devices, Direction::output, wanted);
+    }
+    const Preference preferences[] = {
+        {is_jack_system, "JACK is running and this is its output"},
+        {[](const AudioDevice& device) { return device.is_default_output; }, "the default output"},
+        {is_any, "the first output there is"}};
+    return choose_best(devices, Direction::output, preferences);
+}
+
+}  // namespace raks::audio

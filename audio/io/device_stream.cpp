@@ -1,0 +1,301 @@
+#include "audio/io/device_stream.hpp"
+
+#include <portaudio.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <future>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "audio/io/portaudio_session.hpp"
+#include "base/realtime.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr Nanos kDeadAfter = std::chrono::milliseconds(500);
+constexpr Nanos kFirstCallbackWithin = std::chrono::seconds(2);
+constexpr std::chrono::seconds kCloseWithin(1);
+constexpr double kMostLatency = 2.0;     // seconds; PipeWire was seen to say 89,478 s
+constexpr double kPulseLatency = 0.050;  // less underruns on every load
+
+HostTime host_now() noexcept { return std::chrono::time_point_cast<Nanos>(HostClock::now()); }
+
+/// `seconds` as PortAudio said it, or `otherwise` when it cannot be meant.
+double sane_latency(double seconds, double otherwise) {
+    return std::isfinite(seconds) && seconds >= 0.0 && seconds <= kMostLatency ? seconds
+                                                                               : otherwise;
+}
+
+/// An environment variable set for a while. Only the control thread opens devices.
+class ScopedVariable {
+ public:
+    ScopedVariable(const char* name, const std::string& value) : name_(name) {
+        // NOLINTNEXTLINE(concurrency-mt-unsafe): no other way to name a source to ALSA's plug-in
+        if (const char* old = std::getenv(name)) {
+            old_ = old;
+        }
+        setenv(name, value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    }
+    ~ScopedVariable() {
+        if (old_) {
+            setenv(name_, old_->c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+        } else {
+            unsetenv(name_);  // NOLINT(concurrency-mt-unsafe)
+        }
+    }
+    ScopedVariable(const ScopedVariable&) = delete;
+    ScopedVariable& operator=(const ScopedVariable&) = delete;
+
+ private:
+    const char* name_;
+    std::optional<std::string> old_;
+};
+
+}  // namespace
+
+struct DeviceStream::Impl {
+    enum class Direction { input, output };
+
+    StreamCallback* callback = nullptr;
+    Direction direction = Direction::input;
+    PaStream* stream = nullptr;
+    int channels = 2;
+    SampleRate rate{48'000};
+    Nanos latency{0};
+    bool is_abandoned = false;
+    HostTime started{};
+    std::int64_t frames = 0;  // callback's own
+    // relaxed everywhere: each is a statistic or a sign of life by itself, nothing hangs on order.
+    std::atomic<std::uint64_t> callbacks{0};
+    std::atomic<std::uint64_t> xruns{0};
+    std::atomic<std::int64_t> last_callback_ns{0};
+
+    static int on_block(const void* input,
+                        void* output,
+                        unsigned long frame_count,
+                        const PaStreamCallbackTimeInfo* time,
+                        PaStreamCallbackFlags flags,
+                        void* self) noexcept;
+    Expected<void> open(const AudioDevice& device, const StreamConfig& config);
+    PaError try_open(const AudioDevice& device, int channel_count, double hertz, double latency);
+    [[nodiscard]] double latency_for(const AudioDevice& device, const StreamConfig& config) const;
+    void close() noexcept;
+};
+
+int DeviceStream::Impl::on_block(const void* input,
+                                 void* output,
+                                 unsigned long frame_count,
+                                 const PaStreamCallbackTimeInfo*,
+                                 PaStreamCallbackFlags flags,
+                                 void* self) noexcept {
+    const FlushToZeroScope flush_to_zero;
+    Impl& me = *static_cast<Impl*>(self);
+    const HostTime now = host_now();
+    constexpr PaStreamCallbackFlags kXrun =
+        paInputOverflow | paInputUnderflow | paOutputUnderflow | paOutputOverflow;
+    const BlockTime time{.first_frame = me.frames, .entered = now, .is_xrun = (flags & kXrun) != 0};
+    me.last_callback_ns.store(now.time_since_epoch().count(), std::memory_order_relaxed);
+    me.callbacks.fetch_add(1, std::memory_order_relaxed);
+    me.xruns.fetch_add(time.is_xrun ? 1 : 0, std::memory_order_relaxed);
+    const std::size_t samples = frame_count * static_cast<std::size_t>(me.channels);
+    if (me.direction == Direction::input && input != nullptr) {
+        me.callback->on_input({static_cast<const float*>(input), samples}, me.channels, time);
+    } else if (me.direction == Direction::output && output != nullptr) {
+        const std::span<float> block(static_cast<float*>(output), samples);
+        std::fill(block.begin(), block.end(), 0.0F);
+        me.callback->on_output(block, me.channels, time);
+    }
+    me.frames += static_cast<std::int64_t>(frame_count);
+    return paContinue;
+}
+
+double DeviceStream::Impl::latency_for(const AudioDevice& device,
+                                       const StreamConfig& config) const {
+    if (config.latency_seconds > 0.0) {
+        return std::min(config.latency_seconds, kMostLatency);
+    }
+    const PaDeviceInfo* info = Pa_GetDeviceInfo(device.portaudio_index);
+    if (info == nullptr || device.is_monitor() || device.name == "pulse") {
+        return kPulseLatency;
+    }
+    return sane_latency(direction == Direction::input ? info->defaultLowInputLatency
+                                                      : info->defaultLowOutputLatency,
+                        kPulseLatency);
+}
+
+PaError DeviceStream::Impl::try_open(const AudioDevice& device,
+                                     int channel_count,
+                                     double hertz,
+                                     double suggested) {
+    const PaStreamParameters parameters{.device = device.portaudio_index,
+                                        .channelCount = channel_count,
+                                        .sampleFormat = paFloat32,
+                                        .suggestedLatency = suggested,
+                                        .hostApiSpecificStreamInfo = nullptr};
+    const bool is_input = direction == Direction::input;
+    // Any block size: PortAudio adds a buffer of delay when one is asked for.
+    return Pa_OpenStream(&stream,
+                         is_input ? &parameters : nullptr,
+                         is_input ? nullptr : &parameters,
+                         hertz,
+                         paFramesPerBufferUnspecified,
+                         paNoFlag,
+                         &Impl::on_block,
+                         this);
+}
+
+Expected<void> DeviceStream::Impl::open(const AudioDevice& device, const StreamConfig& config) {
+    const bool is_input = direction == Direction::input;
+    const int most = is_input ? device.input_channels : device.output_channels;
+    const auto unusable = [&](const std::string& why) {
+        return fail("device '" + device.name + "' (" + device.host_api + ", " +
+                    std::to_string(device.input_channels) + " in, " +
+                    std::to_string(device.output_channels) + " out, " +
+                    std::to_string(std::lround(device.default_rate)) + " Hz) cannot be opened as " +
+                    (is_input ? "input: " : "output: ") + why);
+    };
+    if (most < 1) {
+        return unusable("it has no such channels");
+    }
+    const double suggested = latency_for(device, config);
+    const double wanted_rate = config.rate_hz > 0 ? config.rate_hz : device.default_rate;
+    const int wanted_channels = std::clamp(config.channels, 1, std::min(most, 8));
+    PaError error = paInvalidSampleRate;
+    for (const double hertz : {wanted_rate, device.default_rate}) {
+        for (const int count : {wanted_channels, std::min(2, most), 1, std::min(most, 8)}) {
+            if (stream == nullptr) {
+                error = try_open(device, count, hertz, suggested);
+                channels = error == paNoError ? count : channels;
+                rate = SampleRate(static_cast<int>(std::lround(hertz)));
+                stream = error == paNoError ? stream : nullptr;
+            }
+        }
+        if (stream != nullptr) {
+            break;
+        }
+    }
+    if (stream == nullptr) {
+        return unusable(portaudio_reason(error));
+    }
+    const PaStreamInfo* info = Pa_GetStreamInfo(stream);
+    if (info != nullptr) {
+        const double said = is_input ? info->inputLatency : info->outputLatency;
+        latency = nanos_from_seconds(sane_latency(said, suggested));
+        rate = SampleRate(static_cast<int>(std::lround(info->sampleRate)));
+    }
+    started = host_now();
+    if (error = Pa_StartStream(stream); error != paNoError) {
+        Pa_CloseStream(stream);
+        stream = nullptr;
+        return unusable(portaudio_reason(error));
+    }
+    started = host_now();
+    return {};
+}
+
+/// Stops and closes on another thread: when the device dies just now, these never return.
+void DeviceStream::Impl::close() noexcept {
+    std::promise<void> promise;
+    std::future<void> done = promise.get_future();
+    std::thread([pa_stream = stream, promise = std::move(promise)]() mutable {
+        Pa_StopStream(pa_stream);
+        Pa_CloseStream(pa_stream);
+        promise.set_value();
+    }).detach();
+    is_abandoned = done.wait_for(kCloseWithin) != std::future_status::ready;
+}
+
+DeviceStream::DeviceStream(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+DeviceStream::~DeviceStream() {
+    if (!impl_->is_abandoned && !is_alive(host_now())) {
+        abandon();
+    }
+    if (!impl_->is_abandoned) {
+        impl_->close();
+    }
+    if (impl_->is_abandoned) {
+        leak_portaudio();
+        static_cast<void>(impl_.release());  // the device's thread may still look at it
+        return;
+    }
+    release_portaudio();
+}
+
+namespace {
+
+template <typename ImplType>
+Expected<std::unique_ptr<ImplType>> open_impl(typename ImplType::Direction direction,
+                                              const AudioDevice& device,
+                                              const StreamConfig& config,
+                                              StreamCallback& callback) {
+    if (auto acquired = acquire_portaudio(); !acquired) {
+        return fail(acquired.error());
+    }
+    auto impl = std::make_unique<ImplType>();
+    impl->callback = &callback;
+    impl->direction = direction;
+    std::optional<ScopedVariable> source;
+    if (device.is_monitor()) {
+        source.emplace("PULSE_SOURCE", device.pulse_source);
+    }
+    const SilentStderr silence;
+    if (auto opened = impl->open(device, config); !opened) {
+        release_portaudio();
+        return fail(opened.error());
+    }
+    return impl;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<DeviceStream>> DeviceStream::open_input(const AudioDevice& device,
+                                                                 const StreamConfig& config,
+                                                                 StreamCallback& callback) {
+    auto impl = open_impl<Impl>(Impl::Direction::input, device, config, callback);
+    if (!impl) {
+        return fail(impl.error());
+    }
+    return std::unique_ptr<DeviceStream>(new DeviceStream(std::move(*impl)));
+}
+
+Expected<std::unique_ptr<DeviceStream>> DeviceStream::open_output(const AudioDevice& device,
+                                                                  const StreamConfig& config,
+                                                                  StreamCallback& callback) {
+    auto impl = open_impl<Impl>(Impl::Direction::output, device, config, callback);
+    if (!impl) {
+        return fail(impl.error());
+    }
+    return std::unique_ptr<DeviceStream>(new DeviceStream(std::move(*impl)));
+}
+
+SampleRate DeviceStream::rate() const noexcept { return impl_->rate; }
+int DeviceStream::channels() const noexcept { return impl_->channels; }
+Nanos DeviceStream::reported_latency() const noexcept { return impl_->latency; }
+
+std::uint64_t DeviceStream::callbacks() const noexcept {
+    return impl_->callbacks.load(std::memory_order_relaxed);
+}
+
+std::uint64_t DeviceStream::xruns() const noexcept {
+    return impl_->xruns.load(std::memory_order_relaxed);
+}
+
+bool DeviceStream::is_alive(HostTime now) const noexcept {
+    const std::int64_t last = impl_->last_callback_ns.load(std::memory_order_relaxed);
+    const bool is_heard = last == 0 ? now - impl_->started <= kFirstCallbackWithin
+                                    : now - HostTime(Nanos(last)) <= kDeadAfter;
+    return is_heard && !impl_->is_abandoned && Pa_IsStreamActive(impl_->stream) == 1;
+}
+
+void DeviceStream::abandon() noexcept {
+    impl_->is_abandoned = true;
+    leak_portaudio();
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,82 @@
+#include "audio/io/portaudio_session.hpp"
+
+#include <alsa/asoundlib.h>
+#include <fcntl.h>
+#include <jack/jack.h>
+#include <pa_jack.h>
+#include <portaudio.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace raks::audio {
+namespace {
+
+// One process has one PortAudio; the main thread alone touches these.
+int g_users = 0;
+bool g_is_leaked = false;
+
+void ignore_alsa(const char*, int, const char*, int, const char*, ...) {}
+void ignore_jack(const char*) {}
+
+void silence_libraries() {
+    snd_lib_error_set_handler(ignore_alsa);
+    jack_set_info_function(ignore_jack);
+    jack_set_error_function(ignore_jack);  // PortAudio sets its own, which keeps the last error
+}
+
+}  // namespace
+
+SilentStderr::SilentStderr() noexcept : saved_(dup(STDERR_FILENO)) {
+    std::fflush(stderr);
+    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nothing >= 0) {
+        dup2(nothing, STDERR_FILENO);
+        close(nothing);
+    }
+}
+
+SilentStderr::~SilentStderr() {
+    std::fflush(stderr);
+    if (saved_ >= 0) {
+        dup2(saved_, STDERR_FILENO);
+        close(saved_);
+    }
+}
+
+Expected<void> acquire_portaudio() {
+    if (g_users > 0 || g_is_leaked) {
+        ++g_users;
+        return {};
+    }
+    const SilentStderr silence;
+    silence_libraries();
+    PaJack_SetClientName("raks");
+    if (const PaError error = Pa_Initialize(); error != paNoError) {
+        return fail("PortAudio cannot be started: " + portaudio_reason(error));
+    }
+    ++g_users;
+    return {};
+}
+
+void release_portaudio() noexcept {
+    --g_users;
+    if (g_users == 0 && !g_is_leaked) {
+        const SilentStderr silence;
+        Pa_Terminate();
+    }
+}
+
+void leak_portaudio() noexcept { g_is_leaked = true; }
+
+std::string portaudio_reason(int error) {
+    if (error == paUnanticipatedHostError) {
+        const PaHostErrorInfo* host = Pa_GetLastHostErrorInfo();
+        if (host != nullptr && host->errorText != nullptr && *host->errorText != '\0') {
+            return host->errorText;
+        }
+    }
+    return Pa_GetErrorText(error);
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "audio/io/devices.hpp"
+
+namespace raks::audio {
+namespace {
+
+using ::testing::HasSubstr;
+
+AudioDevice device(const char* name, const char* api, int in, int out) {
+    return {.portaudio_index = 0,
+            .name = name,
+            .host_api = api,
+            .input_channels = in,
+            .output_channels = out};
+}
+
+AudioDevice monitor(const char* name) {
+    AudioDevice result = device(name, "PulseAudio monitor", 2, 0);
+    result.pulse_source = name;
+    return result;
+}
+
+std::vector<AudioDevice> desktop() {
+    std::vector<AudioDevice> devices{device("system", "JACK", 2, 2),
+                                     device("some player", "JACK", 2, 0),
+                                     monitor("speakers.monitor"),
+                                     monitor("hdmi.monitor"),
+                                     device("USB Mic, Deluxe: Audio (hw:1,0)", "ALSA", 1, 0),
+                                     device("HDMI 0", "ALSA", 0, 8),
+                                     device("default", "ALSA", 32, 32)};
+    devices[6].is_default_input = true;
+    devices[6].is_default_output = true;
+    return devices;
+}
+
+TEST(ChooseDevice, live_listens_to_what_the_computer_plays_when_it_can) {
+    const auto choice = choose_input(desktop());
+    ASSERT_TRUE(choice);
+    EXPECT_EQ(choice->device.name, "speakers.monitor");
+    EXPECT_EQ(choice->reason,
+              "'speakers.monitor' (PulseAudio monitor): it is what this computer plays");
+}
+
+TEST(ChooseDevice, without_monitors_it_is_jack_then_the_default_then_the_first) {
+    auto devices = desktop();
+    std::erase_if(devices, [](const AudioDevice& each) { return each.is_monitor(); });
+    EXPECT_EQ(choose_input(devices)->device.name, "system");
+    EXPECT_EQ(choose_output(devices)->device.name, "system");
+    devices.erase(devices.begin(), devices.begin() + 2);
+    EXPECT_EQ(choose_input(devices)->device.name, "default");
+    EXPECT_EQ(choose_output(devices)->device.name, "default");
+    devices.pop_back();
+    EXPECT_EQ(choose_input(devices)->device.name, "USB Mic, Deluxe: Audio (hw:1,0)");
+    EXPECT_EQ(choose_output(devices)->device.name, "HDMI 0");
+}
+
+TEST(ChooseDevice, a_monitor_of_pipewire_through_jack_counts) {
+    auto devices = desktop();
+    std::erase_if(devices, [](const AudioDevice& each) { return each.is_monitor(); });
+    devices.push_back(device("Built-in Audio Monitor", "JACK", 2, 0));
+    EXPECT_EQ(choose_input(devices)->device.name, "Built-in Audio Monitor");
+}
+
+TEST(ChooseDevice, users_name_a_number_a_name_or_a_part_of_one) {
+    struct Row {
+        const char* wanted;
+        const char* name;
+    };
+    for (const Row& row :
+         {Row{"4", "USB Mic, Deluxe: Audio (hw:1,0)"},
+          Row{"USB Mic, Deluxe: Audio (hw:1,0)", "USB Mic, Deluxe: Audio (hw:1,0)"},
+          Row{"usb mic", "USB Mic, Deluxe: Audio (hw:1,0)"},
+          Row{"some player", "some player"},
+          Row{"DEFAULT", "default"},
+          Row{"hdmi", "hdmi.monitor"}}) {
+        const auto choice = choose_input(desktop(), row.wanted);
+        ASSERT_TRUE(choice) << choice.error().message;
+        EXPECT_EQ(choice->device.name, row.name) << row.wanted;
+    }
+    EXPECT_EQ(choose_output(desktop(), "hdmi")->device.name, "HDMI 0");
+}
+
+TEST(ChooseDevice, what_does_not_exist_is_an_error_that_lists_what_does) {
+    EXPECT_EQ(choose_output(desktop(), "kitchen").error().message,
+              "no output 'kitchen'; there are 0 'system' (JACK), 5 'HDMI 0' (ALSA), "
+              "6 'default' (ALSA)");
+    EXPECT_THAT(choose_input(desktop(), "monitor").error().message,
+                HasSubstr("'monitor' fits several inputs: 'speakers.monitor' (PulseAudio monitor), "
+                          "'hdmi.monitor' (PulseAudio monitor); name one in full or by number"));
+    EXPECT_THAT(choose_input(desktop(), "5").error().message,
+                HasSubstr("device 5 'HDMI 0' (ALSA) is no input; there are 0 "));
+    EXPECT_THAT(choose_input(desktop(), "99").error().message, HasSubstr("no input '99'"));
+    EXPECT_THAT(choose_input({}).error().message, HasSubstr("no audio input was found"));
+    EXPECT_EQ(choose_input({}, "x").error().message, "no input 'x'; there is none");
+}
+
+}  // namespace
+}  // namespace raks::audio

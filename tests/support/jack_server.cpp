@@ -1,0 +1,55 @@
+#include "tests/support/jack_server.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace raks::test {
+
+JackServer::JackServer(int rate, int period) {
+    static int count = 0;
+    name_ = "raks-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+    setenv("JACK_DEFAULT_SERVER", name_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    setenv("JACK_NO_START_SERVER", "1", 1);           // NOLINT(concurrency-mt-unsafe)
+    for (const char* scheduling : {"SCHED_FIFO", "normal"}) {
+        scheduling_ = scheduling;
+        if (start(rate, period)) {
+            return;
+        }
+    }
+    process_.reset();
+    problem_ = "jackd -d dummy does not start (is the package jackd2 installed?)";
+}
+
+JackServer::~JackServer() = default;
+
+bool JackServer::start(int rate, int period) {
+    std::vector<std::string> command{"jackd", "-n", name_};
+    if (scheduling_ == "SCHED_FIFO") {
+        command.insert(command.end(), {"-R", "-P70"});
+    } else {
+        command.emplace_back("--no-realtime");
+    }
+    command.insert(command.end(),
+                   {"-d", "dummy", "-r", std::to_string(rate), "-p", std::to_string(period)});
+    process_ = std::make_unique<ChildProcess>(command, "/dev/null");
+    return run_program({"jack_wait", "-s", name_, "-w", "-t", "5"}) == 0 &&
+           run_program({"jack_lsp", "-s", name_}) == 0;
+}
+
+bool JackServer::connect(const std::string& from, const std::string& to) const {
+    return run_program({"jack_connect", "-s", name_, from, to}) == 0;
+}
+
+bool JackServer::disconnect(const std::string& from, const std::string& to) const {
+    return run_program({"jack_disconnect", "-s", name_, from, to}) == 0;
+}
+
+void JackServer::kill() {
+    if (process_) {
+        process_->end(SIGKILL);
+    }
+}
+
+}  // namespace raks::test

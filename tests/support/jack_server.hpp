@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "tests/support/child_process.hpp"
+
+namespace raks::test {
+
+/// A JACK server of our own with the dummy driver, real-time where that is allowed: real PortAudio
+/// without a sound card. Points this process (and its children) to it by JACK_DEFAULT_SERVER.
+///
+///     JackServer jack;
+///     ASSERT_EQ(jack.problem(), "");
+///     ... open streams ...
+///     jack.connect("raks:out_0", "raks:in_0");
+class JackServer {
+ public:
+    explicit JackServer(int rate = 48'000, int period = 256);
+    ~JackServer();
+    JackServer(const JackServer&) = delete;
+    JackServer& operator=(const JackServer&) = delete;
+
+    /// Empty when the server answers; else why not. A test fails then, it does not skip.
+    [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
+    /// "SCHED_FIFO" or "normal": the scheduling class asked for.
+    [[nodiscard]] const std::string& scheduling() const noexcept { return scheduling_; }
+
+    /// True when done. Ports: "raks:out_0", "raks:in_0", "system:capture_1", ...
+    [[nodiscard]] bool connect(const std::string& from, const std::string& to) const;
+    [[nodiscard]] bool disconnect(const std::string& from, const std::string& to) const;
+    /// Ends the server at once, as a crash would.
+    void kill();
+
+ private:
+    [[nodiscard]] bool start(int rate, int period);
+
+    std::string name_;
+    std::string scheduling_;
+    std::string problem_;
+    std::unique_ptr<ChildProcess> process_;
+};
+
+}  // namespace raks::test

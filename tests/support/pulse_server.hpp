@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "tests/support/child_process.hpp"
+
+namespace raks::test {
+
+/// A PulseAudio server of our own with the null sink `raks_null`, whose monitor can be recorded.
+/// For "it runs" only: its round trip drifts. Changes this process's environment for good: use it
+/// in a process of its own, before PortAudio was initialized.
+class PulseServer {
+ public:
+    PulseServer();
+    ~PulseServer();
+    PulseServer(const PulseServer&) = delete;
+    PulseServer& operator=(const PulseServer&) = delete;
+
+    /// Empty when the server answers; else why not.
+    [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
+
+ private:
+    std::filesystem::path folder_;
+    std::string problem_;
+    std::unique_ptr<ChildProcess> process_;
+};
+
+}  // namespace raks::test
