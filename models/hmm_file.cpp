@@ -7,6 +7,7 @@
 
 #include "base/file.hpp"
 #include "models/json_fields.hpp"
+#include "models/json_text.hpp"
 
 namespace raks::models {
 namespace {
@@ -82,7 +83,7 @@ std::string hmm_text(const GaussianHmm& model) {
     for (const Eigen::MatrixXd& covariance : model.covariances) {
         json["covariances"].push_back(table_of(covariance));
     }
-    return json.dump(1) + "\n";
+    return json_text(json);
 }
 
 Expected<GaussianHmm> parse_hmm(std::string_view text) {

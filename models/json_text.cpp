@@ -1,0 +1,45 @@
+#include "models/json_text.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace raks::models {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool is_plain_list(const Json& value) {
+    return value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& entry) {
+               return entry.is_primitive();
+           });
+}
+
+void write(const Json& value, int depth, std::string& out) {
+    if (value.is_primitive() || is_plain_list(value)) {
+        out += value.dump();
+        return;
+    }
+    const bool is_object = value.is_object();
+    const std::string margin(static_cast<std::size_t>(depth) + 1, ' ');
+    out += is_object ? '{' : '[';
+    const char* separator = "\n";
+    for (const auto& [key, entry] : value.items()) {
+        out += separator + margin;
+        if (is_object) {
+            out += Json(key).dump() + ": ";
+        }
+        write(entry, depth + 1, out);
+        separator = ",\n";
+    }
+    out += '\n' + margin.substr(1) + (is_object ? '}' : ']');
+}
+
+}  // namespace
+
+std::string json_text(const Json& document) {
+    std::string out;
+    write(document, 0, out);
+    return out + "\n";
+}
+
+}  // namespace raks::models

@@ -1,0 +1,226 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/file.hpp"
+#include "models/json_fields.hpp"
+#include "models/json_text.hpp"
+#include "motion/figures/figure_hmm.hpp"
+#include "motion/figures/figure_model.hpp"
+
+namespace raks::motion {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Field = models::JsonDocument::Field;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
+
+Json json_of(const FigureState& state) {
+    return {{"mean", state.mean},
+            {"variance", state.variance},
+            {"delta_mean", state.delta_mean},
+            {"delta_variance", state.delta_variance},
+            {"delta_delta_mean", state.delta_delta_mean},
+            {"delta_delta_variance", state.delta_delta_variance}};
+}
+
+Json json_of(const PartModel& part) {
+    Json json;
+    json["part"] = kPartNames[static_cast<std::size_t>(part.part)];
+    json["joints"] = Json::array();
+    for (const JointFeature& joint : part.joints) {
+        const glm::dquat& q = joint.mean;
+        json["joints"].push_back(
+            {{"bone", kBoneNames[index_of(joint.bone)]}, {"mean", {q.w, q.x, q.y, q.z}}});
+    }
+    json["states"] = Json::array();
+    for (const FigureState& state : part.states) {
+        json["states"].push_back(json_of(state));
+    }
+    json["initial"] = part.initial;
+    json["transition"] = part.transition;
+    json["exit"] = part.exit;
+    json["covariance"] = part.covariance;
+    json["global_variance"] = part.global_variance;
+    return json;
+}
+
+Json json_of(const LandingOffset& landing) {
+    return {{"repeats", landing.repeats},
+            {"median", landing.median.count()},
+            {"deviation", landing.deviation.count()}};
+}
+
+std::vector<std::vector<double>> table_of(const Field& field) {
+    std::vector<std::vector<double>> rows(field.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i] = field[i].numbers();
+    }
+    return rows;
+}
+
+template <typename Names>
+std::size_t name_in(const Names& names, const Field& field) {
+    const std::string text = field.text();
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) {
+        field.complain(fmt::format("is \"{:.40}\", which is unknown", text));
+        return 0;
+    }
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+JointFeature joint_of(const Field& field) {
+    JointFeature joint;
+    joint.bone = static_cast<Bone>(name_in(kBoneNames, field["bone"]));
+    const std::vector<double> q = field["mean"].numbers();
+    if (q.size() == 4) {
+        joint.mean = {q[0], q[1], q[2], q[3]};
+    } else {
+        field["mean"].complain(fmt::format("has {} numbers, must have 4 (w, x, y, z)", q.size()));
+    }
+    return joint;
+}
+
+FigureState state_of(const Field& field) {
+    return {field["mean"].numbers(),
+            field["variance"].numbers(),
+            field["delta_mean"].numbers(),
+            field["delta_variance"].numbers(),
+            field["delta_delta_mean"].numbers(),
+            field["delta_delta_variance"].numbers()};
+}
+
+PartModel part_of(const Field& field) {
+    PartModel part;
+    part.part = static_cast<Part>(name_in(kPartNames, field["part"]));
+    const Field joints = field["joints"];
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        part.joints.push_back(joint_of(joints[j]));
+    }
+    const Field states = field["states"];
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        part.states.push_back(state_of(states[k]));
+    }
+    part.initial = field["initial"].numbers();
+    part.transition = table_of(field["transition"]);
+    part.exit = field["exit"].numbers();
+    part.covariance = table_of(field["covariance"]);
+    part.global_variance = field["global_variance"].numbers();
+    return part;
+}
+
+void read_feet(const Field& root, FigureModel& model) {
+    for (std::size_t side = 0; side < kSideNames.size(); ++side) {
+        const Field contact = root["contact"][kSideNames[side]];
+        const std::vector<double> chances = contact.numbers();
+        if (chances.size() == kContactBins) {
+            std::copy(chances.begin(), chances.end(), model.contact[side].begin());
+        } else {
+            contact.complain(
+                fmt::format("has {} numbers, must have {}", chances.size(), kContactBins));
+        }
+        const Field landings = root["landings"][kSideNames[side]];
+        for (std::size_t c = 0; c < landings.size(); ++c) {
+            model.landings[side].push_back({landings[c]["repeats"].whole(0, 1'000'000),
+                                            Beats(landings[c]["median"].number()),
+                                            Beats(landings[c]["deviation"].number())});
+        }
+    }
+}
+
+FigureModel figure_of(const Field& root) {
+    FigureModel model;
+    model.name = root["name"].text();
+    model.dance = root["dance"].text();
+    model.role = static_cast<DanceRole>(name_in(kRoleNames, root["role"]));
+    model.attribution = root["attribution"].text();
+    model.beats = root["beats"].whole(1, 64);
+    model.samples_per_beat = root["samples_per_beat"].whole(4, 200);
+    model.learnt_tempo = Bpm(root["learnt_tempo"].number());
+    model.repeats = root["repeats"].whole(0, 1'000'000);
+    model.net_displacement = {root["net_displacement"][0].number(),
+                              root["net_displacement"][1].number()};
+    model.net_turn = root["net_turn"].number();
+    model.source_hips_height = root["source_hips_height"].number();
+    const Field parts = root["parts"];
+    if (parts.size() != model.parts.size()) {
+        parts.complain(fmt::format("has {} entries, must have 3", parts.size()));
+        return model;
+    }
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        model.parts[p] = part_of(parts[p]);
+    }
+    read_feet(root, model);
+    return model;
+}
+
+Error retrain(const std::string& name, const std::string& message) {
+    return Error{fmt::format("{}: {}; train the figure again", name, message)};
+}
+
+}  // namespace
+
+std::string figure_text(const FigureModel& model) {
+    Json json;
+    json["format"] = FigureModel::kFormat;
+    json["version"] = FigureModel::kVersion;
+    json["name"] = model.name;
+    json["dance"] = model.dance;
+    json["role"] = kRoleNames[static_cast<std::size_t>(model.role)];
+    json["attribution"] = model.attribution;
+    json["beats"] = model.beats;
+    json["samples_per_beat"] = model.samples_per_beat;
+    json["learnt_tempo"] = model.learnt_tempo.bpm();
+    json["repeats"] = model.repeats;
+    json["net_displacement"] = {model.net_displacement.x, model.net_displacement.y};
+    json["net_turn"] = model.net_turn;
+    json["source_hips_height"] = model.source_hips_height;
+    json["parts"] = Json::array();
+    for (const PartModel& part : model.parts) {
+        json["parts"].push_back(json_of(part));
+    }
+    for (std::size_t side = 0; side < kSideNames.size(); ++side) {
+        const std::string name(kSideNames[side]);
+        json["contact"][name] = model.contact[side];
+        json["landings"][name] = Json::array();
+        for (const LandingOffset& landing : model.landings[side]) {
+            json["landings"][name].push_back(json_of(landing));
+        }
+    }
+    return models::json_text(json);
+}
+
+Expected<FigureModel> parse_figure(std::string_view json, const std::string& name) {
+    Expected<models::JsonDocument> document =
+        models::JsonDocument::parse(json, FigureModel::kFormat, FigureModel::kVersion);
+    if (!document) {
+        return fail(std::move(document.error()).in(name));
+    }
+    FigureModel model = figure_of(document->root());
+    if (auto ok = document->finish(); !ok) {
+        return fail(retrain(name, ok.error().message));
+    }
+    if (auto ok = validate(model); !ok) {
+        return fail(retrain(name, ok.error().message));
+    }
+    return model;
+}
+
+Expected<FigureModel> load_figure(const std::filesystem::path& path) {
+    const Expected<std::string> text = read_file(path, kMaxBytes);
+    if (!text) {
+        return fail(text.error());
+    }
+    return parse_figure(*text, path.filename().string());
+}
+
+Expected<void> save_figure(const FigureModel& model, const std::filesystem::path& path) {
+    if (auto ok = validate(model); !ok) {
+        return fail(std::move(ok.error()).in(path.filename().string()));
+    }
+    return write_file(path, figure_text(model));
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,232 @@
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "models/gaussian_hmm.hpp"
+#include "motion/figures/figure_hmm.hpp"
+#include "motion/figures/figure_model.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr double kLargest = 1e6;  ///< of any number in a figure: far beyond what a body does
+constexpr std::size_t kMaxStates = 256;
+constexpr double kUnitTolerance = 1e-6;
+
+Expected<void> check_size(const std::string& name, std::size_t found, std::size_t wanted) {
+    if (found != wanted) {
+        return fail(fmt::format("{} has {} numbers, must have {}", name, found, wanted));
+    }
+    return {};
+}
+
+/// `wanted` numbers in [-kLargest, kLargest].
+Expected<void> check_numbers(const std::string& name,
+                             const std::vector<double>& values,
+                             std::size_t wanted) {
+    if (auto ok = check_size(name, values.size(), wanted); !ok) {
+        return ok;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!(std::abs(values[i]) <= kLargest)) {
+            return fail(
+                fmt::format("{}[{}] is {}, must lie within +-{}", name, i, values[i], kLargest));
+        }
+    }
+    return {};
+}
+
+Expected<void> check_variances(const std::string& name,
+                               const std::vector<double>& values,
+                               std::size_t wanted) {
+    if (auto ok = check_numbers(name, values, wanted); !ok) {
+        return ok;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!(values[i] > 0.0)) {
+            return fail(fmt::format("{}[{}] is {}, must be > 0", name, i, values[i]));
+        }
+    }
+    return {};
+}
+
+Expected<void> check_state(const std::string& name, const FigureState& state, std::size_t d) {
+    const struct {
+        const char* name;
+        const std::vector<double>& mean;
+        const std::vector<double>& variance;
+    } windows[] = {{"", state.mean, state.variance},
+                   {"delta_", state.delta_mean, state.delta_variance},
+                   {"delta_delta_", state.delta_delta_mean, state.delta_delta_variance}};
+    for (const auto& window : windows) {
+        if (auto ok = check_numbers(fmt::format("{}.{}mean", name, window.name), window.mean, d);
+            !ok) {
+            return ok;
+        }
+        if (auto ok = check_variances(
+                fmt::format("{}.{}variance", name, window.name), window.variance, d);
+            !ok) {
+            return ok;
+        }
+    }
+    return {};
+}
+
+Expected<void> check_joints(const std::string& name, const std::vector<JointFeature>& joints) {
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const glm::dquat& q = joints[j].mean;
+        const double length = std::sqrt(glm::dot(q, q));
+        if (!(std::abs(length - 1.0) <= kUnitTolerance)) {
+            return fail(
+                fmt::format("{}.joints[{}].mean has length {}, must be 1", name, j, length));
+        }
+    }
+    return {};
+}
+
+Expected<void> check_part(const std::string& name, const PartModel& part, int samples) {
+    const std::size_t n = part.states.size();
+    const std::size_t d = part.dimension();
+    if (auto ok = check_joints(name, part.joints); !ok) {
+        return ok;
+    }
+    if (n < 1 || n > kMaxStates || n > static_cast<std::size_t>(samples)) {
+        return fail(
+            fmt::format("{}.states has {} entries, must have 1 to {}",
+                        name,
+                        n,
+                        std::min<std::size_t>(
+                            kMaxStates, samples > 0 ? static_cast<std::size_t>(samples) : 1)));
+    }
+    if (d == 0) {
+        return fail(fmt::format("{}.joints is empty, must name at least one joint", name));
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        if (auto ok = check_state(fmt::format("{}.states[{}]", name, k), part.states[k], d); !ok) {
+            return ok;
+        }
+    }
+    if (auto ok = check_variances(name + ".global_variance", part.global_variance, d); !ok) {
+        return ok;
+    }
+    if (auto ok = check_size(name + ".initial", part.initial.size(), n); !ok) {
+        return ok;
+    }
+    if (auto ok = check_size(name + ".transition", part.transition.size(), n); !ok) {
+        return ok;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        if (auto ok =
+                check_size(fmt::format("{}.transition[{}]", name, k), part.transition[k].size(), n);
+            !ok) {
+            return ok;
+        }
+    }
+    if (auto ok = check_size(name + ".exit", part.exit.size(), n); !ok) {
+        return ok;
+    }
+    if (auto ok = check_size(name + ".covariance", part.covariance.size(), d); !ok) {
+        return ok;
+    }
+    for (std::size_t i = 0; i < d; ++i) {
+        if (auto ok =
+                check_numbers(fmt::format("{}.covariance[{}]", name, i), part.covariance[i], d);
+            !ok) {
+            return ok;
+        }
+    }
+    if (!models::is_positive_definite(matrix_of(part.covariance))) {
+        return fail(fmt::format("{}.covariance is not positive definite", name));
+    }
+    if (auto ok = models::validate(hmm_of(part)); !ok) {
+        return fail(fmt::format("{}.{}", name, ok.error().message));
+    }
+    return {};
+}
+
+Expected<void> check_head(const FigureModel& model) {
+    if (model.beats < 1 || model.beats > 64) {
+        return fail(fmt::format("beats is {}, must be 1 to 64", model.beats));
+    }
+    if (model.samples_per_beat < 4 || model.samples_per_beat > 200) {
+        return fail(
+            fmt::format("samples_per_beat is {}, must be 4 to 200", model.samples_per_beat));
+    }
+    const struct {
+        const char* name;
+        double value;
+        double lowest;
+        double highest;
+    } ranges[] = {{"learnt_tempo", model.learnt_tempo.bpm(), 20.0, 400.0},
+                  {"net_displacement[0]", model.net_displacement.x, -100.0, 100.0},
+                  {"net_displacement[1]", model.net_displacement.y, -100.0, 100.0},
+                  {"net_turn", model.net_turn, -100.0, 100.0},
+                  {"source_hips_height", model.source_hips_height, 0.1, 10.0}};
+    for (const auto& range : ranges) {
+        if (!(range.value >= range.lowest && range.value <= range.highest)) {
+            return fail(fmt::format("{} is {}, must lie in [{}, {}]",
+                                    range.name,
+                                    range.value,
+                                    range.lowest,
+                                    range.highest));
+        }
+    }
+    return {};
+}
+
+Expected<void> check_feet(const FigureModel& model) {
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (std::size_t j = 0; j < kContactBins; ++j) {
+            const double chance = model.contact[side][j];
+            if (!(chance >= 0.0 && chance <= 1.0)) {
+                return fail(fmt::format(
+                    "contact.{}[{}] is {}, must lie in [0, 1]", kSideNames[side], j, chance));
+            }
+        }
+        const std::vector<LandingOffset>& landings = model.landings[side];
+        const std::string name = fmt::format("landings.{}", kSideNames[side]);
+        if (auto ok = check_size(name, landings.size(), static_cast<std::size_t>(model.beats));
+            !ok) {
+            return ok;
+        }
+        for (std::size_t c = 0; c < landings.size(); ++c) {
+            if (!(std::abs(landings[c].median.count()) <= model.beats)) {
+                return fail(fmt::format("{}[{}].median is {}, must lie within +-{}",
+                                        name,
+                                        c,
+                                        landings[c].median.count(),
+                                        model.beats));
+            }
+            if (!(landings[c].deviation.count() >= 0.0 &&
+                  landings[c].deviation.count() <= model.beats)) {
+                return fail(fmt::format("{}[{}].deviation is {}, must lie in [0, {}]",
+                                        name,
+                                        c,
+                                        landings[c].deviation.count(),
+                                        model.beats));
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<void> validate(const FigureModel& model) {
+    if (auto ok = check_head(model); !ok) {
+        return ok;
+    }
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        const std::string name = fmt::format("parts[{}]", p);
+        if (model.parts[p].part != kParts[p]) {
+            return fail(fmt::format("{}.part must be {}", name, kPartNames[p]));
+        }
+        if (auto ok = check_part(name, model.parts[p], static_cast<int>(model.samples())); !ok) {
+            return ok;
+        }
+    }
+    return check_feet(model);
+}
+
+}  // namespace raks::motion
