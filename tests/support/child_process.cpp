@@ -49,7 +49,7 @@ void ChildProcess::end(int signal_number) {
     }
 }
 
-int run_program(const std::vector<std::string>& arguments) {
+int exit_code_of(const std::vector<std::string>& arguments) {
     return wait_for_end(start(arguments, "/dev/null"));
 }
 

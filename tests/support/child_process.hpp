@@ -24,7 +24,7 @@ class ChildProcess {
     pid_t pid_ = -1;
 };
 
-/// Runs a program to its end, silently; its exit code (127: not found).
-int run_program(const std::vector<std::string>& arguments);
+/// Runs a program to its end, silently; its exit code (127: not found; 128 + signal).
+int exit_code_of(const std::vector<std::string>& arguments);
 
 }  // namespace raks::test

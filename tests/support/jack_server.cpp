@@ -34,16 +34,16 @@ bool JackServer::start(int rate, int period) {
     command.insert(command.end(),
                    {"-d", "dummy", "-r", std::to_string(rate), "-p", std::to_string(period)});
     process_ = std::make_unique<ChildProcess>(command, "/dev/null");
-    return run_program({"jack_wait", "-s", name_, "-w", "-t", "5"}) == 0 &&
-           run_program({"jack_lsp", "-s", name_}) == 0;
+    return exit_code_of({"jack_wait", "-s", name_, "-w", "-t", "5"}) == 0 &&
+           exit_code_of({"jack_lsp", "-s", name_}) == 0;
 }
 
 bool JackServer::connect(const std::string& from, const std::string& to) const {
-    return run_program({"jack_connect", "-s", name_, from, to}) == 0;
+    return exit_code_of({"jack_connect", "-s", name_, from, to}) == 0;
 }
 
 bool JackServer::disconnect(const std::string& from, const std::string& to) const {
-    return run_program({"jack_disconnect", "-s", name_, from, to}) == 0;
+    return exit_code_of({"jack_disconnect", "-s", name_, from, to}) == 0;
 }
 
 void JackServer::kill() {

@@ -44,8 +44,8 @@ PulseServer::PulseServer()
         (folder_ / "log").string());
     // The server has no "ready" to wait for but its answer.
     for (int i = 0; i < 100; ++i) {
-        if (run_program({"pactl", "info"}) == 0) {
-            run_program({"pactl", "set-default-sink", "raks_null"});
+        if (exit_code_of({"pactl", "info"}) == 0) {
+            exit_code_of({"pactl", "set-default-sink", "raks_null"});
             return;
         }
         const timespec pause{0, 50'000'000};
