@@ -138,6 +138,8 @@ PaError DeviceStream::Impl::try_open(const AudioDevice& device,
                                         .suggestedLatency = suggested,
                                         .hostApiSpecificStreamInfo = nullptr};
     const bool is_input = direction == Direction::input;
+    channels = channel_count;
+    rate = SampleRate(static_cast<int>(std::lround(hertz)));
     // Any block size: PortAudio adds a buffer of delay when one is asked for.
     return Pa_OpenStream(&stream,
                          is_input ? &parameters : nullptr,
@@ -168,18 +170,10 @@ Expected<void> DeviceStream::Impl::open(const AudioDevice& device, const StreamC
     PaError error = paInvalidSampleRate;
     for (const double hertz : {wanted_rate, device.default_rate}) {
         for (const int count : {wanted_channels, std::min(2, most), 1, std::min(most, 8)}) {
-            if (stream == nullptr) {
-                error = try_open(device, count, hertz, suggested);
-                channels = error == paNoError ? count : channels;
-                rate = SampleRate(static_cast<int>(std::lround(hertz)));
-                stream = error == paNoError ? stream : nullptr;
-            }
-        }
-        if (stream != nullptr) {
-            break;
+            error = error == paNoError ? error : try_open(device, count, hertz, suggested);
         }
     }
-    if (stream == nullptr) {
+    if (error != paNoError) {
         return unusable(portaudio_reason(error));
     }
     const PaStreamInfo* info = Pa_GetStreamInfo(stream);
@@ -188,10 +182,8 @@ Expected<void> DeviceStream::Impl::open(const AudioDevice& device, const StreamC
         latency = nanos_from_seconds(sane_latency(said, suggested));
         rate = SampleRate(static_cast<int>(std::lround(info->sampleRate)));
     }
-    started = host_now();
     if (error = Pa_StartStream(stream); error != paNoError) {
         Pa_CloseStream(stream);
-        stream = nullptr;
         return unusable(portaudio_reason(error));
     }
     started = host_now();

@@ -68,9 +68,9 @@ Sides mix_alternating(const float* frame, std::size_t channels) noexcept {
     for (std::size_t i = 0; i < channels; ++i) {
         (i % 2 == 0 ? sides.left : sides.right) += frame[i];
     }
-    const auto lefts = static_cast<float>((channels + 1) / 2);
-    const auto rights = static_cast<float>(channels / 2);
-    return {sides.left / lefts, sides.right / rights};
+    const std::size_t rights = channels / 2;
+    const std::size_t lefts = channels - rights;
+    return {sides.left / static_cast<float>(lefts), sides.right / static_cast<float>(rights)};
 }
 
 template <typename Store>

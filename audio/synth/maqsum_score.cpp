@@ -32,31 +32,36 @@ void write_rhythm(Score& score, double start, int bar) {
     }
 }
 
-/// A phrase of two bars, its second half an answer that ends on the tonic. Four phrases a verse,
-/// A A B A: heard again, a line becomes a tune.
+/// The next degree of a line that wanders near the fifth and comes home at the end.
+int next_degree(int degree, int step, std::uint64_t move) {
+    constexpr int kLastStep = 14;
+    if (step >= kLastStep - 2) {
+        return step == kLastStep ? 0 : 1;
+    }
+    const int centre = 4;
+    const int pull = degree > centre + 3 ? -1 : (degree < centre - 3 ? 1 : 0);
+    return degree + static_cast<int>(move) - 2 + pull;
+}
+
+/// A phrase of two bars that ends on the tonic. Four phrases a verse, A A B A: heard again, a line
+/// becomes a tune.
 void write_phrase(Score& score, double start, int phrase, int tonic, std::uint64_t seed) {
     const bool is_second = phrase % 4 == 2;
     const CounterRandom random(seed, is_second ? 12 : 11);
     int degree = is_second ? 7 : 4;
-    for (int step = 0; step < 16; ++step) {
+    for (int step = 0; step <= 14; ++step) {
         const auto i = static_cast<std::uint64_t>(step);
-        const bool is_strong = step % 4 == 0;
+        const bool is_strong = step % 4 == 0 || step == 14;
         if (!is_strong && random.uniform(3 * i) < 0.35) {
             continue;
         }
-        const bool is_last = step >= 12;
-        const int move = static_cast<int>(random.below(3 * i + 1, 5)) - 2;
-        const int home = is_last ? 0 : 4;
-        degree += move + (degree > home + 3 ? -1 : (degree < home - 3 ? 1 : 0));
-        degree = step == 14 ? 0 : (step == 12 ? 1 : degree);
-        const double length = step == 14 ? 0.95 : 0.48;
+        degree = next_degree(degree, step, random.below(3 * i + 1, 5));
+        const double at = start + 0.5 * step;
         const int pitch = hijaz_pitch(tonic, degree);
-        score.push_back({start + 0.5 * step, Sound::oud, pitch, length, is_strong ? 0.95 : 0.75});
-        if (length < 0.5 && random.uniform(3 * i + 2) < 0.25) {  // risha: the stroke doubled
-            score.push_back({start + 0.5 * step + 0.25, Sound::oud, pitch, 0.24, 0.55});
-        }
-        if (step >= 14) {
-            break;
+        const double length = step == 14 ? 0.95 : 0.48;
+        score.push_back({at, Sound::oud, pitch, length, is_strong ? 0.95 : 0.75});
+        if (step < 14 && random.uniform(3 * i + 2) < 0.25) {  // risha: the stroke doubled
+            score.push_back({at + 0.25, Sound::oud, pitch, 0.24, 0.55});
         }
     }
 }

@@ -213,8 +213,8 @@ void Mixer::render_stretch(std::int64_t from, std::int64_t to, std::vector<float
     const auto fade = std::min(static_cast<std::size_t>(kFadeSeconds * plan_.rate.hertz()),
                                (out.size() - first_sample) / 2);
     for (std::size_t i = 0; i < fade * 2; ++i) {
-        const auto left_over = static_cast<float>(i / 2);
-        out[out.size() - 1 - i] *= left_over / static_cast<float>(fade);
+        const std::size_t frames_left = i / 2;
+        out[out.size() - 1 - i] *= static_cast<float>(frames_left) / static_cast<float>(fade);
     }
 }
 

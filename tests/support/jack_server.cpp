@@ -4,8 +4,23 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 namespace raks::test {
+namespace {
+
+/// What a killed server leaves behind.
+void remove_shared_memory(const std::string& part) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", ignored)) {
+        if (entry.path().filename().string().find(part) != std::string::npos) {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+}
+
+}  // namespace
 
 JackServer::JackServer(int rate, int period) {
     static int count = 0;
@@ -49,6 +64,7 @@ bool JackServer::disconnect(const std::string& from, const std::string& to) cons
 void JackServer::kill() {
     if (process_) {
         process_->end(SIGKILL);
+        remove_shared_memory(name_ + "_");
     }
 }
 
