@@ -76,8 +76,7 @@ std::size_t leading_rest_frames(const MotionClip& clip) {
     if (clip.frame_count < 3) {
         return 0;
     }
-    // A T-pose has (nearly) no rotation anywhere; the next frame leaves it by a jump that the rest
-    // of the motion has nowhere near.
+    // A T-pose has no rotation in any joint, which no recorded frame has; the next frame leaves it.
     const auto largest_turn = [&](std::size_t frame, std::size_t other) {
         double largest = 0.0;
         for (std::size_t joint = 0; joint < clip.joints.size(); ++joint) {
@@ -92,12 +91,9 @@ std::size_t leading_rest_frames(const MotionClip& clip) {
         const double w = std::abs(clip.rotation(0, joint).w);
         from_rest = std::max(from_rest, 2.0 * std::acos(std::min(1.0, w)));
     }
-    constexpr double kRest = 0.1;  // radians
-    constexpr double kJump = 0.35;
-    return from_rest < kRest && largest_turn(0, 1) > kJump &&
-                   largest_turn(0, 1) > 3.0 * largest_turn(1, 2)
-               ? 1
-               : 0;
+    constexpr double kRest = 0.01;  // radians
+    constexpr double kJump = 0.1;
+    return from_rest < kRest && largest_turn(0, 1) > kJump ? 1 : 0;
 }
 
 }  // namespace raks::motion
