@@ -1,0 +1,366 @@
+#include "motion/figures/figure_trainer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "models/hmm_scorer.hpp"
+#include "models/hmm_training.hpp"
+#include "motion/figures/figure_hmm.hpp"
+#include "motion/figures/foot_statistics.hpp"
+#include "motion/figures/phase_warp.hpp"
+#include "motion/figures/trajectory_statistics.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr double kLargestMetres = 1e3;
+
+Expected<void> check_options(const FigureTrainingOptions& options) {
+    const struct {
+        const char* name;
+        double value;
+        double lowest;
+        double highest;
+    } ranges[] = {
+        {"beats", static_cast<double>(options.beats), 1, 64},
+        {"samples_per_beat", static_cast<double>(options.samples_per_beat), 4, 200},
+        {"states",
+         static_cast<double>(options.states),
+         1,
+         std::min(256.0, static_cast<double>(options.beats) * options.samples_per_beat)},
+        {"baum_welch_iterations", static_cast<double>(options.baum_welch_iterations), 0, 1000},
+        {"covariance_floor", options.covariance_floor, 1e-6, 1e3},
+        {"low_pass_hz", options.low_pass_hz, 0.5, 1e4}};
+    for (const auto& range : ranges) {
+        if (!(range.value >= range.lowest && range.value <= range.highest)) {
+            return fail(fmt::format("{} is {}, must lie in [{}, {}]",
+                                    range.name,
+                                    range.value,
+                                    range.lowest,
+                                    range.highest));
+        }
+    }
+    return {};
+}
+
+bool is_sound(const Pose& pose) noexcept {
+    for (int c = 0; c < 3; ++c) {
+        if (!(std::abs(static_cast<double>(pose.hips_position[c])) <= kLargestMetres)) {
+            return false;
+        }
+    }
+    return std::all_of(
+        pose.local_rotations.begin(), pose.local_rotations.end(), [](const glm::quat& q) {
+            return std::abs(static_cast<double>(glm::dot(q, q)) - 1.0) < 1e-3;
+        });
+}
+
+Expected<void> check_clip(const TrainingClip& clip) {
+    if (clip.feet.size() != clip.poses.size() || clip.poses.empty()) {
+        return fail(fmt::format("{}: has {} poses and {} feet, must have as many, at least one",
+                                clip.name,
+                                clip.poses.size(),
+                                clip.feet.size()));
+    }
+    if (!(clip.frames_per_second >= 1.0 && clip.frames_per_second <= 1e4)) {
+        return fail(fmt::format(
+            "{}: {} frames a second, must be 1 to 10000", clip.name, clip.frames_per_second));
+    }
+    for (std::size_t i = 0; i < clip.poses.size(); ++i) {
+        if (!is_sound(clip.poses[i])) {
+            return fail(fmt::format(
+                "{}: frame {} is not finite or more than {} m away; mend or cut the clip",
+                clip.name,
+                i,
+                kLargestMetres));
+        }
+    }
+    return {};
+}
+
+Expected<void> check_repeat(const FigureRepeat& repeat,
+                            std::span<const TrainingClip> clips,
+                            int beats) {
+    if (repeat.clip >= clips.size()) {
+        return fail(fmt::format("a repeat is of clip {}, there are {}", repeat.clip, clips.size()));
+    }
+    const TrainingClip& clip = clips[repeat.clip];
+    const std::vector<double>& frames = repeat.beat_frames;
+    if (frames.size() != static_cast<std::size_t>(beats) + 1) {
+        return fail(fmt::format("{}: a repeat has {} beat times, must have {} (the end included)",
+                                clip.name,
+                                frames.size(),
+                                beats + 1));
+    }
+    for (std::size_t b = 0; b + 1 < frames.size(); ++b) {
+        constexpr double kFewestFrames = 4.0;
+        if (!(frames[b + 1] - frames[b] >= kFewestFrames)) {
+            return fail(
+                fmt::format("{}: beat {} of the repeat at frame {:.1f} is {:.1f} frames "
+                            "long, must be at least {}; check the counts and --fps",
+                            clip.name,
+                            b + 1,
+                            frames[0],
+                            frames[b + 1] - frames[b],
+                            kFewestFrames));
+        }
+    }
+    if (!(frames.front() >= 0.0 && frames.back() <= static_cast<double>(clip.poses.size() - 1))) {
+        return fail(fmt::format("{}: a repeat spans frames {:.1f} to {:.1f}, the clip has {}",
+                                clip.name,
+                                frames.front(),
+                                frames.back(),
+                                clip.poses.size()));
+    }
+    if (!(repeat.weight > 0.0 && std::isfinite(repeat.weight))) {
+        return fail(fmt::format("{}: a repeat weighs {}, must be > 0", clip.name, repeat.weight));
+    }
+    return {};
+}
+
+Expected<void> check_all(std::span<const TrainingClip> clips,
+                         std::span<const FigureRepeat> repeats,
+                         const FigureTrainingOptions& options) {
+    if (auto ok = check_options(options); !ok) {
+        return ok;
+    }
+    if (repeats.empty()) {
+        return fail("no repeats to learn from; check figure, role, split and confidence");
+    }
+    for (const TrainingClip& clip : clips) {
+        if (auto ok = check_clip(clip); !ok) {
+            return ok;
+        }
+    }
+    for (const FigureRepeat& repeat : repeats) {
+        if (auto ok = check_repeat(repeat, clips, options.beats); !ok) {
+            return ok;
+        }
+    }
+    return {};
+}
+
+/// Every repeat on the phase axis.
+std::vector<std::vector<Pose>> phased_repeats(std::span<const TrainingClip> clips,
+                                              std::span<const FigureRepeat> repeats,
+                                              int samples_per_beat,
+                                              double low_pass_hz) {
+    std::vector<std::vector<Pose>> conditioned(clips.size());
+    std::vector<std::vector<Pose>> result;
+    for (const FigureRepeat& repeat : repeats) {
+        const TrainingClip& clip = clips[repeat.clip];
+        std::vector<Pose>& poses = conditioned[repeat.clip];
+        if (poses.empty()) {
+            poses = clip.poses;
+            bridge_faults(poses, clip.faults);
+            poses = filtered(poses, low_pass_taps(low_pass_hz, clip.frames_per_second));
+        }
+        result.push_back(poses_on_phase(poses, repeat.beat_frames, samples_per_beat));
+    }
+    return result;
+}
+
+std::vector<double> weights_of(std::span<const FigureRepeat> repeats) {
+    std::vector<double> weights;
+    for (const FigureRepeat& repeat : repeats) {
+        weights.push_back(repeat.weight);
+    }
+    return weights;
+}
+
+/// The joints of a part with their mean rotations over all repeats.
+PartModel mean_joints(Part which,
+                      std::span<const std::vector<Pose>> repeats,
+                      std::span<const double> weights) {
+    PartModel part;
+    part.part = which;
+    for (const Bone bone : default_joints(which)) {
+        std::vector<glm::dquat> rotations;
+        std::vector<double> each;
+        for (std::size_t r = 0; r < repeats.size(); ++r) {
+            for (const Pose& pose : repeats[r]) {
+                rotations.emplace_back(pose.rotation(bone));
+                each.push_back(weights[r]);
+            }
+        }
+        part.joints.push_back({bone, mean_rotation(rotations, each)});
+    }
+    return part;
+}
+
+/// Learns one part from its features, one track a repeat (samples -1 .. T + 1). Returns the mean
+/// log-likelihood per sample.
+Expected<double> learn_part(std::span<const FeatureTrack> tracks,
+                            std::span<const double> weights,
+                            std::size_t samples,
+                            const FigureTrainingOptions& options,
+                            PartModel& part) {
+    models::TrainingSet set;
+    set.weights.assign(weights.begin(), weights.end());
+    for (const FeatureTrack& track : tracks) {
+        set.sequences.push_back(frames_of(track, 1, samples));
+    }
+    const models::BaumWelchOptions training{.iterations = options.baum_welch_iterations,
+                                            .tolerance = 0.0,
+                                            .variance_floor = options.covariance_floor};
+    const Expected<models::GaussianHmm> start =
+        models::sliced_start(options.states, models::CovarianceType::tied, set, training);
+    if (!start) {
+        return fail(start.error());
+    }
+    const Expected<models::TrainingResult> trained = models::baum_welch(*start, set, training);
+    if (!trained) {
+        return fail(trained.error());
+    }
+    take_hmm(trained->model, part);
+    learn_trajectory(tracks, weights, samples, part);
+
+    double frames = 0.0;
+    for (const double weight : weights) {
+        frames += weight * static_cast<double>(samples);
+    }
+    return trained->log_likelihoods.back() / frames;
+}
+
+/// Displacement, turn and tempo: weighted means over the repeats.
+void learn_net_motion(std::span<const std::vector<Pose>> phased,
+                      std::span<const TrainingClip> clips,
+                      std::span<const FigureRepeat> repeats,
+                      FigureModel& model) {
+    double weight_sum = 0.0;
+    double seconds_per_beat = 0.0;
+    double hips_height = 0.0;
+    for (std::size_t r = 0; r < repeats.size(); ++r) {
+        const FigureRepeat& repeat = repeats[r];
+        const std::span<const Pose> whole = std::span(phased[r]).subspan(1, model.samples() + 2);
+        const FeatureTrack torso =
+            features_of(whole, model.part(Part::torso), model.samples_per_beat);
+        const RootPlace end = integrate_root(torso, model.samples_per_beat, {})[model.samples()];
+        const double frames = repeat.beat_frames.back() - repeat.beat_frames.front();
+        weight_sum += repeat.weight;
+        model.net_displacement += repeat.weight * end.position;
+        model.net_turn += repeat.weight * end.heading;
+        seconds_per_beat +=
+            repeat.weight * frames / (clips[repeat.clip].frames_per_second * model.beats);
+        hips_height += repeat.weight * clips[repeat.clip].hips_height;
+    }
+    model.net_displacement /= weight_sum;
+    model.net_turn /= weight_sum;
+    model.learnt_tempo = Bpm::from_period(seconds_per_beat / weight_sum);
+    model.source_hips_height = hips_height / weight_sum;
+}
+
+}  // namespace
+
+std::vector<Bone> default_joints(Part part) {
+    switch (part) {
+        case Part::torso:
+            return {Bone::spine, Bone::chest, Bone::neck};
+        case Part::upper:
+            return {Bone::left_shoulder,
+                    Bone::left_upper_arm,
+                    Bone::left_lower_arm,
+                    Bone::right_shoulder,
+                    Bone::right_upper_arm,
+                    Bone::right_lower_arm};
+        case Part::lower:
+            return {Bone::left_upper_leg,
+                    Bone::left_lower_leg,
+                    Bone::left_foot,
+                    Bone::right_upper_leg,
+                    Bone::right_lower_leg,
+                    Bone::right_foot};
+    }
+    return {};
+}
+
+std::vector<Pose> poses_on_phase(std::span<const Pose> poses,
+                                 std::span<const double> beat_frames,
+                                 int samples_per_beat) {
+    RAKS_ASSERT(!poses.empty());
+    const PhaseWarp warp(beat_frames);
+    const int samples = static_cast<int>(beat_frames.size() - 1) * samples_per_beat;
+    const double last = static_cast<double>(poses.size() - 1);
+    std::vector<Pose> result;
+    for (int i = -1; i <= samples + 1; ++i) {
+        const double beat = static_cast<double>(i) / samples_per_beat;
+        const double frame = std::clamp(warp.frame_at(beat), 0.0, last);
+        const std::size_t from = std::min(static_cast<std::size_t>(frame), poses.size() - 1);
+        const std::size_t to = std::min(from + 1, poses.size() - 1);
+        const float t = static_cast<float>(frame - static_cast<double>(from));
+        result.push_back(interpolate(poses[from], poses[to], t));
+    }
+    return result;
+}
+
+Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
+                                            std::span<const FigureRepeat> repeats,
+                                            const FigureTrainingOptions& options) {
+    if (auto ok = check_all(clips, repeats, options); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    FigureTrainingResult result;
+    FigureModel& model = result.model;
+    model.name = options.name;
+    model.dance = options.dance;
+    model.role = options.role;
+    model.attribution = options.attribution;
+    model.beats = options.beats;
+    model.samples_per_beat = options.samples_per_beat;
+    model.repeats = static_cast<int>(repeats.size());
+
+    const std::vector<double> weights = weights_of(repeats);
+    const std::vector<std::vector<Pose>> phased =
+        phased_repeats(clips, repeats, options.samples_per_beat, options.low_pass_hz);
+    for (const Part which : kParts) {
+        const std::size_t p = static_cast<std::size_t>(which);
+        model.parts[p] = mean_joints(which, phased, weights);
+        std::vector<FeatureTrack> tracks;
+        for (const std::vector<Pose>& poses : phased) {
+            tracks.push_back(features_of(poses, model.parts[p], options.samples_per_beat));
+        }
+        const Expected<double> likelihood =
+            learn_part(tracks, weights, model.samples(), options, model.parts[p]);
+        if (!likelihood) {
+            return fail(Error(likelihood.error()).in(std::string(kPartNames[p])));
+        }
+        result.log_likelihood[p] = *likelihood;
+    }
+    learn_net_motion(phased, clips, repeats, model);
+    learn_feet(clips, repeats, model);
+    if (auto ok = validate(model); !ok) {
+        return fail(std::move(ok.error()).in("the learnt figure"));
+    }
+    return result;
+}
+
+Expected<double> score_repeats(const FigureModel& model,
+                               Part part,
+                               std::span<const TrainingClip> clips,
+                               std::span<const FigureRepeat> repeats,
+                               double low_pass_hz) {
+    const Expected<models::HmmScorer> scorer = models::HmmScorer::create(hmm_of(model.part(part)));
+    if (!scorer) {
+        return fail(scorer.error());
+    }
+    for (const FigureRepeat& repeat : repeats) {
+        if (auto ok = check_repeat(repeat, clips, model.beats); !ok) {
+            return fail(std::move(ok.error()));
+        }
+    }
+    if (repeats.empty()) {
+        return fail("no repeats to score");
+    }
+    double sum = 0.0;
+    for (const std::vector<Pose>& poses :
+         phased_repeats(clips, repeats, model.samples_per_beat, low_pass_hz)) {
+        const FeatureTrack track = features_of(poses, model.part(part), model.samples_per_beat);
+        sum += models::log_likelihood(*scorer, frames_of(track, 1, model.samples()));
+    }
+    return sum / static_cast<double>(repeats.size() * model.samples());
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,356 @@
+#include "motion/figures/training_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::motion {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kConversionFrames = 4;  ///< hands fly from the rest pose in frames 0-3
+constexpr double kLongestBridge = 0.5;        ///< seconds of fault that may be bridged
+constexpr double kFastestDance = 260.0;       ///< BPM; above it the frame rate is likely wrong
+
+/// take -> file.
+Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& plan) {
+    std::vector<fs::path> paths = plan.clips;
+    std::error_code error;
+    if (paths.size() == 1 && fs::is_directory(paths[0], error)) {
+        const fs::path folder = paths[0];
+        paths.clear();
+        for (fs::directory_iterator it(folder, error), end; !error && it != end;
+             it.increment(error)) {
+            if (it->path().extension() == ".bvh") {
+                paths.push_back(it->path());
+            }
+        }
+        if (error) {
+            return fail(fmt::format("{}: {}", folder.string(), error.message()));
+        }
+    }
+    if (paths.empty()) {
+        return fail("no clips given; name BVH files or their folder");
+    }
+    std::map<std::string, fs::path> files;
+    for (const fs::path& path : paths) {
+        files[path.stem().string()] = path;
+    }
+    return files;
+}
+
+Expected<TrainingClip> load_clip(const fs::path& path,
+                                 const FigureTrainingPlan& plan,
+                                 std::vector<std::string>& warnings) {
+    const Expected<MotionClip> motion =
+        read_bvh(path, {.frames_per_second = plan.frames_per_second});
+    if (!motion) {
+        return fail(motion.error());
+    }
+    for (const std::string& warning : motion->warnings) {
+        warnings.push_back(path.filename().string() + ": " + warning);
+    }
+    Expected<RetargetedClip> body =
+        retarget(*motion,
+                 mannequin_skeleton(),
+                 {.metres_per_unit = plan.metres_per_unit, .floor_height = std::nullopt});
+    if (!body) {
+        return fail(std::move(body.error()).in(path.filename().string()));
+    }
+    TrainingClip clip;
+    clip.name = path.stem().string();
+    clip.frames_per_second = body->frames_per_second;
+    clip.poses = std::move(body->poses);
+    clip.feet = std::move(body->source_feet);
+    clip.hips_height = body->source_hips_height;
+    for (Pose& pose : clip.poses) {  // back to the size of the source's body
+        pose.hips_position *= static_cast<float>(1.0 / body->hips_scale);
+    }
+    clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
+    return clip;
+}
+
+/// Head and hands are no features.
+bool matters(const CaptureFault& fault) {
+    std::string_view rest = fault.joints;
+    while (!rest.empty()) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        const std::string_view joint = rest.substr(0, comma);
+        if (joint != "head" && joint != "lHand" && joint != "rHand") {
+            return true;
+        }
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    return false;
+}
+
+bool overlaps(const CaptureFault& fault, const FigureLabel& label) {
+    return fault.take == label.take && fault.from < label.end && fault.to >= label.start;
+}
+
+/// True when counts of `times` belong to the take: the same name, or what follows its first '_'.
+bool is_of(const CountTime& time, const std::string& take) {
+    const std::size_t underscore = take.find('_');
+    return time.take == take ||
+           (underscore != std::string::npos && time.take == take.substr(underscore + 1));
+}
+
+/// Frames of all beats of a label. Counts that are missing (in a break of the phase) are filled in
+/// between their neighbours; start and end stand in where their counts are missing.
+std::vector<double> beat_frames_of(const FigureLabel& label, std::span<const CountTime> counts) {
+    const double start = static_cast<double>(label.start);
+    const double beat = (static_cast<double>(label.end) - start) / label.beats;
+    std::vector<double> frames(static_cast<std::size_t>(label.beats) + 1, std::nan(""));
+    for (const CountTime& time : counts) {
+        const double nearest = std::round((time.frame - start) / beat);
+        // A count further than half a beat from where it is due may be the one next to it.
+        for (int b = static_cast<int>(nearest) - 1; b <= static_cast<int>(nearest) + 1; ++b) {
+            const int due = (label.start_count - 1 + b) % label.beats + 1;
+            if (b >= 0 && b <= label.beats && due == time.count && is_of(time, label.take) &&
+                std::abs(time.frame - (start + b * beat)) < 1.5 * beat) {
+                frames[static_cast<std::size_t>(b)] = time.frame;
+            }
+        }
+    }
+    if (std::isnan(frames.front())) {
+        frames.front() = start;
+    }
+    if (std::isnan(frames.back())) {
+        frames.back() = static_cast<double>(label.end);
+    }
+    for (std::size_t known = 0; known + 1 < frames.size();) {
+        std::size_t next = known + 1;
+        while (std::isnan(frames[next])) {
+            ++next;
+        }
+        for (std::size_t b = known + 1; b < next; ++b) {
+            const double t = static_cast<double>(b - known) / static_cast<double>(next - known);
+            frames[b] = frames[known] + t * (frames[next] - frames[known]);
+        }
+        known = next;
+    }
+    return frames;
+}
+
+/// Everything read except the clips.
+struct Tables {
+    std::vector<FigureLabel> labels;
+    std::vector<CountTime> counts;
+    std::vector<CaptureFault> faults;
+};
+
+Expected<Tables> load_tables(const FigureTrainingPlan& plan) {
+    Tables tables;
+    Expected<std::vector<FigureLabel>> labels = load_labels(plan.labels);
+    if (!labels) {
+        return fail(std::move(labels.error()));
+    }
+    tables.labels = std::move(*labels);
+    if (plan.counts) {
+        Expected<std::vector<CountTime>> counts = load_counts(*plan.counts);
+        if (!counts) {
+            return fail(std::move(counts.error()));
+        }
+        tables.counts = std::move(*counts);
+    }
+    if (plan.faults) {
+        Expected<std::vector<CaptureFault>> faults = load_faults(*plan.faults);
+        if (!faults) {
+            return fail(std::move(faults.error()));
+        }
+        tables.faults = std::move(*faults);
+    }
+    return tables;
+}
+
+/// Why a label is not learnt from; empty when it is.
+std::string reason_to_leave_out(const FigureLabel& label,
+                                const Tables& tables,
+                                const FigureTrainingPlan& plan,
+                                double frames_per_second) {
+    if (label.confidence < plan.min_confidence) {
+        return fmt::format("confidence {} is under {}", label.confidence, plan.min_confidence);
+    }
+    for (const CaptureFault& fault : tables.faults) {
+        const double seconds = static_cast<double>(fault.to - fault.from + 1) / frames_per_second;
+        if (overlaps(fault, label) && matters(fault) && seconds > kLongestBridge) {
+            return fmt::format("{} bad from frame {} to {}", fault.joints, fault.from, fault.to);
+        }
+    }
+    return {};
+}
+
+void add_short_faults(const Tables& tables, TrainingClip& clip) {
+    for (const CaptureFault& fault : tables.faults) {
+        const double seconds =
+            static_cast<double>(fault.to - fault.from + 1) / clip.frames_per_second;
+        if (fault.take == clip.name && matters(fault) && seconds <= kLongestBridge) {
+            clip.faults.push_back({fault.from, fault.to});
+        }
+    }
+}
+
+bool is_wanted(const FigureLabel& label, const FigureTrainingPlan& plan) {
+    return label.figure == plan.figure && label.role == plan.role &&
+           (plan.split.empty() || label.split == plan.split);
+}
+
+Expected<void> check_range(const FigureLabel& label,
+                           const TrainingClip& clip,
+                           const FigureTrainingPlan& plan) {
+    if (label.end > clip.poses.size()) {
+        return fail(fmt::format("{}: line {}: end is {}, {} has {} frames",
+                                plan.labels.filename().string(),
+                                label.line,
+                                label.end,
+                                clip.name,
+                                clip.poses.size()));
+    }
+    return {};
+}
+
+/// Collects clips and repeats label by label.
+class Collector {
+ public:
+    Collector(const FigureTrainingPlan& plan,
+              const Tables& tables,
+              const std::map<std::string, fs::path>& files)
+        : plan_(plan), tables_(tables), files_(files) {}
+
+    Expected<void> add(const FigureLabel& label) {
+        if (label.confidence < plan_.min_confidence) {  // before its clip is read
+            material_.uses.push_back({label, reason_to_leave_out(label, tables_, plan_, 1.0)});
+            return {};
+        }
+        Expected<std::size_t> index = clip_of(label);
+        if (!index) {
+            return fail(std::move(index.error()));
+        }
+        const TrainingClip& clip = material_.clips[*index];
+        if (auto ok = check_range(label, clip, plan_); !ok) {
+            return ok;
+        }
+        std::string reason = reason_to_leave_out(label, tables_, plan_, clip.frames_per_second);
+        if (reason.empty()) {
+            std::vector<double> frames = beat_frames_of(label, tables_.counts);
+            // Half a frame of rounding may put the first and last count outside a whole clip.
+            frames.front() = std::max(frames.front(), 0.0);
+            frames.back() = std::min(frames.back(), static_cast<double>(clip.poses.size() - 1));
+            material_.repeats.push_back({*index, std::move(frames), label.confidence});
+        }
+        material_.uses.push_back({label, std::move(reason)});
+        return {};
+    }
+
+    [[nodiscard]] TrainingMaterial& material() noexcept { return material_; }
+
+ private:
+    Expected<std::size_t> clip_of(const FigureLabel& label) {
+        if (const auto known = index_.find(label.take); known != index_.end()) {
+            return known->second;
+        }
+        const auto file = files_.find(label.take);
+        if (file == files_.end()) {
+            return fail(fmt::format("{}: line {}: no clip named {}.bvh was given",
+                                    plan_.labels.filename().string(),
+                                    label.line,
+                                    label.take));
+        }
+        Expected<TrainingClip> clip = load_clip(file->second, plan_, material_.warnings);
+        if (!clip) {
+            return fail(std::move(clip.error()));
+        }
+        add_short_faults(tables_, *clip);
+        material_.clips.push_back(std::move(*clip));
+        return index_[label.take] = material_.clips.size() - 1;
+    }
+
+    const FigureTrainingPlan& plan_;
+    const Tables& tables_;
+    const std::map<std::string, fs::path>& files_;
+    std::map<std::string, std::size_t> index_;
+    TrainingMaterial material_;
+};
+
+int beats_of(const TrainingMaterial& material) {
+    return static_cast<int>(material.repeats[0].beat_frames.size()) - 1;
+}
+
+}  // namespace
+
+std::string_view cmu_attribution() noexcept {
+    return "The data used in this project was obtained from mocap.cs.cmu.edu. The database was "
+           "created with funding from NSF EIA-0196217.";
+}
+
+Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan) {
+    const Expected<std::map<std::string, fs::path>> files = files_of(plan);
+    if (!files) {
+        return fail(files.error());
+    }
+    const Expected<Tables> tables = load_tables(plan);
+    if (!tables) {
+        return fail(tables.error());
+    }
+    Collector collector(plan, *tables, *files);
+    for (const FigureLabel& label : tables->labels) {
+        if (!is_wanted(label, plan)) {
+            continue;
+        }
+        if (auto ok = collector.add(label); !ok) {
+            return fail(std::move(ok.error()));
+        }
+    }
+    TrainingMaterial& material = collector.material();
+    if (material.repeats.empty()) {
+        return fail(
+            fmt::format("{}: no {} of the {} to learn from ({} labelled, none fit); check "
+                        "figure, role, split and confidence",
+                        plan.labels.filename().string(),
+                        plan.figure,
+                        kRoleNames[static_cast<std::size_t>(plan.role)],
+                        material.uses.size()));
+    }
+    return std::move(material);
+}
+
+Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan) {
+    Expected<TrainingMaterial> material = load_material(plan);
+    if (!material) {
+        return fail(std::move(material.error()));
+    }
+    FigureTrainingOptions options;
+    options.name = plan.figure;
+    options.dance = plan.dance;
+    options.role = plan.role;
+    options.attribution = plan.attribution;
+    options.beats = beats_of(*material);
+    options.states = plan.states;
+    options.baum_welch_iterations = plan.baum_welch_iterations;
+    Expected<FigureTrainingResult> result =
+        train_figure(material->clips, material->repeats, options);
+    if (!result) {
+        return fail(std::move(result.error()));
+    }
+    FigureTrainingReport report{std::move(result->model),
+                                result->log_likelihood,
+                                std::move(material->uses),
+                                std::move(material->warnings)};
+    if (report.model.learnt_tempo.bpm() > kFastestDance) {
+        report.warnings.push_back(
+            fmt::format("learnt at {:.0f} BPM, faster than people dance: is the frame rate right? "
+                        "(--fps)",
+                        report.model.learnt_tempo.bpm()));
+    }
+    return report;
+}
+
+}  // namespace raks::motion
