@@ -18,7 +18,7 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& log) {
     argv.push_back(nullptr);
     const pid_t pid = fork();
     if (pid == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves no server behind
+        prctl(PR_SET_PDEATHSIG, SIGTERM);  // a test that is killed leaves no server behind
         const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
         dup2(out, STDOUT_FILENO);
         dup2(out, STDERR_FILENO);

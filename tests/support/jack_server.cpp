@@ -10,15 +10,20 @@
 namespace raks::test {
 namespace {
 
+constexpr const char* kSharedMemory = "/dev/shm";
+
 /// What a killed server leaves behind.
 void remove_shared_memory(const std::string& part) {
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", ignored)) {
+    for (const auto& entry : std::filesystem::directory_iterator(kSharedMemory, ignored)) {
         if (entry.path().filename().string().find(part) != std::string::npos) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }
 }
+
+/// For sure: pgrep says 1 when it finds none.
+bool is_no_server_running() { return exit_code_of({"pgrep", "-x", "jackd|jackdbus"}) == 1; }
 
 }  // namespace
 
@@ -33,11 +38,23 @@ JackServer::JackServer(int rate, int period) {
             return;
         }
     }
+    // JACK has places for eight servers, and one that was killed keeps its own: start afresh.
+    if (is_no_server_running()) {
+        remove_shared_memory("jack-shm-registry");
+        if (start(rate, period)) {
+            return;
+        }
+    }
     process_.reset();
     problem_ = "jackd -d dummy does not start (is the package jackd2 installed?)";
 }
 
-JackServer::~JackServer() = default;
+JackServer::~JackServer() {
+    if (was_killed_ && start(48'000, 256)) {
+        process_->end(SIGTERM);  // a server of the same name takes the place over and gives it back
+        remove_shared_memory(name_ + "_");
+    }
+}
 
 bool JackServer::start(int rate, int period) {
     std::vector<std::string> command{"jackd", "-n", name_};
@@ -64,7 +81,7 @@ bool JackServer::disconnect(const std::string& from, const std::string& to) cons
 void JackServer::kill() {
     if (process_) {
         process_->end(SIGKILL);
-        remove_shared_memory(name_ + "_");
+        was_killed_ = true;
     }
 }
 

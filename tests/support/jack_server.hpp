@@ -8,7 +8,9 @@
 namespace raks::test {
 
 /// A JACK server of our own with the dummy driver, real-time where that is allowed: real PortAudio
-/// without a sound card. Points this process (and its children) to it by JACK_DEFAULT_SERVER.
+/// without a sound card. Let its destructor run, also when the server was killed: JACK's registry
+/// has eight places, and a dead server's is given back there. Points this process (and its
+/// children) to it by JACK_DEFAULT_SERVER.
 ///
 ///     JackServer jack;
 ///     ASSERT_EQ(jack.problem(), "");
@@ -38,6 +40,7 @@ class JackServer {
     std::string name_;
     std::string scheduling_;
     std::string problem_;
+    bool was_killed_ = false;
     std::unique_ptr<ChildProcess> process_;
 };
 

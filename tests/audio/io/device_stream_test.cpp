@@ -171,9 +171,9 @@ Found find_noise(std::span<const float> samples) {
 NoisePlayer g_player;
 
 [[noreturn]] void survive_the_death_of_jack(bool is_output) {
-    JackServer jack;
-    require(jack.problem().empty(), jack.problem());
     {
+        JackServer jack;
+        require(jack.problem().empty(), jack.problem());
         auto system = AudioSystem::open().value();
         auto stream = opened(is_output ? DeviceStream::open_output(output_of(system), {}, g_player)
                                        : DeviceStream::open_input(input_of(system), {}, g_player));
