@@ -3,7 +3,7 @@ raks_test_program(render_window
     SOURCES window/frame_limiter_test.cpp window/window_test.cpp
     LIBRARIES raks::render_window PkgConfig::EPOXY X11::X11)
 raks_test_program(render_overlay
-    SOURCES overlay/key_bindings_test.cpp
+    SOURCES overlay/key_bindings_test.cpp overlay/overlay_test.cpp overlay/text_format_test.cpp
     LIBRARIES raks::render_overlay)
 raks_test_program(render_video
     SOURCES video/film_sync_test.cpp video/png_test.cpp video/video_writer_test.cpp

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include "render/overlay/panels.hpp"
+#include "render/overlay/text_format.hpp"
+
+namespace raks::render {
+namespace {
+
+void draw_genre(const Pen& pen, const OverlayState& state, const Box& box) {
+    const OverlayFonts& fonts = pen.fonts();
+    const float x = box.x + kInner;
+    const float right = box.right() - kInner;
+    pen.text(fonts.small, x, box.y + 14.0F, palette::kDim, "MUSIC");
+    const bool is_known = !state.genre.empty() && state.genre != "unknown";
+    const float posterior = is_known ? state.genre_posterior : 0.0F;
+    if (is_known) {
+        pen.text(fonts.small,
+                 right,
+                 box.y + 14.0F,
+                 palette::kDim,
+                 fmt::format("{:.0f} %", posterior * 100.0F),
+                 Align::right);
+    }
+    pen.text(fonts.bold,
+             x,
+             box.y + 29.0F,
+             is_known ? palette::kText : palette::kDim,
+             is_known ? capitalized(state.genre) : "not recognised",
+             Align::left,
+             right - x);
+    pen.bar({x, box.y + 55.0F, right - x, 3.0F}, posterior, palette::kTeal);
+}
+
+void draw_figure(const Pen& pen, const OverlayState& state, const Box& box) {
+    const OverlayFonts& fonts = pen.fonts();
+    const float x = box.x + kInner;
+    const float right = box.right() - kInner;
+    const bool is_dancing = !state.figure.empty();
+    pen.text(fonts.small, x, box.y + 72.0F, palette::kDim, "DANCE");
+    pen.text(fonts.bold,
+             x,
+             box.y + 87.0F,
+             is_dancing ? palette::kText : palette::kDim,
+             is_dancing ? capitalized(state.figure) : "resting",
+             Align::left,
+             right - x);
+    const int counts = state.figure_counts;
+    const float gap = 3.0F;
+    const float width =
+        (right - x - gap * static_cast<float>(counts - 1)) / static_cast<float>(counts);
+    for (int i = 0; i < counts; ++i) {
+        const bool is_past = is_dancing && i < state.figure_count;
+        const bool is_now = is_dancing && i == state.figure_count - 1;
+        const Colour colour = is_now    ? palette::kAmber
+                              : is_past ? palette::kAmber.faded(0.4F)
+                                        : palette::kTrough;
+        pen.fill(
+            {x + static_cast<float>(i) * (width + gap), box.y + 114.0F, width, 5.0F}, colour, 2.0F);
+    }
+}
+
+/// What a careful person looks for, quiet while all is well.
+void draw_health(const Pen& pen, const OverlayState& state, float right, float y) {
+    const auto add = [](std::string& line, const std::string& part) {
+        line += (line.empty() ? "" : "   ") + part;
+    };
+    std::string trouble;
+    const auto count = [&](std::uint64_t number, const char* one, const char* many) {
+        if (number > 0) {
+            add(trouble, fmt::format("{} {}", number, number == 1 ? one : many));
+        }
+    };
+    count(state.xruns, "gap in the sound", "gaps in the sound");
+    count(state.drops, "drop", "drops");
+    count(state.late, "late", "late");
+
+    std::string line;
+    if (state.latency_ms) {
+        add(line, fmt::format("{:.0f} ms", *state.latency_ms));
+    }
+    if (state.fps > 0.0) {
+        add(line, fmt::format("{:.0f} fps", state.fps));
+    }
+    add(line, "? keys");
+    const float width = pen.text(pen.fonts().small, right, y, palette::kDim, line, Align::right);
+    if (!trouble.empty()) {
+        pen.text(
+            pen.fonts().small, right - width - 12.0F, y, palette::kAmber, trouble, Align::right);
+    }
+}
+
+}  // namespace
+
+void draw_dance(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
+    if (!has_two_columns(canvas)) {
+        return;
+    }
+    const Box box{canvas.width - kMargin - kCardWidth, kMargin, kCardWidth, kTopHeight};
+    pen.panel(box);
+    draw_genre(pen, state, box);
+    draw_figure(pen, state, box);
+    draw_health(pen, state, box.right() - 4.0F, box.bottom() + 8.0F);
+}
+
+}  // namespace raks::render

@@ -1,0 +1,218 @@
+#include "render/overlay/overlay.hpp"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "render/overlay/panels.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr float kUnitsHigh = 720.0F;  // a picture of this size or wider has one pixel a unit
+constexpr float kUnitsWide = 640.0F;
+constexpr float kSmallestScale = 0.8F;
+constexpr float kLargestScale = 4.0F;
+
+// Latin, Greek, Cyrillic, dashes and the ellipsis: names of files and devices.
+constexpr std::array<ImWchar, 11> kNameRanges = {
+    0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x052F, 0x2010, 0x2027, 0x20AC, 0x20AC, 0};
+constexpr std::array<ImWchar, 5> kLabelRanges = {0x0020, 0x00FF, 0x2010, 0x2027, 0};
+
+/// Where Debian, Fedora and Arch put DejaVu.
+std::string font_file(const char* name) {
+    for (const char* const folder : {"/usr/share/fonts/truetype/dejavu/",
+                                     "/usr/share/fonts/dejavu-sans-fonts/",
+                                     "/usr/share/fonts/TTF/"}) {
+        std::string path = std::string(folder) + name;
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(path, ignored)) {
+            return path;
+        }
+    }
+    return {};
+}
+
+/// The font at this many pixels; ImGui's own, which is always there, where the file is not.
+ImFont* add_font(ImFontAtlas& atlas, const std::string& file, float pixels, const ImWchar* ranges) {
+    ImFont* font =
+        file.empty() ? nullptr : atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, ranges);
+    if (font == nullptr) {
+        ImFontConfig config;
+        config.SizePixels = pixels;
+        font = atlas.AddFontDefault(&config);
+    }
+    return font;
+}
+
+/// Steps of a quarter: fonts are made anew when a window is pulled far, not for every pixel.
+float scale_for(const FrameTarget& target, float content_scale) {
+    const float by_size = std::min(static_cast<float>(target.height) / kUnitsHigh,
+                                   static_cast<float>(target.width) / kUnitsWide);
+    const float wanted = std::max({by_size, kSmallestScale * content_scale, kSmallestScale});
+    return std::min(std::floor(wanted * 4.0F + 0.5F) / 4.0F, kLargestScale);
+}
+
+template <typename Number>
+Number finite(Number value, Number low, Number high) {
+    return std::isnan(value) ? low : std::clamp(value, low, high);
+}
+
+std::optional<double> finite(std::optional<double> value, double low, double high) {
+    return value && !std::isnan(*value) ? std::optional(std::clamp(*value, low, high))
+                                        : std::nullopt;
+}
+
+/// The same state with every number in its documented range: what comes from outside is not
+/// trusted further in.
+OverlayState in_range(OverlayState state) {
+    constexpr double kLongest = 1e6;  // seconds, milliseconds, pictures a second
+    state.bpm = finite(state.bpm, 0.0, 999.9);
+    state.confidence = finite(state.confidence, 0.0F, 1.0F);
+    state.beats_per_bar = std::clamp(state.beats_per_bar, 1, 12);
+    state.bar_position = finite(state.bar_position, 0.0, static_cast<double>(state.beats_per_bar));
+    state.genre_posterior = finite(state.genre_posterior, 0.0F, 1.0F);
+    state.figure_counts = std::clamp(state.figure_counts, 1, 16);
+    state.figure_count = std::clamp(state.figure_count, 0, state.figure_counts);
+    state.level_dbfs = finite(state.level_dbfs, -120.0F, 20.0F);
+    state.loudness_lufs = finite(state.loudness_lufs, -120.0F, 20.0F);
+    state.volume = finite(state.volume, 0.0F, 1.0F);
+    state.position = finite(state.position, 0.0, kLongest);
+    state.duration = finite(state.duration, 0.0, kLongest);
+    state.latency_ms = finite(state.latency_ms, -kLongest, kLongest);
+    state.fps = finite(state.fps, 0.0, kLongest);
+    return state;
+}
+
+/// Binds a framebuffer and puts back the one that was bound.
+class FramebufferScope {
+ public:
+    explicit FramebufferScope(std::uint32_t framebuffer) {
+        GLint bound = 0;
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+        before_ = static_cast<GLuint>(bound);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    }
+    ~FramebufferScope() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, before_); }
+    FramebufferScope(const FramebufferScope&) = delete;
+    FramebufferScope& operator=(const FramebufferScope&) = delete;
+
+ private:
+    GLuint before_ = 0;
+};
+
+}  // namespace
+
+struct Overlay::Impl {
+    ImGuiContext* context = nullptr;
+    bool has_backend = false;
+    float font_scale = 0.0F;  // 0: none made yet
+    OverlayFonts fonts;
+
+    Impl() {
+        IMGUI_CHECKVERSION();
+        context = ImGui::CreateContext();
+        ImGui::SetCurrentContext(context);
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;  // no imgui.ini
+        io.LogFilename = nullptr;
+        io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
+        has_backend = ImGui_ImplOpenGL3_Init("#version 330 core");
+    }
+    ~Impl() {
+        ImGui::SetCurrentContext(context);
+        if (has_backend) {
+            ImGui_ImplOpenGL3_Shutdown();
+        }
+        ImGui::DestroyContext(context);
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    void make_fonts(float scale);
+};
+
+void Overlay::Impl::make_fonts(float scale) {
+    if (scale == font_scale) {
+        return;
+    }
+    const bool is_first = font_scale == 0.0F;
+    font_scale = scale;
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    const std::string plain = font_file("DejaVuSans.ttf");
+    const std::string bold = font_file("DejaVuSans-Bold.ttf");
+    const auto pixels = [&](float units) { return std::round(units * scale); };
+    fonts.body = add_font(atlas, plain, pixels(15.0F), kNameRanges.data());
+    fonts.small = add_font(atlas, plain, pixels(12.0F), kLabelRanges.data());
+    fonts.bold = add_font(atlas, bold, pixels(17.0F), kLabelRanges.data());
+    fonts.large = add_font(atlas, bold, pixels(46.0F), kLabelRanges.data());
+    if (!is_first) {  // the first texture is made by NewFrame(), with all else
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+}
+
+Overlay::Overlay(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Overlay::Overlay(Overlay&&) noexcept = default;
+Overlay& Overlay::operator=(Overlay&&) noexcept = default;
+Overlay::~Overlay() = default;
+
+Expected<Overlay> Overlay::create() {
+    auto impl = std::make_unique<Impl>();
+    if (!impl->has_backend) {
+        return fail("overlay: no OpenGL 3.3 context, or libGL.so.1 is missing (package libgl1)");
+    }
+    return Overlay(std::move(impl));
+}
+
+void Overlay::draw(const OverlayState& given,
+                   OverlayView view,
+                   const FrameTarget& target,
+                   float content_scale) {
+    const OverlayState state = in_range(given);
+    const bool has_nothing = view == OverlayView::hidden && state.message.empty();
+    if (target.width <= 0 || target.height <= 0 || has_nothing) {
+        return;
+    }
+    ImGui::SetCurrentContext(impl_->context);
+    const float scale = scale_for(target, content_scale);
+    impl_->make_fonts(scale);
+    // ImGui draws from (0, 0) on: the display is what lies left of and below the target, too.
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(target.x + target.width),
+                      static_cast<float>(target.y + target.height)};
+    io.DeltaTime = 1.0F / 60.0F;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+
+    const Pen pen(
+        *ImGui::GetBackgroundDrawList(), impl_->fonts, scale, {static_cast<float>(target.x), 0.0F});
+    const Canvas canvas{static_cast<float>(target.width) / scale,
+                        static_cast<float>(target.height) / scale};
+    const bool is_help = view == OverlayView::help;
+    if (view == OverlayView::shown || (is_help && has_room_beside_help(canvas))) {
+        draw_tempo(pen, state);
+        draw_dance(pen, state, canvas);
+        draw_source(pen, state, canvas);
+        draw_level(pen, state, canvas);
+    }
+    draw_message(pen, state.message, canvas);
+    if (is_help) {
+        draw_help(pen, canvas);
+    }
+
+    ImGui::Render();
+    const FramebufferScope bound(target.framebuffer);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace raks::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "render/overlay/overlay.hpp"
+#include "render/overlay/pen.hpp"
+
+/// The parts of the overlay, each drawn into a picture of width x height units. Every number of the
+/// state is in its documented range here.
+namespace raks::render {
+
+struct Canvas {
+    float width = 1280.0F;
+    float height = 720.0F;
+};
+
+/// The cards stand in the corners and leave the middle, and the feet, to the dancer.
+inline constexpr float kMargin = 24.0F;      ///< between a card and the picture's edge
+inline constexpr float kInner = 18.0F;       ///< between a card's edge and its text
+inline constexpr float kCardWidth = 214.0F;  ///< all but the source's
+inline constexpr float kTopHeight = 138.0F;
+inline constexpr float kBottomHeight = 76.0F;
+
+/// Whether cards fit side by side; else those on the right are left out.
+[[nodiscard]] constexpr bool has_two_columns(const Canvas& canvas) noexcept {
+    return canvas.width >= 2.0F * (kMargin + kCardWidth) + kMargin;
+}
+
+/// Whether there is room for the cards at the bottom.
+[[nodiscard]] constexpr bool has_two_rows(const Canvas& canvas) noexcept {
+    return canvas.height >= kTopHeight + kBottomHeight + 3.0F * kMargin;
+}
+
+/// Top left: tempo, what is known of it, the dots of the bar.
+void draw_tempo(const Pen& pen, const OverlayState& state);
+/// Top right: genre and figure; below it the line of health.
+void draw_dance(const Pen& pen, const OverlayState& state, const Canvas& canvas);
+/// Bottom left: source and position.
+void draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas);
+/// Bottom right: level, loudness, volume.
+void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas);
+/// Above the source: one line that comes and goes.
+void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas);
+/// Middle: all keys.
+void draw_help(const Pen& pen, const Canvas& canvas);
+/// Whether the cards stay visible beside the keys.
+[[nodiscard]] bool has_room_beside_help(const Canvas& canvas) noexcept;
+
+}  // namespace raks::render

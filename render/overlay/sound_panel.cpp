@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/overlay/panels.hpp"
+#include "render/overlay/text_format.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr float kMeterWidth = kCardWidth - 2.0F * kInner;
+constexpr int kMeterSegments = 24;
+constexpr float kSourceShare = 0.34F;  // of the width, so that the feet stay free
+constexpr float kWidestSource = 460.0F;
+
+Box source_box(const Canvas& canvas) {
+    const float width = has_two_columns(canvas)
+                            ? std::clamp(kSourceShare * canvas.width, kCardWidth, kWidestSource)
+                            : canvas.width - 2.0F * kMargin;
+    return {kMargin, canvas.height - kMargin - kBottomHeight, width, kBottomHeight};
+}
+
+Colour segment_colour(float fraction) {
+    if (fraction > 0.95F) {  // above -3 dBFS
+        return palette::kRed;
+    }
+    return fraction > 0.8F ? palette::kAmber : palette::kTeal;
+}
+
+void draw_meter(const Pen& pen, const OverlayState& state, float x, float y) {
+    const float full = meter_fraction(state.level_dbfs);
+    const float gap = 2.0F;
+    const float width = (kMeterWidth + gap) / kMeterSegments - gap;
+    for (int i = 0; i < kMeterSegments; ++i) {
+        const float end = static_cast<float>(i + 1) / kMeterSegments;
+        const bool is_lit = full >= end - 0.5F / kMeterSegments;
+        pen.fill({x + static_cast<float>(i) * (width + gap), y, width, 9.0F},
+                 is_lit ? segment_colour(end) : palette::kTrough,
+                 1.0F);
+    }
+}
+
+/// Two bars, a triangle, or the red dot of a live input. Says what happens, as a player does.
+void draw_state_sign(const Pen& pen, const OverlayState& state, float x, float y) {
+    if (state.is_paused) {
+        pen.fill({x - 6.0F, y - 8.0F, 4.5F, 16.0F}, palette::kAmber, 1.0F);
+        pen.fill({x + 2.0F, y - 8.0F, 4.5F, 16.0F}, palette::kAmber, 1.0F);
+    } else if (state.position) {
+        pen.triangle({x - 5.0F, y - 8.0F}, {x - 5.0F, y + 8.0F}, {x + 8.0F, y}, palette::kText);
+    } else {
+        pen.dot(x, y, 6.0F, state.is_silent ? palette::kDim : palette::kRed);
+    }
+}
+
+std::string time_text(const OverlayState& state) {
+    if (!state.position) {
+        return state.is_paused ? "paused" : "live";
+    }
+    std::string text = clock_text(*state.position);
+    if (state.duration) {
+        text += " / " + clock_text(*state.duration);
+    }
+    return state.is_paused ? "paused  " + text : text;
+}
+
+}  // namespace
+
+void draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
+    if (!has_two_rows(canvas)) {
+        return;
+    }
+    const OverlayFonts& fonts = pen.fonts();
+    const Box box = source_box(canvas);
+    pen.panel(box);
+    const float left = box.x + kInner + 26.0F;
+    const float right = box.right() - kInner;
+    draw_state_sign(pen, state, box.x + kInner + 6.0F, box.y + box.height / 2.0F);
+    pen.text(fonts.body,
+             left,
+             box.y + 13.0F,
+             palette::kText,
+             state.source.empty() ? "no source" : state.source,
+             Align::left,
+             right - left);
+    const bool has_end = state.position && state.duration && *state.duration > 0.0;
+    if (has_end) {
+        pen.bar({left, box.y + 39.0F, right - left, 4.0F},
+                static_cast<float>(*state.position / *state.duration),
+                palette::kAmber);
+    }
+    pen.text(fonts.small,
+             left,
+             box.y + (has_end ? 50.0F : 40.0F),
+             palette::kDim,
+             time_text(state),
+             Align::left,
+             right - left);
+}
+
+void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
+    if (!has_two_columns(canvas) || !has_two_rows(canvas)) {
+        return;
+    }
+    const OverlayFonts& fonts = pen.fonts();
+    const Box box{canvas.width - kMargin - kCardWidth,
+                  canvas.height - kMargin - kBottomHeight,
+                  kCardWidth,
+                  kBottomHeight};
+    pen.panel(box);
+    const float x = box.x + kInner;
+    const float right = box.right() - kInner;
+    draw_meter(pen, state, x, box.y + 20.0F);
+    constexpr float kFloor = -60.0F;
+    pen.text(fonts.small,
+             x,
+             box.y + 44.0F,
+             palette::kDim,
+             state.loudness_lufs > kFloor ? fmt::format("{:.0f} LUFS", state.loudness_lufs)
+                                          : std::string("quiet"));
+    pen.text(fonts.small,
+             right,
+             box.y + 44.0F,
+             palette::kDim,
+             fmt::format("volume {:.0f} %", state.volume * 100.0F),
+             Align::right);
+}
+
+void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas) {
+    if (message.empty()) {
+        return;
+    }
+    const OverlayFonts& fonts = pen.fonts();
+    const Box source = source_box(canvas);
+    const float widest = canvas.width - 2.0F * (kMargin + kInner);
+    const float width = std::min(pen.width_of(fonts.body, one_line(message)), widest);
+    const float height = 36.0F;
+    const Box box{source.x, source.y - 10.0F - height, width + 2.0F * kInner, height};
+    pen.panel(box);
+    pen.text(fonts.body,
+             box.x + kInner,
+             box.y + (height - pen.height_of(fonts.body)) / 2.0F,
+             palette::kText,
+             message,
+             Align::left,
+             widest);
+}
+
+}  // namespace raks::render

@@ -1,0 +1,298 @@
+#include "render/overlay/overlay.hpp"
+
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/gl/offscreen_context.hpp"
+#include "render/gl/offscreen_target.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 360;
+constexpr std::array<std::uint8_t, 3> kBehind = {40, 60, 120};
+
+OverlayState locked_state() {
+    OverlayState state;
+    state.bpm = 184.2;
+    state.confidence = 0.92F;
+    state.bar_position = 2.05;
+    state.genre = "salsa";
+    state.genre_posterior = 0.87F;
+    state.figure = "basic step";
+    state.figure_count = 3;
+    state.source = "song.flac";
+    state.level_dbfs = -14.0F;
+    state.loudness_lufs = -13.0F;
+    state.position = 83.0;
+    state.duration = 272.0;
+    state.latency_ms = 42.0;
+    state.fps = 60.0;
+    return state;
+}
+
+struct Pixels {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+
+    [[nodiscard]] bool is_behind(int x, int y) const {
+        const std::size_t i = (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(x)) *
+                              4;
+        return rgba[i] == kBehind[0] && rgba[i + 1] == kBehind[1] && rgba[i + 2] == kBehind[2];
+    }
+    /// Share of the pixels of a rectangle (fractions of the picture) that were drawn on.
+    [[nodiscard]] double drawn(double left, double top, double right, double bottom) const {
+        int drawn = 0;
+        int all = 0;
+        for (int y = static_cast<int>(top * height); y < static_cast<int>(bottom * height); ++y) {
+            for (int x = static_cast<int>(left * width); x < static_cast<int>(right * width); ++x) {
+                drawn += is_behind(x, y) ? 0 : 1;
+                ++all;
+            }
+        }
+        return static_cast<double>(drawn) / all;
+    }
+    friend bool operator==(const Pixels&, const Pixels&) = default;
+};
+
+class OverlayTest : public testing::Test {
+ protected:
+    void SetUp() override {
+        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // NOLINT(concurrency-mt-unsafe): one thread yet
+        auto context = OffscreenContext::create();
+        ASSERT_TRUE(context) << context.error().message;
+        context_.emplace(std::move(*context));
+        auto overlay = Overlay::create();
+        ASSERT_TRUE(overlay) << overlay.error().message;
+        overlay_.emplace(std::move(*overlay));
+    }
+
+    Pixels draw(const OverlayState& state,
+                OverlayView view = OverlayView::shown,
+                int width = kWidth,
+                int height = kHeight,
+                float content_scale = 1.0F) {
+        auto target = OffscreenTarget::create({.width = width, .height = height});
+        EXPECT_TRUE(target) << target.error().message;
+        clear(*target);
+        overlay_->draw(state, view, target->frame(), content_scale);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        return read(*target);
+    }
+
+    static void clear(const OffscreenTarget& target) {
+        glBindFramebuffer(GL_FRAMEBUFFER, target.frame().framebuffer);
+        glClearColor(40.0F / 255.0F, 60.0F / 255.0F, 120.0F / 255.0F, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+
+    static Pixels read(OffscreenTarget& target) {
+        Pixels pixels{target.width(), target.height(), {}};
+        pixels.rgba.resize(static_cast<std::size_t>(target.width()) *
+                           static_cast<std::size_t>(target.height()) * 4);
+        EXPECT_TRUE(target.read_rgba(pixels.rgba));
+        return pixels;
+    }
+
+    std::optional<OffscreenContext> context_;
+    std::optional<Overlay> overlay_;  // goes before its context
+};
+
+TEST_F(OverlayTest, cards_stand_in_the_corners_and_leave_the_dancer_free) {
+    for (const auto& [width, height] : {std::pair{640, 360}, std::pair{1280, 720}}) {
+        const Pixels pixels = draw(locked_state(), OverlayView::shown, width, height);
+        EXPECT_GT(pixels.drawn(0.03, 0.06, 0.15, 0.21), 0.99) << width;  // tempo
+        EXPECT_GT(pixels.drawn(0.85, 0.06, 0.97, 0.21), 0.99) << width;  // dance
+        EXPECT_GT(pixels.drawn(0.03, 0.88, 0.30, 0.94), 0.99) << width;  // source
+        EXPECT_GT(pixels.drawn(0.85, 0.88, 0.97, 0.94), 0.99) << width;  // level
+        EXPECT_EQ(pixels.drawn(0.38, 0.00, 0.70, 1.00), 0.0) << width;   // head to feet
+    }
+}
+
+TEST_F(OverlayTest, the_same_state_draws_the_same_picture) {
+    const Pixels first = draw(locked_state());
+    OverlayState other = locked_state();
+    other.bpm = 90.0;
+    EXPECT_NE(draw(other), first);
+    EXPECT_EQ(draw(locked_state()), first);
+    (void)draw(locked_state(), OverlayView::shown, 1280, 720);  // makes the fonts anew
+    EXPECT_EQ(draw(locked_state()), first);
+}
+
+TEST_F(OverlayTest, hidden_shows_nothing_but_the_message) {
+    OverlayState state = locked_state();
+    EXPECT_EQ(draw(state, OverlayView::hidden).drawn(0, 0, 1, 1), 0.0);
+    state.message = "screenshot saved";
+    EXPECT_GT(draw(state, OverlayView::hidden).drawn(0, 0, 1, 1), 0.0);
+}
+
+TEST_F(OverlayTest, every_field_is_seen) {
+    const Pixels usual = draw(locked_state());
+    const auto differs = [&](const char* what, auto change) {
+        OverlayState state = locked_state();
+        change(state);
+        EXPECT_NE(draw(state), usual) << what;
+    };
+    differs("bpm", [](auto& s) { s.bpm = 183.9; });
+    differs("confidence", [](auto& s) { s.confidence = 0.5F; });
+    differs("lock", [](auto& s) { s.confidence = 0.1F; });
+    differs("beat", [](auto& s) { s.bar_position = 3.05; });
+    differs("phase", [](auto& s) { s.bar_position = 2.3; });
+    differs("meter", [](auto& s) { s.beats_per_bar = 3; });
+    differs("bar unknown", [](auto& s) { s.is_bar_known = false; });
+    differs("silence", [](auto& s) { s.is_silent = true; });
+    differs("genre", [](auto& s) { s.genre = "waltz"; });
+    differs("posterior", [](auto& s) { s.genre_posterior = 0.5F; });
+    differs("figure", [](auto& s) { s.figure = "turn"; });
+    differs("count", [](auto& s) { s.figure_count = 4; });
+    differs("source", [](auto& s) { s.source = "other.flac"; });
+    differs("level", [](auto& s) { s.level_dbfs = -30.0F; });
+    differs("loudness", [](auto& s) { s.loudness_lufs = -20.0F; });
+    differs("volume", [](auto& s) { s.volume = 0.5F; });
+    differs("position", [](auto& s) { s.position = 120.0; });
+    differs("duration", [](auto& s) { s.duration = 300.0; });
+    differs("live", [](auto& s) { s.position.reset(); });
+    differs("pause", [](auto& s) { s.is_paused = true; });
+    differs("latency", [](auto& s) { s.latency_ms = 99.0; });
+    differs("fps", [](auto& s) { s.fps = 24.0; });
+    differs("drops", [](auto& s) { s.drops = 1; });
+    differs("xruns", [](auto& s) { s.xruns = 1; });
+    differs("late", [](auto& s) { s.late = 1; });
+    differs("message", [](auto& s) { s.message = "hello"; });
+}
+
+TEST_F(OverlayTest, a_beat_is_brightest_when_it_sounds) {
+    const auto light = [&](double bar_position) {
+        OverlayState state = locked_state();
+        state.bar_position = bar_position;
+        const Pixels pixels = draw(state);
+        long sum = 0;
+        for (std::size_t i = 0; i < pixels.rgba.size(); i += 4) {
+            sum += pixels.rgba[i + 1];
+        }
+        return sum;
+    };
+    EXPECT_GT(light(1.0), light(1.2));
+    EXPECT_GT(light(1.2), light(1.5));
+    EXPECT_GT(light(1.5), light(1.9));
+}
+
+TEST_F(OverlayTest, help_lists_keys_in_the_middle) {
+    for (const auto& [width, height] : {std::pair{640, 360}, std::pair{1280, 720}}) {
+        const Pixels pixels = draw(locked_state(), OverlayView::help, width, height);
+        EXPECT_GT(pixels.drawn(0.28, 0.25, 0.72, 0.75), 0.99) << width;
+    }
+}
+
+TEST_F(OverlayTest, odd_values_draw_without_harm) {
+    const std::string long_name(10'000, 'x');
+    const double nan = std::nan("");
+    const float nanf = std::nanf("");
+    OverlayState state;
+    state.bpm = nan;
+    state.confidence = nanf;
+    state.bar_position = nan;
+    state.beats_per_bar = -3;
+    state.genre = long_name;
+    state.genre_posterior = nanf;
+    state.figure = "\xFF\xFE\x80 broken";
+    state.figure_count = 1000;
+    state.figure_counts = 0;
+    state.source = long_name;
+    state.level_dbfs = nanf;
+    state.loudness_lufs = std::numeric_limits<float>::infinity();
+    state.volume = nanf;
+    state.position = nan;
+    state.duration = nan;
+    state.latency_ms = 1e30;
+    state.fps = 1e30;
+    state.drops = state.xruns = state.late = ~std::uint64_t{0};
+    state.message = long_name;
+    for (const auto& [width, height] : {std::pair{1, 1},
+                                        std::pair{16, 900},
+                                        std::pair{900, 16},
+                                        std::pair{720, 1280},
+                                        std::pair{4000, 200}}) {
+        for (const float content_scale : {1.0F, 2.0F, 100.0F}) {
+            (void)draw(state, OverlayView::shown, width, height, content_scale);
+            (void)draw(state, OverlayView::help, width, height, content_scale);
+        }
+    }
+    overlay_->draw(state, OverlayView::help, FrameTarget{});  // a minimised window
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST_F(OverlayTest, state_of_opengl_is_put_back) {
+    auto target = OffscreenTarget::create({.width = kWidth, .height = kHeight});
+    auto other = OffscreenTarget::create({.width = 8, .height = 8});
+    ASSERT_TRUE(target && other);
+    glBindFramebuffer(GL_FRAMEBUFFER, other->frame().framebuffer);
+    glViewport(1, 2, 3, 4);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    overlay_->draw(locked_state(), OverlayView::shown, target->frame());
+    GLint bound = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    EXPECT_EQ(static_cast<std::uint32_t>(bound), other->frame().framebuffer);
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    EXPECT_EQ(viewport, (std::array<GLint, 4>{1, 2, 3, 4}));
+    EXPECT_EQ(glIsEnabled(GL_DEPTH_TEST), GL_TRUE);
+    EXPECT_EQ(glIsEnabled(GL_BLEND), GL_FALSE);
+    EXPECT_EQ(glIsEnabled(GL_CULL_FACE), GL_TRUE);
+}
+
+TEST_F(OverlayTest, a_part_of_a_target_gets_the_same_picture_and_nothing_lies_outside) {
+    const Pixels whole = draw(locked_state());
+    auto target = OffscreenTarget::create({.width = kWidth + 30, .height = kHeight + 20});
+    ASSERT_TRUE(target);
+    clear(*target);
+    FrameTarget part = target->frame();
+    part.x = 10;
+    part.y = 15;  // from below: 5 rows are left above
+    part.width = kWidth;
+    part.height = kHeight;
+    overlay_->draw(locked_state(), OverlayView::shown, part);
+    const Pixels pixels = read(*target);
+    for (int y = 0; y < kHeight + 20; ++y) {
+        for (int x = 0; x < kWidth + 30; ++x) {
+            const bool is_inside = x >= 10 && x < 10 + kWidth && y >= 5 && y < 5 + kHeight;
+            const bool expected = is_inside ? whole.is_behind(x - 10, y - 5) : true;
+            ASSERT_EQ(pixels.is_behind(x, y), expected) << x << " " << y;
+        }
+    }
+}
+
+TEST_F(OverlayTest, two_overlays_do_not_disturb_each_other) {
+    const Pixels first = draw(locked_state());
+    auto second = Overlay::create();
+    ASSERT_TRUE(second);
+    auto target = OffscreenTarget::create({.width = 320, .height = 200});
+    second->draw(locked_state(), OverlayView::help, target->frame());
+    EXPECT_EQ(draw(locked_state()), first);
+    *second = std::move(*overlay_);  // the moved one still draws
+    overlay_.emplace(std::move(*second));
+    EXPECT_EQ(draw(locked_state()), first);
+}
+
+TEST_F(OverlayTest, no_settings_file_is_written) {
+    (void)draw(locked_state());
+    overlay_.reset();
+    EXPECT_FALSE(std::filesystem::exists("imgui.ini"));
+}
+
+}  // namespace
+}  // namespace raks::render
