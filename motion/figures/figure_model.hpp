@@ -124,8 +124,9 @@ struct FigureModel {
     glm::dvec2 net_displacement{0.0, 0.0};
     double net_turn = 0.0;
 
-    /// Height of the hips over the sole in the source's T-pose; metres. Lengths of the root's
-    /// features scale by (target's hips height) / this.
+    /// Height of the hips over the sole in the source's T-pose, the hips' joint where the built-in
+    /// mannequin has it in the pelvis; metres. Lengths of the root's features scale by (target's
+    /// hips height) / this.
     double source_hips_height = 1.0;
 
     /// Chance [0, 1] that the toe of a side rests on the floor; bin j spans the phase
