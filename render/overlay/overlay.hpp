@@ -21,26 +21,26 @@ struct OverlayState {
     bool is_bar_known = true;   ///< false: beats flash, no beat is called "1"
     bool is_silent = false;     ///< reads "silence", beats rest
     // Music and dance.
-    std::string_view genre;        ///< "salsa"
+    std::string_view genre{};      ///< "salsa"
     float genre_posterior = 0.0F;  ///< [0, 1]
-    std::string_view figure;       ///< "basic step"
+    std::string_view figure{};     ///< "basic step"
     int figure_count = 0;          ///< 1 to figure_counts; 0: none
     int figure_counts = 8;
     // Sound.
-    std::string_view source;         ///< file name or device
-    float level_dbfs = -120.0F;      ///< rms, >= -120
-    float loudness_lufs = -120.0F;   ///< momentary, >= -120
-    float volume = 1.0F;             ///< [0, 1]
-    std::optional<double> position;  ///< seconds into the file; none when live
-    std::optional<double> duration;  ///< seconds, where known
+    std::string_view source{};         ///< file name or device
+    float level_dbfs = -120.0F;        ///< rms, >= -120
+    float loudness_lufs = -120.0F;     ///< momentary, >= -120
+    float volume = 1.0F;               ///< [0, 1]
+    std::optional<double> position{};  ///< seconds into the file; none when live
+    std::optional<double> duration{};  ///< seconds, where known
     bool is_paused = false;
     // Health.
-    std::optional<double> latency_ms;  ///< measured, sound to picture
-    double fps = 0.0;                  ///< 0: not shown
-    std::uint64_t drops = 0;           ///< events or blocks that found a full queue
-    std::uint64_t xruns = 0;           ///< blocks that the device lost
-    std::uint64_t late = 0;            ///< pictures or figures that came late
-    std::string_view message;          ///< one line, e.g. "screenshot saved: raks-....png"
+    std::optional<double> latency_ms{};  ///< measured, sound to picture
+    double fps = 0.0;                    ///< 0: not shown
+    std::uint64_t drops = 0;             ///< events or blocks that found a full queue
+    std::uint64_t xruns = 0;             ///< blocks that the device lost
+    std::uint64_t late = 0;              ///< pictures or figures that came late
+    std::string_view message{};          ///< one line, e.g. "screenshot saved: raks-....png"
 };
 
 /// From this confidence on the tempo counts as found.

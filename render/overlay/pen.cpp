@@ -13,7 +13,8 @@ constexpr float kPanelRadius = 10.0F;
 constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
 
 ImU32 packed(Colour colour) {
-    const auto alpha = static_cast<ImU32>(std::clamp(colour.alpha, 0.0F, 1.0F) * 255.0F + 0.5F);
+    const auto alpha =
+        static_cast<ImU32>(std::lround(std::clamp(colour.alpha, 0.0F, 1.0F) * 255.0F));
     const ImU32 red = (colour.rgb >> 16U) & 0xFFU;
     const ImU32 green = (colour.rgb >> 8U) & 0xFFU;
     const ImU32 blue = colour.rgb & 0xFFU;

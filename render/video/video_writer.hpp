@@ -46,7 +46,8 @@ struct VideoOptions {
 ///
 /// Picture k is shown from k / rate on and sample n is heard at n / audio_rate: what is added at
 /// the same time is seen and heard at the same time (the encoders' own delay is taken off in the
-/// file). Sound may be added ahead of or behind the pictures; the sound track ends exactly with
+/// file). Sound may be added ahead of the pictures (it waits in memory until they reach
+/// it) or behind them; the sound track ends exactly with
 /// the last picture: it is cut, or filled with silence.
 ///
 /// The same input gives the same bytes (fixed thread count, no dates, no library versions).

@@ -25,6 +25,7 @@ Program start_program(const std::vector<std::string>& command,
         posix_spawn_file_actions_addopen(&actions, 2, errors_to, O_WRONLY, 0);
     }
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     std::vector<std::string> copies = command;
     for (std::string& copy : copies) {
         arguments.push_back(copy.data());

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 
+#include "render/overlay/overlay.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/xvfb.hpp"
 
@@ -181,6 +182,24 @@ TEST_F(WindowOnXvfb, what_was_drawn_is_read_back_top_row_first) {
     EXPECT_EQ(rgba[rgba.size() - 4], 255);
     EXPECT_NEAR(rgba[rgba.size() - 3], 128, 1);
     EXPECT_EQ(rgba[rgba.size() - 2], 0);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST_F(WindowOnXvfb, the_overlay_draws_in_a_window_as_off_screen) {
+    auto overlay = Overlay::create();
+    ASSERT_TRUE(overlay) << overlay.error().message;
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    overlay->draw({.bpm = 120.0, .confidence = 1.0F}, OverlayView::shown, window_->frame());
+    std::vector<std::uint8_t> rgba(std::size_t{320} * 180 * 4);
+    ASSERT_TRUE(read_rgba(window_->frame(), rgba));
+    // The confidence's bar is teal; nothing else of a fresh state is.
+    int teal = 0;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        teal += rgba[i] < 120 && rgba[i + 1] > 180 && rgba[i + 2] > 170 ? 1 : 0;
+    }
+    EXPECT_GT(teal, 100);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
