@@ -15,7 +15,7 @@ packages=(
     libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
     libexpected-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
     # what the program and its tests run on
-    libegl1 libegl-mesa0 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils
+    libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils
     libasound2-plugins xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core
     # checks
     clang-format clang-tidy
