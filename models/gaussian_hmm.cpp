@@ -32,7 +32,7 @@ Expected<void> check_chances(const std::string& name, const Eigen::VectorXd& row
     const double sum = row.sum() + rest;
     if (std::abs(sum - 1.0) > kSumTolerance) {
         return fail(fmt::format(
-            "{} sums to {}{}, must be 1", name, sum, rest > 0.0 ? " with its exit" : ""));
+            "{} sums to {:.6g}{}, must be 1", name, sum, rest > 0.0 ? " with its exit" : ""));
     }
     return {};
 }

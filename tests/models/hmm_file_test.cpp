@@ -73,7 +73,7 @@ TEST(HmmFile, names_what_is_wrong_in_a_model) {
         std::string message;
     } table[] = {
         {[](GaussianHmm& m) { m.transition(1, 1) = 0.5; },
-         "transition[1] sums to 0.8333333333333333 with its exit, must be 1"},
+         "transition[1] sums to 0.833333 with its exit, must be 1"},
         {[](GaussianHmm& m) { m.initial[0] = -1.0; }, "initial[0] is -1, must lie in [0, 1]"},
         {[](GaussianHmm& m) { m.covariances[1](1, 0) = 0.0; },
          "covariances[1][1] is 0, must be > 0"},

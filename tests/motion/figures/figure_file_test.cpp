@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/file.hpp"
+#include "base/random.hpp"
+#include "motion/figures/figure_model.hpp"
+#include "tests/motion/figures/small_figure.hpp"
+
+namespace raks::motion {
+namespace {
+
+const FigureModel& good_model() {
+    static const FigureModel model = test::small_figure();
+    return model;
+}
+
+TEST(FigureFile, reads_back_the_same_bits) {
+    const std::string text = figure_text(good_model());
+    const Expected<FigureModel> again = parse_figure(text, "known.json");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(figure_text(*again), text);
+    EXPECT_EQ(again->part(Part::lower).states[2].mean,
+              good_model().part(Part::lower).states[2].mean);
+    EXPECT_EQ(again->net_turn, good_model().net_turn);
+    EXPECT_EQ(again->landings[0].size(), 8U);
+}
+
+TEST(FigureFile, is_saved_whole_and_loaded) {
+    const std::filesystem::path path =
+        std::filesystem::path(::testing::TempDir()) / "raks_known_figure.json";
+    ASSERT_TRUE(save_figure(good_model(), path));
+    const Expected<FigureModel> again = load_figure(path);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->name, "known");
+    std::filesystem::remove(path);
+    const Expected<FigureModel> missing = load_figure(path);
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().message.find("cannot be opened"), std::string::npos);
+}
+
+TEST(FigureValidation, names_the_first_wrong_field) {
+    const double nan = std::nan("");
+    struct Row {
+        std::function<void(FigureModel&)> spoil;
+        std::string message;
+    };
+    const std::vector<Row> table = {
+        {[](FigureModel& m) { m.parts[0].states[3].variance[0] = -0.2; },
+         "parts[0].states[3].variance[0] is -0.2, must be > 0"},
+        {[](FigureModel& m) { m.parts[1].states[0].delta_variance[2] = 0.0; },
+         "parts[1].states[0].delta_variance[2] is 0, must be > 0"},
+        {[=](FigureModel& m) { m.parts[2].states[1].mean[5] = nan; },
+         "parts[2].states[1].mean[5] is nan, must lie within +-1000000"},
+        {[](FigureModel& m) { m.parts[2].states[1].delta_delta_mean[5] = INFINITY; },
+         "parts[2].states[1].delta_delta_mean[5] is inf, must lie within +-1000000"},
+        {[](FigureModel& m) { m.parts[0].states[1].mean.pop_back(); },
+         "parts[0].states[1].mean has 14 numbers, must have 15"},
+        {[](FigureModel& m) { m.parts[0].states.clear(); },
+         "parts[0].states has 0 entries, must have 1 to 192"},
+        {[](FigureModel& m) { m.parts[1].transition[1][1] -= 0.5; },
+         "parts[1].transition[1] sums to 0.5, must be 1"},
+        {[](FigureModel& m) { m.parts[1].transition.pop_back(); },
+         "parts[1].transition has 3 numbers, must have 4"},
+        {[](FigureModel& m) { m.parts[1].initial[0] = 0.5; },
+         "parts[1].initial sums to 0.5, must be 1"},
+        {[](FigureModel& m) { m.parts[0].covariance[0][0] = -1.0; },
+         "parts[0].covariance is not positive definite"},
+        {[](FigureModel& m) { m.parts[0].covariance[0][1] += 5.0; },
+         "parts[0].covariance is not positive definite"},
+        {[](FigureModel& m) { m.parts[0].global_variance[14] = 0.0; },
+         "parts[0].global_variance[14] is 0, must be > 0"},
+        {[](FigureModel& m) { m.parts[1].joints[2].mean.w = 3.0; },
+         "parts[1].joints[2].mean has length"},
+        {[](FigureModel& m) { std::swap(m.parts[0], m.parts[1]); }, "parts[0].part must be torso"},
+        {[](FigureModel& m) { m.beats = 0; }, "beats is 0, must be 1 to 64"},
+        {[](FigureModel& m) { m.samples_per_beat = 3; }, "samples_per_beat is 3, must be 4 to 200"},
+        {[](FigureModel& m) { m.learnt_tempo = Bpm(0.0); },
+         "learnt_tempo is 0, must lie in [20, 400]"},
+        {[=](FigureModel& m) { m.net_displacement.y = nan; },
+         "net_displacement[1] is nan, must lie in [-100, 100]"},
+        {[](FigureModel& m) { m.contact[1][63] = 1.5; },
+         "contact.right[63] is 1.5, must lie in [0, 1]"},
+        {[](FigureModel& m) { m.landings[0].pop_back(); },
+         "landings.left has 7 numbers, must have 8"},
+        {[](FigureModel& m) { m.landings[0][2].deviation = Beats(-1.0); },
+         "landings.left[2].deviation is -1, must lie in [0, 8]"},
+    };
+    for (const Row& row : table) {
+        FigureModel model = good_model();
+        row.spoil(model);
+        const Expected<void> ok = validate(model);
+        ASSERT_FALSE(ok) << row.message;
+        EXPECT_EQ(ok.error().message.substr(0, row.message.size()), row.message);
+    }
+    EXPECT_TRUE(validate(good_model()));
+}
+
+TEST(FigureFile, refuses_bad_files_in_one_line) {
+    const std::string good = figure_text(good_model());
+    const auto replaced = [&](const std::string& from, const std::string& to) {
+        std::string text = good;
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    };
+    const struct {
+        std::string text;
+        std::string message;
+    } table[] = {
+        {"", "x.json: not JSON (line 1): cut off or edited by hand? fetch or train it again"},
+        {replaced("raks-figure", "raks-hmm"),
+         "x.json: not a raks-figure file (no \"format\": \"raks-figure\")"},
+        {replaced("\"version\": 1", "\"version\": 7"),
+         "x.json: version 7 is newer than 1, the newest this program reads; update Raks"},
+        {replaced("\"repeats\": 3", "\"repeats\": -3"),
+         "x.json: repeats is -3, must be a whole number from 0 to 1000000; train the figure again"},
+        {replaced("\"lead\"", "\"boss\""),
+         "x.json: role is \"boss\", which is unknown; train the figure again"},
+        {replaced("\"chest\"", "\"tail\""),
+         "x.json: parts[0].joints[1].bone is \"tail\", which is unknown; train the figure again"},
+        {replaced("\"variance\": [", "\"variance\": [-"),
+         "x.json: parts[0].states[0].variance[0] is -"},
+        {replaced("\"delta_mean\": [", "\"delta_mean\": [null,"),
+         "x.json: parts[0].states[0].delta_mean[0] is no number; train the figure again"},
+        {replaced("\"net_turn\"", "\"net_tern\""),
+         "x.json: net_turn is missing; train the figure again"},
+    };
+    for (const auto& row : table) {
+        const Expected<FigureModel> model = parse_figure(row.text, "x.json");
+        ASSERT_FALSE(model) << row.message;
+        EXPECT_EQ(model.error().message.substr(0, row.message.size()), row.message);
+        EXPECT_EQ(model.error().message.find('\n'), std::string::npos);
+    }
+}
+
+TEST(FigureFile, survives_cuts_and_flipped_bytes) {
+    const std::string good = figure_text(good_model());
+    const CounterRandom random(5);
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        const Expected<FigureModel> cut =
+            parse_figure(std::string_view(good).substr(0, random.below(i, good.size() - 2)), "x");
+        EXPECT_FALSE(cut);
+    }
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        std::string text = good;
+        for (std::uint64_t j = 0; j < 3; ++j) {
+            const std::uint64_t at = 1000 + 6 * i + 2 * j;
+            text[random.below(at, text.size())] = static_cast<char>(random.below(at + 1, 256));
+        }
+        const Expected<FigureModel> model = parse_figure(text, "x");
+        if (model) {
+            EXPECT_TRUE(validate(*model));
+        } else {
+            EXPECT_EQ(model.error().message.find('\n'), std::string::npos);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace raks::motion

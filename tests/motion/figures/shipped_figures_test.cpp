@@ -1,0 +1,102 @@
+// The models that ship: they load, they are the basic step, and the clips give them again.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/file.hpp"
+#include "motion/figures/figure_model.hpp"
+#include "motion/figures/training_plan.hpp"
+
+namespace raks::motion {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kModels = fs::path(RAKS_SOURCE_DIR) / "models" / "trained";
+
+/// Reference data beside the repository, where there is some.
+fs::path shared_mocap() {
+    const char* const given = std::getenv("RAKS_SHARED");  // NOLINT(concurrency-mt-unsafe)
+    const fs::path root =
+        given != nullptr ? fs::path(given) : fs::path(RAKS_SOURCE_DIR) / "../shared";
+    return root / "data" / "mocap";
+}
+
+fs::path model_path(DanceRole role) {
+    return kModels /
+           (role == DanceRole::lead ? "salsa_basic_lead.json" : "salsa_basic_follow.json");
+}
+
+class ShippedFigure : public ::testing::TestWithParam<DanceRole> {};
+INSTANTIATE_TEST_SUITE_P(SalsaBasic,
+                         ShippedFigure,
+                         ::testing::Values(DanceRole::lead, DanceRole::follow),
+                         [](const auto& role) {
+                             return std::string(kRoleNames[static_cast<std::size_t>(role.param)]);
+                         });
+
+TEST_P(ShippedFigure, is_a_basic_of_eight_beats_that_says_where_it_comes_from) {
+    const Expected<FigureModel> model = load_figure(model_path(GetParam()));
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->name, "basic");
+    EXPECT_EQ(model->dance, "salsa");
+    EXPECT_EQ(model->role, GetParam());
+    EXPECT_EQ(model->beats, 8);
+    EXPECT_EQ(model->attribution, cmu_attribution());
+    EXPECT_NEAR(model->learnt_tempo.bpm(), 170.0, 15.0);
+    EXPECT_LT(glm::length(model->net_displacement), 0.15);
+    EXPECT_LT(fs::file_size(model_path(GetParam())), 1'000'000U);
+    for (const PartModel& part : model->parts) {
+        EXPECT_EQ(part.states.size(), 16U);
+    }
+}
+
+TEST_P(ShippedFigure, lands_late_on_three_and_seven_as_people_do) {
+    const Expected<FigureModel> model = load_figure(model_path(GetParam()));
+    ASSERT_TRUE(model);
+    // Lead: left on 1, right on 5; the follow mirrors. 0.15 beats: twice the standard error.
+    const std::size_t one = GetParam() == DanceRole::lead ? 0 : 1;
+    const auto median = [&](std::size_t side, std::size_t count) {
+        EXPECT_GE(model->landings[side][count - 1].repeats, 5);
+        return model->landings[side][count - 1].median.count();
+    };
+    EXPECT_NEAR(median(one, 1), 0.0, 0.15);
+    EXPECT_NEAR(median(1 - one, 5), 0.0, 0.15);
+    EXPECT_NEAR(median(one, 3), 0.36, 0.15);
+    EXPECT_NEAR(median(1 - one, 7), 0.36, 0.15);
+}
+
+TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
+    const fs::path mocap = shared_mocap();
+    const fs::path archive = mocap / "salsa" / "salsa.tar.xz";
+    if (!fs::exists(archive)) {
+        GTEST_SKIP() << "no clips at " << archive;
+    }
+    const bool is_lead = GetParam() == DanceRole::lead;
+    const std::string prefix = is_lead ? "60" : "61";
+    const fs::path folder = fs::path(::testing::TempDir()) / ("raks_salsa_" + prefix);
+    fs::create_directories(folder);
+    const std::string command = "tar -xJf '" + archive.string() + "' -C '" + folder.string() +
+                                "' --wildcards '*" + prefix + "_*.bvh'";
+    // NOLINTNEXTLINE(concurrency-mt-unsafe, cert-env33-c): a test that unpacks its own input
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+
+    FigureTrainingPlan plan;
+    plan.clips = {folder};
+    plan.labels = mocap / "labels_salsa.tsv";
+    plan.counts = mocap / "salsa_counts.tsv";
+    plan.faults = mocap / "salsa_glitches.tsv";
+    plan.role = GetParam();
+    plan.split = "train";
+    plan.frames_per_second = 60.0;
+    plan.metres_per_unit = is_lead ? 1.267 : 1.17;
+    plan.attribution = cmu_attribution();
+    const Expected<FigureTrainingReport> report = train_figure(plan);
+    fs::remove_all(folder);
+    ASSERT_TRUE(report) << report.error().message;
+    EXPECT_EQ(figure_text(report->model), read_file(model_path(GetParam())).value());
+}
+
+}  // namespace
+}  // namespace raks::motion

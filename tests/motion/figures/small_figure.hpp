@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "motion/figures/figure_trainer.hpp"
+
+namespace raks::motion::test {
+
+/// A known dance: 8 beats of 20 frames at 60 frames a second (180 BPM), repeated. The hips go
+/// forward and back 0.2 m once a figure and turn by `turn` radians a figure, the knees and one arm
+/// swing, every repeat by a slightly other amplitude.
+inline TrainingClip known_dance(int figures, double turn = 0.0) {
+    constexpr int kFrames = 160;
+    TrainingClip clip;
+    clip.name = "known";
+    clip.hips_height = 0.9;
+    for (int f = 0; f < figures * kFrames + 1; ++f) {
+        const double phase = 2.0 * M_PI * f / kFrames;
+        const double size = 1.0 + 0.05 * std::sin(1.7 * (f / kFrames));
+        const double heading = turn * f / kFrames;
+        Pose pose;
+        pose.rotation(Bone::hips) =
+            glm::angleAxis(static_cast<float>(heading), glm::vec3(0, 1, 0)) *
+            glm::angleAxis(static_cast<float>(0.05 * size * std::sin(phase)), glm::vec3(0, 0, 1));
+        const auto bend = [&](Bone bone, double angle) {
+            pose.rotation(bone) =
+                glm::angleAxis(static_cast<float>(size * angle), glm::vec3(1, 0, 0));
+        };
+        bend(Bone::left_lower_leg, 0.5 + 0.4 * std::sin(phase));
+        bend(Bone::right_lower_leg, 0.5 - 0.4 * std::sin(phase));
+        bend(Bone::left_upper_arm, 0.3 * std::cos(2 * phase));
+        bend(Bone::chest, 0.1 * std::cos(phase));
+        pose.hips_position = {0.0F, 0.9F, static_cast<float>(0.2 * size * std::sin(phase))};
+        clip.poses.push_back(pose);
+
+        // The left foot rests on the first half of the figure, then steps; the right the reverse.
+        std::array<SourceFoot, 2> feet;
+        const double t = std::fmod(f, kFrames) / kFrames;
+        const auto foot = [&](double when) {
+            const double u = std::fmod(t + when, 1.0);
+            const double z = u < 0.5 ? 0.0 : 0.3 * std::sin(2.0 * M_PI * (u - 0.5));
+            return SourceFoot{{0.0, 0.08, z - 0.1}, {0.0, 0.02, z}};
+        };
+        feet[0] = foot(0.0);
+        feet[1] = foot(0.5);
+        clip.feet.push_back(feet);
+    }
+    return clip;
+}
+
+inline std::vector<FigureRepeat> known_repeats(int figures) {
+    std::vector<FigureRepeat> repeats;
+    for (int r = 0; r < figures; ++r) {
+        FigureRepeat repeat;
+        for (int b = 0; b <= 8; ++b) {
+            repeat.beat_frames.push_back(160.0 * r + 20.0 * b);
+        }
+        repeats.push_back(repeat);
+    }
+    return repeats;
+}
+
+inline FigureTrainingOptions known_options(int states = 16) {
+    FigureTrainingOptions options;
+    options.name = "known";
+    options.dance = "salsa";
+    options.attribution = "made by rule";
+    options.states = states;
+    return options;
+}
+
+/// A small valid model: 4 states of the known dance.
+inline FigureModel small_figure() {
+    const std::vector<TrainingClip> clips = {known_dance(3)};
+    return train_figure(clips, known_repeats(3), known_options(4)).value().model;
+}
+
+}  // namespace raks::motion::test
