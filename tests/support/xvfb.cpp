@@ -20,7 +20,8 @@ Xvfb::Xvfb(int width, int height) {
                        "0",
                        std::to_string(width) + "x" + std::to_string(height) + "x24",
                        "-nolisten",
-                       "tcp"},
+                       "tcp",
+                       "-noreset"},  // else it refuses clients for a moment when the last leaves
                       kDisplayDescriptor,
                       "/dev/null");
     pid_ = child.pid;
