@@ -58,7 +58,10 @@ void ClockMap::update(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKIN
     line_.stream_per_host = std::clamp(1.0 / host_per_stream, 1.0 - kMaxDrift, 1.0 + kMaxDrift);
 }
 
-void ClockMap::stop() noexcept RAKS_NONBLOCKING { line_.is_running = false; }
+void ClockMap::stop(StreamTime stream) noexcept RAKS_NONBLOCKING {
+    line_.stream_anchor = stream;
+    line_.is_running = false;
+}
 
 void ClockMap::restart(StreamTime stream, HostTime host) noexcept {
     line_ = {stream, host, 1.0, true};

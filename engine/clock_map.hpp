@@ -27,8 +27,8 @@ class ClockMap {
  public:
     /// The block whose first sample has stream time `stream` was handed over at `host`.
     void update(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING;
-    /// Stream time stands still from here (pause, end); the next update starts anew.
-    void stop() noexcept RAKS_NONBLOCKING;
+    /// Stream time stands still at `stream` (pause, end); the next update starts anew.
+    void stop(StreamTime stream) noexcept RAKS_NONBLOCKING;
 
     [[nodiscard]] const ClockLine& line() const noexcept { return line_; }
 

@@ -44,9 +44,8 @@ TEST(ClockMap, a_jump_starts_anew_at_once) {
 
 TEST(ClockMap, stream_time_stands_still_while_stopped) {
     ClockMap map = settled_map(0.0, 0.0, 5.0);
-    map.stop();
-    const StreamTime at_stop = map.line().stream_at(host(5.0));
-    EXPECT_EQ(map.line().stream_at(host(50.0)), at_stop);
+    map.stop(stream_time_from_seconds(5.0));
+    EXPECT_EQ(map.line().stream_at(host(50.0)), stream_time_from_seconds(5.0));
     map.update(stream_time_from_seconds(5.0), host(60.0));
     EXPECT_NEAR(to_seconds(map.line().stream_at(host(61.0))), 6.0, 1e-6);
 }

@@ -1,0 +1,269 @@
+#include "engine/cli/arguments.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "engine/dance_files.hpp"
+#include "engine/picture.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace raks::cli {
+namespace {
+
+constexpr const char* kVersion = "0.1.0";
+
+constexpr const char* kExamples =
+    "raks: an avatar that dances to what it hears\n"
+    "\n"
+    "  raks live                          dance to what this computer plays, or to a microphone\n"
+    "  raks play song.mp3                 play a file and dance to it\n"
+    "  raks render song.mp3 -o out.mp4    write a video of the dance\n"
+    "\n"
+    "raks --help lists all commands.\n";
+
+/// The options of DESIGN 6 that play, live and render share.
+void add_picture_options(CLI::App& app, engine::Settings& settings) {
+    app.add_option("--dance", settings.dance, "the dance to keep to, or auto");
+    app.add_option("--seed", settings.seed, "same seed, same dance");
+    app.add_option("--theme", settings.theme, "stage, workshop_dark or studio_light");
+    app.add_option("--camera", settings.camera, "wide, portrait, front or side");
+    app.add_option("--size", settings.size, "picture size, such as 1280x720");
+    app.add_option("--fps", settings.fps, "pictures a second");
+    app.add_option("--quality", settings.quality, "auto, fast or high");
+    app.add_option("--view", settings.view, "skin or stick");
+    app.add_flag("--overlay,!--no-overlay", settings.overlay, "beat, tempo and levels on top");
+    app.add_option("--latency-offset",
+                   settings.latency_offset_ms,
+                   "milliseconds added to the latency that the device reports");
+}
+
+void add_section_options(CLI::App& app, Section& section) {
+    app.add_option("--start", section.start, "seconds into the file")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option_function<double>(
+           "--duration",
+           [&section](const double& seconds) { section.duration = seconds; },
+           "seconds; to the end when not given")
+        ->check(CLI::PositiveNumber);
+}
+
+/// The first fault of the settings: a value out of range, or a name that nothing has.
+std::string fault_of(const engine::Settings& settings) {
+    if (const auto faults = engine::validate(settings); !faults.empty()) {
+        return faults.front();
+    }
+    if (const auto look = engine::read_look(settings); !look) {
+        return look.error().message;
+    }
+    for (const std::string& dance : {settings.dance, settings.fallback_dance}) {
+        if (const auto checked = engine::check_dance(dance); !checked) {
+            return checked.error().message;
+        }
+    }
+    return {};
+}
+
+/// One command: where its arguments live and what runs it.
+template <typename Arguments>
+struct Command {
+    CLI::App* app = nullptr;
+    std::shared_ptr<Arguments> arguments;
+};
+
+class Parser {
+ public:
+    explicit Parser(const engine::Settings& settings) : settings_(settings) {
+        app_.require_subcommand(0, 1);
+        app_.set_version_flag("--version", std::string("raks ") + kVersion);
+        app_.failure_message([](const CLI::App*, const CLI::Error& error) {
+            return fmt::format("raks: {} (raks --help shows what there is)\n", error.what());
+        });
+        add_play();
+        add_live();
+        add_devices();
+        add_render();
+        add_analyze();
+        add_dance();
+        add_train();
+        add_sheet();
+        add_synth();
+        add_bench();
+        add_config();
+    }
+
+    ParsedCommand parse(int argc, char** argv) {
+        try {
+            app_.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            const int code = app_.exit(error);
+            return {nullptr, code == 0 ? kExitDone : kExitUsage};
+        }
+        if (!run_) {
+            std::fputs(kExamples, stdout);
+            return {nullptr, kExitDone};
+        }
+        if (auto fault = settings_fault_ ? settings_fault_() : std::string(); !fault.empty()) {
+            std::fprintf(stderr, "raks: %s\n", fault.c_str());
+            return {nullptr, kExitUsage};
+        }
+        return {std::move(run_), kExitDone};
+    }
+
+ private:
+    template <typename Arguments>
+    Command<Arguments> add(CLI::App& parent,
+                           const char* name,
+                           const char* help,
+                           ExitCode (*run)(const Arguments&)) {
+        Command<Arguments> command{parent.add_subcommand(name, help),
+                                   std::make_shared<Arguments>()};
+        if constexpr (requires { command.arguments->settings; }) {
+            command.arguments->settings = settings_;
+        }
+        command.app->callback([this, arguments = command.arguments, run] {
+            run_ = [arguments, run] { return run(*arguments); };
+            if constexpr (requires { arguments->settings; }) {
+                settings_fault_ = [arguments]() -> std::string {
+                    return fault_of(arguments->settings);
+                };
+            }
+        });
+        return command;
+    }
+
+    void add_play() {
+        auto [app, a] = add(app_, "play", "play files and dance to them", play);
+        app->add_option("files", a->files, "music files and folders; none: a salsa of our own");
+        app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
+        app->add_option("--volume", a->settings.volume, "1 is the file's own level");
+        app->add_flag("--headless", a->is_headless, "no window");
+        app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
+        app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
+        add_section_options(*app, a->section);
+        add_picture_options(*app, a->settings);
+    }
+
+    void add_live() {
+        auto [app, a] = add(app_, "live", "listen to an input and dance to it", live);
+        app->add_option("--device", a->settings.device, "input: name, part of it, or number");
+        app->add_option_function<double>(
+               "--duration",
+               [arguments = a](const double& seconds) { arguments->duration = seconds; },
+               "seconds to listen; until stopped when not given")
+            ->check(CLI::PositiveNumber);
+        app->add_flag("--headless", a->is_headless, "no window");
+        app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
+        add_picture_options(*app, a->settings);
+    }
+
+    void add_devices() {
+        auto [app, a] = add(app_, "devices", "list inputs and loudspeakers", devices);
+        app->add_flag("--json", a->as_json, "one JSON document");
+        app->add_flag("--has-output", a->asks_for_output, "print nothing; fail without one");
+    }
+
+    void add_render() {
+        auto [app, a] = add(app_, "render", "write a video of the dance to a file", render);
+        app->add_option("file", a->input, "music file; none: a salsa of our own");
+        app->add_option("-o,--out", a->output, "X.mp4, X.avi, or a folder for .png")->required();
+        add_section_options(*app, a->section);
+        add_picture_options(*app, a->settings);
+    }
+
+    void add_analyze() {
+        auto [app, a] = add(app_, "analyze", "tell beats, tempo and dance of a file", analyze);
+        app->add_option("file", a->input, "music file")->required();
+        app->add_flag("--json", a->as_json, "one JSON document");
+    }
+
+    void add_dance() {
+        auto [app, a] = add(app_, "dance", "write the dance to a file as motion", dance);
+        app->add_option("file", a->input, "music file")->required();
+        app->add_option("-o,--out", a->output, "X.bvh")->required();
+        app->add_option("--fps", a->fps, "poses a second")->check(CLI::Range(1.0, 240.0));
+        app->add_option("--dance", a->settings.dance, "the dance to keep to, or auto");
+        app->add_option("--seed", a->settings.seed, "same seed, same dance");
+    }
+
+    void add_train() {
+        CLI::App* train = app_.add_subcommand("train", "learn from recordings");
+        train->require_subcommand(1);
+        auto [app, a] = add(*train, "figure", "learn a dance figure from motion", train_figure);
+        app->add_option("clips", a->clips, "BVH files, or a folder of them")->required();
+        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")
+            ->required();
+        app->add_option("--counts", a->counts, "TSV: when each count falls");
+        app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
+        app->add_option("--figure", a->figure, "which label to learn");
+        app->add_option("--dance", a->dance, "the dance that it belongs to");
+        app->add_option("--role", a->role, "lead or follow")
+            ->check(CLI::IsMember({"lead", "follow"}));
+        app->add_option("--split", a->split, "only labels of this split");
+        app->add_option("--min-confidence", a->min_confidence, "only labels at least so sure")
+            ->check(CLI::Range(0.0, 1.0));
+        app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
+            ->check(CLI::Range(1.0, 1000.0));
+        app->add_option("--scale", a->scale, "metres per unit of the file")
+            ->check(CLI::Range(1e-4, 10.0));
+        app->add_option("--states", a->states, "states of each part")->check(CLI::Range(2, 64));
+        app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(CLI::Range(0, 100));
+        app->add_flag("--cmu", a->is_cmu, "clips of mocap.cs.cmu.edu: acknowledge them");
+        app->add_option("-o,--out", a->output, "X.json")->required();
+    }
+
+    void add_sheet() {
+        auto [app, a] = add(app_, "sheet", "draw the basic step as a pose sheet", sheet);
+        app->add_option("-o,--out", a->output, "X.png")->required();
+        app->add_option("--bpm", a->bpm, "tempo danced to")->check(CLI::Range(50.0, 230.0));
+        app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
+        app->add_option("--view", a->settings.view, "skin or stick");
+        app->add_option("--quality", a->settings.quality, "auto, fast or high");
+    }
+
+    void add_synth() {
+        auto [app, a] = add(app_, "synth", "write music of our own generator", synth);
+        app->add_option("style", a->style, "salsa, maqsum, house, drums or clicks");
+        app->add_option("-o,--out", a->output, "X.wav")->required();
+        app->add_option("--bpm", a->bpm, "tempo")->check(CLI::Range(50.0, 230.0));
+        app->add_option("--duration", a->seconds, "seconds")->check(CLI::Range(1.0, 3600.0));
+        app->add_option("--seed", a->seed, "same seed, same music")->check(CLI::NonNegativeNumber);
+    }
+
+    void add_bench() {
+        auto [app, a] = add(app_, "bench", "measure this machine", bench);
+        app->add_option("what", a->what, "latency, analysis, motion or render")
+            ->required()
+            ->check(CLI::IsMember({"latency", "analysis", "motion", "render"}));
+        app->add_flag("--json", a->as_json, "one JSON document");
+        app->add_option("--duration", a->seconds, "seconds of music")
+            ->check(CLI::Range(5.0, 3600.0));
+    }
+
+    void add_config() {
+        auto [app, a] = add(app_, "config", "show, locate or create the settings file", config);
+        app->add_option("action", a->action, "show, path or init")
+            ->check(CLI::IsMember({"show", "path", "init"}));
+    }
+
+    engine::Settings settings_;
+    CLI::App app_{"raks: an avatar that dances to what it hears", "raks"};
+    std::function<ExitCode()> run_;
+    std::function<std::string()> settings_fault_;
+};
+
+}  // namespace
+
+ParsedCommand parse_arguments(int argc, char** argv) {
+    auto settings = engine::load_settings();
+    if (!settings) {
+        std::fprintf(stderr, "raks: %s\n", settings.error().message.c_str());
+        return {nullptr, kExitUsage};
+    }
+    Parser parser(*settings);
+    return parser.parse(argc, argv);
+}
+
+}  // namespace raks::cli

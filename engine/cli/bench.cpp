@@ -1,0 +1,228 @@
+#include "engine/cli/bench.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audio/music_analyzer.hpp"
+#include "audio/synth/music_generator.hpp"
+#include "engine/cli/commands.hpp"
+#include "engine/dance_files.hpp"
+#include "engine/show.hpp"
+#include "motion/dancer.hpp"
+#include "render/avatar/avatar.hpp"
+#include "render/gl/offscreen_context.hpp"
+#include "render/gl/offscreen_target.hpp"
+#include "render/scene/beat_rings.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::cli {
+
+double thread_cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double process_cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+Spread spread_of(std::vector<double> values) {
+    if (values.empty()) {
+        return {};
+    }
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) {
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    };
+    return {at(0.50), at(0.95), at(0.99), values.back()};
+}
+
+namespace {
+
+Expected<audio::GeneratedMusic> bench_music(double seconds) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::salsa;
+    plan.tempo = {{0.0, 184.0}};
+    plan.seconds = seconds;
+    plan.channels = 1;
+    return audio::generate(plan);
+}
+
+class CollectStates final : public audio::MusicAnalyzer::Sink {
+ public:
+    explicit CollectStates(double seconds) {
+        states.reserve(static_cast<std::size_t>(seconds * kHopsPerSecond) + 16);
+    }
+    void on_state(const MusicState& state) noexcept override { states.push_back(state); }
+    std::vector<MusicState> states;
+};
+
+double microseconds_since(HostTime start) {
+    return static_cast<double>((HostClock::now() - start).count()) * 1e-3;
+}
+
+Expected<BenchReport> bench_analysis(double seconds) {
+    const auto music = bench_music(seconds);
+    if (!music) {
+        return fail(music.error());
+    }
+    audio::MusicAnalyzer analyzer;
+    if (auto prepared = analyzer.prepare({.sample_rate = music->rate}); !prepared) {
+        return fail(prepared.error());
+    }
+    CollectStates collect(seconds);
+    std::vector<double> hop_us;
+    const double start = thread_cpu_seconds();
+    const std::size_t hop = static_cast<std::size_t>(music->rate.hertz() / 100);
+    for (std::size_t at = 0; at + hop <= music->samples.size(); at += hop) {
+        const HostTime hop_start = HostClock::now();
+        analyzer.process(std::span(music->samples).subspan(at, hop), collect);
+        hop_us.push_back(microseconds_since(hop_start));
+    }
+    const double cpu = thread_cpu_seconds() - start;
+    BenchReport report;
+    report.values.emplace_back("times_real_time", seconds / cpu);
+    report.values.emplace_back("cpu_us_a_hop", 1e6 * cpu / static_cast<double>(hop_us.size()));
+    report.spreads.emplace_back("wall_us_a_hop", spread_of(hop_us));
+    return report;
+}
+
+Expected<BenchReport> bench_motion(double seconds) {
+    const auto music = bench_music(seconds);
+    if (!music) {
+        return fail(music.error());
+    }
+    const auto library = engine::load_dance("salsa");
+    if (!library) {
+        return fail(library.error());
+    }
+    audio::MusicAnalyzer analyzer;
+    motion::Dancer dancer;
+    auto prepared = analyzer.prepare({.sample_rate = music->rate});
+    if (prepared) {
+        prepared = dancer.prepare(*library, motion::mannequin_skeleton(), 1);
+    }
+    if (!prepared) {
+        return fail(prepared.error());
+    }
+    CollectStates collect(seconds);
+    analyzer.process(music->samples, collect);
+    const auto track = std::make_unique<motion::PoseTrack>();
+    constexpr double kPoses = 1.0 + motion::PoseTrack::kPredictedPoses;
+    std::vector<double> pose_us;
+    const double start = thread_cpu_seconds();
+    for (const MusicState& state : collect.states) {
+        const HostTime hop_start = HostClock::now();
+        dancer.advance(state, *track);
+        pose_us.push_back(microseconds_since(hop_start) / kPoses);
+    }
+    const double cpu = thread_cpu_seconds() - start;
+    BenchReport report;
+    report.values.emplace_back("cpu_us_a_pose",
+                               1e6 * cpu / (kPoses * static_cast<double>(collect.states.size())));
+    report.spreads.emplace_back("wall_us_a_pose", spread_of(pose_us));
+    return report;
+}
+
+/// CPU milliseconds of whole pictures of one size, overlay and read-back apart.
+Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
+                                            const render::Scene& scene,
+                                            int width,
+                                            int height) {
+    auto target = render::OffscreenTarget::create(
+        {.width = width, .height = height, .samples = renderer.samples()});
+    if (!target) {
+        return fail(target.error());
+    }
+    motion::Pose pose;
+    pose.hips_position = motion::mannequin_skeleton().offsets[0];
+    std::vector<double> costs;
+    constexpr int kPictures = 60;
+    for (int i = 0; i < kPictures; ++i) {
+        const double start = process_cpu_seconds();
+        renderer.draw(scene, pose, target->frame());
+        target->finish();
+        costs.push_back(1e3 * (process_cpu_seconds() - start));
+    }
+    return costs;
+}
+
+Expected<BenchReport> bench_render() {
+    const auto context = render::OffscreenContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    const double avatar_start = process_cpu_seconds();
+    const render::Avatar avatar = render::build_mannequin();
+    const double avatar_ms = 1e3 * (process_cpu_seconds() - avatar_start);
+    auto renderer = render::Renderer::create(avatar);
+    if (!renderer) {
+        return fail(renderer.error());
+    }
+    BenchReport report;
+    report.notes.emplace_back("driver", context->renderer_name());
+    render::Scene scene;
+    scene.rings = render::beat_rings({.confidence = 1.0F}, stream_time_from_seconds(0.2));
+    for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{640, 360}}) {
+        const auto costs = picture_costs(*renderer, scene, width, height);
+        if (!costs) {
+            return fail(costs.error());
+        }
+        report.spreads.emplace_back(fmt::format("cpu_ms_{}x{}", width, height), spread_of(*costs));
+    }
+    report.values.emplace_back("mannequin_cpu_ms", avatar_ms);
+    return report;
+}
+
+}  // namespace
+
+std::string to_text(const BenchReport& report) {
+    std::string text;
+    for (const auto& [name, note] : report.notes) {
+        text += fmt::format("{:<24} {}\n", name, note);
+    }
+    for (const auto& [name, value] : report.values) {
+        text += fmt::format("{:<24} {:.2f}\n", name, value);
+    }
+    for (const auto& [name, spread] : report.spreads) {
+        text += fmt::format("{:<24} p50 {:.3f}  p95 {:.3f}  p99 {:.3f}  max {:.3f}\n",
+                            name,
+                            spread.p50,
+                            spread.p95,
+                            spread.p99,
+                            spread.max);
+    }
+    return text;
+}
+
+ExitCode bench(const BenchArguments& arguments) {
+    auto report = arguments.what == "analysis" ? bench_analysis(arguments.seconds)
+                  : arguments.what == "motion" ? bench_motion(arguments.seconds)
+                  : arguments.what == "render" ? bench_render()
+                                               : bench_latency(arguments.seconds);
+    if (!report) {
+        return fail(report.error());
+    }
+    const std::string text =
+        arguments.as_json ? to_json(arguments.what, *report) : to_text(*report);
+    std::fputs(text.c_str(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::cli

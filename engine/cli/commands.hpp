@@ -1,0 +1,124 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "engine/settings.hpp"
+
+/// The commands of the program `raks`. Each takes its arguments, checked for form only, does its
+/// work and returns the process' exit code; an Error becomes "raks: MESSAGE" and exit code 1.
+namespace raks::cli {
+
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitFailed = 1;
+inline constexpr int kExitUsage = 2;
+// Stopped by a signal: 128 + its number (130 SIGINT, 143 SIGTERM); what was finished is kept.
+
+using Path = std::filesystem::path;
+using ExitCode = Expected<int>;
+
+/// A stretch of a file, in seconds.
+struct Section {
+    double start = 0.0;              ///< >= 0
+    std::optional<double> duration;  ///< > 0; to the end when absent
+};
+
+struct PlayArguments {
+    engine::Settings settings;
+    std::vector<Path> files;  ///< files and folders; empty: the demo salsa
+    Section section;
+    bool is_headless = false;   ///< no window
+    bool is_soundless = false;  ///< no loudspeaker; paced by the clock
+    bool is_fullscreen = false;
+};
+[[nodiscard]] ExitCode play(const PlayArguments& arguments);
+
+struct LiveArguments {
+    engine::Settings settings;
+    std::optional<double> duration;  ///< seconds to listen; until stopped when absent
+    bool is_headless = false;
+    bool is_fullscreen = false;
+};
+[[nodiscard]] ExitCode live(const LiveArguments& arguments);
+
+struct DevicesArguments {
+    bool as_json = false;
+    bool asks_for_output = false;  ///< only the exit code: is there a loudspeaker?
+};
+[[nodiscard]] ExitCode devices(const DevicesArguments& arguments);
+
+struct RenderArguments {
+    engine::Settings settings;
+    Path input;   ///< empty: the demo salsa
+    Path output;  ///< .mp4, .avi, or a folder for .png
+    Section section;
+};
+[[nodiscard]] ExitCode render(const RenderArguments& arguments);
+
+struct AnalyzeArguments {
+    Path input;
+    bool as_json = false;
+};
+[[nodiscard]] ExitCode analyze(const AnalyzeArguments& arguments);
+
+struct DanceArguments {
+    engine::Settings settings;
+    Path input;
+    Path output;        ///< .bvh
+    double fps = 60.0;  ///< [1, 240]
+};
+[[nodiscard]] ExitCode dance(const DanceArguments& arguments);
+
+struct TrainFigureArguments {
+    std::vector<Path> clips;  ///< BVH files, or one folder of them
+    Path labels;              ///< TSV
+    Path counts;              ///< TSV; empty: counts lie evenly between a label's start and end
+    Path faults;              ///< TSV of capture faults; empty: none
+    std::string figure = "basic";
+    std::string dance = "salsa";
+    std::string role = "lead";
+    std::string split;  ///< empty: all labels
+    double min_confidence = 0.9;
+    double fps = 0.0;    ///< 0: the file's
+    double scale = 0.0;  ///< metres per unit; 0: guessed
+    int states = 16;
+    int iterations = 0;
+    bool is_cmu = false;  ///< the clips are CMU's: their acknowledgement goes into the model
+    Path output;          ///< .json
+};
+[[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
+
+struct SheetArguments {
+    engine::Settings settings;
+    Path output;         ///< .png
+    double bpm = 180.0;  ///< [50, 230]
+};
+/// Pose sheet of the basic step, every 1/8 of the figure, from the front and the side.
+[[nodiscard]] ExitCode sheet(const SheetArguments& arguments);
+
+struct SynthArguments {
+    std::string style = "salsa";
+    Path output;          ///< .wav
+    double bpm = 180.0;   ///< [50, 230]
+    double seconds = 60;  ///< (0, 3600]
+    std::int64_t seed = 1;
+};
+/// Writes music of our own generator.
+[[nodiscard]] ExitCode synth(const SynthArguments& arguments);
+
+struct BenchArguments {
+    std::string what;  ///< latency, analysis, motion or render
+    bool as_json = false;
+    double seconds = 20.0;
+};
+[[nodiscard]] ExitCode bench(const BenchArguments& arguments);
+
+struct ConfigArguments {
+    std::string action = "show";  ///< show, path or init
+};
+[[nodiscard]] ExitCode config(const ConfigArguments& arguments);
+
+}  // namespace raks::cli

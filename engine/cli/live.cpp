@@ -1,0 +1,53 @@
+#include "engine/cli/commands.hpp"
+
+#include <cstdio>
+
+#include "audio/io/devices.hpp"
+#include "engine/cli/signals.hpp"
+#include "engine/cli/stage_loop.hpp"
+#include "engine/dance_files.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::cli {
+
+ExitCode live(const LiveArguments& arguments) {
+    auto system = audio::AudioSystem::open();
+    if (!system) {
+        return fail(system.error());
+    }
+    const auto choice = audio::choose_input(system->devices(), arguments.settings.device);
+    if (!choice) {
+        return fail(choice.error());
+    }
+    auto library = engine::load_dance(engine::dance_to_load(arguments.settings));
+    if (!library) {
+        return fail(library.error());
+    }
+    auto loop = StageLoop::create(
+        arguments.settings, {arguments.is_headless, arguments.is_fullscreen, arguments.duration});
+    if (!loop) {
+        return fail(loop.error());
+    }
+    engine::LiveGraphConfig config;
+    config.library = *library;
+    config.seed = static_cast<std::uint64_t>(arguments.settings.seed);
+    config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
+    auto graph = engine::LiveGraph::listen(choice->device, config);
+    if (!graph) {
+        return fail(graph.error());
+    }
+    std::fprintf(stderr, "raks: %s\n", choice->reason.c_str());
+    static_cast<void>(loop->run(**graph, choice->device.name, std::nullopt));
+    const BeatGrid grid = (*graph)->stage().music.grid;
+    std::fprintf(stderr,
+                 "raks: %s\n",
+                 fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",
+                             grid.tempo.bpm(),
+                             grid.confidence,
+                             level_meter((*graph)->analysis().level_dbfs()))
+                     .c_str());
+    return (*graph)->has_lost_device() ? kExitFailed : kExitDone;
+}
+
+}  // namespace raks::cli

@@ -1,0 +1,102 @@
+#include "engine/cli/commands.hpp"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "engine/dance_files.hpp"
+#include "engine/picture.hpp"
+#include "motion/dancer.hpp"
+#include "render/avatar/avatar.hpp"
+#include "render/gl/offscreen_context.hpp"
+#include "render/pose_sheet.hpp"
+#include "render/video/png.hpp"
+
+namespace raks::cli {
+namespace {
+
+constexpr double kBeatsBefore = 16.0;  // the dancer has settled into the figure by then
+constexpr int kCounts = 8;
+constexpr int kPosesPerBeat = 8;
+constexpr int kColumns = 16;
+constexpr int kTileWidth = 120;
+constexpr int kTileHeight = 180;
+
+/// Music that is known exactly: a steady tempo in bars of four.
+MusicState steady_music(HopIndex hop, Bpm tempo) {
+    MusicState state;
+    state.hop = hop;
+    state.time = state.heard_until = time_of_hop(hop);
+    state.grid.tempo = tempo;
+    state.grid.confidence = 1.0F;
+    state.is_silent = false;
+    state.loudness_lufs = -16.0F;
+    state.level_dbfs = -16.0F;
+    state.genre = Genre::salsa;
+    return state;
+}
+
+/// One figure from count 1 on, a pose every 1/8 beat.
+Expected<std::vector<motion::Pose>> poses_of_a_figure(const engine::Settings& settings, Bpm tempo) {
+    const auto library = engine::load_dance(engine::dance_to_load(settings));
+    if (!library) {
+        return fail(library.error());
+    }
+    motion::Dancer dancer;
+    if (auto prepared = dancer.prepare(
+            *library, motion::mannequin_skeleton(), static_cast<std::uint64_t>(settings.seed));
+        !prepared) {
+        return fail(prepared.error());
+    }
+    const auto track = std::make_unique<motion::PoseTrack>();
+    std::vector<motion::Pose> poses;
+    for (HopIndex hop = 0; poses.size() < kCounts * kPosesPerBeat; ++hop) {
+        const MusicState state = steady_music(hop, tempo);
+        dancer.advance(state, *track);
+        const auto next = [&] {
+            return state.grid.time_of(
+                Beats(kBeatsBefore + static_cast<double>(poses.size()) / kPosesPerBeat));
+        };
+        while (poses.size() < kCounts * kPosesPerBeat && next() <= state.time) {
+            poses.push_back(track->at(next()));
+        }
+    }
+    return poses;
+}
+
+}  // namespace
+
+ExitCode sheet(const SheetArguments& arguments) {
+    const auto look = engine::read_look(arguments.settings);
+    if (!look) {
+        return fail(look.error());
+    }
+    const auto poses = poses_of_a_figure(arguments.settings, Bpm(arguments.bpm));
+    if (!poses) {
+        return fail(poses.error());
+    }
+    const auto context = render::OffscreenContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look->quality});
+    if (!renderer) {
+        return fail(renderer.error());
+    }
+    render::PoseSheetConfig config;
+    config.columns = kColumns;
+    config.tile_width = kTileWidth;
+    config.tile_height = kTileHeight;
+    const auto picture = render::draw_pose_sheet(*renderer, look->scene, *poses, config);
+    if (!picture) {
+        return fail(picture.error());
+    }
+    if (auto written =
+            render::write_png(arguments.output, picture->width, picture->height, picture->rgba);
+        !written) {
+        return fail(written.error());
+    }
+    return kExitDone;
+}
+
+}  // namespace raks::cli

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audio/io/audio_file.hpp"
+#include "base/expected.hpp"
+#include "base/time.hpp"
+
+namespace raks::engine {
+
+/// A stretch of a music file as a stream of blocks, for the commands that work offline. Memory is
+/// bounded for any length.
+/// Threads: one. Real-time: no.
+class MusicSource {
+ public:
+    /// `start` in seconds, >= 0; `duration` > 0, to the end when absent. Errors: as
+    /// audio::open_audio_file; a start behind the file's end.
+    [[nodiscard]] static Expected<MusicSource> open(const std::filesystem::path& path,
+                                                    double start = 0.0,
+                                                    std::optional<double> duration = std::nullopt);
+
+    [[nodiscard]] SampleRate rate() const noexcept { return reader_->info().rate; }
+
+    /// One block: the same frames as mono for the analyzer and as stereo for a sound track. Both
+    /// empty at the end. Valid until the next call.
+    struct Block {
+        std::span<const float> mono;
+        std::span<const float> stereo;
+    };
+    [[nodiscard]] Block next();
+
+    /// Length of what next() has given so far.
+    [[nodiscard]] Nanos given() const noexcept;
+    /// What is wrong with a file that still plays; empty when nothing is.
+    [[nodiscard]] const std::string& warning() const noexcept { return reader_->warning(); }
+    /// Share of the file that is done, [0, 1], as the file claims; empty when it does not say.
+    [[nodiscard]] std::optional<double> progress() const noexcept;
+
+ private:
+    explicit MusicSource(std::unique_ptr<audio::AudioFileReader> reader);
+
+    std::unique_ptr<audio::AudioFileReader> reader_;
+    std::int64_t frames_left_ = 0;
+    std::int64_t frames_given_ = 0;
+    double start_seconds_ = 0.0;
+    std::vector<float> interleaved_;
+    std::vector<float> mono_;
+    std::vector<float> stereo_;
+};
+
+/// The piece that Raks dances to when no file is given: its own salsa, synthesized once into the
+/// user's cache ($XDG_CACHE_HOME/raks). Errors: the cache cannot be written.
+[[nodiscard]] Expected<std::filesystem::path> demo_music();
+
+}  // namespace raks::engine

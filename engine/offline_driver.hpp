@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "audio/music_analyzer.hpp"
+#include "base/expected.hpp"
+#include "base/music_state.hpp"
+#include "base/time.hpp"
+#include "motion/dancer.hpp"
+#include "motion/skeleton/pose_track.hpp"
+
+namespace raks::engine {
+
+/// What exists after one hop, for whoever records or draws it.
+struct PerformedHop {
+    const MusicState& music;
+    const motion::PoseTrack& track;
+    const motion::DancerStatus& dancer;
+};
+
+/// The offline driver: the same analyzer and dancer as in the live graph, on a virtual clock that
+/// the samples move. Same audio, seed and commands: the same poses by hop number as live.
+///
+///     auto driver = OfflineDriver::create(rate, library, seed);
+///     while (... block of mono samples ...) driver->feed(block, sink);
+///     driver->finish(sink);
+///
+/// Threads: one. Real-time: no need (but feed allocates nothing).
+class OfflineDriver {
+ public:
+    class Sink {
+     public:
+        virtual void on_hop(const PerformedHop& hop) = 0;
+
+     protected:
+        ~Sink() = default;
+    };
+
+    /// Errors: a sample rate out of range, a library that does not fit the skeleton.
+    [[nodiscard]] static Expected<OfflineDriver> create(
+        SampleRate rate, std::shared_ptr<const motion::DanceLibrary> library, std::uint64_t seed);
+
+    /// Takes the next samples; calls the sink once for each hop that is complete.
+    void feed(std::span<const float> mono, Sink& sink);
+
+    /// The end of the file: silence until every hop that begins before the end has been danced.
+    void finish(Sink& sink);
+
+    void command(const audio::AnalyzerCommand& command) { analyzer_.command(command); }
+    void command(const motion::DancerCommand& command) { dancer_.command(command); }
+
+ private:
+    OfflineDriver(SampleRate rate, audio::MusicAnalyzer analyzer, motion::Dancer dancer);
+
+    SampleRate rate_;
+    audio::MusicAnalyzer analyzer_;
+    motion::Dancer dancer_;
+    std::unique_ptr<motion::PoseTrack> track_;
+    std::int64_t samples_fed_ = 0;
+};
+
+}  // namespace raks::engine

@@ -1,0 +1,29 @@
+#include "engine/picture.hpp"
+
+namespace raks::engine {
+
+Expected<Look> read_look(const Settings& settings) {
+    Look look;
+    const auto theme = render::find_theme(settings.theme);
+    if (!theme) {
+        return fail(theme.error());
+    }
+    look.scene.theme = *theme;
+    const auto camera = render::find_camera(settings.camera);
+    if (!camera) {
+        return fail(camera.error());
+    }
+    look.scene.camera = *camera;
+    const auto size = parse_size(settings.size);
+    if (!size) {
+        return fail(size.error());
+    }
+    look.size = *size;
+    look.scene.view = settings.view == "stick" ? render::View::stick : render::View::skin;
+    look.quality = settings.quality == "fast"   ? render::Quality::fast
+                   : settings.quality == "high" ? render::Quality::high
+                                                : render::Quality::automatic;
+    return look;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "audio/io/audio_file.hpp"
+#include "audio/synth/music_generator.hpp"
+#include "base/file.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+class BadInput : public ProgramTest {
+ protected:
+    void write(const std::string& name, const std::string& bytes) const {
+        ASSERT_TRUE(write_file(path(name), bytes));
+    }
+    /// A few seconds of clicks as 16-bit WAV.
+    void write_music(const std::string& name, double seconds = 3.0) const {
+        audio::MusicPlan plan;
+        plan.style = audio::Style::clicks;
+        plan.seconds = seconds;
+        const auto music = audio::generate(plan);
+        ASSERT_TRUE(music) << music.error().message;
+        ASSERT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
+    }
+    void expect_one_line(const std::vector<std::string>& arguments,
+                         int exit_code,
+                         const std::string& part) const {
+        const ProcessResult result = run(arguments);
+        std::string command;
+        for (const std::string& argument : arguments) {
+            command += argument + " ";
+        }
+        EXPECT_EQ(result.exit_code, exit_code) << command << result.err;
+        EXPECT_TRUE(is_one_error_line(result.err)) << command << "\n" << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << command << result.err;
+        EXPECT_EQ(result.out, "") << command;
+    }
+};
+
+TEST_F(BadInput, files_that_are_no_music_are_refused_by_every_command) {
+    write("empty.wav", "");
+    write("text.mp3", "this is not music\n");
+    std::filesystem::create_directory(folder_ / "folder.wav");
+    const struct {
+        const char* file;
+        const char* part;
+    } cases[] = {
+        {"missing.wav", "No such file"},
+        {"empty.wav", "empty"},
+        {"text.mp3", "not"},
+        {"folder.wav", "folder"},
+    };
+    for (const auto& c : cases) {
+        const std::string file = path(c.file);
+        expect_one_line({"analyze", file, "--json"}, 1, c.part);
+        expect_one_line({"dance", file, "-o", path("x.bvh")}, 1, c.part);
+        expect_one_line({"render", file, "-o", path("x.mp4")}, 1, c.part);
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"empty.wav", "folder.wav", "text.mp3"}));
+}
+
+TEST_F(BadInput, wrong_usage_is_exit_code_2) {
+    write_music("music.wav");
+    const std::string music = path("music.wav");
+    expect_one_line({"dnace", music}, 2, "dnace");
+    expect_one_line({"analyze"}, 2, "file");
+    expect_one_line({"render", music}, 2, "out");
+    expect_one_line({"render", music, "-o", path("x.mp4"), "--fps", "0"}, 2, "fps");
+    expect_one_line({"render", music, "-o", path("x.mp4"), "--size", "big"}, 2, "picture size");
+    expect_one_line({"play", music, "--seed", "-1"}, 2, "seed");
+    expect_one_line({"dance", music, "-o", path("x.bvh"), "--fps", "1e9"}, 2, "fps");
+    expect_one_line({"render", music, "-o", path("x.mp4"), "--theme", "stgae"}, 2, "stage");
+    EXPECT_EQ(files(), std::vector<std::string>{"music.wav"});
+}
+
+TEST_F(BadInput, outputs_that_cannot_be_written_leave_nothing) {
+    write_music("music.wav");
+    const std::string music = path("music.wav");
+    expect_one_line({"dance", music, "-o", path("x.xyz")}, 1, ".bvh");
+    expect_one_line({"dance", music, "-o", path("none/x.bvh")}, 1, "none");
+    expect_one_line({"render", music, "-o", path("x.xyz")}, 1, ".mp4");
+    expect_one_line({"render", music, "-o", path("none/x.mp4")}, 1, "none");
+    EXPECT_EQ(files(), std::vector<std::string>{"music.wav"});
+}
+
+TEST_F(BadInput, a_full_disk_ends_in_one_line_and_leaves_nothing) {
+    write_music("music.wav", 8.0);
+    for (const char* output : {"x.mp4", "x.avi", "x.bvh"}) {
+        const std::string command = std::string(output) == "x.bvh" ? "dance" : "render";
+        ProcessPlan full = plan({command, path("music.wav"), "-o", path(output)});
+        if (command == "render") {
+            full.command.insert(full.command.end(), {"--size", "320x180"});
+        }
+        full.file_size_limit = 20'000;
+        const ProcessResult result = run_process(full);
+        EXPECT_EQ(result.exit_code, 1) << output << result.err;
+        EXPECT_TRUE(is_one_error_line(result.err)) << output << "\n" << result.err;
+        EXPECT_EQ(files(), std::vector<std::string>{"music.wav"}) << output;
+    }
+}
+
+TEST_F(BadInput, a_truncated_file_gives_what_is_there_with_a_warning_or_is_refused) {
+    write_music("music.wav");
+    const std::string whole = read_file(path("music.wav")).value();
+    for (const std::size_t size :
+         {std::size_t{10}, std::size_t{43}, std::size_t{44}, std::size_t{45}, whole.size() / 2}) {
+        write("cut.wav", whole.substr(0, size));
+        const ProcessResult result = run({"analyze", path("cut.wav"), "--json"});
+        EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << size;
+        EXPECT_TRUE(result.err.empty() || is_one_error_line(result.err)) << result.err;
+    }
+}
+
+TEST_F(BadInput, a_file_full_of_nan_is_analyzed_as_silence) {
+    std::string wav(
+        "RIFF\0\0\0\0WAVEfmt "
+        "\x10\0\0\0\x03\0\x01\0\x80\xbb\0\0\0\xee\x02\0\x04\0\x20\0data\0\0\0\0",
+        44);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::uint32_t bytes = 48'000 * 2 * sizeof(float);
+    wav.replace(40, 4, std::string(reinterpret_cast<const char*>(&bytes), 4));
+    const std::uint32_t riff = bytes + 36;
+    wav.replace(4, 4, std::string(reinterpret_cast<const char*>(&riff), 4));
+    for (std::uint32_t i = 0; i < bytes / sizeof(float); ++i) {
+        wav.append(reinterpret_cast<const char*>(&nan), sizeof nan);
+    }
+    write("nan.wav", wav);
+    const ProcessResult result = run({"analyze", path("nan.wav"), "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out.find("nan"), result.out.find("nan.wav"));
+    EXPECT_EQ(result.out.find("null"), std::string::npos);
+}
+
+TEST_F(BadInput, an_unknown_key_in_the_settings_names_the_nearest) {
+    std::filesystem::create_directories(folder_ / "config" / "raks");
+    ASSERT_TRUE(
+        write_file(folder_ / "config" / "raks" / "config.toml", "[picture]\nthme = \"x\"\n"));
+    expect_one_line({"devices"}, 2, "did you mean \"picture.theme\"?");
+}
+
+TEST_F(BadInput, a_device_that_does_not_exist_is_said) {
+    expect_one_line({"live", "--headless", "--device", "no such thing"}, 1, "no such thing");
+    write_music("music.wav");
+    expect_one_line(
+        {"play", path("music.wav"), "--headless", "--output", "no such thing"}, 1, "no such thing");
+}
+
+}  // namespace
+}  // namespace raks::test

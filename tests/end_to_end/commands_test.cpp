@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "audio/io/audio_file.hpp"
+#include "audio/synth/music_generator.hpp"
+#include "base/file.hpp"
+#include "motion/skeleton/bvh.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+class Commands : public ProgramTest {
+ protected:
+    audio::GeneratedMusic write_music(const std::string& name, double bpm, double seconds) const {
+        audio::MusicPlan plan;
+        plan.style = audio::Style::salsa;
+        plan.tempo = {{0.0, bpm}};
+        plan.seconds = seconds;
+        auto music = audio::generate(plan);
+        EXPECT_TRUE(music) << music.error().message;
+        EXPECT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
+        return *music;
+    }
+};
+
+TEST_F(Commands, raks_alone_shows_three_examples) {
+    const ProcessResult result = run({});
+    EXPECT_EQ(result.exit_code, 0);
+    for (const char* example : {"raks live", "raks play song.mp3", "raks render song.mp3"}) {
+        EXPECT_NE(result.out.find(example), std::string::npos) << result.out;
+    }
+}
+
+TEST_F(Commands, analyze_tells_tempo_and_beats_of_a_salsa) {
+    const audio::GeneratedMusic music = write_music("salsa.wav", 184.0, 20.0);
+    const ProcessResult result = run({"analyze", path("salsa.wav"), "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    const auto document = nlohmann::json::parse(result.out);
+    EXPECT_EQ(document["format"], "raks-analysis");
+    EXPECT_EQ(document["version"], 1);
+    EXPECT_NEAR(document["duration"].get<double>(), 20.0, 0.01);
+    EXPECT_NEAR(document["tempo"].back()["bpm"].get<double>(), 184.0, 2.0);
+    // Beats of the last ten seconds are those that the generator played.
+    int hits = 0;
+    int wanted = 0;
+    for (const audio::ReferenceBeat& reference : music.beats) {
+        const double time = to_seconds(reference.time);
+        if (time < 10.0 || time > 19.8) {
+            continue;
+        }
+        ++wanted;
+        for (const auto& beat : document["beats"]) {
+            hits += std::abs(beat["time"].get<double>() - time) < 0.035 ? 1 : 0;
+        }
+    }
+    EXPECT_GE(hits, wanted * 95 / 100) << wanted;
+}
+
+TEST_F(Commands, dance_writes_a_bvh_of_the_musics_length) {
+    write_music("salsa.wav", 184.0, 8.0);
+    const ProcessResult result =
+        run({"dance", path("salsa.wav"), "-o", path("x.bvh"), "--fps", "60"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto clip = motion::read_bvh(folder_ / "x.bvh");
+    ASSERT_TRUE(clip) << clip.error().message;
+    EXPECT_EQ(clip->frame_count(), 480U);
+}
+
+TEST_F(Commands, dance_is_the_same_bytes_for_a_seed) {
+    write_music("salsa.wav", 184.0, 6.0);
+    ASSERT_EQ(run({"dance", path("salsa.wav"), "-o", path("a.bvh")}).exit_code, 0);
+    ASSERT_EQ(run({"dance", path("salsa.wav"), "-o", path("b.bvh")}).exit_code, 0);
+    EXPECT_EQ(read_file(path("a.bvh")).value(), read_file(path("b.bvh")).value());
+}
+
+TEST_F(Commands, render_writes_the_same_video_twice) {
+    write_music("salsa.wav", 184.0, 3.0);
+    for (const char* name : {"a.avi", "b.avi", "a.mp4"}) {
+        const ProcessResult result =
+            run({"render", path("salsa.wav"), "-o", path(name), "--size", "320x180"});
+        ASSERT_EQ(result.exit_code, 0) << name << result.err;
+    }
+    EXPECT_EQ(read_file(path("a.avi")).value(), read_file(path("b.avi")).value());
+    EXPECT_GT(std::filesystem::file_size(path("a.mp4")), 10'000U);
+}
+
+TEST_F(Commands, play_without_window_and_sound_runs_to_the_files_end) {
+    write_music("salsa.wav", 184.0, 3.0);
+    const ProcessResult result = run({"play", path("salsa.wav"), "--headless", "--no-sound"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST_F(Commands, play_stopped_by_a_signal_ends_with_its_code) {
+    write_music("salsa.wav", 184.0, 20.0);
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+        CapturedProcess child(plan({"play", path("salsa.wav"), "--headless", "--no-sound"}));
+        ASSERT_TRUE(child.wait_for_output("salsa.wav"));
+        child.send(signal);
+        const ProcessResult result = child.wait(std::chrono::milliseconds(2000));
+        EXPECT_FALSE(result.timed_out);
+        EXPECT_EQ(result.exit_code, code) << result.err;
+    }
+}
+
+}  // namespace
+}  // namespace raks::test

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/process.hpp"
+
+namespace raks::test {
+
+/// A folder of this test alone, removed at its end, and the program `raks` started in a clean
+/// environment: no settings of the user, no display, no audio server.
+class ProgramTest : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  (std::string(info->test_suite_name()) + "." + info->name());
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    [[nodiscard]] ProcessPlan plan(std::vector<std::string> arguments) const {
+        ProcessPlan plan;
+        plan.command = {RAKS_PROGRAM};
+        plan.command.insert(plan.command.end(), arguments.begin(), arguments.end());
+        plan.environment = {{"XDG_CONFIG_HOME", (folder_ / "config").string()},
+                            {"XDG_CACHE_HOME", (folder_ / "cache").string()},
+                            {"JACK_NO_START_SERVER", "1"},
+                            {"JACK_DEFAULT_SERVER", "raks_none"},
+                            {"PULSE_SERVER", "unix:" + (folder_ / "no_pulse").string()},
+                            {"LIBGL_ALWAYS_SOFTWARE", "1"}};
+        plan.unset = {"DISPLAY", "WAYLAND_DISPLAY"};
+        return plan;
+    }
+    [[nodiscard]] ProcessResult run(std::vector<std::string> arguments) const {
+        return run_process(plan(std::move(arguments)));
+    }
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (folder_ / name).string();
+    }
+    /// Names of what lies in the test's folder, sorted, without the program's own cache.
+    [[nodiscard]] std::vector<std::string> files() const;
+
+    std::filesystem::path folder_;
+};
+
+/// Exactly one line, starting with "raks: ".
+[[nodiscard]] bool is_one_error_line(const std::string& text);
+
+}  // namespace raks::test

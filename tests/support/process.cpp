@@ -1,0 +1,162 @@
+#include "tests/support/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace raks::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Pipe {
+    int read_end = -1;
+    int write_end = -1;
+};
+
+Pipe make_pipe() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+        throw std::runtime_error("pipe2 failed");
+    }
+    return {ends[0], ends[1]};
+}
+
+[[noreturn]] void become(const ProcessPlan& plan, const Pipe& out, const Pipe& err) {
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(out.write_end, STDOUT_FILENO);
+    dup2(err.write_end, STDERR_FILENO);
+    for (const std::string& name : plan.unset) {
+        unsetenv(name.c_str());
+    }
+    for (const auto& [name, value] : plan.environment) {
+        setenv(name.c_str(), value.c_str(), 1);
+    }
+    if (plan.file_size_limit) {
+        rlimit limit{};
+        limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(*plan.file_size_limit);
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    std::vector<char*> arguments;
+    for (const std::string& argument : plan.command) {
+        arguments.push_back(const_cast<char*>(argument.c_str()));
+    }
+    arguments.push_back(nullptr);
+    execvp(arguments[0], arguments.data());
+    _exit(127);
+}
+
+}  // namespace
+
+CapturedProcess::CapturedProcess(const ProcessPlan& plan) : deadline_(Clock::now() + plan.timeout) {
+    const Pipe out = make_pipe();
+    const Pipe err = make_pipe();
+    pid_ = fork();
+    if (pid_ == 0) {
+        become(plan, out, err);
+    }
+    close(out.write_end);
+    close(err.write_end);
+    out_ = out.read_end;
+    err_ = err.read_end;
+}
+
+CapturedProcess::~CapturedProcess() {
+    if (!has_ended_) {
+        kill(pid_, SIGKILL);
+        reap(true);
+    }
+    close(out_);
+    close(err_);
+}
+
+void CapturedProcess::send(int signal) const {
+    if (!has_ended_) {
+        kill(pid_, signal);
+    }
+}
+
+bool CapturedProcess::reap(bool block) {
+    int status = 0;
+    if (has_ended_ || waitpid(pid_, &status, block ? 0 : WNOHANG) != pid_) {
+        return has_ended_;
+    }
+    has_ended_ = true;
+    result_.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return true;
+}
+
+bool CapturedProcess::read_some(std::chrono::milliseconds wait) {
+    std::array<pollfd, 2> polls = {{{out_, POLLIN, 0}, {err_, POLLIN, 0}}};
+    poll(polls.data(), polls.size(), static_cast<int>(wait.count()));
+    bool is_open = false;
+    for (std::size_t i = 0; i < polls.size(); ++i) {
+        if ((polls[i].revents & (POLLIN | POLLHUP)) == 0) {
+            is_open = true;
+            continue;
+        }
+        std::array<char, 4096> chunk{};
+        const ssize_t got = read(polls[i].fd, chunk.data(), chunk.size());
+        if (got > 0) {
+            (i == 0 ? result_.out : result_.err)
+                .append(chunk.data(), static_cast<std::size_t>(got));
+            is_open = true;
+        }
+    }
+    return is_open;
+}
+
+ProcessResult CapturedProcess::wait(std::optional<std::chrono::milliseconds> within) {
+    const auto deadline = within ? Clock::now() + *within : deadline_;
+    while (read_some(std::chrono::milliseconds(50)) && !reap(false)) {
+        if (Clock::now() > deadline) {
+            result_.timed_out = true;
+            kill(pid_, SIGKILL);
+            break;
+        }
+    }
+    // A program may close its output before it ends.
+    while (!reap(false)) {
+        if (Clock::now() > deadline && !result_.timed_out) {
+            result_.timed_out = true;
+            kill(pid_, SIGKILL);
+        }
+        poll(nullptr, 0, 5);
+    }
+    while (read_some(std::chrono::milliseconds(0))) {
+        // What was still in the pipes; grandchildren may hold them open, so stop when empty.
+        std::array<pollfd, 2> polls = {{{out_, POLLIN, 0}, {err_, POLLIN, 0}}};
+        if (poll(polls.data(), polls.size(), 0) <= 0) {
+            break;
+        }
+    }
+    return result_;
+}
+
+bool CapturedProcess::wait_for_output(const std::string& text) {
+    const auto has_text = [&] {
+        return result_.out.find(text) != std::string::npos ||
+               result_.err.find(text) != std::string::npos;
+    };
+    while (!has_text()) {
+        if (!read_some(std::chrono::milliseconds(50)) || Clock::now() > deadline_) {
+            return has_text();
+        }
+    }
+    return true;
+}
+
+ProcessResult run_process(const ProcessPlan& plan) {
+    CapturedProcess child(plan);
+    return child.wait();
+}
+
+}  // namespace raks::test
