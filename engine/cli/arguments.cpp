@@ -210,7 +210,8 @@ class Parser {
             ->check(CLI::Range(1e-4, 10.0));
         app->add_option("--states", a->states, "states of each part")->check(CLI::Range(2, 64));
         app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(CLI::Range(0, 100));
-        app->add_flag("--cmu", a->is_cmu, "clips of mocap.cs.cmu.edu: acknowledge them");
+        app->add_option("--source", a->source, "cmu: the model acknowledges mocap.cs.cmu.edu")
+            ->check(CLI::IsMember({"cmu"}));
         app->add_option("-o,--out", a->output, "X.json")->required();
     }
 

@@ -86,7 +86,7 @@ struct TrainFigureArguments {
     double scale = 0.0;  ///< metres per unit; 0: guessed
     int states = 16;
     int iterations = 0;
-    bool is_cmu = false;  ///< the clips are CMU's: their acknowledgement goes into the model
+    std::string source;  ///< "cmu": the model carries CMU's acknowledgement
     Path output;          ///< .json
 };
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);

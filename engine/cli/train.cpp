@@ -34,7 +34,7 @@ motion::FigureTrainingPlan plan_of(const TrainFigureArguments& arguments) {
     }
     plan.states = arguments.states;
     plan.baum_welch_iterations = arguments.iterations;
-    if (arguments.is_cmu) {
+    if (arguments.source == "cmu") {
         plan.attribution = std::string(motion::cmu_attribution());
     }
     return plan;

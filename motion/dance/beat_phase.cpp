@@ -1,0 +1,71 @@
+#include "motion/dance/beat_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raks::motion {
+namespace {
+
+constexpr double kMostCorrection = 0.2;  // of the rate
+constexpr double kGain = 2.5;            // of the error, a second
+constexpr double kApart = 1.0;           // beats
+constexpr int kApartHops = 100;
+constexpr double kKeepLow = 0.62;
+constexpr double kKeepHigh = 1.6;
+
+}  // namespace
+
+double choose_octave(Bpm music, Bpm learnt, double now) noexcept {
+    const double ratio = music.bpm() / learnt.bpm();
+    if (now > 0.0 && ratio * now >= kKeepLow && ratio * now <= kKeepHigh) {
+        return now;
+    }
+    double best = 1.0;
+    for (const double octave : {0.5, 2.0}) {
+        if (std::abs(std::log(ratio * octave)) < std::abs(std::log(ratio * best))) {
+            best = octave;
+        }
+    }
+    return best;
+}
+
+Beats DancePhase::wanted(const BeatGrid& grid, StreamTime now) const noexcept {
+    return octave_ * (grid.beats_at(now) - origin_);
+}
+
+void DancePhase::start(const BeatGrid& grid,
+                       Beats downbeat,
+                       Bpm learnt_tempo,
+                       StreamTime now) noexcept {
+    octave_ = choose_octave(grid.tempo, learnt_tempo, 0.0);
+    origin_ = downbeat;
+    phase_ = std::max(Beats(0.0), wanted(grid, now));
+    rate_ = octave_ * grid.tempo.beats_per_second();
+    hops_apart_ = 0;
+}
+
+bool DancePhase::advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now) noexcept {
+    const double octave = choose_octave(grid.tempo, learnt_tempo, octave_);
+    if (octave != octave_) {
+        // The same phase at the new octave: the figure goes on from where it is.
+        octave_ = octave;
+        origin_ = grid.beats_at(now) - (1.0 / octave_) * phase_;
+    }
+    const double music_rate = octave_ * grid.tempo.beats_per_second();
+    const double hop = to_seconds(kHop);
+    const double error = (wanted(grid, now) - phase_).count() - music_rate * hop;
+    const double correction =
+        std::clamp(kGain * error, -kMostCorrection * music_rate, kMostCorrection * music_rate);
+    rate_ = music_rate + correction;
+    hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;
+    if (hops_apart_ > kApartHops) {
+        hops_apart_ = 0;
+        phase_ = std::max(Beats(0.0), wanted(grid, now));
+        rate_ = music_rate;
+        return true;
+    }
+    phase_ = phase_ + Beats(rate_ * hop);
+    return false;
+}
+
+}  // namespace raks::motion

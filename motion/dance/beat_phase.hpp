@@ -1,0 +1,48 @@
+#pragma once
+
+#include "base/beat_grid.hpp"
+#include "base/beats.hpp"
+#include "base/time.hpp"
+
+namespace raks::motion {
+
+/// The dance's own continuous clock: a phase in beats of the figure that follows the music's beats
+/// at the octave that suits the figure's learnt tempo.
+///
+/// It never runs backward: the phase's rate is the music's, corrected by at most +-20 %; an error
+/// that stays above one beat for a second is not danced off but re-anchored.
+/// Threads: one. Real-time: yes.
+class DancePhase {
+ public:
+    /// Starts the figure: its count 1 falls on `downbeat`.
+    void start(const BeatGrid& grid, Beats downbeat, Bpm learnt_tempo, StreamTime now) noexcept;
+
+    /// One hop on. True when it was re-anchored (the caller smooths the jump).
+    bool advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now) noexcept;
+
+    /// Beats of the figure since count 1, >= 0, at the last advance.
+    [[nodiscard]] Beats phase() const noexcept { return phase_; }
+    /// The phase expected `ahead` from then.
+    [[nodiscard]] Beats phase_after(Nanos ahead) const noexcept {
+        return phase_ + Beats(rate_ * to_seconds(ahead));
+    }
+    /// Dance beats a beat of the music: 0.5, 1 or 2.
+    [[nodiscard]] double octave() const noexcept { return octave_; }
+    /// Dance beats a second.
+    [[nodiscard]] double rate() const noexcept { return rate_; }
+
+ private:
+    [[nodiscard]] Beats wanted(const BeatGrid& grid, StreamTime now) const noexcept;
+
+    Beats origin_{};  // beat of the music on which count 1 fell
+    Beats phase_{};
+    double octave_ = 1.0;
+    double rate_ = 2.0;
+    int hops_apart_ = 0;
+};
+
+/// The octave whose rate, tempo x octave / learnt, lies nearest to 1; `now` is kept while its rate
+/// lies in [0.62, 1.6] (0: none yet). What is chosen lies in [0.70, 1.42] wherever one does.
+[[nodiscard]] double choose_octave(Bpm music, Bpm learnt, double now) noexcept;
+
+}  // namespace raks::motion

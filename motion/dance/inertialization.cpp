@@ -1,0 +1,68 @@
+#include "motion/dance/inertialization.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion {
+namespace {
+
+constexpr double kForgotten = 2.0;  // seconds: 1e-4 of the difference is left
+
+glm::vec3 rotation_vector(glm::quat q) noexcept {
+    if (q.w < 0.0F) {
+        q = -q;
+    }
+    const glm::vec3 axis(q.x, q.y, q.z);
+    const float sine = glm::length(axis);
+    return sine < 1e-6F ? 2.0F * axis : axis * (2.0F * std::atan2(sine, q.w) / sine);
+}
+
+glm::quat rotation_of(const glm::vec3& vector) noexcept {
+    const float angle = glm::length(vector);
+    if (angle < 1e-6F) {
+        return glm::normalize(glm::quat(1.0F, 0.5F * vector.x, 0.5F * vector.y, 0.5F * vector.z));
+    }
+    const float scale = std::sin(0.5F * angle) / angle;
+    return {std::cos(0.5F * angle), scale * vector.x, scale * vector.y, scale * vector.z};
+}
+
+}  // namespace
+
+void Inertialization::start(const Pose& shown,
+                            const Pose& shown_before,
+                            const Pose& next,
+                            const Pose& next_before) noexcept {
+    const auto per_second = static_cast<float>(kHopsPerSecond);
+    for (std::size_t i = 0; i < rotations_.size(); ++i) {
+        const glm::vec3 now =
+            rotation_vector(shown.local_rotations[i] * glm::conjugate(next.local_rotations[i]));
+        const glm::vec3 before = rotation_vector(shown_before.local_rotations[i] *
+                                                 glm::conjugate(next_before.local_rotations[i]));
+        rotations_[i] = {now, (now - before) * per_second};
+    }
+    const glm::vec3 now = shown.hips_position - next.hips_position;
+    const glm::vec3 before = shown_before.hips_position - next_before.hips_position;
+    hips_ = {now, (now - before) * per_second};
+    is_active_ = true;
+}
+
+Pose Inertialization::apply(const Pose& pose, Nanos elapsed) const noexcept {
+    const double t = to_seconds(elapsed);
+    if (!is_active_ || t > kForgotten) {
+        return pose;
+    }
+    const double y = 2.0 * std::log(2.0) / kHalfLife;
+    const double decay = std::exp(-y * t);
+    const auto a = static_cast<float>(decay * (1.0 + y * t));
+    const auto b = static_cast<float>(decay * t);
+    Pose result = pose;
+    for (std::size_t i = 0; i < rotations_.size(); ++i) {
+        const glm::vec3 left = a * rotations_[i].value + b * rotations_[i].speed;
+        result.local_rotations[i] = glm::normalize(rotation_of(left) * pose.local_rotations[i]);
+    }
+    result.hips_position += a * hips_.value + b * hips_.speed;
+    return result;
+}
+
+}  // namespace raks::motion

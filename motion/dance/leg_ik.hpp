@@ -1,0 +1,26 @@
+#pragma once
+
+#include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::motion {
+
+/// Where a foot shall be, in the world.
+struct FootTarget {
+    glm::vec3 ankle{};
+    glm::quat rotation{kNoRotation};  ///< of the foot bone, in the world
+};
+
+/// Longest reach of a leg that keeps the knee from locking, as a share of its length.
+inline constexpr float kLongestReach = 0.997F;
+
+/// Turns thigh, shin and foot of one side so that the ankle reaches the target (as far as the leg
+/// does) and the foot has its rotation. The knee keeps its direction about the line from hip to
+/// ankle. Hips and the rest of the body stay.
+/// Threads: any. Real-time: yes.
+void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Pose& pose) noexcept;
+
+/// Length of thigh and shin together.
+[[nodiscard]] float leg_length(const Skeleton& skeleton) noexcept;
+
+}  // namespace raks::motion

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+
+#include "motion/figures/figure_model.hpp"
+#include "motion/figures/motion_features.hpp"
+
+namespace raks::motion {
+
+/// The most likely trajectory of one part over one figure that repeats for ever: the values whose
+/// values, deltas and delta-deltas together are most probable under the states (Tokuda et al. 2000,
+/// "Speech parameter generation algorithms for HMM-based speech synthesis"). One banded Cholesky
+/// solve a feature; `samples` rows.
+/// A changed state moves it within about one state's length beyond the state's own slice.
+/// Threads: workers. Real-time: no.
+[[nodiscard]] FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples);
+
+/// Scales each feature about its mean to the humans' variance (at most x 2.5): a mean of repeats
+/// shrinks the dance.
+void restore_variance(const PartModel& part, FeatureTrack& track);
+
+/// The same closed curve with `factor` times as many rows (Catmull-Rom).
+[[nodiscard]] FeatureTrack upsampled(const FeatureTrack& track, std::size_t factor);
+
+}  // namespace raks::motion
