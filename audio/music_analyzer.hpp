@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "audio/analyzer_command.hpp"
+#include "audio/beat/analyzer_command.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"

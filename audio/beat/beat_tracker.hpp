@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "audio/analyzer_command.hpp"
+#include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/bar_tracker.hpp"
 #include "audio/beat/beat_pointer.hpp"
 #include "audio/beat/tap_tempo.hpp"
