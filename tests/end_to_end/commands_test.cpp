@@ -15,9 +15,12 @@ namespace {
 
 class Commands : public ProgramTest {
  protected:
-    audio::GeneratedMusic write_music(const std::string& name, double bpm, double seconds) const {
+    audio::GeneratedMusic write_music(const std::string& name,
+                                      double bpm,
+                                      double seconds,
+                                      audio::Style style = audio::Style::salsa) const {
         audio::MusicPlan plan;
-        plan.style = audio::Style::salsa;
+        plan.style = style;
         plan.tempo = {{0.0, bpm}};
         plan.seconds = seconds;
         auto music = audio::generate(plan);
@@ -35,16 +38,16 @@ TEST_F(Commands, raks_alone_shows_three_examples) {
     }
 }
 
-TEST_F(Commands, analyze_tells_tempo_and_beats_of_a_salsa) {
-    const audio::GeneratedMusic music = write_music("salsa.wav", 184.0, 20.0);
-    const ProcessResult result = run({"analyze", path("salsa.wav"), "--json"});
+TEST_F(Commands, analyze_tells_tempo_and_beats) {
+    const audio::GeneratedMusic music = write_music("drums.wav", 128.0, 20.0, audio::Style::drums);
+    const ProcessResult result = run({"analyze", path("drums.wav"), "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
     const auto document = nlohmann::json::parse(result.out);
     EXPECT_EQ(document["format"], "raks-analysis");
     EXPECT_EQ(document["version"], 1);
     EXPECT_NEAR(document["duration"].get<double>(), 20.0, 0.01);
-    EXPECT_NEAR(document["tempo"].back()["bpm"].get<double>(), 184.0, 2.0);
+    EXPECT_NEAR(document["tempo"].back()["bpm"].get<double>(), 128.0, 1.0);
     // Beats of the last ten seconds are those that the generator played.
     int hits = 0;
     int wanted = 0;
