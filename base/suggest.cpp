@@ -53,4 +53,12 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
     return text;
 }
 
+std::string unknown_name(std::string_view what,
+                         std::string_view name,
+                         std::span<const std::string_view> known) {
+    constexpr std::size_t kLongest = 40;
+    const std::string shown(name.substr(0, kLongest));
+    return std::string(what) + " \"" + shown + "\" is unknown" + suggestion(shown, known);
+}
+
 }  // namespace raks

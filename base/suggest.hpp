@@ -16,4 +16,10 @@ namespace raks {
 [[nodiscard]] std::string suggestion(std::string_view name,
                                      std::span<const std::string_view> known);
 
+/// The one line for a name that is not in a table: `theme "stge" is unknown; did you mean "stage"?`
+/// (long names are cut). `what`: the kind of thing.
+[[nodiscard]] std::string unknown_name(std::string_view what,
+                                       std::string_view name,
+                                       std::span<const std::string_view> known);
+
 }  // namespace raks

@@ -36,7 +36,7 @@ Expected<void> check_dance(const std::string& dance) {
         known.push_back(files.dance);
     }
     if (std::find(known.begin(), known.end(), dance) == known.end()) {
-        return fail("dance \"" + dance + "\" is unknown" + suggestion(dance, known));
+        return fail(unknown_name("dance", dance, known));
     }
     return {};
 }

@@ -1,6 +1,6 @@
 #include "render/scene/camera.hpp"
 
-#include "render/scene/names.hpp"
+#include "base/suggest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,10 +32,10 @@ struct Preset {
     float fov_degrees;
 };
 
-// Framing of "wide" and "portrait": rendering notes; the others after looking at them.
+// Framing: far enough that a step toward the camera keeps the feet in the picture.
 constexpr std::array<Preset, 6> kPresets = {{
-    {"wide", -14.0F, 6.0F, 4.3F, 0.86F, 26.0F},
-    {"portrait", -14.0F, 6.0F, 3.3F, 0.88F, 33.0F},
+    {"wide", -14.0F, 6.0F, 5.2F, 0.84F, 26.0F},
+    {"portrait", -14.0F, 6.0F, 3.8F, 0.86F, 33.0F},
     {"front", 0.0F, 6.0F, 4.3F, 0.86F, 26.0F},
     {"side", 90.0F, 6.0F, 4.3F, 0.86F, 26.0F},
     {"back", 180.0F, 6.0F, 4.3F, 0.86F, 26.0F},

@@ -26,8 +26,8 @@ struct Camera {
 
     float yaw = glm::radians(-14.0F);  ///< 0: from the front; positive: from the dancer's left
     float pitch = glm::radians(6.0F);  ///< above the horizon
-    float distance = 4.3F;             ///< from `target`
-    glm::vec3 target{0.0F, 0.86F, 0.0F};
+    float distance = 5.2F;             ///< from `target`
+    glm::vec3 target{0.0F, 0.84F, 0.0F};
     float vertical_fov = glm::radians(26.0F);
 
     /// Turns around the target. Yaw wraps into [-pi, pi), pitch stops at its limits.

@@ -1,6 +1,6 @@
 #include "render/scene/theme.hpp"
 
-#include "render/scene/names.hpp"
+#include "base/suggest.hpp"
 
 #include <algorithm>
 #include <array>
