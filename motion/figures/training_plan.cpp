@@ -96,6 +96,11 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     if (!body) {
         return fail(std::move(body.error()).in(path.filename().string()));
     }
+    if (!plan.metres_per_unit) {
+        warnings.push_back(fmt::format("{}: its unit is taken for {:.4g} m, by the body's height",
+                                       path.filename().string(),
+                                       body->metres_per_unit));
+    }
     TrainingClip clip;
     clip.name = path.stem().string();
     clip.frames_per_second = body->frames_per_second;

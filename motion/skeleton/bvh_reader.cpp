@@ -463,11 +463,6 @@ class Parser {
                 clip_.warnings.push_back("the name \"" + joint.name + "\" is used twice");
             }
         }
-        const double metres = guess_metres_per_unit(clip_);
-        if (metres != 0.01) {
-            clip_.warnings.push_back(fmt::format(
-                "its unit is taken for {:.4g} m, by the height of its rest pose", metres));
-        }
     }
 
     struct Open {

@@ -141,6 +141,60 @@ TEST_F(BadInput, an_unknown_key_in_the_settings_names_the_nearest) {
     expect_one_line({"devices"}, 2, "did you mean \"picture.theme\"?");
 }
 
+TEST_F(BadInput, training_refuses_bad_motion_and_leaves_no_model) {
+    write("labels.tsv",
+          "take\trole\tstart\tend\tfigure\tstart_count\tbeats\tconfidence\tsplit\tnote\n"
+          "clip\tlead\t1\t11\tbasic\t1\t2\t1\ttrain\t\n");
+    const std::filesystem::path data =
+        std::filesystem::path(RAKS_SOURCE_DIR) / "tests" / "data" / "bvh";
+    const struct {
+        const char* file;
+        const char* part;
+    } cases[] = {
+        {"bad/channel_count.bvh", "count does not match"},
+        {"bad/nan_row.bvh", "frame 5"},
+        {"bad/row_short.bvh", "25 of 30 values"},
+        {"odd/two_joints.bvh", "no humanoid"},
+    };
+    for (const auto& c : cases) {
+        write("clip.bvh", read_file(data / c.file).value());
+        expect_one_line({"train",
+                         "figure",
+                         path("clip.bvh"),
+                         "--labels",
+                         path("labels.tsv"),
+                         "-o",
+                         path("model.json")},
+                        1,
+                        c.part);
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
+}
+
+TEST_F(BadInput, a_model_of_another_version_or_with_nan_is_refused) {
+    write_music("music.wav");
+    const std::filesystem::path trained = folder_ / "data" / "models" / "trained";
+    std::filesystem::create_directories(trained);
+    const std::string model = read_file(std::filesystem::path(RAKS_SOURCE_DIR) / "models" /
+                                        "trained" / "salsa_basic_lead.json")
+                                  .value();
+    const std::pair<const char*, const char*> cases[] = {{"\"version\": 1", "\"version\": 99"},
+                                                         {"\"net_turn\": ", "\"net_turn\": nan"}};
+    for (const auto& [from, to] : cases) {
+        std::string changed = model;
+        const std::size_t at = changed.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        changed.replace(at, std::string(from).size(), to);
+        ASSERT_TRUE(write_file(trained / "salsa_basic_lead.json", changed));
+        ProcessPlan with_data = plan({"dance", path("music.wav"), "-o", path("x.bvh")});
+        with_data.environment.emplace_back("RAKS_DATA", (folder_ / "data").string());
+        const ProcessResult result = run_process(with_data);
+        EXPECT_EQ(result.exit_code, 1) << to;
+        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"data", "music.wav"}));
+}
+
 TEST_F(BadInput, a_device_that_does_not_exist_is_said) {
     expect_one_line({"live", "--headless", "--device", "no such thing"}, 1, "no such thing");
     write_music("music.wav");

@@ -45,6 +45,11 @@ Pipe make_pipe() {
         limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(*plan.file_size_limit);
         setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (plan.address_space_limit) {
+        rlimit limit{};
+        limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(*plan.address_space_limit);
+        setrlimit(RLIMIT_AS, &limit);
+    }
     std::vector<char*> arguments;
     for (const std::string& argument : plan.command) {
         arguments.push_back(const_cast<char*>(argument.c_str()));
