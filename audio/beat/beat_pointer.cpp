@@ -207,7 +207,10 @@ PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
 void BeatPointer::expect_tempo(double bpm) noexcept RAKS_NONBLOCKING {
     for (const Tempo& tempo : tempi_) {
         const double distance = (hops_of(bpm) / tempo.hops - 1.0) / 0.03;
-        const float weight = static_cast<float>(std::exp(-0.5 * distance * distance)) + 1e-6F;
+        // Nothing at all is left of other tempi: the smallest rest would grow again.
+        const float weight = std::abs(distance) < 4.0
+                                 ? static_cast<float>(std::exp(-0.5 * distance * distance))
+                                 : 0.0F;
         for (int i = 0; i < tempo.hops; ++i) {
             moved_[static_cast<std::size_t>(tempo.first + i)] =
                 weight / static_cast<float>(tempo.hops);
@@ -215,6 +218,35 @@ void BeatPointer::expect_tempo(double bpm) noexcept RAKS_NONBLOCKING {
     }
     normalize();
     std::copy(probability_.begin(), probability_.end(), prior_.begin());
+}
+
+void BeatPointer::believe(double bpm, double phase) noexcept RAKS_NONBLOCKING {
+    constexpr double kTempoSigma = 0.02;
+    constexpr double kPhaseSigma = 0.05;  // beats
+    for (const Tempo& tempo : tempi_) {
+        const double tempo_off = (hops_of(bpm) / tempo.hops - 1.0) / kTempoSigma;
+        const double weight = std::exp(-0.5 * tempo_off * tempo_off) / tempo.hops;
+        for (int i = 0; i < tempo.hops; ++i) {
+            double off = i / static_cast<double>(tempo.hops) - phase;
+            off = (off - std::round(off)) / kPhaseSigma;
+            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            // What is ruled out stays so: the smallest rest would grow again.
+            moved_[state] = prior_[state] > 0.0F
+                                ? static_cast<float>(weight * std::exp(-0.5 * off * off) + 1e-12)
+                                : 0.0F;
+        }
+    }
+    normalize();
+}
+
+void BeatPointer::expect_below(double bpm) noexcept RAKS_NONBLOCKING {
+    for (const Tempo& tempo : tempi_) {
+        const bool is_open = tempo.hops > hops_of(bpm);
+        for (int i = 0; i < tempo.hops; ++i) {
+            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            prior_[state] = is_open ? default_prior_[state] : 0.0F;
+        }
+    }
 }
 
 void BeatPointer::expect_beat() noexcept RAKS_NONBLOCKING {

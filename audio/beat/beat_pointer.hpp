@@ -49,6 +49,11 @@ class BeatPointer {
     /// Only tempi within some percent of this one are expected until expect_any_tempo(); all
     /// positions are open.
     void expect_tempo(double bpm) noexcept RAKS_NONBLOCKING;
+    /// A beat of this tempo stands at `phase` [0, 1) now: all else is nearly ruled out. What is
+    /// expected of other songs stays.
+    void believe(double bpm, double phase) noexcept RAKS_NONBLOCKING;
+    /// No faster tempi than this are found anew, until expect_any_tempo().
+    void expect_below(double bpm) noexcept RAKS_NONBLOCKING;
     /// The default prior again; what is believed now stays.
     void expect_any_tempo() noexcept RAKS_NONBLOCKING;
     /// A beat is known to be now; its tempo as expected.

@@ -25,6 +25,9 @@ constexpr float kFullContrast = 0.9F;
 constexpr float kMassShare = 0.02F;
 constexpr float kSilentDecay = 0.985F;  // a hop: confidence is gone after 2 s
 
+constexpr float kUnsure = 0.15F;
+constexpr int kUnsureHops = 300;
+
 constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 constexpr Nanos kAnnounceLead = kHop;
 constexpr double kLeastGap = 0.45;  // of a beat between two announcements
@@ -40,8 +43,9 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     position_ = 0.0;
     beats_per_hop_ = 1.0 / 50;
     nudge_hops_ = 0.0;
-    is_tempo_held_ = false;
-    hops_apart_ = hops_heard_ = 0;
+    is_tempo_held_ = is_halved_ = is_octave_users_ = false;
+    shift_ = 0.0;
+    hops_apart_ = hops_heard_ = hops_unsure_ = 0;
     recent_ = {};
     rated_beat_ = 0;
     beats_rated_ = 0;
@@ -53,6 +57,11 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
 
 void BeatTracker::jump() noexcept RAKS_NONBLOCKING {
     pointer_.open_positions();
+    if (is_halved_) {
+        is_halved_ = false;
+        pointer_.expect_any_tempo();
+    }
+    shift_ = 0.0;
     hops_heard_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
@@ -69,7 +78,8 @@ void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAK
         pointer_.advance(hop.onset.strength);
         ++hops_heard_;
         follow(pointer_.estimate());
-        bars_.add(hop.onset, position_);
+        const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
+        heed(bars_.add(hop.onset, position_, bpm));
         rate_confidence(hop);
     }
     publish(hop.hop, state);
@@ -87,7 +97,7 @@ void BeatTracker::advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_N
 void BeatTracker::follow(const PointerEstimate& estimate) noexcept {
     const double believed_rate = 1.0 / estimate.period_hops;
     const double lag = (kOnsetLagHops - nudge_hops_) * believed_rate;
-    const double error = wrapped(estimate.phase + lag - position_);
+    const double error = wrapped(estimate.phase + shift_ + lag - position_);
     const bool is_tempo_apart =
         !is_tempo_held_ && std::abs(beats_per_hop_ / believed_rate - 1.0) > kApartTempo;
     const bool is_apart = is_tempo_apart || std::abs(error) > kApartPhase;
@@ -108,6 +118,61 @@ void BeatTracker::follow(const PointerEstimate& estimate) noexcept {
         beats_per_hop_ += kTempoGain * error + kTempoPull * (believed_rate - beats_per_hop_);
     }
     mass_ += kMassShare * (estimate.mass - mass_);
+}
+
+/// What the folded onsets say of the grid: another octave, or half a beat off. A user's tempo wins.
+void BeatTracker::heed(GridAdvice advice) noexcept {
+    const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
+    hops_unsure_ = confidence_ < kUnsure ? hops_unsure_ + 1 : 0;
+    if (is_halved_ && !is_octave_users_ && hops_unsure_ > kUnsureHops) {
+        // Another song, maybe a faster one.
+        is_halved_ = false;
+        pointer_.expect_any_tempo();
+    }
+    if (shift_ != 0.0 && hops_unsure_ > kUnsureHops) {
+        // Half a beat on there is nothing to dance to: it was a mistake.
+        hops_unsure_ = 0;
+        shift_ = 0.0;
+        position_ += 0.5;
+    }
+    if (is_tempo_held_ || is_octave_users_) {
+        return;
+    }
+    const double whole = std::floor(position_);
+    switch (advice) {
+        case GridAdvice::keep:
+            break;
+        case GridAdvice::shift_half:
+            shift_ = 0.5 - shift_;
+            position_ += 0.5;
+            break;
+        case GridAdvice::halve:
+        case GridAdvice::halve_other: {
+            // The beat number goes on; only its fraction changes: beats of the other parity are no
+            // longer beats.
+            const double first = advice == GridAdvice::halve ? 0.0 : 1.0;
+            const double half = 0.5 * (position_ - first);
+            const double fraction = half - std::floor(half);
+            beats_per_hop_ *= 0.5;
+            is_halved_ = true;
+            pointer_.expect_below(0.75 * bpm);
+            pointer_.believe(0.5 * bpm, fraction);
+            shift_ = 0.0;
+            position_ = whole + fraction;
+            break;
+        }
+        case GridAdvice::double_up:
+            if (is_halved_) {
+                is_halved_ = false;
+                pointer_.expect_any_tempo();
+                const double fraction = 2.0 * (position_ - whole);
+                beats_per_hop_ *= 2.0;
+                pointer_.believe(2.0 * bpm, fraction - std::floor(fraction));
+                shift_ = 0.0;
+                position_ = whole + fraction - std::floor(fraction);
+            }
+            break;
+    }
 }
 
 /// Confidence: the pointer is sure of one hypothesis, and there are onsets on its beats.
@@ -217,9 +282,11 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             break;
         case Kind::half_tempo:
             change_tempo(0.5 * bpm);
+            is_octave_users_ = true;
             break;
         case Kind::double_tempo:
             change_tempo(2.0 * bpm);
+            is_octave_users_ = true;
             break;
         case Kind::nudge: {
             const double hops = std::clamp(command.value, -0.5, 0.5) * kHopsPerSecond;
@@ -235,7 +302,7 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             is_tempo_held_ = true;
             break;
         case Kind::release_tempo:
-            is_tempo_held_ = false;
+            is_tempo_held_ = is_octave_users_ = is_halved_ = false;
             pointer_.expect_any_tempo();
             break;
     }

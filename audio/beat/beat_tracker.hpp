@@ -56,6 +56,7 @@ class BeatTracker {
     void publish(HopIndex hop, MusicState& state) const noexcept;
     void announce(const TrackedHop& hop, MusicState& state) noexcept;
     void set_position(double phase) noexcept;
+    void heed(GridAdvice advice) noexcept;
 
     BeatPointer pointer_;
     BarTracker bars_;
@@ -66,6 +67,10 @@ class BeatTracker {
     double beats_per_hop_ = 1.0 / 50;  // 120 BPM
     double nudge_hops_ = 0.0;          // the user's, later is positive
     bool is_tempo_held_ = false;
+    double shift_ = 0.0;            // beats between the pointer's beat and ours: 0 or 0.5
+    bool is_octave_users_ = false;  // the user chose it: patterns do not change it
+    bool is_halved_ = false;        // faster tempi are ruled out: drums and bass said so
+    int hops_unsure_ = 0;
     int hops_apart_ = 0;  // hops in a row in which belief and grid disagreed
     int hops_heard_ = 0;  // hops with evidence since reset or jump
 
