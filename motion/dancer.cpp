@@ -10,6 +10,7 @@
 #include "motion/dance/figure_cycle.hpp"
 #include "motion/dance/idle.hpp"
 #include "motion/dance/inertialization.hpp"
+#include "motion/dance/leg_ik.hpp"
 #include "motion/figures/figure_model.hpp"
 
 namespace raks::motion {
@@ -126,7 +127,11 @@ Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
 }
 
 Pose Dancer::State::smoothed(StreamTime now, Nanos ahead) const noexcept {
-    return smoothing.apply(target(now, ahead), now + ahead - changed_at);
+    Pose pose = smoothing.apply(target(now, ahead), now + ahead - changed_at);
+    if (smoothing.is_active(now + ahead - changed_at)) {
+        lift_feet(skeleton, pose);  // hips and legs blend apart from one another
+    }
+    return pose;
 }
 
 /// What is danced changes at this hop: the difference to what was shown decays from here on.

@@ -61,12 +61,16 @@ FigureCycle::FigureCycle(const FigureModel& model, const Skeleton& skeleton)
       beats_(model.beats),
       learnt_tempo_(model.learnt_tempo),
       poses_(closed_poses(model, skeleton)) {
+    const double samples_per_beat = static_cast<double>(poses_.size()) / model.beats;
     std::array<std::vector<ContactWindow>, 2> contacts;
     for (const Side side : kSides) {
         const std::size_t s = static_cast<std::size_t>(side);
-        contacts[s] = contact_windows(model.contact[s], model.beats, poses_.size());
+        contacts[s] =
+            start_at_landings(contact_windows(model.contact[s], model.beats, poses_.size()),
+                              model.landings[s],
+                              samples_per_beat,
+                              poses_.size());
     }
-    const double samples_per_beat = static_cast<double>(poses_.size()) / model.beats;
     lock_feet(skeleton,
               contacts,
               static_cast<std::size_t>(std::lround(kBlendBeats * samples_per_beat)),

@@ -14,6 +14,16 @@ constexpr double kSmoothBeats = 0.15;
 constexpr double kLeastGapBeats = 0.25;
 constexpr double kLeastContactBeats = 0.34;
 constexpr double kContactChance = 0.45;
+constexpr double kLandingReach = 0.5;  // beats between a contact's start and its landing
+constexpr int kLandingRepeats = 3;
+// Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
+// (Before it: the foot glides the last centimetres while the lock takes it up.)
+constexpr double kRestAfterLanding = -0.02;
+
+/// Shortest contact that is worth locking, in samples.
+std::ptrdiff_t shift_floor(double samples_per_beat) {
+    return static_cast<std::ptrdiff_t>(0.2 * samples_per_beat);
+}
 
 std::size_t wrap(std::ptrdiff_t i, std::size_t size) {
     const auto n = static_cast<std::ptrdiff_t>(size);
@@ -68,18 +78,6 @@ void fill(std::vector<bool>& row, const ContactWindow& window, bool value) {
     }
 }
 
-/// Lowest point of a sole when the foot stands so, the ankle at height 0.
-float lowest_of(const Skeleton& skeleton, Side side, const glm::quat& rotation) {
-    float lowest = 1e9F;
-    for (glm::vec3 point : {skeleton.ball, skeleton.toe_tip, skeleton.heel}) {
-        if (side == Side::right) {
-            point.x = -point.x;
-        }
-        lowest = std::min(lowest, (rotation * point).y);
-    }
-    return lowest;
-}
-
 /// One foot over the whole figure.
 struct FootTrack {
     std::vector<glm::vec3> ankle;
@@ -131,7 +129,7 @@ void anchor(const std::vector<ContactWindow>& windows, std::size_t blend, FootTr
 /// Heights: on the floor in contact, never below it.
 void put_on_floor(const Skeleton& skeleton, Side side, FootTrack& track) {
     for (std::size_t i = 0; i < track.ankle.size(); ++i) {
-        const float standing = -lowest_of(skeleton, side, track.rotation[i]);
+        const float standing = -lowest_of_sole(skeleton, side, track.rotation[i]);
         const float free = std::max(track.ankle[i].y, standing);
         track.ankle[i].y = free + track.lock[i] * (standing - free);
     }
@@ -148,7 +146,7 @@ float height_over_floor(const Skeleton& skeleton,
         for (const ContactWindow& window : contacts[static_cast<std::size_t>(side)]) {
             for (std::size_t k = 0; k < window.length; ++k) {
                 const std::size_t i = (window.first + k) % track.ankle.size();
-                sum += track.ankle[i].y + lowest_of(skeleton, side, track.rotation[i]);
+                sum += track.ankle[i].y + lowest_of_sole(skeleton, side, track.rotation[i]);
                 count += 1.0F;
             }
         }
@@ -210,6 +208,33 @@ std::vector<ContactWindow> contact_windows(const std::array<double, kContactBins
         }
     }
     return runs_of(row, true);
+}
+
+std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
+                                             const std::vector<LandingOffset>& landings,
+                                             double samples_per_beat,
+                                             std::size_t samples) {
+    for (ContactWindow& window : windows) {
+        double best = kLandingReach;
+        for (std::size_t count = 0; count < landings.size(); ++count) {
+            if (landings[count].repeats < kLandingRepeats) {
+                continue;
+            }
+            const double landing =
+                static_cast<double>(count) + landings[count].median.count() + kRestAfterLanding;
+            const double beats = static_cast<double>(samples) / samples_per_beat;
+            double away = landing - static_cast<double>(window.first) / samples_per_beat;
+            away -= beats * std::round(away / beats);
+            best = std::abs(away) < std::abs(best) ? away : best;
+        }
+        const auto shift = static_cast<std::ptrdiff_t>(std::lround(best * samples_per_beat));
+        const auto length = static_cast<std::ptrdiff_t>(window.length) - shift;
+        if (std::abs(best) < kLandingReach && length > shift_floor(samples_per_beat)) {
+            window.first = wrap(static_cast<std::ptrdiff_t>(window.first) + shift, samples);
+            window.length = static_cast<std::size_t>(length);
+        }
+    }
+    return windows;
 }
 
 void lock_feet(const Skeleton& skeleton,

@@ -22,6 +22,15 @@ struct ContactWindow {
 [[nodiscard]] std::vector<ContactWindow> contact_windows(
     const std::array<double, kContactBins>& chance, int beats, std::size_t samples);
 
+/// Moves the start of each contact to the learnt landing that it belongs to (at most half a beat
+/// away, shown by three repeats or more), so that the foot comes to rest when people's feet did. A
+/// window without one stays.
+[[nodiscard]] std::vector<ContactWindow> start_at_landings(
+    std::vector<ContactWindow> windows,
+    const std::vector<LandingOffset>& landings,
+    double samples_per_beat,
+    std::size_t samples);
+
 /// Plants the feet of a closed figure: the hips' height is set so that the standing foot is on the
 /// floor, the ball of a foot in contact stays where it is on average (the foot may turn about it),
 /// let go and taken up within `blend` samples, no part of a sole goes below the floor, and the hips

@@ -47,9 +47,13 @@ void Inertialization::start(const Pose& shown,
     is_active_ = true;
 }
 
+bool Inertialization::is_active(Nanos elapsed) const noexcept {
+    return is_active_ && to_seconds(elapsed) <= kForgotten;
+}
+
 Pose Inertialization::apply(const Pose& pose, Nanos elapsed) const noexcept {
     const double t = to_seconds(elapsed);
-    if (!is_active_ || t > kForgotten) {
+    if (!is_active(elapsed)) {
         return pose;
     }
     const double y = 2.0 * std::log(2.0) / kHalfLife;

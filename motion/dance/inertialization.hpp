@@ -22,6 +22,9 @@ class Inertialization {
                const Pose& next_before) noexcept;
     void clear() noexcept { is_active_ = false; }
 
+    /// Whether anything is left of the difference then.
+    [[nodiscard]] bool is_active(Nanos elapsed) const noexcept;
+
     /// `pose` with what is left of the difference `elapsed` after the change.
     [[nodiscard]] Pose apply(const Pose& pose, Nanos elapsed) const noexcept;
 

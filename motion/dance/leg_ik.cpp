@@ -9,6 +9,7 @@ namespace raks::motion {
 namespace {
 
 constexpr float kTiny = 1e-6F;
+constexpr float kStraight = 0.02F;  // metres of the knee beside the leg's line
 
 /// Shortest rotation that turns direction `from` to direction `to`.
 glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept {
@@ -52,12 +53,15 @@ void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Po
         std::clamp(wanted, std::abs(upper - lower) + kTiny, kLongestReach * (upper + lower));
     const float along = (upper * upper - lower * lower + distance * distance) / (2.0F * distance);
     const float aside = std::sqrt(std::max(0.0F, upper * upper - along * along));
-    // The knee's side: where it is now, or straight ahead for a stretched leg.
-    glm::vec3 pole = thigh_vector - line * glm::dot(thigh_vector, line);
+    // The knee's side: where it stands out from the leg's own line now, or ahead for a straight
+    // leg.
+    const glm::vec3 own_line = glm::normalize(thigh_vector + shin_vector);
+    glm::vec3 pole = thigh_vector - own_line * glm::dot(thigh_vector, own_line);
     const glm::vec3 ahead = hips * glm::vec3(0, 0, 1);
-    if (glm::length(pole) < 0.01F) {
-        pole = ahead - line * glm::dot(ahead, line);
+    if (glm::length(pole) < kStraight) {
+        pole = ahead;
     }
+    pole -= line * glm::dot(pole, line);
     pole = glm::normalize(pole);
 
     const glm::vec3 new_thigh = line * along + pole * aside;
@@ -69,6 +73,30 @@ void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Po
     pose.rotation(thigh) = glm::normalize(glm::conjugate(hips) * new_thigh_world);
     pose.rotation(shin) = glm::normalize(glm::conjugate(new_thigh_world) * new_shin_world);
     pose.rotation(foot) = glm::normalize(glm::conjugate(new_shin_world) * target.rotation);
+}
+
+float lowest_of_sole(const Skeleton& skeleton, Side side, const glm::quat& foot_rotation) noexcept {
+    float lowest = 1e9F;
+    for (glm::vec3 point : {skeleton.ball, skeleton.toe_tip, skeleton.heel}) {
+        if (side == Side::right) {
+            point.x = -point.x;
+        }
+        lowest = std::min(lowest, (foot_rotation * point).y);
+    }
+    return lowest;
+}
+
+void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept {
+    const WorldPose world = world_pose(skeleton, pose);
+    for (const Side side : kSides) {
+        const Bone foot = on_side(Bone::left_foot, side);
+        FootTarget target{world.position(foot), world.rotation(foot)};
+        const float standing = -lowest_of_sole(skeleton, side, target.rotation);
+        if (target.ankle.y < standing) {
+            target.ankle.y = standing;
+            solve_leg(skeleton, side, target, pose);
+        }
+    }
 }
 
 }  // namespace raks::motion

@@ -20,6 +20,16 @@ inline constexpr float kLongestReach = 0.997F;
 /// Threads: any. Real-time: yes.
 void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Pose& pose) noexcept;
 
+/// Lifts each foot whose sole is below the floor onto it, by the leg alone.
+/// Threads: any. Real-time: yes.
+void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept;
+
+/// Lowest point of a sole under the ankle, when the foot has this rotation in the world; metres,
+/// negative. Threads: any. Real-time: yes.
+[[nodiscard]] float lowest_of_sole(const Skeleton& skeleton,
+                                   Side side,
+                                   const glm::quat& foot_rotation) noexcept;
+
 /// Length of thigh and shin together.
 [[nodiscard]] float leg_length(const Skeleton& skeleton) noexcept;
 

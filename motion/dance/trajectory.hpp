@@ -15,8 +15,11 @@ namespace raks::motion {
 /// Threads: workers. Real-time: no.
 [[nodiscard]] FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples);
 
-/// Scales each feature about its mean to the humans' variance (at most x 2.5): a mean of repeats
-/// shrinks the dance.
+/// Restores the amplitude that averaging over repeats takes away. Within one repeat a feature
+/// varies by `global_variance`; what the repeats do not share, the states' own variance, is missing
+/// from a mean trajectory: it is scaled by sqrt(G / (G - V)), at most x 1.6 (arms differ between
+/// takes by the hold, which is no loss of amplitude). Joint rotations scale about the joint's mean,
+/// velocities about zero: a changed state changes its own slice alone.
 void restore_variance(const PartModel& part, FeatureTrack& track);
 
 /// The same closed curve with `factor` times as many rows (Catmull-Rom).

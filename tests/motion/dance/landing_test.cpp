@@ -1,0 +1,181 @@
+// The figures that the dance must reach, on music whose beats are known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "motion/figures/foot_events.hpp"
+#include "motion/skeleton/humanoid_mapping.hpp"
+#include "tests/motion/dance/stage.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion {
+namespace {
+
+using test::basic_step;
+using test::dance_to;
+using test::steady_music;
+
+constexpr HopIndex kSettled = 800;  // hops: it has started and blended in
+constexpr HopIndex kHops = 6000;
+
+/// What the rules of contact and landing look at, of every hop.
+std::vector<std::array<SourceFoot, 2>> feet_of(const std::vector<Pose>& poses) {
+    const Skeleton& skeleton = mannequin_skeleton();
+    std::vector<std::array<SourceFoot, 2>> feet;
+    for (const Pose& pose : poses) {
+        const WorldPose world = world_pose(skeleton, pose);
+        std::array<SourceFoot, 2>& pair = feet.emplace_back();
+        for (const Side side : kSides) {
+            SourceFoot& foot = pair[static_cast<std::size_t>(side)];
+            foot.ankle = glm::dvec3(world.position(on_side(Bone::left_foot, side)));
+            foot.toe_tip = glm::dvec3(foot_point(world, side, skeleton.toe_tip));
+        }
+    }
+    return feet;
+}
+
+struct MeanAndDeviation {
+    double mean = 0.0;
+    double deviation = 0.0;
+    std::size_t count = 0;
+};
+
+MeanAndDeviation statistics(const std::vector<double>& values) {
+    MeanAndDeviation result;
+    result.count = values.size();
+    for (const double value : values) {
+        result.mean += value / static_cast<double>(values.size());
+    }
+    for (const double value : values) {
+        result.deviation += (value - result.mean) * (value - result.mean);
+    }
+    result.deviation = std::sqrt(result.deviation / static_cast<double>(values.size()));
+    return result;
+}
+
+/// Landing errors in milliseconds: a landing belongs to the count that it lies nearest to once that
+/// count's learnt offset is taken off. Counts whose offset fewer than three repeats showed do not
+/// judge.
+/// Count 1 may have fallen on either downbeat of two bars: `start` is 0 or 4 beats.
+std::vector<double> landing_errors_ms(const std::vector<Pose>& poses, double bpm, double start) {
+    const auto feet = feet_of(poses);
+    const double beats_per_hop = bpm / 60.0 / kHopsPerSecond;
+    // A slower dance has slower feet: speeds are judged at the learnt tempo's scale.
+    FootRules rules;
+    rules.landing_speed *= bpm / basic_step().learnt_tempo.bpm();
+    rules.step_speed *= bpm / basic_step().learnt_tempo.bpm();
+    std::vector<double> errors;
+    for (const Side side : kSides) {
+        const auto& offsets = basic_step().landings[static_cast<std::size_t>(side)];
+        for (const double hop : landings(feet, side, kHopsPerSecond, rules)) {
+            if (hop < kSettled) {
+                continue;
+            }
+            double best = 1e9;
+            for (std::size_t count = 0; count < offsets.size(); ++count) {
+                if (offsets[count].repeats < 3) {
+                    continue;
+                }
+                const double wanted = static_cast<double>(count) + offsets[count].median.count();
+                double error = hop * beats_per_hop - start - wanted;
+                error -= 8.0 * std::round(error / 8.0);
+                best = std::abs(error) < std::abs(best) ? error : best;
+            }
+            if (std::abs(best) < 0.5) {
+                errors.push_back(best * 60'000.0 / bpm);
+            }
+        }
+    }
+    return errors;
+}
+
+TEST(Landing, is_on_the_beat_on_steady_music) {
+    for (const double bpm : {120.0, 150.0, 166.0, 184.0, 200.0}) {
+        const auto poses = dance_to(steady_music(bpm), kHops);
+        const std::vector<double> first = landing_errors_ms(poses, bpm, 0.0);
+        const std::vector<double> second = landing_errors_ms(poses, bpm, 4.0);
+        const MeanAndDeviation error = statistics(first.size() > second.size() ? first : second);
+        std::printf("%5.0f BPM: landing %+6.1f ms, sd %5.1f ms, n %zu\n",
+                    bpm,
+                    error.mean,
+                    error.deviation,
+                    error.count);
+        EXPECT_GE(error.count, 60U) << bpm;
+        EXPECT_LE(std::abs(error.mean), 15.0) << bpm;
+        EXPECT_LE(error.deviation, 25.0) << bpm;
+    }
+}
+
+/// Distance that the toe travels in each contact, centimetres.
+std::vector<double> slips_cm(const std::vector<Pose>& poses) {
+    const auto feet = feet_of(poses);
+    std::vector<double> slips;
+    for (const Side side : kSides) {
+        const std::vector<bool> contacts = toe_contacts(feet, side, kHopsPerSecond);
+        const std::size_t s = static_cast<std::size_t>(side);
+        for (std::size_t i = kSettled; i + 1 < contacts.size(); ++i) {
+            if (!contacts[i] || contacts[i - 1]) {
+                continue;
+            }
+            glm::dvec3 slip{};
+            double length = 0.0;
+            for (std::size_t k = i + 1; k < contacts.size() && contacts[k]; ++k) {
+                slip = feet[k][s].toe_tip - feet[i][s].toe_tip;
+                slip.y = 0.0;
+                length = std::max(length, glm::length(slip));
+            }
+            slips.push_back(100.0 * length);
+        }
+    }
+    std::sort(slips.begin(), slips.end());
+    return slips;
+}
+
+TEST(Feet, do_not_skate) {
+    const auto poses = dance_to(steady_music(166.0), kHops);
+    const std::vector<double> slips = slips_cm(poses);
+    ASSERT_GE(slips.size(), 40U);
+    const double median = slips[slips.size() / 2];
+    const double p90 = slips[slips.size() * 9 / 10];
+    std::printf("slip of the toe a contact: median %.2f cm, p90 %.2f cm, n %zu\n",
+                median,
+                p90,
+                slips.size());
+    EXPECT_LE(median, 1.5);
+    EXPECT_LE(p90, 3.3) << "the source's own p95";
+}
+
+TEST(Feet, never_go_5_mm_below_the_floor) {
+    for (const double bpm : {100.0, 166.0, 220.0}) {
+        double lowest = 1.0;
+        for (const Pose& pose : dance_to(steady_music(bpm), 3000)) {
+            const WorldPose world = world_pose(mannequin_skeleton(), pose);
+            for (const Side side : kSides) {
+                for (const glm::vec3& point : {mannequin_skeleton().ball,
+                                               mannequin_skeleton().toe_tip,
+                                               mannequin_skeleton().heel}) {
+                    lowest =
+                        std::min(lowest, static_cast<double>(foot_point(world, side, point).y));
+                }
+            }
+        }
+        EXPECT_GE(lowest, -0.005) << bpm;
+    }
+}
+
+TEST(Dance, does_not_leave_the_stage_or_turn_away) {
+    const auto poses = dance_to(steady_music(180.0), 12'000);
+    for (std::size_t hop = kSettled; hop < poses.size(); ++hop) {
+        const glm::vec3& place = poses[hop].hips_position;
+        ASSERT_LT(std::hypot(place.x, place.z), 0.6F) << hop;
+        const glm::vec3 facing = poses[hop].rotation(Bone::hips) * glm::vec3(0, 0, 1);
+        ASSERT_GT(facing.z, 0.3F) << hop;
+    }
+}
+
+}  // namespace
+}  // namespace raks::motion

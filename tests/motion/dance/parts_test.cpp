@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "motion/dance/beat_phase.hpp"
+#include "motion/dance/foot_lock.hpp"
+#include "motion/dance/idle.hpp"
+#include "motion/dance/inertialization.hpp"
+#include "motion/dance/leg_ik.hpp"
+#include "motion/dance/trajectory.hpp"
+#include "tests/motion/dance/stage.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion {
+namespace {
+
+PartModel one_feature(const std::vector<double>& means) {
+    PartModel part;
+    part.part = Part::upper;
+    part.joints.resize(1);
+    for (const double mean : means) {
+        FigureState state;
+        state.mean.assign(3, mean);
+        state.variance.assign(3, 0.01);
+        state.delta_mean.assign(3, 0.0);
+        state.delta_variance.assign(3, 0.001);
+        state.delta_delta_mean.assign(3, 0.0);
+        state.delta_delta_variance.assign(3, 0.001);
+        part.states.push_back(state);
+    }
+    part.global_variance.assign(3, 1.0);
+    return part;
+}
+
+TEST(Trajectory, equal_states_give_a_constant) {
+    const FeatureTrack track = most_likely_trajectory(one_feature({0.7, 0.7, 0.7, 0.7}), 64);
+    for (const double value : track.values) {
+        EXPECT_NEAR(value, 0.7, 1e-9);
+    }
+}
+
+TEST(Trajectory, is_smooth_over_the_seam_and_between_states) {
+    const FeatureTrack track = most_likely_trajectory(one_feature({0.0, 1.0, 0.0, -1.0}), 96);
+    for (std::size_t i = 0; i < track.rows(); ++i) {
+        const double step = track.row((i + 1) % track.rows())[0] - track.row(i)[0];
+        EXPECT_LT(std::abs(step), 0.35) << i;  // of a jump by 1 between states
+    }
+    EXPECT_GT(track.row(36)[0], 0.5);
+    EXPECT_LT(track.row(84)[0], -0.5);
+}
+
+/// The same sum of squares solved as a dense system by Gauss-Seidel, on a short closed figure.
+TEST(Trajectory, minimizes_the_weighted_squares) {
+    const PartModel part = one_feature({0.3, -0.8});
+    const std::size_t samples = 80;
+    const FeatureTrack track = most_likely_trajectory(part, samples);
+    const auto x = [&](std::ptrdiff_t i) {
+        const auto n = static_cast<std::ptrdiff_t>(samples);
+        return track.row(static_cast<std::size_t>(((i % n) + n) % n))[0];
+    };
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(samples); ++i) {
+        // The derivative of the sum by x(i) is zero: value, delta and delta-delta terms that hold
+        // it.
+        const double mean =
+            part.states[part.state_at(static_cast<std::size_t>(i), samples)].mean[0];
+        const double delta_before = (x(i) - x(i - 2)) / 2.0;
+        const double delta_after = (x(i + 2) - x(i)) / 2.0;
+        const auto bend = [&](std::ptrdiff_t k) { return x(k + 1) - 2.0 * x(k) + x(k - 1); };
+        const double gradient = 6.0 * (x(i) - mean) / 0.01 +
+                                (0.5 * delta_before - 0.5 * delta_after) / 0.001 +
+                                (bend(i - 1) - 2.0 * bend(i) + bend(i + 1)) / 0.001;
+        EXPECT_NEAR(gradient, 0.0, 1.0) << i;  // the seam is three figures away, not exactly closed
+    }
+}
+
+TEST(LegIk, reaches_the_target_and_keeps_bone_lengths) {
+    const Skeleton& skeleton = mannequin_skeleton();
+    for (const Side side : kSides) {
+        const float sign = side == Side::left ? 1.0F : -1.0F;
+        for (const glm::vec3 place : {glm::vec3(0.1F, 0.09F, 0.2F),
+                                      glm::vec3(0.2F, 0.3F, -0.2F),
+                                      glm::vec3(0.05F, 0.12F, 0.0F)}) {
+            Pose pose;
+            pose.hips_position = {0.0F, 0.86F, 0.0F};
+            pose.rotation(Bone::hips) = glm::angleAxis(0.2F, glm::vec3(0, 1, 0));
+            const FootTarget target{{sign * place.x, place.y, place.z}, kNoRotation};
+            solve_leg(skeleton, side, target, pose);
+            const WorldPose world = world_pose(skeleton, pose);
+            const Bone foot = on_side(Bone::left_foot, side);
+            EXPECT_LT(glm::length(world.position(foot) - target.ankle), 1e-3F);
+            EXPECT_GT(std::abs(glm::dot(world.rotation(foot), target.rotation)), 0.9999F);
+            // The knee bends forward.
+            const Bone knee = on_side(Bone::left_lower_leg, side);
+            const glm::vec3 middle =
+                0.5F * (world.position(on_side(Bone::left_upper_leg, side)) + world.position(foot));
+            const glm::vec3 ahead = pose.rotation(Bone::hips) * glm::vec3(0, 0, 1);
+            EXPECT_GT(glm::dot(world.position(knee) - middle, ahead), 0.0F);
+        }
+    }
+}
+
+TEST(ContactWindows, close_short_gaps_and_drop_short_contacts) {
+    std::array<double, kContactBins> chance{};  // 8 bins a beat
+    const auto set = [&](std::size_t from, std::size_t to) {
+        std::fill(chance.begin() + static_cast<std::ptrdiff_t>(from),
+                  chance.begin() + static_cast<std::ptrdiff_t>(to),
+                  1.0);
+    };
+    set(0, 8);
+    set(9, 16);   // a gap of one bin
+    set(40, 41);  // a flicker
+    const auto windows = contact_windows(chance, 8, 64);
+    ASSERT_EQ(windows.size(), 1U);
+    EXPECT_NEAR(static_cast<double>(windows[0].first), 0.0, 1.0);
+    EXPECT_NEAR(static_cast<double>(windows[0].length), 16.0, 2.0);
+}
+
+TEST(DancePhase, is_monotone_and_close_to_the_music_on_a_ramp) {
+    DancePhase phase;
+    BeatGrid grid = test::steady_grid(150.0);
+    phase.start(grid, Beats(0.0), Bpm(166.0), StreamTime{});
+    double last = -1.0;
+    for (HopIndex hop = 1; hop < 3000; ++hop) {
+        const StreamTime now = time_of_hop(hop);
+        const Beats here = grid.beats_at(now);
+        grid.anchor_time = now;
+        grid.anchor_beat = here;
+        grid.tempo = Bpm(150.0 * std::exp(0.02 * to_seconds(now) * (hop < 1500 ? 1.0 : 0.0)) +
+                         (hop < 1500 ? 0.0 : 52.0));
+        phase.advance(grid, Bpm(166.0), now);
+        ASSERT_GT(phase.phase().count(), last) << hop;
+        last = phase.phase().count();
+        ASSERT_NEAR(last, here.count(), 0.05) << hop;
+    }
+}
+
+TEST(Octave, keeps_what_it_has_until_it_does_not_fit) {
+    EXPECT_EQ(choose_octave(Bpm(83.0), Bpm(166.0), 0.0), 2.0);
+    EXPECT_EQ(choose_octave(Bpm(166.0), Bpm(166.0), 0.0), 1.0);
+    EXPECT_EQ(choose_octave(Bpm(110.0), Bpm(166.0), 1.0), 1.0);
+    EXPECT_EQ(choose_octave(Bpm(90.0), Bpm(166.0), 1.0), 2.0);
+}
+
+TEST(Idle, stands_with_both_feet_on_the_floor) {
+    for (double t = 0.0; t < 20.0; t += 0.37) {
+        const WorldPose world = world_pose(
+            mannequin_skeleton(), idle_pose(mannequin_skeleton(), stream_time_from_seconds(t)));
+        for (const Side side : kSides) {
+            EXPECT_NEAR(foot_point(world, side, mannequin_skeleton().ball).y, 0.0F, 2e-3F) << t;
+        }
+    }
+}
+
+TEST(Inertialization, starts_where_it_was_and_ends_where_it_goes) {
+    const Pose from = idle_pose(mannequin_skeleton(), StreamTime{});
+    Pose to = from;
+    to.rotation(Bone::head) = glm::angleAxis(0.8F, glm::vec3(0, 1, 0));
+    Inertialization smoothing;
+    smoothing.start(from, from, to, to);
+    const auto turn = [&](double seconds) {
+        const Pose pose = smoothing.apply(to, nanos_from_seconds(seconds));
+        return std::abs(glm::dot(pose.rotation(Bone::head), to.rotation(Bone::head)));
+    };
+    const Pose first = smoothing.apply(to, Nanos(0));
+    EXPECT_GT(std::abs(glm::dot(first.rotation(Bone::head), from.rotation(Bone::head))), 0.99999F);
+    EXPECT_GT(turn(1.5), 0.9999F);
+    EXPECT_LT(turn(0.1), turn(0.3));
+}
+
+}  // namespace
+}  // namespace raks::motion

@@ -1,0 +1,78 @@
+#include "tests/motion/dance/stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "motion/skeleton/skeleton.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion::test {
+
+const FigureModel& basic_step() {
+    static const FigureModel model = [] {
+        auto loaded =
+            load_figure(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_basic_lead.json");
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        return *loaded;
+    }();
+    return model;
+}
+
+std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model) {
+    auto library = DanceLibrary::build(std::span(&model, 1), mannequin_skeleton());
+    EXPECT_TRUE(library) << library.error().message;
+    return *library;
+}
+
+MusicState sure_state(HopIndex hop, const BeatGrid& grid) {
+    MusicState state;
+    state.hop = hop;
+    state.time = state.heard_until = time_of_hop(hop);
+    state.grid = grid;
+    state.grid.confidence = 1.0F;
+    state.is_silent = false;
+    state.level_dbfs = -15.0F;
+    state.loudness_lufs = -15.0F;
+    return state;
+}
+
+BeatGrid steady_grid(double bpm) {
+    BeatGrid grid;
+    grid.tempo = Bpm(bpm);
+    grid.confidence = 1.0F;
+    return grid;
+}
+
+Music steady_music(double bpm) {
+    return [grid = steady_grid(bpm)](HopIndex hop) { return sure_state(hop, grid); };
+}
+
+std::vector<Pose> dance_to(const Music& music, HopIndex hops, const FigureModel& model) {
+    Dancer dancer;
+    EXPECT_TRUE(dancer.prepare(library_of(model), mannequin_skeleton(), 1));
+    const auto track = std::make_unique<PoseTrack>();
+    std::vector<Pose> poses;
+    for (HopIndex hop = 0; hop < hops; ++hop) {
+        dancer.advance(music(hop), *track);
+        poses.push_back(track->at_hop(hop));
+    }
+    return poses;
+}
+
+double largest_step(const std::vector<Pose>& poses, HopIndex from, HopIndex to) {
+    double largest = 0.0;
+    for (HopIndex hop = from + 1; hop < to; ++hop) {
+        const WorldPose a =
+            world_pose(mannequin_skeleton(), poses[static_cast<std::size_t>(hop - 1)]);
+        const WorldPose b = world_pose(mannequin_skeleton(), poses[static_cast<std::size_t>(hop)]);
+        for (std::size_t i = 0; i < a.positions.size(); ++i) {
+            largest = std::max(largest,
+                               static_cast<double>(glm::length(a.positions[i] - b.positions[i])));
+        }
+    }
+    return largest;
+}
+
+}  // namespace raks::motion::test

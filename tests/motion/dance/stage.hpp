@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/beat_grid.hpp"
+#include "base/music_state.hpp"
+#include "motion/dancer.hpp"
+#include "motion/figures/figure_model.hpp"
+#include "motion/skeleton/pose.hpp"
+
+namespace raks::motion::test {
+
+/// The shipped basic step of the lead.
+const FigureModel& basic_step();
+std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model);
+
+/// One state of known music: sure, loud, in bars of four, on this grid.
+MusicState sure_state(HopIndex hop, const BeatGrid& grid);
+
+/// A steady tempo with a beat, a downbeat, at time 0.
+BeatGrid steady_grid(double bpm);
+
+/// The music of every hop.
+using Music = std::function<MusicState(HopIndex)>;
+Music steady_music(double bpm);
+
+/// Every hop's final pose of a dancer to this music.
+std::vector<Pose> dance_to(const Music& music,
+                           HopIndex hops,
+                           const FigureModel& model = basic_step());
+
+/// Largest distance in metres that any joint moves between two poses one hop apart.
+double largest_step(const std::vector<Pose>& poses, HopIndex from, HopIndex to);
+
+}  // namespace raks::motion::test
