@@ -37,9 +37,8 @@ Expected<void> StereoResampler::prepare(SampleRate from, SampleRate to) {
     return {};
 }
 
-StereoResampler::Progress StereoResampler::process(std::span<const float> input,
-                                                   std::span<float> output) noexcept
-    RAKS_NONBLOCKING {
+StereoResampler::Progress StereoResampler::process(
+    std::span<const float> input, std::span<float> output) noexcept RAKS_NONBLOCKING {
     if (state_->is_copy) {
         const std::size_t samples = std::min(input.size(), output.size());
         std::copy_n(input.data(), samples, output.data());

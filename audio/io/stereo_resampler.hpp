@@ -10,11 +10,11 @@
 
 namespace raks::audio {
 
-/// Stereo from one rate to another for the loudspeaker's path (libsamplerate SINC_FASTEST: 0.4 ms of
-/// delay, no allocation while it runs). With equal rates it copies.
-/// Threads: one. Real-time: process and reset yes, prepare no.
+/// Stereo from one rate to another for the loudspeaker's path (libsamplerate SINC_FASTEST: 0.4 ms
+/// of delay, no allocation while it runs). With equal rates it copies. Threads: one. Real-time:
+/// process and reset yes, prepare no.
 class StereoResampler {
-   public:
+ public:
     StereoResampler();
     ~StereoResampler();
     StereoResampler(StereoResampler&&) noexcept;
@@ -34,7 +34,7 @@ class StereoResampler {
     /// Forgets what is inside (after a seek).
     void reset() noexcept RAKS_NONBLOCKING;
 
-   private:
+ private:
     struct State;
     std::unique_ptr<State> state_;
 };

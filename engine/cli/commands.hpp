@@ -87,7 +87,7 @@ struct TrainFigureArguments {
     int states = 16;
     int iterations = 0;
     std::string source;  ///< "cmu": the model carries CMU's acknowledgement
-    Path output;          ///< .json
+    Path output;         ///< .json
 };
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
 
