@@ -37,7 +37,7 @@ ExitCode live(const LiveArguments& arguments) {
     if (!graph) {
         return fail(graph.error());
     }
-    std::fprintf(stderr, "raks: %s\n", choice->reason.c_str());
+    std::fprintf(stderr, "raks: listening to %s\n", choice->reason.c_str());
     static_cast<void>(loop->run(**graph, choice->device.name, std::nullopt));
     const BeatGrid grid = (*graph)->stage().music.grid;
     std::fprintf(stderr,

@@ -82,7 +82,7 @@ Expected<std::optional<audio::AudioDevice>> choose_output(const PlayArguments& a
     if (!choice) {
         return fail(std::move(choice.error()));
     }
-    std::fprintf(stderr, "raks: %s\n", choice->reason.c_str());
+    std::fprintf(stderr, "raks: sound goes to %s\n", choice->reason.c_str());
     return choice->device;
 }
 
