@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Runs clang-tidy (.clang-tidy: every finding is an error) with the release build's commands.
+#   scripts/tidy.sh --changed    the .cpp files that differ from the merge base with the main branch
+#   scripts/tidy.sh [FILE...]    these files, or every tracked .cpp file
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+main_branch() {
+    local name
+    for name in origin/main main; do
+        git rev-parse --verify --quiet "$name^{commit}" && return
+    done
+    git rev-parse HEAD  # no such branch: nothing has changed
+}
+
+if [ "${1:-}" = --changed ]; then
+    base=$(git merge-base HEAD "$(main_branch)" || git rev-parse HEAD)
+    mapfile -t files < <(git diff --name-only --diff-filter=d "$base" -- '*.cpp')
+elif [ $# -gt 0 ]; then
+    files=("$@")
+else
+    mapfile -t files < <(git ls-files '*.cpp')
+fi
+[ ${#files[@]} -gt 0 ] || exit 0
+
+[ -f build/release/compile_commands.json ] || cmake --preset release >/dev/null
+echo "== clang-tidy: ${#files[@]} files"
+printf '%s\0' "${files[@]}" |
+    xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/release 2>&1 |
+    { grep -v ' warnings\? generated\.$' || true; }
