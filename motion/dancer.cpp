@@ -53,6 +53,7 @@ struct Dancer::State {
     std::shared_ptr<const DanceLibrary> library;
     Skeleton skeleton;
     std::size_t figure = 0;
+    std::size_t next_figure = 0;  // taken up when this one ends
 
     bool is_dancing = false;
     bool is_held = false;
@@ -82,7 +83,7 @@ struct Dancer::State {
 };
 
 void Dancer::State::reset() noexcept {
-    figure = 0;
+    figure = next_figure = 0;
     is_dancing = is_held = false;
     hops_sure = hops_unsure = 0;
     phase = DancePhase();
@@ -104,11 +105,12 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
         const std::size_t count = library->content().figures.size();
         switch (command.kind) {
             case DancerCommand::Kind::next_figure:
-                figure = (figure + 1) % count;
+                next_figure = (next_figure + 1) % count;
                 break;
             case DancerCommand::Kind::select_figure:
-                figure = static_cast<std::size_t>(
-                    std::clamp(command.value, 0.0, static_cast<double>(count - 1)));
+                if (command.value >= 0.0 && command.value < static_cast<double>(count)) {
+                    next_figure = static_cast<std::size_t>(command.value);
+                }
                 break;
             case DancerCommand::Kind::hold:
                 is_held = true;
@@ -147,12 +149,18 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     hops_sure = is_sure ? hops_sure + 1 : 0;
     hops_unsure = is_unsure ? hops_unsure + 1 : 0;
     if (is_dancing) {
+        const double figures_before = std::floor(phase.phase().count() / cycle().beats());
         const bool has_reanchored = phase.advance(music.grid, cycle().learnt_tempo(), music.time);
+        const bool is_figure_over =
+            std::floor(phase.phase().count() / cycle().beats()) != figures_before;
         if (is_held || hops_unsure > kHopsToStop) {
             is_dancing = false;
             change(music.time);
         } else if (has_reanchored) {
             ++reanchors;
+            change(music.time);
+        } else if (is_figure_over && figure != next_figure) {
+            figure = next_figure;
             change(music.time);
         }
         return;
@@ -164,6 +172,7 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     const double since_downbeat = music.grid.bar_position(now);
     if (since_downbeat < kDownbeatWindow) {
         is_dancing = true;
+        figure = next_figure;
         phase.start(music.grid, now - Beats(since_downbeat), cycle().learnt_tempo(), music.time);
         change(music.time);
     }
@@ -188,6 +197,7 @@ Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
 }
 
 void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NONBLOCKING {
+    const FlushToZeroScope flush_to_zero;
     State& state = *state_;
     if (!state.library) {
         return;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -33,17 +35,24 @@ void nap(Nanos span) {
     clock_nanosleep(CLOCK_MONOTONIC, 0, &time, nullptr);
 }
 
+/// raks-20260131-235959.png, with a number behind it when that is there already.
 std::string screenshot_name() {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     localtime_r(&now, &local);
-    return fmt::format("raks-{:04}{:02}{:02}-{:02}{:02}{:02}.png",
-                       local.tm_year + 1900,
-                       local.tm_mon + 1,
-                       local.tm_mday,
-                       local.tm_hour,
-                       local.tm_min,
-                       local.tm_sec);
+    const std::string stem = fmt::format("raks-{:04}{:02}{:02}-{:02}{:02}{:02}",
+                                         local.tm_year + 1900,
+                                         local.tm_mon + 1,
+                                         local.tm_mday,
+                                         local.tm_hour,
+                                         local.tm_min,
+                                         local.tm_sec);
+    std::string name = stem + ".png";
+    std::error_code error;
+    for (int i = 2; std::filesystem::exists(name, error); ++i) {
+        name = fmt::format("{}-{}.png", stem, i);
+    }
+    return name;
 }
 
 }  // namespace

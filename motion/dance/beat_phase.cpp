@@ -47,9 +47,12 @@ void DancePhase::start(const BeatGrid& grid,
 bool DancePhase::advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now) noexcept {
     const double octave = choose_octave(grid.tempo, learnt_tempo, octave_);
     if (octave != octave_) {
-        // The same phase at the new octave: the figure goes on from where it is.
+        // From about where it is, but with count 1 on a downbeat again: what is missing is danced
+        // off, or re-anchored when it is more than a beat.
         octave_ = octave;
-        origin_ = grid.beats_at(now) - (1.0 / octave_) * phase_;
+        const Beats kept = grid.beats_at(now) - (1.0 / octave_) * phase_;
+        const double bars = (kept - grid.bar_origin).count() / grid.beats_per_bar;
+        origin_ = grid.bar_origin + Beats(grid.beats_per_bar * std::round(bars));
     }
     const double music_rate = octave_ * grid.tempo.beats_per_second();
     const double hop = to_seconds(kHop);

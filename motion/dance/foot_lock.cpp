@@ -18,7 +18,7 @@ constexpr double kLandingReach = 0.5;  // beats between a contact's start and it
 constexpr int kLandingRepeats = 3;
 // Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
 // (Before it: the foot glides the last centimetres while the lock takes it up.)
-constexpr double kRestAfterLanding = -0.02;
+constexpr double kRestAfterLanding = -0.03;
 
 /// Shortest contact that is worth locking, in samples.
 std::ptrdiff_t shift_floor(double samples_per_beat) {

@@ -40,6 +40,9 @@ Pipe make_pipe() {
     for (const auto& [name, value] : plan.environment) {
         setenv(name.c_str(), value.c_str(), 1);
     }
+    if (!plan.folder.empty() && chdir(plan.folder.c_str()) != 0) {
+        _exit(126);
+    }
     if (plan.file_size_limit) {
         rlimit limit{};
         limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(*plan.file_size_limit);

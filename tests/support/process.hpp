@@ -22,6 +22,7 @@ struct ProcessPlan {
     std::vector<std::string> command;                              ///< program and arguments
     std::vector<std::pair<std::string, std::string>> environment;  ///< over the test's own
     std::vector<std::string> unset;                                ///< names to remove
+    std::string folder;                       ///< to start in; empty: the test's own
     std::optional<long> file_size_limit;      ///< RLIMIT_FSIZE in bytes: a full disk
     std::optional<long> address_space_limit;  ///< RLIMIT_AS in bytes
     std::chrono::seconds timeout{60};

@@ -156,6 +156,50 @@ TEST(Dancer, dances_at_the_octave_of_its_learnt_tempo) {
     }
 }
 
+TEST(Dancer, another_figure_begins_on_its_count_1_without_a_jump) {
+    auto follow =
+        load_figure(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_basic_follow.json");
+    ASSERT_TRUE(follow) << follow.error().message;
+    const std::array<FigureModel, 2> figures = {basic_step(), *follow};
+    auto library = DanceLibrary::build(figures, mannequin_skeleton());
+    ASSERT_TRUE(library);
+    Dancer dancer;
+    ASSERT_TRUE(dancer.prepare(*library, mannequin_skeleton(), 1));
+    const auto track = std::make_unique<PoseTrack>();
+    dancer.command({DancerCommand::Kind::next_figure, stream_time_from_seconds(8.33), 0.0});
+    dancer.command({DancerCommand::Kind::select_figure, stream_time_from_seconds(14.1), 0.0});
+    dancer.command(
+        {DancerCommand::Kind::select_figure, stream_time_from_seconds(14.2), std::nan("")});
+    std::vector<Pose> poses;
+    for (HopIndex hop = 0; hop < 2200; ++hop) {
+        dancer.advance(sure_state(hop, steady_grid(166.0)), *track);
+        poses.push_back(track->at_hop(hop));
+    }
+    EXPECT_LT(largest_step(poses, 0, 2200), kFastestStep);
+}
+
+TEST(Dancer, is_on_the_beat_again_after_a_change_of_octave) {
+    for (const double slow : {88.0, 70.0}) {
+        Dancer dancer;
+        ASSERT_TRUE(dancer.prepare(library_of(basic_step()), mannequin_skeleton(), 1));
+        const auto track = std::make_unique<PoseTrack>();
+        BeatGrid grid = steady_grid(120.0);
+        for (HopIndex hop = 0; hop < 4000; ++hop) {
+            if (hop == 1337) {
+                grid.anchor_beat = grid.beats_at(time_of_hop(hop));
+                grid.anchor_time = time_of_hop(hop);
+                grid.tempo = Bpm(slow);
+            }
+            dancer.advance(sure_state(hop, grid), *track);
+        }
+        const DancerStatus status = dancer.status();
+        EXPECT_EQ(status.octave, 2.0);
+        const double bar = grid.bar_position(grid.beats_at(time_of_hop(3999)));
+        const double off = (status.phase - 2.0 * bar) / 8.0;
+        EXPECT_NEAR(off, std::round(off), 0.01) << slow << ": count 1 is on the downbeat";
+    }
+}
+
 TEST(Dancer, holds_and_goes_on_by_command) {
     Dancer dancer;
     ASSERT_TRUE(dancer.prepare(library_of(basic_step()), mannequin_skeleton(), 1));
