@@ -155,7 +155,8 @@ void BeatTracker::heed(GridAdvice advice) noexcept {
             const double fraction = half - std::floor(half);
             beats_per_hop_ *= 0.5;
             is_halved_ = true;
-            pointer_.expect_below(0.75 * bpm);
+            fastest_bpm_ = 0.75 * bpm;
+            pointer_.expect_below(fastest_bpm_);
             pointer_.believe(0.5 * bpm, fraction);
             shift_ = 0.0;
             position_ = whole + fraction;
@@ -302,8 +303,12 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             is_tempo_held_ = true;
             break;
         case Kind::release_tempo:
-            is_tempo_held_ = is_octave_users_ = is_halved_ = false;
+            // What the user held; an octave that the music told stays.
+            is_tempo_held_ = is_octave_users_ = false;
             pointer_.expect_any_tempo();
+            if (is_halved_) {
+                pointer_.expect_below(fastest_bpm_);
+            }
             break;
     }
 }

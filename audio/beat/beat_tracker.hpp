@@ -70,6 +70,7 @@ class BeatTracker {
     double shift_ = 0.0;            // beats between the pointer's beat and ours: 0 or 0.5
     bool is_octave_users_ = false;  // the user chose it: patterns do not change it
     bool is_halved_ = false;        // faster tempi are ruled out: drums and bass said so
+    double fastest_bpm_ = 230.0;    // while is_halved_
     int hops_unsure_ = 0;
     int hops_apart_ = 0;  // hops in a row in which belief and grid disagreed
     int hops_heard_ = 0;  // hops with evidence since reset or jump

@@ -1,4 +1,5 @@
 raks_test_program(dance
     SOURCES dance/dancer_test.cpp dance/landing_test.cpp dance/parts_test.cpp dance/stage.cpp
-    LIBRARIES raks::motion_dancer raks::motion_dance raks::motion_figures
+            evaluate/dance_metrics_test.cpp
+    LIBRARIES raks::motion_dancer raks::motion_dance raks::motion_evaluate raks::motion_figures
     TIMEOUT 300)

@@ -160,7 +160,7 @@ TEST_F(Commanded, resync_makes_the_nearest_beat_count_one) {
 }
 
 TEST_F(Commanded, nudge_moves_the_beats) {
-    const auto plain = after(AnalyzerCommand::Kind::nudge, 0.0);
+    const auto plain = after(AnalyzerCommand::Kind::release_tempo);
     const auto moved = after(AnalyzerCommand::Kind::nudge, 0.05);
     const StreamTime end = plain.back().time;
     const double beats =

@@ -1,0 +1,95 @@
+#include "motion/evaluate/body_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace raks::motion {
+namespace {
+
+constexpr std::array<Bone, 2> kFeet = {Bone::left_foot, Bone::right_foot};
+
+// Where a foot ends: the toes' joint or end site, else the foot's.
+glm::dvec3 toe_tip(const MotionClip& clip,
+                   const HumanoidMapping& mapping,
+                   const ClipWorldPose& world,
+                   Side side) {
+    const std::optional<std::size_t> toes = mapping.joint(on_side(Bone::left_toes, side));
+    const std::size_t joint =
+        toes ? *toes : mapping.joint(on_side(Bone::left_foot, side)).value_or(0);
+    const glm::dvec3 tip = clip.joints[joint].end_site.value_or(glm::dvec3(0.0));
+    return world.positions[joint] + world.rotations[joint] * tip;
+}
+
+}  // namespace
+
+BodyTrack body_track(const Skeleton& skeleton,
+                     std::span<const Pose> poses,
+                     double frames_per_second) {
+    BodyTrack track;
+    track.frames_per_second = frames_per_second;
+    track.joints.resize(poses.size());
+    track.feet.resize(poses.size());
+    for (std::size_t f = 0; f < poses.size(); ++f) {
+        const WorldPose world = world_pose(skeleton, poses[f]);
+        for (std::size_t j = 0; j < kBodyBones.size(); ++j) {
+            track.joints[f][j] = world.position(kBodyBones[j]);
+        }
+        for (const Side side : kSides) {
+            track.feet[f][static_cast<std::size_t>(side)] = {
+                glm::dvec3(world.position(on_side(Bone::left_foot, side))),
+                glm::dvec3(foot_point(world, side, skeleton.toe_tip))};
+        }
+    }
+    return track;
+}
+
+Expected<BodyTrack> body_track(const MotionClip& clip, double metres_per_unit) {
+    const Expected<HumanoidMapping> mapping = map_humanoid(clip);
+    if (!mapping) {
+        return tl::unexpected(mapping.error());
+    }
+    for (const Bone bone : kBodyBones) {
+        if (!mapping->joint(bone)) {
+            return fail("the body has no " + std::string(kBoneNames[index_of(bone)]) +
+                        ", which the metrics need");
+        }
+    }
+    BodyTrack track;
+    track.frames_per_second = clip.frames_per_second;
+    track.joints.resize(clip.frame_count);
+    track.feet.resize(clip.frame_count);
+    for (std::size_t f = 0; f < clip.frame_count; ++f) {
+        const ClipWorldPose world = world_pose(clip, f);
+        for (std::size_t j = 0; j < kBodyBones.size(); ++j) {
+            track.joints[f][j] = metres_per_unit * world.positions[*mapping->joint(kBodyBones[j])];
+        }
+        for (const Side side : kSides) {
+            const std::size_t s = static_cast<std::size_t>(side);
+            track.feet[f][s] = {metres_per_unit * world.positions[*mapping->joint(kFeet[s])],
+                                metres_per_unit * toe_tip(clip, *mapping, world, side)};
+        }
+    }
+    return track;
+}
+
+std::vector<Pose> resampled(std::span<const Pose> poses, double from, double to) {
+    std::vector<Pose> result;
+    if (poses.empty()) {
+        return result;
+    }
+    const double last = static_cast<double>(poses.size() - 1);
+    for (std::size_t i = 0;; ++i) {
+        const double at = static_cast<double>(i) * from / to;
+        if (at > last) {
+            return result;
+        }
+        const auto before = static_cast<std::size_t>(at);
+        const std::size_t after = std::min(before + 1, poses.size() - 1);
+        result.push_back(
+            interpolate(poses[before], poses[after], static_cast<float>(at - std::floor(at))));
+    }
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/motion_clip.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+#include <glm/vec3.hpp>
+
+namespace raks::motion {
+
+/// The 19 joints that dance metrics look at: body and limbs, no fingers and toes.
+inline constexpr std::array<Bone, 19> kBodyBones = {
+    Bone::hips,
+    Bone::spine,
+    Bone::chest,
+    Bone::neck,
+    Bone::head,
+    Bone::left_shoulder,
+    Bone::left_upper_arm,
+    Bone::left_lower_arm,
+    Bone::left_hand,
+    Bone::right_shoulder,
+    Bone::right_upper_arm,
+    Bone::right_lower_arm,
+    Bone::right_hand,
+    Bone::left_upper_leg,
+    Bone::left_lower_leg,
+    Bone::left_foot,
+    Bone::right_upper_leg,
+    Bone::right_lower_leg,
+    Bone::right_foot,
+};
+
+/// Places of a moving body in the world, metres, y up: what metrics are computed from, whether it
+/// was captured or danced.
+struct BodyTrack {
+    double frames_per_second = 60.0;
+    std::vector<std::array<glm::dvec3, kBodyBones.size()>> joints;  ///< by frame
+    std::vector<std::array<SourceFoot, 2>> feet;                    ///< by frame and Side
+
+    [[nodiscard]] std::size_t frames() const noexcept { return joints.size(); }
+};
+
+/// Of poses on our skeleton. Threads: workers. Real-time: no.
+[[nodiscard]] BodyTrack body_track(const Skeleton& skeleton,
+                                   std::span<const Pose> poses,
+                                   double frames_per_second);
+
+/// Of a recorded clip in its own skeleton. Errors: no humanoid, or one of the 19 joints missing
+/// (named). Threads: workers. Real-time: no.
+[[nodiscard]] Expected<BodyTrack> body_track(const MotionClip& clip, double metres_per_unit);
+
+/// Poses that come at `from` a second as they are at `to` a second (interpolated).
+[[nodiscard]] std::vector<Pose> resampled(std::span<const Pose> poses, double from, double to);
+
+}  // namespace raks::motion

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "motion/evaluate/body_track.hpp"
+
+/// How smooth a dance is and how well its feet stand. Places are smoothed by the binomial filter
+/// 1-4-6-4-1 over frames first, so figures belong to a frame rate: compare at 60 a second.
+namespace raks::motion {
+
+/// Third difference of the 19 joints' places; m/s^3.
+struct JerkReport {
+    double rms = 0.0;
+    double p999 = 0.0;  ///< 99.9th percentile over joints and frames
+    double highest = 0.0;
+};
+/// Zero for less than 4 frames. Threads: workers. Real-time: no.
+[[nodiscard]] JerkReport jerk_of(const BodyTrack& track);
+
+/// Contact: toe tip slower than 0.25 m/s and lower than 5 cm over the floor; a contact counts from
+/// 4 frames on.
+struct ContactReport {
+    double share = 0.0;         ///< of the time in contact, mean of both feet
+    std::vector<double> slips;  ///< metres: how far a toe tip moves over the floor in one contact
+    double slip_median = 0.0;
+    double slip_p90 = 0.0;
+    double slip_p95 = 0.0;
+    double toe_speed_mean = 0.0;  ///< in contact; m/s
+    double toe_speed_p95 = 0.0;
+    double lowest_toe = 0.0;  ///< the smoothed toe tips' least height over the floor; metres
+};
+/// `floor_height`: of the floor, metres; none: each foot's own 5th percentile of toe height, for
+/// captured motion. Threads: workers. Real-time: no.
+[[nodiscard]] ContactReport contacts_of(const BodyTrack& track,
+                                        std::optional<double> floor_height = std::nullopt);
+
+/// The value below which `share` of the values lie, interpolated between neighbours as numpy does;
+/// 0 when empty.
+[[nodiscard]] double percentile(std::vector<double> values, double share);
+
+}  // namespace raks::motion

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "motion/evaluate/body_track.hpp"
+#include "motion/figures/figure_model.hpp"
+
+namespace raks::motion {
+
+/// One step that came down.
+struct Landing {
+    Side side = Side::left;
+    int count = 1;       ///< of the figure, 1..beats
+    double time = 0.0;   ///< seconds from the track's first frame
+    double error = 0.0;  ///< seconds after count + learnt offset; early is negative
+};
+
+/// Landings against the music: DESIGN 5's measure of synchrony.
+struct LandingReport {
+    std::vector<Landing> landings;  ///< those at counts where people land with that foot
+    std::size_t unexpected = 0;     ///< landings at any other count
+    std::size_t missing = 0;        ///< counts where people land and this dance did not
+    double mean = 0.0;              ///< of the errors; seconds
+    double deviation = 0.0;         ///< standard deviation of the errors; seconds
+    double within_80_ms = 0.0;      ///< share
+};
+
+/// Where each foot comes down (foot_events.hpp: speed under 0.30 m/s after a step over 0.60, 8 Hz)
+/// against the counts of the music and the figure's learnt offset for that foot and count.
+///
+/// `count_times`: seconds of the counts heard, from a count 1 on, ascending; not the dancer's own
+/// phase. Counts near the track's ends (1 s) are left out: the low-pass has no future there. A
+/// landing belongs to the count from which it lies in [-0.4, 0.6) beats, as in training; offsets
+/// learnt from less than `least_repeats` landings are not expected.
+/// Threads: workers. Real-time: no.
+[[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
+                                           const FigureModel& figure,
+                                           std::span<const double> count_times,
+                                           int least_repeats = 3);
+
+}  // namespace raks::motion

@@ -1,0 +1,172 @@
+#include "motion/evaluate/dance_metrics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "motion/evaluate/landing_error.hpp"
+#include "motion/skeleton/bvh.hpp"
+
+namespace raks::motion {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kRate = 60.0;
+
+BodyTrack standing(std::size_t frames) {
+    BodyTrack track;
+    track.frames_per_second = kRate;
+    track.joints.resize(frames);
+    track.feet.resize(frames);
+    return track;
+}
+
+double seconds(std::size_t frame) { return static_cast<double>(frame) / kRate; }
+
+TEST(Percentile, interpolates_between_neighbours) {
+    EXPECT_EQ(percentile({}, 0.5), 0.0);
+    EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.0), 1.0);
+    EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
+    EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
+}
+
+TEST(Jerk, of_a_sine_is_its_third_derivative_and_of_a_steady_way_nothing) {
+    // Slow enough that filter and differences cost less than 1 %: 1 Hz at 60 frames a second.
+    constexpr double kSize = 0.1;
+    constexpr double kOmega = 2.0 * M_PI;
+    BodyTrack track = standing(601);
+    BodyTrack steady = standing(601);
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        const double t = seconds(f);
+        // Flat at both ends, where the filter repeats the last frame.
+        track.joints[f].fill({kSize * std::cos(kOmega * t), 1.0, 0.0});
+        steady.joints[f].fill({0.0, 1.0, 0.0});
+    }
+    const double expected = kSize * kOmega * kOmega * kOmega;
+    EXPECT_NEAR(jerk_of(track).rms, expected / std::sqrt(2.0), 0.01 * expected);
+    EXPECT_LT(jerk_of(steady).highest, 1e-6);
+    EXPECT_EQ(jerk_of(standing(3)).rms, 0.0);
+}
+
+TEST(Contacts, of_a_sliding_toe_are_as_long_as_it_slides) {
+    BodyTrack track = standing(240);
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        const double t = seconds(f);
+        // Left: 0.1 m/s for ever: one contact. Right: in the air.
+        track.feet[f][0].toe_tip = {0.1 * t, 0.01, 0.0};
+        track.feet[f][1].toe_tip = {0.0, 0.3, 0.0};
+    }
+    const ContactReport report = contacts_of(track, 0.0);
+    ASSERT_EQ(report.slips.size(), 1U);
+    // The filter shortens the way by 0.75 frames at its ends.
+    EXPECT_NEAR(report.slips[0], 0.1 * seconds(239), 1.3e-3);
+    EXPECT_NEAR(report.share, 0.5, 1e-12);
+    EXPECT_NEAR(report.toe_speed_mean, 0.1, 1e-3);
+    EXPECT_NEAR(report.lowest_toe, 0.01, 1e-12);
+}
+
+// A foot that rests, steps 0.4 m in 0.3 s (a raised cosine in speed) and rests again.
+void add_step(BodyTrack& track, Side side, double end) {
+    constexpr double kLength = 0.3;
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        const double u = std::clamp((seconds(f) - end + kLength) / kLength, 0.0, 1.0);
+        const double way = 0.4 * (u - std::sin(2.0 * M_PI * u) / (2.0 * M_PI));
+        SourceFoot& foot = track.feet[f][static_cast<std::size_t>(side)];
+        foot.ankle.z += way;
+        foot.toe_tip.z += way;
+    }
+}
+
+FigureModel two_steps() {
+    FigureModel figure;
+    figure.beats = 8;
+    for (auto& side : figure.landings) {
+        side.resize(8);
+    }
+    figure.landings[0][0] = {5, Beats(0.0), Beats(0.1)};
+    figure.landings[1][4] = {5, Beats(0.25), Beats(0.1)};
+    return figure;
+}
+
+TEST(LandingErrors, measure_how_late_each_foot_is_against_its_learnt_offset) {
+    std::vector<double> counts;
+    for (int k = 0; k < 24; ++k) {
+        counts.push_back(2.0 + 0.5 * k);  // 120 BPM
+    }
+    BodyTrack track = standing(1000);
+    for (const double figure_start : {2.0, 6.0, 10.0}) {
+        add_step(track, Side::left, figure_start);
+        add_step(track, Side::right, figure_start + 2.0 + 0.125);
+    }
+    const LandingReport on_time = landing_errors(track, two_steps(), counts);
+    ASSERT_EQ(on_time.landings.size(), 6U);
+    EXPECT_EQ(on_time.missing, 0U);
+    EXPECT_EQ(on_time.unexpected, 0U);
+    // The raised cosine is under 0.30 m/s for its last 50 ms.
+    EXPECT_NEAR(on_time.mean, -0.035, 0.02);
+    EXPECT_LT(on_time.deviation, 0.002);
+
+    BodyTrack late = standing(1000);
+    for (const double figure_start : {2.0, 6.0, 10.0}) {
+        add_step(late, Side::left, figure_start + 0.1);
+        add_step(late, Side::right, figure_start + 2.0 + 0.125 + 0.1);
+    }
+    EXPECT_NEAR(landing_errors(late, two_steps(), counts).mean, on_time.mean + 0.1, 0.003);
+}
+
+TEST(LandingErrors, count_steps_that_are_missing_or_not_expected) {
+    std::vector<double> counts;
+    for (int k = 0; k < 16; ++k) {
+        counts.push_back(2.0 + 0.5 * k);
+    }
+    BodyTrack track = standing(900);
+    add_step(track, Side::left, 2.0);
+    add_step(track, Side::left, 4.0);  // nobody steps left on 5
+    const LandingReport report = landing_errors(track, two_steps(), counts);
+    EXPECT_EQ(report.landings.size(), 1U);
+    EXPECT_EQ(report.missing, 3U);
+    EXPECT_EQ(report.unexpected, 1U);
+}
+
+class ReferenceMetrics : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(PlainCuts, ReferenceMetrics, ::testing::Values("60", "61"));
+
+TEST_P(ReferenceMetrics, equal_those_of_the_reference_program) {
+    const char* const given = std::getenv("RAKS_SHARED");  // NOLINT(concurrency-mt-unsafe)
+    const fs::path shared =
+        given != nullptr ? fs::path(given) : fs::path(RAKS_SOURCE_DIR) / "../shared";
+    const std::string name = std::string(GetParam()) + "_03_973_1679";
+    const fs::path file = shared / "data" / "mocap" / "salsa" / (name + ".bvh");
+    if (!fs::exists(file)) {
+        GTEST_SKIP() << "no clip at " << file;
+    }
+    std::ifstream stream(shared / "data" / "mocap" / ("metrics_" + name + ".json"));
+    const nlohmann::json expected = nlohmann::json::parse(stream);
+    const auto clip = read_bvh(file, {.frames_per_second = kRate});
+    ASSERT_TRUE(clip) << clip.error().message;
+    const auto track = body_track(*clip, std::string(GetParam()) == "60" ? 1.267 : 1.17);
+    ASSERT_TRUE(track) << track.error().message;
+    const auto near = [](double value, double reference) {
+        EXPECT_NEAR(value, reference, 1e-6 * std::abs(reference));
+    };
+    const JerkReport jerk = jerk_of(*track);
+    near(jerk.rms, expected["jerk_rms"]);
+    near(jerk.p999, expected["jerk_p999"]);
+    const ContactReport contact = contacts_of(*track);
+    const nlohmann::json& reference = expected["contact"];
+    EXPECT_EQ(contact.slips.size(), reference["count"].get<std::size_t>());
+    near(contact.share, reference["share"]);
+    near(contact.slip_median, reference["slip_median"]);
+    near(contact.slip_p95, reference["slip_p95"]);
+    near(contact.toe_speed_mean, reference["toe_speed_mean"]);
+    near(contact.toe_speed_p95, reference["toe_speed_p95"]);
+    near(-contact.lowest_toe, reference["toe_lowest_below_floor"]);
+}
+
+}  // namespace
+}  // namespace raks::motion
