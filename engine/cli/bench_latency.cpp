@@ -12,6 +12,8 @@
 #include "engine/cli/signals.hpp"
 #include "engine/dance_files.hpp"
 #include "engine/live_graph.hpp"
+#include "motion/evaluate/landing_error.hpp"
+#include "motion/figures/figure_model.hpp"
 
 #include <fmt/format.h>
 
@@ -55,6 +57,9 @@ struct Watched {
     std::vector<double> music_age_ms;  // of the newest state, at the moment of drawing
     std::vector<double> pose_age_ms;   // how far the shown pose lies before the newest final one
     std::vector<double> bpm;
+    std::vector<motion::Pose> shown;  // one every kPictureTime
+    StreamTime first_moment{};        // of the first shown pose
+    StreamTime count_1{};             // a moment that is count 1
 };
 
 Watched watch(engine::LiveGraph& graph, double seconds) {
@@ -74,8 +79,50 @@ Watched watch(engine::LiveGraph& graph, double seconds) {
         watched.pose_age_ms.push_back(1e3 *
                                       to_seconds(time_of_hop(stage.track.newest_final()) - moment));
         watched.bpm.push_back(stage.music.grid.tempo.bpm());
+        if (watched.shown.empty()) {
+            watched.first_moment = moment;
+        }
+        watched.shown.push_back(stage.track.at(moment));
+        if (stage.dancer.is_dancing) {
+            const BeatGrid& grid = stage.music.grid;
+            watched.count_1 = grid.time_of(grid.beats_at(stage.music.time) -
+                                           Beats(stage.dancer.phase / stage.dancer.octave));
+        }
     }
     return watched;
+}
+
+/// The steps of the displayed poses against the beats in the samples that were sent out.
+void add_landing(const Watched& watched, const audio::GeneratedMusic& music, BenchReport& report) {
+    const auto path = engine::data_path("models/trained/salsa_basic_lead.json");
+    if (!path) {
+        return;
+    }
+    const auto figure = motion::load_figure(*path);
+    if (!figure || watched.shown.size() < 600) {
+        return;
+    }
+    // The first count 1 whose beat lies behind the start and blend-in of the dance.
+    constexpr double kBlendIn = 4.0;
+    const auto nearest =
+        std::min_element(music.beats.begin(), music.beats.end(), [&](const auto& a, const auto& b) {
+            return std::abs((a.time - watched.count_1).count()) <
+                   std::abs((b.time - watched.count_1).count());
+        });
+    const auto first = static_cast<std::size_t>(nearest - music.beats.begin()) % 8;
+    std::vector<double> counts;
+    for (std::size_t beat = first; beat < music.beats.size(); ++beat) {
+        const double time = to_seconds(music.beats[beat].time - watched.first_moment);
+        if (!counts.empty() || (time > kBlendIn && beat % 8 == first)) {
+            counts.push_back(time);
+        }
+    }
+    const double rate = 1.0 / to_seconds(Nanos(kPictureTime));
+    const motion::LandingReport landing = motion::landing_errors(
+        motion::body_track(motion::mannequin_skeleton(), watched.shown, rate), *figure, counts);
+    report.values.emplace_back("landings", static_cast<double>(landing.landings.size()));
+    report.values.emplace_back("landing_mean_ms", 1e3 * landing.mean);
+    report.values.emplace_back("landing_sd_ms", 1e3 * landing.deviation);
 }
 
 }  // namespace
@@ -129,6 +176,7 @@ Expected<BenchReport> bench_latency(double seconds) {
     report.values.emplace_back("bpm", spread_of(watched.bpm).p50);
     report.values.emplace_back("reported_output_latency_ms",
                                1e3 * to_seconds((*graph)->output_latency()));
+    add_landing(watched, *music, report);
     const engine::LiveCounters counters = (*graph)->counters();
     report.values.emplace_back("dropped_states", static_cast<double>(counters.dropped_states));
     report.values.emplace_back("xruns", static_cast<double>(counters.xruns));

@@ -92,6 +92,21 @@ TEST_F(Commands, render_writes_the_same_video_twice) {
     EXPECT_GT(std::filesystem::file_size(path("a.mp4")), 10'000U);
 }
 
+TEST_F(Commands, bench_latency_writes_its_document_with_the_tempo_that_plays) {
+    const ProcessResult result = run({"bench", "latency", "--json", "--duration", "8"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto document = nlohmann::json::parse(result.out);
+    EXPECT_EQ(document["format"], "raks-bench");
+    EXPECT_EQ(document["bench"], "latency");
+    EXPECT_NEAR(document["bpm"].get<double>(), 180.0, 4.0);
+    for (const char* name : {"callback_ms", "music_age_ms", "pose_age_ms"}) {
+        for (const char* share : {"p50", "p95", "p99", "max"}) {
+            EXPECT_TRUE(document[name].contains(share)) << name << " " << share;
+        }
+    }
+    EXPECT_EQ(document["dropped_states"].get<double>(), 0.0);
+}
+
 TEST_F(Commands, play_without_window_and_sound_runs_to_the_files_end) {
     write_music("salsa.wav", 184.0, 3.0);
     const ProcessResult result = run({"play", path("salsa.wav"), "--headless", "--no-sound"});
