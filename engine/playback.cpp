@@ -1,6 +1,7 @@
 #include "engine/playback.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "audio/io/downmix.hpp"
@@ -42,23 +43,32 @@ Expected<void> Playback::prepare(SampleRate device_rate) {
 /// Next frames of the file, analyzed as they come; 0 when none are ready or the file has ended.
 std::size_t Playback::refill() noexcept {
     const audio::PulledAudio got = player_->pull(pulled_);
+    // Anew each time: after its end the source goes on where a seek says.
+    is_source_ended_ = got.is_ended;
     if (got.frames == 0) {
-        is_source_ended_ = is_source_ended_ || got.is_ended;
         return 0;
     }
     const double seconds = static_cast<double>(got.position) / file_rate_.hertz();
-    position_seconds_.store(seconds, std::memory_order_relaxed);  // relaxed: for display
-    if (seconds >= end_seconds_.load(std::memory_order_relaxed)) {
+    // relaxed, all three: numbers by themselves
+    if (!player_->is_seeking()) {
+        position_seconds_.store(seconds, std::memory_order_relaxed);
+    }
+    const double left = end_seconds_.load(std::memory_order_relaxed) - seconds;
+    const double frames_left = std::round(left * file_rate_.hertz());
+    if (frames_left < 1.0) {
         is_source_ended_ = true;
         return 0;
     }
+    const std::size_t frames = frames_left < static_cast<double>(got.frames)
+                                   ? static_cast<std::size_t>(frames_left)
+                                   : got.frames;
     if (got.is_jump && analysis_->taken_until() > StreamTime{}) {
         analysis_->skip(0);
     }
-    const std::span<float> mono = std::span(mono_).first(got.frames);
-    audio::downmix_to_mono(std::span(pulled_).first(2 * got.frames), 2, mono);
+    const std::span<float> mono = std::span(mono_).first(frames);
+    audio::downmix_to_mono(std::span(pulled_).first(2 * frames), 2, mono);
     analysis_->analyze(mono);
-    return got.frames;
+    return frames;
 }
 
 /// Fills `stereo` at the device's rate; returns how many frames hold the file's sound.
@@ -142,7 +152,11 @@ double Playback::position_seconds() const noexcept {
     return position_seconds_.load(std::memory_order_relaxed);
 }
 
-void Playback::seek(double seconds) { player_->seek(0, std::max(0.0, seconds)); }
+void Playback::seek(double seconds) {
+    const double wanted = std::max(0.0, seconds);
+    player_->seek(0, wanted);
+    position_seconds_.store(wanted, std::memory_order_relaxed);  // relaxed: for display
+}
 
 bool Playback::is_finished() const noexcept { return is_finished_.load(std::memory_order_acquire); }
 

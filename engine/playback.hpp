@@ -39,13 +39,14 @@ class Playback final : public audio::StreamCallback {
     void set_volume(float volume) noexcept;  ///< [0, 2]
     void set_paused(bool is_paused) noexcept;
     [[nodiscard]] bool is_paused() const noexcept;
-    /// Where the file plays, in seconds. A moment ahead of what is heard.
+    /// Where the file plays, in seconds. A moment ahead of what is heard; after a seek at once the
+    /// new place, also in a pause.
     [[nodiscard]] double position_seconds() const noexcept;
-    /// Goes to another place of the file (clamped to >= 0).
+    /// Goes to another place of the file (clamped to >= 0); behind its end, playing is finished.
     void seek(double seconds);
     /// All of the file has been given to the device.
     [[nodiscard]] bool is_finished() const noexcept;
-    /// Plays no further than this (seconds in the file).
+    /// Plays no further than this (seconds in the file), to the sample.
     void set_end(double seconds) noexcept;
 
  private:
