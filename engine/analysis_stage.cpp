@@ -7,13 +7,16 @@
 namespace raks::engine {
 namespace {
 
+// A meter falls slowly enough to be read: IEC 60268-10 type I, 20 dB in 1.7 s.
+constexpr float kMeterFallPerSecond = 20.0F / 1.7F;
+
 float level_of(std::span<const float> mono) noexcept {
-    double energy = 1e-12;
+    double energy = 0.0;
     for (const float sample : mono) {
         energy += static_cast<double>(sample) * static_cast<double>(sample);
     }
-    return static_cast<float>(
-        10.0 * std::log10(energy / static_cast<double>(std::max<std::size_t>(1, mono.size()))));
+    const double mean = energy / static_cast<double>(std::max<std::size_t>(1, mono.size()));
+    return static_cast<float>(10.0 * std::log10(std::max(mean, 1e-12)));
 }
 
 }  // namespace
@@ -33,7 +36,11 @@ void AnalysisStage::analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKI
     const FlushToZeroScope flush_to_zero;
     run_commands();
     analyzer_.process(mono, queue_);
-    level_dbfs_.store(level_of(mono), std::memory_order_relaxed);  // relaxed: a meter
+    const float seconds = static_cast<float>(mono.size()) / static_cast<float>(rate_.hertz());
+    // relaxed: a meter, written here alone
+    const float fallen =
+        level_dbfs_.load(std::memory_order_relaxed) - seconds * kMeterFallPerSecond;
+    level_dbfs_.store(std::max(level_of(mono), fallen), std::memory_order_relaxed);
     // release: pairs with the acquire in taken_until().
     frames_taken_.fetch_add(static_cast<std::int64_t>(mono.size()), std::memory_order_release);
 }

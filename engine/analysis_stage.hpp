@@ -54,7 +54,7 @@ class AnalysisStage {
     [[nodiscard]] Nanos delay() const noexcept { return analyzer_.delay(); }
     /// What add_callback_time counted. Threads: any.
     [[nodiscard]] const TimingHistogram& callback_times() const noexcept { return callback_times_; }
-    /// Level of the newest block, rms in dBFS. Threads: any.
+    /// Level for a meter: rms of a block in dBFS, rises at once and falls slowly. Threads: any.
     [[nodiscard]] float level_dbfs() const noexcept {
         return level_dbfs_.load(std::memory_order_relaxed);  // relaxed: a meter
     }
