@@ -34,15 +34,10 @@ std::string list_of(Devices devices, Direction direction) {
     std::string list;
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (can(devices[i], direction)) {
-            list += (list.empty() ? "" : ", ") + std::to_string(i) + " '" + devices[i].name +
-                    "' (" + devices[i].host_api + ")";
+            list += (list.empty() ? "" : ", ") + std::to_string(i) + " " + described(devices[i]);
         }
     }
     return list.empty() ? std::string("there is none") : "there are " + list;
-}
-
-std::string described(const AudioDevice& device) {
-    return "'" + device.name + "' (" + device.host_api + ")";
 }
 
 DeviceChoice chosen(const AudioDevice& device, const std::string& why) {
@@ -79,13 +74,15 @@ Expected<DeviceChoice> choose_named(Devices devices, Direction direction, std::s
         return chosen(devices[*number], "number " + name + ", as asked for");
     }
     const std::string low = lower(wanted);
-    const auto same = all_that(
-        devices, direction, [&](const AudioDevice& device) { return lower(device.name) == low; });
+    const auto same = all_that(devices, direction, [&](const AudioDevice& device) {
+        return lower(device.name) == low || lower(device.description) == low;
+    });
     if (!same.empty()) {
         return chosen(*same.front(), "as asked for");
     }
     const auto similar = all_that(devices, direction, [&](const AudioDevice& device) {
-        return lower(device.name).find(low) != std::string::npos;
+        return lower(device.name).find(low) != std::string::npos ||
+               lower(device.description).find(low) != std::string::npos;
     });
     if (similar.size() == 1) {
         return chosen(*similar.front(), "the only name with '" + name + "'");
@@ -129,6 +126,11 @@ bool is_jack_system(const AudioDevice& device) {
 bool is_any(const AudioDevice&) { return true; }
 
 }  // namespace
+
+std::string described(const AudioDevice& device) {
+    const std::string more = device.description.empty() ? "" : ", " + device.description;
+    return "'" + device.name + "' (" + device.host_api + more + ")";
+}
 
 Expected<DeviceChoice> choose_input(Devices devices, std::string_view wanted) {
     if (!wanted.empty()) {

@@ -17,7 +17,10 @@
 namespace raks::audio {
 namespace {
 
-constexpr Nanos kDeadAfter = std::chrono::milliseconds(500);
+// JACK calls every few milliseconds. A PulseAudio sink may first play out its own buffer: pauses of
+// 1.6 to 2.2 s were seen after the first callback.
+constexpr Nanos kJackDeadAfter = std::chrono::milliseconds(500);
+constexpr Nanos kDeadAfter = std::chrono::seconds(3);
 constexpr Nanos kFirstCallbackWithin = std::chrono::seconds(2);
 constexpr std::chrono::seconds kCloseWithin(1);
 constexpr double kMostLatency = 2.0;     // seconds; PipeWire was seen to say 89,478 s
@@ -67,6 +70,7 @@ struct DeviceStream::Impl {
     int channels = 2;
     SampleRate rate{48'000};
     Nanos latency{0};
+    Nanos dead_after = kDeadAfter;
     bool is_abandoned = false;
     HostTime started{};
     std::int64_t frames = 0;  // callback's own
@@ -232,6 +236,7 @@ Expected<std::unique_ptr<ImplType>> open_impl(typename ImplType::Direction direc
     auto impl = std::make_unique<ImplType>();
     impl->callback = &callback;
     impl->direction = direction;
+    impl->dead_after = device.host_api == "JACK" ? kJackDeadAfter : kDeadAfter;
     std::optional<ScopedVariable> source;
     if (device.is_monitor()) {
         source.emplace("PULSE_SOURCE", device.pulse_source);
@@ -281,7 +286,7 @@ std::uint64_t DeviceStream::xruns() const noexcept {
 bool DeviceStream::is_alive(HostTime now) const noexcept {
     const std::int64_t last = impl_->last_callback_ns.load(std::memory_order_relaxed);
     const bool is_heard = last == 0 ? now - impl_->started <= kFirstCallbackWithin
-                                    : now - HostTime(Nanos(last)) <= kDeadAfter;
+                                    : now - HostTime(Nanos(last)) <= impl_->dead_after;
     return is_heard && !impl_->is_abandoned && Pa_IsStreamActive(impl_->stream) == 1;
 }
 

@@ -66,6 +66,7 @@ std::vector<AudioDevice> monitor_devices(const std::vector<AudioDevice>& devices
     for (const PulseMonitor& monitor : list_pulse_monitors()) {
         monitors.push_back({.portaudio_index = pulse->portaudio_index,
                             .name = monitor.name,
+                            .description = monitor.description,
                             .host_api = kPulseMonitorApi,
                             .input_channels = 2,
                             .default_rate = pulse->default_rate,

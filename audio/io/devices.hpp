@@ -13,9 +13,10 @@ namespace raks::audio {
 
 /// One thing that can be listened to or played on.
 struct AudioDevice {
-    int portaudio_index = -1;  ///< what PortAudio opens
-    std::string name{};        ///< as the user sees it and may type it
-    std::string host_api{};    ///< "JACK", "ALSA", "OSS", "PulseAudio monitor"
+    int portaudio_index = -1;   ///< what PortAudio opens
+    std::string name{};         ///< as the user sees it and may type it
+    std::string description{};  ///< what desktops call it, where that differs; may be typed too
+    std::string host_api{};     ///< "JACK", "ALSA", "OSS", "PulseAudio monitor"
     int input_channels = 0;
     int output_channels = 0;
     double default_rate = 48'000.0;
@@ -27,6 +28,9 @@ struct AudioDevice {
 
     [[nodiscard]] bool is_monitor() const noexcept { return !pulse_source.empty(); }
 };
+
+/// "'system' (JACK)", "'x.monitor' (PulseAudio monitor, Monitor of Living Room)".
+[[nodiscard]] std::string described(const AudioDevice& device);
 
 /// PortAudio, initialized as long as one of these lives. Keeps PortAudio, ALSA and JACK from
 /// printing on stderr. Once a stream of a dead device was abandoned, PortAudio is never terminated
@@ -58,8 +62,8 @@ struct DeviceChoice {
     std::string reason;
 };
 
-/// What to listen to. `wanted`: a number of the list, a name, or a part of a name that only one
-/// input has (case does not matter); empty: a monitor (the default sink's first), else
+/// What to listen to. `wanted`: a number of the list, a name or description, or a part of one that
+/// only one input has (case does not matter); empty: a monitor (the default sink's first), else
 /// JACK's `system`, else the default input, else the first.
 /// Errors: no such input (the error lists what there is), several match, no input at all.
 /// Pure. Threads: any.

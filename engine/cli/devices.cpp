@@ -17,6 +17,7 @@ std::string to_json(const std::vector<audio::AudioDevice>& devices) {
         const audio::AudioDevice& device = devices[i];
         list.push_back({{"number", i},
                         {"name", device.name},
+                        {"description", device.description},
                         {"host_api", device.host_api},
                         {"inputs", device.input_channels},
                         {"outputs", device.output_channels},
@@ -33,13 +34,12 @@ std::string to_text(const std::vector<audio::AudioDevice>& devices) {
     std::string text = "   #  in out   rate  name\n";
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const audio::AudioDevice& device = devices[i];
-        text += fmt::format("{:4} {:3} {:3} {:6.0f}  {} ({}{})\n",
+        text += fmt::format("{:4} {:3} {:3} {:6.0f}  {}{}\n",
                             i,
                             device.input_channels,
                             device.output_channels,
                             device.default_rate,
-                            device.name,
-                            device.host_api,
+                            audio::described(device),
                             device.is_monitor() ? ": what this computer plays" : "");
     }
     if (const auto input = audio::choose_input(devices)) {

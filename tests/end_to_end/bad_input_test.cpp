@@ -62,6 +62,15 @@ TEST_F(BadInput, files_that_are_no_music_are_refused_by_every_command) {
     EXPECT_EQ(files(), (std::vector<std::string>{"empty.wav", "folder.wav", "text.mp3"}));
 }
 
+TEST_F(BadInput, a_file_of_no_length_is_played_and_has_nothing_to_draw) {
+    ASSERT_TRUE(audio::write_wav(path("zero.wav"), {}, 2, SampleRate(48'000)));
+    expect_one_line({"dance", path("zero.wav"), "-o", path("x.bvh")}, 1, "no poses");
+    expect_one_line({"render", path("zero.wav"), "-o", path("x.mp4")}, 1, "no picture");
+    EXPECT_EQ(run({"play", path("zero.wav"), "--headless", "--no-sound"}).exit_code, 0);
+    EXPECT_EQ(run({"analyze", path("zero.wav"), "--json"}).exit_code, 0);
+    EXPECT_EQ(files(), std::vector<std::string>{"zero.wav"});
+}
+
 TEST_F(BadInput, wrong_usage_is_exit_code_2) {
     write_music("music.wav");
     const std::string music = path("music.wav");

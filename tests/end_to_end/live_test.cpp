@@ -1,59 +1,92 @@
-// The program on a real JACK server: sound leaves by one process and is heard by another.
+// The program on real sound servers: sound leaves by one process and is heard by another.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "audio/io/audio_file.hpp"
 #include "audio/synth/music_generator.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/jack_server.hpp"
+#include "tests/support/pulse_server.hpp"
 
 namespace raks::test {
 namespace {
 
 using std::chrono::milliseconds;
 
+/// Drums at 128 BPM; more than two channels repeat the first two.
+void write_drums(const std::string& path, double seconds, int rate = 48'000, int channels = 2) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::drums;
+    plan.tempo = {{0.0, 128.0}};
+    plan.seconds = seconds;
+    plan.rate = SampleRate(rate);
+    plan.channels = std::min(channels, 2);
+    const auto music = audio::generate(plan);
+    ASSERT_TRUE(music) << music.error().message;
+    std::vector<float> samples;
+    samples.reserve(static_cast<std::size_t>(music->frames() * channels));
+    for (std::size_t frame = 0; frame < static_cast<std::size_t>(music->frames()); ++frame) {
+        for (int channel = 0; channel < channels; ++channel) {
+            samples.push_back(music->samples[frame * static_cast<std::size_t>(plan.channels) +
+                                             static_cast<std::size_t>(channel % plan.channels)]);
+        }
+    }
+    const auto written = audio::write_wav(path, samples, channels, music->rate);
+    ASSERT_TRUE(written) << written.error().message;
+}
+
+/// The number behind `word` in what `raks live` says at its end.
+double number_after(const std::string& word, const std::string& text) {
+    const std::size_t at = text.find(word);
+    return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + word.size()));
+}
+/// "tempo 128.0 BPM"
+double tempo_in(const std::string& text) { return number_after("tempo ", text); }
+/// "level [#####     ]  -18.2 dBFS"
+double level_in(const std::string& text) { return number_after("] ", text); }
+
+/// The program with the sound servers of this process instead of none.
 class Live : public ProgramTest {
  protected:
+    [[nodiscard]] ProcessPlan with_server(const std::string& variable,
+                                          std::vector<std::string> arguments) const {
+        ProcessPlan result = plan(std::move(arguments));
+        std::erase_if(result.environment, [&](const auto& pair) { return pair.first == variable; });
+        return result;
+    }
+};
+
+class LiveOnJack : public Live {
+ protected:
     void SetUp() override {
-        ProgramTest::SetUp();
-        jack_.emplace();
-        ASSERT_EQ(jack_->problem(), "");
-        audio::MusicPlan plan;
-        plan.style = audio::Style::drums;
-        plan.tempo = {{0.0, 128.0}};
-        plan.seconds = 40.0;
-        const auto music = audio::generate(plan);
-        ASSERT_TRUE(music);
-        ASSERT_TRUE(
-            audio::write_wav(path("drums.wav"), music->samples, music->channels, music->rate));
+        Live::SetUp();
+        start_server(48'000);
+        write_drums(path("drums.wav"), 40.0);
     }
     void TearDown() override {
         jack_.reset();
-        ProgramTest::TearDown();
+        Live::TearDown();
     }
-
-    /// As plan(), but with the JACK server of this test.
+    void start_server(int rate) {
+        jack_.reset();
+        jack_.emplace(rate);
+        ASSERT_EQ(jack_->problem(), "") << rate << " Hz";
+    }
     [[nodiscard]] ProcessPlan with_jack(std::vector<std::string> arguments) const {
-        ProcessPlan result = plan(std::move(arguments));
-        std::erase_if(result.environment,
-                      [](const auto& pair) { return pair.first == "JACK_DEFAULT_SERVER"; });
-        return result;
+        return with_server("JACK_DEFAULT_SERVER", std::move(arguments));
     }
 
     std::optional<JackServer> jack_;
 };
 
-/// The number behind "tempo " in what `raks live` says at its end.
-double tempo_in(const std::string& text) {
-    const std::size_t at = text.find("tempo ");
-    return at == std::string::npos ? 0.0 : std::stod(text.substr(at + 6));
-}
-
-TEST_F(Live, hears_the_tempo_that_play_plays) {
+TEST_F(LiveOnJack, hears_the_tempo_that_play_plays) {
     CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
     ASSERT_TRUE(player.wait_for_output("playing"));
     // Every JACK client is an input of the others: the player's own name is listened to.
@@ -68,7 +101,7 @@ TEST_F(Live, hears_the_tempo_that_play_plays) {
     EXPECT_EQ(player.wait(milliseconds(2'000)).exit_code, 130);
 }
 
-TEST_F(Live, survives_the_death_of_its_input_and_still_ends_in_time) {
+TEST_F(LiveOnJack, survives_the_death_of_its_input_and_still_ends_in_time) {
     for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
         JackServer jack;
         ASSERT_EQ(jack.problem(), "");
@@ -83,7 +116,7 @@ TEST_F(Live, survives_the_death_of_its_input_and_still_ends_in_time) {
     }
 }
 
-TEST_F(Live, play_goes_on_without_its_loudspeaker_and_says_so) {
+TEST_F(LiveOnJack, play_goes_on_without_its_loudspeaker_and_says_so) {
     CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless", "--duration", "6"}));
     ASSERT_TRUE(player.wait_for_output("playing"));
     jack_->kill();
@@ -91,6 +124,80 @@ TEST_F(Live, play_goes_on_without_its_loudspeaker_and_says_so) {
     const ProcessResult result = player.wait(milliseconds(20'000));
     EXPECT_FALSE(result.timed_out);
     EXPECT_EQ(result.exit_code, 1) << result.err;
+}
+
+TEST_F(LiveOnJack, works_at_every_rate_that_a_server_has) {
+    for (const int rate : {8'000, 22'050, 192'000}) {
+        start_server(rate);
+        CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
+        ASSERT_TRUE(player.wait_for_output("playing")) << rate;
+        CapturedProcess listener(
+            with_jack({"live", "--headless", "--device", "raks", "--duration", "10"}));
+        const ProcessResult heard = listener.wait();
+        EXPECT_EQ(heard.exit_code, 0) << rate << heard.err;
+        EXPECT_NEAR(tempo_in(heard.err), 128.0, 2.0) << rate << heard.err;
+    }
+}
+
+TEST_F(LiveOnJack, play_plays_files_of_every_rate_and_channel_count) {
+    const struct {
+        int rate;
+        int channels;
+    } cases[] = {{8'000, 1}, {192'000, 2}, {48'000, 8}};
+    for (const auto& c : cases) {
+        const std::string file = path("drums" + std::to_string(c.channels) + ".wav");
+        write_drums(file, 10.0, c.rate, c.channels);
+        CapturedProcess player(with_jack({"play", file, "--headless"}));
+        ASSERT_TRUE(player.wait_for_output("playing")) << c.rate;
+        CapturedProcess listener(
+            with_jack({"live", "--headless", "--device", "raks", "--duration", "5"}));
+        const ProcessResult heard = listener.wait();
+        EXPECT_GT(level_in(heard.err), -50.0) << c.rate << heard.err;
+        const ProcessResult played = player.wait();
+        EXPECT_EQ(played.exit_code, 0) << c.rate << played.err;
+    }
+}
+
+/// What the computer plays, through a PulseAudio sink whose name for people has spaces.
+class LiveOnPulse : public Live {
+ protected:
+    void SetUp() override {
+        Live::SetUp();
+        ASSERT_EQ(pulse_.problem(), "");
+        write_drums(path("drums.wav"), 40.0);
+    }
+    [[nodiscard]] ProcessPlan with_pulse(std::vector<std::string> arguments) const {
+        return with_server("PULSE_SERVER", std::move(arguments));
+    }
+
+    PulseServer pulse_{"Living Room Speakers"};
+};
+
+TEST_F(LiveOnPulse, hears_what_the_computer_plays_and_says_why_it_listens_there) {
+    ProcessPlan other_program;
+    other_program.command = {"paplay", path("drums.wav")};
+    CapturedProcess player(other_program);
+    const ProcessResult heard = run_process(with_pulse({"live", "--headless", "--duration", "6"}));
+    EXPECT_EQ(heard.exit_code, 0) << heard.err;
+    EXPECT_NE(heard.err.find("listening to 'raks_null.monitor' (PulseAudio monitor, Monitor of "
+                             "Living Room Speakers): it is what this computer plays\n"),
+              std::string::npos)
+        << heard.err;
+    EXPECT_GT(level_in(heard.err), -50.0) << heard.err;
+}
+
+TEST_F(LiveOnPulse, hears_play_through_a_monitor_named_by_words_with_spaces) {
+    CapturedProcess player(with_pulse(
+        {"play", path("drums.wav"), "--headless", "--output", "pulse", "--duration", "9"}));
+    ASSERT_TRUE(player.wait_for_output("playing"));
+    const ProcessResult heard = run_process(
+        with_pulse({"live", "--headless", "--device", "of living room speak", "--duration", "6"}));
+    EXPECT_EQ(heard.exit_code, 0) << heard.err;
+    EXPECT_NE(heard.err.find("the only name with 'of living room speak'"), std::string::npos)
+        << heard.err;
+    EXPECT_GT(level_in(heard.err), -50.0) << heard.err;
+    const ProcessResult played = player.wait();
+    EXPECT_EQ(played.exit_code, 0) << "its start is no death: " << played.err;
 }
 
 }  // namespace

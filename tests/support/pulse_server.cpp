@@ -15,7 +15,7 @@ void set_variable(const char* name, const std::string& value) {
 
 }  // namespace
 
-PulseServer::PulseServer()
+PulseServer::PulseServer(const std::string& description)
     : folder_(std::filesystem::temp_directory_path() / ("raks-pulse-" + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "asound.conf") << "</usr/share/alsa/alsa.conf>\n"
@@ -40,7 +40,9 @@ PulseServer::PulseServer()
                                  "-L",
                                  "module-native-protocol-unix socket=" + socket,
                                  "-L",
-                                 "module-null-sink sink_name=raks_null rate=48000 channels=2"},
+                                 "module-null-sink sink_name=raks_null rate=48000 channels=2 "
+                                 "sink_properties=\"device.description='" +
+                                     description + "'\""},
         (folder_ / "log").string());
     // The server has no "ready" to wait for but its answer.
     for (int i = 0; i < 100; ++i) {

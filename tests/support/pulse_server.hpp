@@ -13,7 +13,8 @@ namespace raks::test {
 /// in a process of its own, before PortAudio was initialized.
 class PulseServer {
  public:
-    PulseServer();
+    /// `description`: what a desktop calls the sink; its monitor is then "Monitor of" that.
+    explicit PulseServer(const std::string& description = "Null Output");
     ~PulseServer();
     PulseServer(const PulseServer&) = delete;
     PulseServer& operator=(const PulseServer&) = delete;

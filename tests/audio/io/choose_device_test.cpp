@@ -16,8 +16,9 @@ AudioDevice device(const char* name, const char* api, int in, int out) {
             .output_channels = out};
 }
 
-AudioDevice monitor(const char* name) {
+AudioDevice monitor(const char* name, const char* description = "") {
     AudioDevice result = device(name, "PulseAudio monitor", 2, 0);
+    result.description = description;
     result.pulse_source = name;
     return result;
 }
@@ -26,7 +27,7 @@ std::vector<AudioDevice> desktop() {
     std::vector<AudioDevice> devices{device("system", "JACK", 2, 2),
                                      device("some player", "JACK", 2, 0),
                                      monitor("speakers.monitor"),
-                                     monitor("hdmi.monitor"),
+                                     monitor("hdmi.monitor", "Monitor of Living Room Screen"),
                                      device("USB Mic, Deluxe: Audio (hw:1,0)", "ALSA", 1, 0),
                                      device("HDMI 0", "ALSA", 0, 8),
                                      device("default", "ALSA", 32, 32)};
@@ -74,7 +75,9 @@ TEST(ChooseDevice, users_name_a_number_a_name_or_a_part_of_one) {
           Row{"usb mic", "USB Mic, Deluxe: Audio (hw:1,0)"},
           Row{"some player", "some player"},
           Row{"DEFAULT", "default"},
-          Row{"hdmi", "hdmi.monitor"}}) {
+          Row{"hdmi", "hdmi.monitor"},
+          Row{"monitor of living room screen", "hdmi.monitor"},
+          Row{"Living Room", "hdmi.monitor"}}) {
         const auto choice = choose_input(desktop(), row.wanted);
         ASSERT_TRUE(choice) << choice.error().message;
         EXPECT_EQ(choice->device.name, row.name) << row.wanted;
@@ -88,7 +91,8 @@ TEST(ChooseDevice, what_does_not_exist_is_an_error_that_lists_what_does) {
               "6 'default' (ALSA)");
     EXPECT_THAT(choose_input(desktop(), "monitor").error().message,
                 HasSubstr("'monitor' fits several inputs: 'speakers.monitor' (PulseAudio monitor), "
-                          "'hdmi.monitor' (PulseAudio monitor); name one in full or by number"));
+                          "'hdmi.monitor' (PulseAudio monitor, Monitor of Living Room Screen); "
+                          "name one in full or by number"));
     EXPECT_THAT(choose_input(desktop(), "5").error().message,
                 HasSubstr("device 5 'HDMI 0' (ALSA) is no input; there are 0 "));
     EXPECT_THAT(choose_input(desktop(), "99").error().message, HasSubstr("no input '99'"));
