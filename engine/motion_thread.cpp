@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include "base/realtime.hpp"
-
 namespace raks::engine {
 namespace {
 
@@ -28,12 +26,7 @@ void nap() noexcept {
 MotionThread::MotionThread(motion::Dancer dancer,
                            EventQueue<MusicState>& states,
                            EventQueue<DancedHop>* record)
-    : dancer_(std::move(dancer)),
-      states_(states),
-      record_(record),
-      commands_(64),
-      stage_(std::make_unique<StageState>()),
-      thread_([this] { run(); }) {}
+    : stage_(std::move(dancer), states, record), thread_([this] { run(); }) {}
 
 MotionThread::~MotionThread() {
     is_stopping_.store(true, std::memory_order_relaxed);  // relaxed: join() orders the rest
@@ -41,33 +34,10 @@ MotionThread::~MotionThread() {
 }
 
 void MotionThread::run() noexcept {
-    const FlushToZeroScope flush_to_zero;
     while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
-        if (tick()) {
-            published_.write(*stage_);
-        }
+        stage_.tick();
         nap();
     }
-}
-
-bool MotionThread::tick() noexcept {
-    motion::DancerCommand command{};
-    while (commands_.pop(command)) {
-        dancer_.command(command);
-    }
-    bool has_danced = false;
-    while (states_.pop(stage_->music)) {
-        dancer_.advance(stage_->music, stage_->track);
-        stage_->dancer = dancer_.status();
-        if (record_ != nullptr) {
-            record_->push({stage_->music.hop, stage_->track.at_hop(stage_->music.hop)});
-        }
-        // release: pairs with the acquire in danced_hops(): the record is there when it is counted.
-        danced_hops_.fetch_add(1, std::memory_order_release);
-        has_danced = true;
-    }
-    stage_->published_at_ns = HostClock::now().time_since_epoch().count();
-    return has_danced;
 }
 
 }  // namespace raks::engine

@@ -2,33 +2,13 @@
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <thread>
 
-#include "base/channels/event_queue.hpp"
-#include "base/channels/latest_value.hpp"
-#include "base/music_state.hpp"
-#include "motion/dancer.hpp"
-#include "motion/skeleton/pose_track.hpp"
+#include "engine/motion_stage.hpp"
 
 namespace raks::engine {
 
-/// What the motion thread publishes after each wake-up: all that drawing needs, taken at one hop.
-struct StageState {
-    motion::PoseTrack track;
-    MusicState music;
-    motion::DancerStatus dancer;
-    std::int64_t published_at_ns = 0;  ///< CLOCK_MONOTONIC
-};
-
-/// One hop as danced, for tests and benchmarks that need every hop and not only the newest.
-struct DancedHop {
-    HopIndex hop = 0;
-    motion::Pose pose;
-};
-
-/// The motion thread: takes every MusicState in order, advances the dancer, publishes. Late ticks
-/// are caught up in order, never skipped.
+/// The motion thread: a MotionStage that ticks by itself, every 2 ms.
 /// Threads: create and destroy on the main thread. The queue of states has the audio thread as its
 /// one producer.
 class MotionThread {
@@ -42,27 +22,18 @@ class MotionThread {
     MotionThread& operator=(const MotionThread&) = delete;
 
     /// The newest stage. Threads: one reader (drawing).
-    [[nodiscard]] const StageState& newest() noexcept { return published_.read(); }
+    [[nodiscard]] const StageState& newest() noexcept { return stage_.newest(); }
 
     /// Queues a command. Threads: main. False when the queue is full.
-    bool command(const motion::DancerCommand& command) noexcept { return commands_.push(command); }
+    bool command(const motion::DancerCommand& command) noexcept { return stage_.command(command); }
 
     /// Hops danced so far. Threads: any.
-    [[nodiscard]] std::int64_t danced_hops() const noexcept {
-        return danced_hops_.load(std::memory_order_acquire);  // pairs with the release in tick()
-    }
+    [[nodiscard]] std::int64_t danced_hops() const noexcept { return stage_.danced_hops(); }
 
  private:
     void run() noexcept;
-    bool tick() noexcept;
 
-    motion::Dancer dancer_;
-    EventQueue<MusicState>& states_;
-    EventQueue<DancedHop>* record_;
-    EventQueue<motion::DancerCommand> commands_;
-    std::unique_ptr<StageState> stage_;  // the thread's own working copy
-    LatestValue<StageState> published_;
-    std::atomic<std::int64_t> danced_hops_{0};
+    MotionStage stage_;
     std::atomic<bool> is_stopping_{false};
     std::thread thread_;
 };
