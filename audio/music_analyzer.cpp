@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audio/beat/beat_tracker.hpp"
+#include "audio/beat/paper_beat.hpp"
 #include "audio/features/loudness.hpp"
 #include "audio/features/onset.hpp"
 #include "audio/features/resampler.hpp"
@@ -42,6 +43,8 @@ struct MusicAnalyzer::State {
     LoudnessMeter loudness;
     OnsetDetector onsets;
     BeatTracker tracker;
+    PaperTracker paper;
+    BeatMethod beat_method = BeatMethod::pointer;
 
     std::vector<float> clean = std::vector<float>(kChunk);
     std::vector<float> resampled = std::vector<float>(1536);  // a chunk at 8 kHz becomes 1024
@@ -65,6 +68,7 @@ void MusicAnalyzer::State::reset() noexcept {
     loudness.reset();
     onsets.reset();
     tracker.reset();
+    paper.reset();
     // The first hop's window is centred on the first sample: half of it lies before the stream.
     std::fill(window.begin(), window.end(), 0.0F);
     filled = OnsetDetector::kWindow / 2;
@@ -115,7 +119,11 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     state.loudness_lufs = loudness.momentary();
     state.is_discontinuity = is_discontinuity;
     is_discontinuity = false;
-    tracker.advance({state.hop, state.heard_until, onset, state.is_silent}, state);
+    if (beat_method == BeatMethod::paper) {
+        paper.advance(window, state);
+    } else {
+        tracker.advance({state.hop, state.heard_until, onset, state.is_silent}, state);
+    }
     state.genre_log_probability.fill(-20.0F);
     state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
     sink.on_state(state);
@@ -125,6 +133,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
 void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
     if (lost_samples > kRhythmRate.index_at(StreamTime(kLongestBlindGap))) {
         tracker.jump();
+        paper.jump();
     }
     // The window as if silence had come in: only its count matters for the hops in the gap.
     std::int64_t left = lost_samples;
@@ -143,7 +152,11 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
             state.is_silent = false;
             state.genre_log_probability.fill(-20.0F);
             state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
-            tracker.advance_blind(state.hop, state);
+            if (beat_method == BeatMethod::paper) {
+                paper.advance_blind(state);
+            } else {
+                tracker.advance_blind(state.hop, state);
+            }
             sink.on_state(state);
             std::copy(window.begin() + OnsetDetector::kHop, window.end(), window.begin());
             filled -= OnsetDetector::kHop;
@@ -167,6 +180,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     if (auto prepared = state_->loudness.prepare(kRhythmRate); !prepared) {
         return prepared;
     }
+    state_->beat_method = config.beat_method;
     state_->reset();
     return {};
 }
@@ -199,6 +213,7 @@ void MusicAnalyzer::skip(Nanos lost) noexcept RAKS_NONBLOCKING {
     state.is_discontinuity = true;
     if (lost.count() <= 0) {
         state.tracker.jump();
+        state.paper.jump();
         return;
     }
     state.lost_samples += kRhythmRate.index_at(StreamTime(std::min(lost, kLongestGap)));

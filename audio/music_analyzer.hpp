@@ -13,8 +13,13 @@
 /// The one door of audio analysis: samples in, one MusicState every 10 ms out.
 namespace raks::audio {
 
+/// How the beat is found: the bar pointer, or the paper's method (audio/beat/paper_beat.hpp), which
+/// knows no bars and heeds no commands.
+enum class BeatMethod : std::uint8_t { pointer, paper };
+
 struct AnalyzerConfig {
     SampleRate sample_rate{48'000};  ///< of the samples that process() gets; 8 to 192 kHz
+    BeatMethod beat_method = BeatMethod::pointer;
 };
 
 /// Beat, tempo, loudness and silence of a stream of mono samples, causal and in real time.

@@ -39,6 +39,22 @@ void AnalysisDocument::add(const MusicState& state) {
     loudness_.push_back({time, state.loudness_lufs});
 }
 
+void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
+    beats_ = std::move(beats);
+    predicted_.clear();
+    std::size_t next = 1;  // the interval from beat next - 1 to next holds the moment
+    for (TempoPoint& point : tempo_) {
+        while (next + 1 < beats_.size() && to_seconds(beats_[next].time) <= point.time) {
+            ++next;
+        }
+        point.confidence = 0.0F;
+        if (next < beats_.size()) {
+            point.bpm = 60.0 / to_seconds(beats_[next].time - beats_[next - 1].time);
+            point.confidence = beats_[next].confidence;
+        }
+    }
+}
+
 std::string AnalysisDocument::to_json(Nanos duration) const {
     nlohmann::ordered_json document;
     document["format"] = "raks-analysis";

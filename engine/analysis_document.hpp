@@ -18,6 +18,10 @@ class AnalysisDocument {
     /// Takes the next state, in order.
     void add(const MusicState& state);
 
+    /// The beats of a method that had the whole file before it, in place of the announced ones; the
+    /// tempo becomes that of the beats around each moment, and nothing is predicted.
+    void replace_beats(std::vector<BeatEvent> beats);
+
     /// The JSON document. `duration`: length of the audio.
     [[nodiscard]] std::string to_json(Nanos duration) const;
 

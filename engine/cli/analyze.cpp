@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdio>
+#include <utility>
 
+#include "audio/beat/paper_file.hpp"
 #include "audio/music_analyzer.hpp"
 #include "engine/analysis_document.hpp"
 #include "engine/cli/progress.hpp"
@@ -29,6 +31,11 @@ class Collect final : public audio::MusicAnalyzer::Sink {
     engine::AnalysisDocument& document_;
 };
 
+audio::BeatMethod streaming_method(FileBeatMethod method) {
+    return method == FileBeatMethod::pointer ? audio::BeatMethod::pointer
+                                             : audio::BeatMethod::paper;
+}
+
 }  // namespace
 
 ExitCode analyze(const AnalyzeArguments& arguments) {
@@ -37,7 +44,14 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
         return fail(source.error());
     }
     audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare({.sample_rate = source->rate()}); !prepared) {
+    audio::PaperFile whole;
+    const bool is_whole = arguments.beat == FileBeatMethod::paper_whole;
+    auto prepared = analyzer.prepare(
+        {.sample_rate = source->rate(), .beat_method = streaming_method(arguments.beat)});
+    if (prepared && is_whole) {
+        prepared = whole.prepare(source->rate());
+    }
+    if (!prepared) {
         return fail(std::move(prepared.error()).in(arguments.input.string()));
     }
     engine::AnalysisDocument document(arguments.input.string(), source->rate());
@@ -46,6 +60,9 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
     for (auto block = source->next(); !block.mono.empty() && !stop_signal();
          block = source->next()) {
         analyzer.process(block.mono, collect);
+        if (is_whole) {
+            whole.add(block.mono);
+        }
         if (const auto share = source->progress()) {
             progress.show(*share);
         }
@@ -56,6 +73,9 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
     for (Nanos fed{}; fed <= analyzer.delay() + kHop && collect.newest + kHop < collect.end;
          fed += source->rate().time_of(silence.size()).time_since_epoch()) {
         analyzer.process(silence, collect);
+    }
+    if (is_whole) {
+        document.replace_beats(whole.finish(source->given()));
     }
     if (!source->warning().empty()) {
         std::fprintf(stderr, "raks: %s\n", source->warning().c_str());

@@ -1,6 +1,7 @@
 #include "engine/cli/arguments.hpp"
 
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -48,6 +49,20 @@ void add_section_options(CLI::App& app, Section& section) {
            [&section](const double& seconds) { section.duration = seconds; },
            "seconds; to the end when not given")
         ->check(CLI::PositiveNumber);
+}
+
+void add_beat_option(CLI::App& app, FileBeatMethod& method) {
+    const std::map<std::string, FileBeatMethod> names = {
+        {"pointer", FileBeatMethod::pointer},
+        {"paper", FileBeatMethod::paper},
+        {"paper-whole", FileBeatMethod::paper_whole},
+    };
+    app.add_option("--beat",
+                   method,
+                   "tracker: pointer, or the paper's method, streaming (paper) or with the whole "
+                   "file before it (paper-whole)")
+        ->transform(CLI::CheckedTransformer(names))
+        ->option_text("pointer|paper|paper-whole");
 }
 
 /// The first fault of the settings: a value out of range, or a name that nothing has.
@@ -177,6 +192,7 @@ class Parser {
         auto [app, a] = add(app_, "analyze", "tell beats, tempo and dance of a file", analyze);
         app->add_option("file", a->input, "music file")->required();
         app->add_flag("--json", a->as_json, "one JSON document");
+        add_beat_option(*app, a->beat);
     }
 
     void add_dance() {

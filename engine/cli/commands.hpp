@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -58,9 +59,13 @@ struct RenderArguments {
 };
 [[nodiscard]] ExitCode render(const RenderArguments& arguments);
 
+/// The trackers of audio::BeatMethod, and the paper's method with the whole file before it.
+enum class FileBeatMethod : std::uint8_t { pointer, paper, paper_whole };
+
 struct AnalyzeArguments {
     Path input;
     bool as_json = false;
+    FileBeatMethod beat = FileBeatMethod::pointer;
 };
 [[nodiscard]] ExitCode analyze(const AnalyzeArguments& arguments);
 

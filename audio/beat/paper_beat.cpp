@@ -1,0 +1,220 @@
+#include "audio/beat/paper_beat.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace raks::audio {
+namespace {
+
+// Of the highest peak: so high must that at half its lag be to win. Without the rule F is 61.5 and
+// not 63.9 (31 excerpts, streaming).
+constexpr float kMultipleShare = 0.75F;
+
+constexpr double kPredictedLeadHops = 10.0;
+constexpr double kAnnounceLeadHops = 1.0;
+constexpr double kOldestNews = 5.0;  // hops: a beat that is longer past is not told any more
+constexpr double kLeastGap = 0.5;    // of a beat between two announcements
+
+/// Offset of the peak of the parabola through three neighbours, [-0.5, 0.5].
+double peak_offset(float before, float peak, float after) noexcept {
+    const float bend = before - 2.0F * peak + after;
+    if (bend >= 0.0F) {
+        return 0.0;
+    }
+    return std::clamp(0.5 * static_cast<double>((before - after) / bend), -0.5, 0.5);
+}
+
+/// x at a fractional position, linear; 0 outside.
+float value_at(std::span<const float> x, double position) noexcept {
+    if (position < 0.0) {
+        return 0.0F;
+    }
+    const auto i = static_cast<std::size_t>(position);
+    if (i + 1 >= x.size()) {
+        return 0.0F;
+    }
+    const auto share = static_cast<float>(position - static_cast<double>(i));
+    return x[i] + share * (x[i + 1] - x[i]);
+}
+
+}  // namespace
+
+void PaperWindow::begin(std::span<const float> onsets) noexcept RAKS_NONBLOCKING {
+    onsets = onsets.last(std::min(onsets.size(), kHops));
+    count_ = onsets.size();
+    float sum = 0.0F;
+    for (const float onset : onsets) {
+        sum += onset;
+    }
+    const float mean = count_ > 0 ? sum / static_cast<float>(count_) : 0.0F;
+    std::transform(
+        onsets.begin(), onsets.end(), centred_.begin(), [mean](float x) { return x - mean; });
+    steps_ = 0;
+}
+
+void PaperWindow::step() noexcept RAKS_NONBLOCKING {
+    if (is_done()) {
+        return;
+    }
+    const std::size_t first = kShortest - 1 + static_cast<std::size_t>(steps_) * kLagsPerStep;
+    for (std::size_t lag = first; lag < std::min(first + kLagsPerStep, kLongest + 2); ++lag) {
+        correlation_[lag] = autocorrelation(lag);
+    }
+    ++steps_;
+    if (steps_ == kSteps - 1) {
+        find_period();
+    } else if (steps_ == kSteps) {
+        find_phase();
+    }
+}
+
+/// r(lag) = sum_n p(n) p(n + lag); fewer products at longer lags, which favours the faster tempo.
+float PaperWindow::autocorrelation(std::size_t lag) const noexcept {
+    float sum = 0.0F;
+    for (std::size_t n = 0; n + lag < count_; ++n) {
+        sum += centred_[n] * centred_[n + lag];
+    }
+    return sum;
+}
+
+void PaperWindow::find_period() noexcept {
+    std::size_t best = kShortest;
+    for (std::size_t lag = kShortest; lag <= kLongest; ++lag) {
+        if (correlation_[lag] > correlation_[best]) {
+            best = lag;
+        }
+    }
+    // Peaks that are multiples of one another (Alonso, 2.2): the shorter period is the beat when
+    // its own peak is nearly as high.
+    for (const std::size_t part : {best / 2, (best + 1) / 2}) {
+        if (part >= kShortest && correlation_[part] > kMultipleShare * correlation_[best]) {
+            best = part;
+            break;
+        }
+    }
+    estimate_.period_hops =
+        static_cast<double>(best) +
+        peak_offset(correlation_[best - 1], correlation_[best], correlation_[best + 1]);
+    const float energy = autocorrelation(0);
+    estimate_.confidence =
+        energy > 0.0F ? std::clamp(correlation_[best] / energy, 0.0F, 1.0F) : 0.0F;
+}
+
+/// c(phase) = sum_k p(end - phase - k T), a pulse train that ends `phase` before the window does.
+void PaperWindow::find_phase() noexcept {
+    const std::span<const float> onsets = std::span(centred_).first(count_);
+    const double end = static_cast<double>(count_) - 1.0;
+    const auto match = [&](int phase) {
+        float sum = 0.0F;
+        for (double at = end - phase; at >= 0.0; at -= estimate_.period_hops) {
+            sum += value_at(onsets, at);
+        }
+        return sum;
+    };
+    const int phases = static_cast<int>(std::ceil(estimate_.period_hops));
+    int best = 0;
+    float highest = match(0);
+    for (int phase = 1; phase < phases; ++phase) {
+        const float height = match(phase);
+        if (height > highest) {
+            highest = height;
+            best = phase;
+        }
+    }
+    const double offset = best > 0 ? peak_offset(match(best - 1), highest, match(best + 1)) : 0.0;
+    estimate_.last_beat = end - (best + offset);
+}
+
+void PaperTracker::reset() noexcept RAKS_NONBLOCKING {
+    jump();
+    window_start_ = 0.0;
+    beat_hop_ = 0.0;
+    period_hops_ = 50.0;
+    beat_ = 0;
+    last_told_ = last_predicted_ = -1e9;
+}
+
+void PaperTracker::jump() noexcept RAKS_NONBLOCKING {
+    flux_.reset();
+    while (!window_.is_done()) {
+        window_.step();
+    }
+    heard_ = 0;
+    confidence_ = 0.0F;
+}
+
+void PaperTracker::advance(std::span<const float> window,
+                           MusicState& state) noexcept RAKS_NONBLOCKING {
+    onsets_[heard_ % onsets_.size()] = flux_.add(window).onset();
+    ++heard_;
+    if (heard_ >= kLeast && heard_ % kEvery == 0) {
+        const std::size_t count = std::min(heard_, onsets_.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            ordered_[i] = onsets_[(heard_ - count + i) % onsets_.size()];
+        }
+        window_.begin(std::span(ordered_).first(count));
+        window_start_ =
+            static_cast<double>(state.hop - PaperFlux::kDelay) - static_cast<double>(count - 1);
+    } else if (!window_.is_done()) {
+        window_.step();
+        if (window_.is_done()) {
+            adopt(window_.estimate());
+        }
+    }
+    publish(state);
+    announce(state);
+}
+
+void PaperTracker::advance_blind(MusicState& state) noexcept RAKS_NONBLOCKING { publish(state); }
+
+/// The new grid, with the beat numbers of the old one going on.
+void PaperTracker::adopt(const PaperEstimate& estimate) noexcept {
+    confidence_ = estimate.confidence;
+    if (estimate.confidence <= 0.0F) {
+        return;
+    }
+    // The estimate's beat that lies nearest to now: the newest onset, PaperFlux::kDelay ago.
+    const double newest = window_start_ + static_cast<double>(std::min(heard_, onsets_.size()));
+    const double last = window_start_ + estimate.last_beat + kPaperLagHops;
+    const double later = std::round((newest + PaperFlux::kDelay - last) / estimate.period_hops);
+    const double beat_hop = last + later * estimate.period_hops;
+    beat_ += std::lround((beat_hop - beat_hop_) / period_hops_);
+    beat_hop_ = beat_hop;
+    period_hops_ = estimate.period_hops;
+}
+
+void PaperTracker::publish(MusicState& state) const noexcept {
+    state.grid.anchor_time = stream_time_from_seconds(beat_hop_ / kHopsPerSecond);
+    state.grid.anchor_beat = Beats(static_cast<double>(beat_));
+    state.grid.tempo = Bpm(60.0 * kHopsPerSecond / period_hops_);
+    state.grid.beats_per_bar = 4;
+    state.grid.bar_origin = Beats(0.0);
+    state.grid.confidence = state.is_silent ? 0.0F : confidence_;
+}
+
+void PaperTracker::announce(MusicState& state) noexcept {
+    if (state.grid.confidence <= 0.0F) {
+        return;
+    }
+    const double heard = to_seconds(state.heard_until) * kHopsPerSecond;
+    // The last beat of the grid that lies before `horizon`; none when it is old news.
+    const auto due = [&](double horizon, double told) -> std::optional<double> {
+        const double beat =
+            beat_hop_ + std::floor((horizon - beat_hop_) / period_hops_) * period_hops_;
+        const bool is_news = beat > horizon - kOldestNews && beat > told + kLeastGap * period_hops_;
+        return is_news ? std::optional(beat) : std::nullopt;
+    };
+    if (const auto beat = due(heard + kAnnounceLeadHops, last_told_)) {
+        last_told_ = *beat;
+        state.has_beat = true;
+        state.beat = {stream_time_from_seconds(*beat / kHopsPerSecond), 0, state.grid.confidence};
+    }
+    if (const auto beat = due(heard + kPredictedLeadHops, last_predicted_)) {
+        last_predicted_ = *beat;
+        state.has_predicted = true;
+        state.predicted = stream_time_from_seconds(*beat / kHopsPerSecond);
+    }
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "audio/features/spectrum.hpp"
+#include "base/music_state.hpp"
+#include "base/realtime.hpp"
+
+/// The beat tracker of the paper (Ofli et al. 2008, section 4.2, after Alonso, David, Richard 2004,
+/// "Tempo and beat estimation of musical signals", sections 2.1 to 2.3): the reference that the
+/// bar pointer is compared with. No bars: bar positions are 0.
+namespace raks::audio {
+
+/// Spectral energy flux (Alonso, 2.1): E(n, k) = sum_i h(i) G(n - i, k), where G is |X| of a Hann
+/// window of 32 ms, compressed by arcsinh and smoothed by a half Hann window, and h differentiates.
+/// Half-wave rectified and summed over k it is the strength v(n); p(n) = max(0, v(n) - threshold)
+/// over a moving median tells onsets from the music's own restlessness.
+///
+/// Threads: one. Real-time: add and reset yes, making one no.
+class PaperFlux {
+ public:
+    static constexpr int kHop = 320;      ///< samples at 32 kHz: 10 ms
+    static constexpr int kWindow = 1024;  ///< samples at 32 kHz
+    static constexpr int kDelay = 25;     ///< hops from a window to its frame: half the median's
+
+    struct Frame {
+        float strength = 0.0F;   ///< v, >= 0
+        float threshold = 0.0F;  ///< moving median of v over 0.51 s and a floor, >= 0
+        [[nodiscard]] float onset() const noexcept {
+            return strength > threshold ? strength - threshold : 0.0F;
+        }
+    };
+
+    PaperFlux();
+
+    /// `window`: kWindow samples around the hop's moment, in [-1, 1]. Returns the frame of the hop
+    /// kDelay hops ago (zeros before there was one).
+    Frame add(std::span<const float> window) noexcept RAKS_NONBLOCKING;
+    void reset() noexcept RAKS_NONBLOCKING;
+
+ private:
+    static constexpr std::size_t kBins = kWindow / 2 + 1;
+    static constexpr std::size_t kSmoothing = 10;  // hops
+    static constexpr std::size_t kMedian = 2 * kDelay + 1;
+
+    [[nodiscard]] float flux() const noexcept;
+
+    PowerSpectrum spectrum_;
+    std::array<float, kSmoothing + 1> filter_{};  // smoothing and differentiation in one
+    std::array<std::array<float, kBins>, kSmoothing + 1> compressed_{};  // G, ring by hop
+    std::array<float, kMedian> strengths_{};                             // v, ring by hop
+    std::size_t hops_ = 0;
+};
+
+/// From a peak of the onsets p to the beat, in hops: the smoothing makes the peaks late (median
+/// over the reference excerpts).
+inline constexpr double kPaperLagHops = -0.9;
+
+/// Tempo and phase of one window of onsets.
+struct PaperEstimate {
+    double period_hops = 50.0;  ///< 30 to 100: 200 to 60 BPM
+    double last_beat = 0.0;     ///< in hops from the window's start: its last beat
+    float confidence = 0.0F;    ///< autocorrelation at the period over that at 0, [0, 1]
+};
+
+/// The window's analysis, cut in steps of about equal cost: autocorrelation of p over the lags of
+/// 60 to 200 BPM, the highest peak is the period T, or half of it where the peak there is nearly as
+/// high (Alonso, 2.2); the cross-correlation of p with a pulse train of that period has its peak at
+/// the phase (2.3).
+///
+/// Threads: one. Real-time: yes.
+class PaperWindow {
+ public:
+    static constexpr std::size_t kHops = 600;  ///< 6 s
+    static constexpr int kSteps = 12;          ///< step() is called so often before estimate()
+
+    /// Takes the onsets p of a window, oldest first; kHops at most count, the newest.
+    void begin(std::span<const float> onsets) noexcept RAKS_NONBLOCKING;
+    /// One step; at most 7,000 multiplications.
+    void step() noexcept RAKS_NONBLOCKING;
+    [[nodiscard]] bool is_done() const noexcept { return steps_ == kSteps; }
+    [[nodiscard]] const PaperEstimate& estimate() const noexcept { return estimate_; }
+
+ private:
+    static constexpr std::size_t kShortest = 30;  // hops a beat: 200 BPM
+    static constexpr std::size_t kLongest = 100;  // 60 BPM
+    static constexpr std::size_t kLagsPerStep = 8;
+
+    [[nodiscard]] float autocorrelation(std::size_t lag) const noexcept;
+    void find_period() noexcept;
+    void find_phase() noexcept;
+
+    std::array<float, kHops> centred_{};  // p less its mean
+    std::size_t count_ = 0;
+    std::array<float, kLongest + 2> correlation_{};  // by lag; 0 where not asked
+    int steps_ = kSteps;
+    PaperEstimate estimate_;
+};
+
+/// Streaming: every 0.5 s the last 6 s are analysed, the work spread over the hops that follow, and
+/// period and phase are chosen afresh; between, the beats run on. Nothing keeps one choice near
+/// the last: that is the method.
+///
+/// Threads: one. Real-time: all but making one.
+class PaperTracker {
+ public:
+    /// One hop: fills grid, beat and predicted of `state`, whose hop, times and is_silent are set.
+    /// `window` as of PaperFlux. In silence nothing is announced.
+    void advance(std::span<const float> window, MusicState& state) noexcept RAKS_NONBLOCKING;
+    /// One hop inside a gap of the audio: the grid runs on.
+    void advance_blind(MusicState& state) noexcept RAKS_NONBLOCKING;
+    /// The audio goes on elsewhere: forgets the onsets.
+    void jump() noexcept RAKS_NONBLOCKING;
+    void reset() noexcept RAKS_NONBLOCKING;
+
+ private:
+    static constexpr HopIndex kEvery = 50;      // hops between two analyses
+    static constexpr std::size_t kLeast = 200;  // hops heard before the first
+
+    void adopt(const PaperEstimate& estimate) noexcept;
+    void announce(MusicState& state) noexcept;
+    void publish(MusicState& state) const noexcept;
+
+    PaperFlux flux_;
+    PaperWindow window_;
+    std::array<float, PaperWindow::kHops> onsets_{};  // p, ring by hop
+    std::array<float, PaperWindow::kHops> ordered_{};
+    std::size_t heard_ = 0;      // hops since reset or jump
+    double window_start_ = 0.0;  // hop number of the analysed window's first onset
+    double beat_hop_ = 0.0;      // where beat number `beat_` lies
+    double period_hops_ = 50.0;
+    long beat_ = 0;
+    float confidence_ = 0.0F;
+    double last_told_ = -1e9;       // hop of the last announced beat
+    double last_predicted_ = -1e9;  // hop of the last predicted one
+};
+
+/// Whole file: windows of 6 s each say a period; from the first window's phase on every beat is the
+/// strongest onset within 10 % of the period after the last.
+/// `frames`: of every hop from time 0, without PaperFlux's delay. Threads: workers. Real-time: no.
+[[nodiscard]] std::vector<BeatEvent> paper_beats(std::span<const PaperFlux::Frame> frames);
+
+}  // namespace raks::audio
