@@ -1,0 +1,87 @@
+#include "tests/end_to_end/window.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "audio/io/audio_file.hpp"
+#include "audio/synth/music_generator.hpp"
+#include "tests/support/program.hpp"
+
+namespace raks::test {
+namespace {
+
+constexpr int kMostLooks = 300;  // 0.1 s each, about
+constexpr int kSameInARow = 4;
+
+}  // namespace
+
+void WindowTest::SetUp() {
+    ProgramTest::SetUp();
+    display_.emplace(960, 540);
+    audio::MusicPlan plan;
+    plan.seconds = 60.0;
+    const auto music = audio::generate(plan);
+    ASSERT_TRUE(music);
+    for (const char* name : {"one.wav", "two.wav"}) {
+        ASSERT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
+    }
+}
+
+ProcessPlan WindowTest::in_window(std::vector<std::string> arguments) const {
+    arguments.insert(
+        arguments.end(),
+        {"--size", std::to_string(kWindowWidth) + "x" + std::to_string(kWindowHeight)});
+    ProcessPlan result = plan(std::move(arguments));
+    std::erase(result.unset, "DISPLAY");
+    result.folder = folder_;
+    return result;
+}
+
+void WindowTest::press(const std::vector<std::string>& keys) {
+    std::vector<std::string> command = {
+        "xdotool", "search", "--sync", "--name", "Raks", "windowfocus", "--sync"};
+    for (const std::string& key : keys) {
+        command.insert(command.end(), {"key", key});
+    }
+    run_program(command);
+}
+
+std::string WindowTest::picture() {
+    std::string id = run_program({"xdotool", "search", "--sync", "--name", "Raks"});
+    id.erase(id.find('\n'));
+    return run_program({"import", "-window", id, "-depth", "8", "rgb:-"});
+}
+
+bool WindowTest::shows(const std::function<bool(const std::string&)>& is_right) {
+    for (int look = 0; look < kMostLooks; ++look) {
+        if (is_right(picture())) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string WindowTest::still_picture() {
+    std::string last;
+    int same = 0;
+    const bool is_still = shows([&](const std::string& now) {
+        const bool is_drawn = difference(now, std::string(now.size(), '\0')) > 1.0;
+        same = is_drawn && lower(now) == lower(last) ? same + 1 : 0;
+        last = now;
+        return same >= kSameInARow;
+    });
+    EXPECT_TRUE(is_still) << "the picture never stands still";
+    return last;
+}
+
+std::string lower(const std::string& picture) { return picture.substr(picture.size() / 2); }
+
+double difference(const std::string& a, const std::string& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        sum += std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i]));
+    }
+    return sum / static_cast<double>(a.size());
+}
+
+}  // namespace raks::test

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/end_to_end/program.hpp"
+#include "tests/support/xvfb.hpp"
+
+namespace raks::test {
+
+inline constexpr int kWindowWidth = 640;
+inline constexpr int kWindowHeight = 360;
+
+/// The program in a window on a display of our own, larger than the window. Two minutes of music
+/// lie in one.wav and two.wav.
+class WindowTest : public ProgramTest {
+ protected:
+    void SetUp() override;
+
+    [[nodiscard]] ProcessPlan in_window(std::vector<std::string> arguments) const;
+
+    /// Waits for the window, gives it the keyboard and presses the keys, one after the other.
+    static void press(const std::vector<std::string>& keys);
+
+    /// The window as it is on the screen: raw RGB, rows from the top.
+    static std::string picture();
+
+    /// Looks at the window until `is_right` says so; false when it did not for a long time.
+    static bool shows(const std::function<bool(const std::string&)>& is_right);
+
+    /// The picture once it is drawn and stands still: several in a row are the same in their lower
+    /// half (what changes in a pause, the pictures a second, is written in the upper one).
+    static std::string still_picture();
+
+    std::optional<Xvfb> display_;
+};
+
+/// The lower half.
+std::string lower(const std::string& picture);
+
+/// Mean absolute difference of the samples, 0 to 255.
+double difference(const std::string& a, const std::string& b);
+
+}  // namespace raks::test
