@@ -158,6 +158,43 @@ TEST_F(LiveOnJack, play_plays_files_of_every_rate_and_channel_count) {
     }
 }
 
+/// Full places of each level meter "[####    ]" in the text.
+std::vector<long> meters_in(const std::string& text) {
+    std::vector<long> bars;
+    for (std::size_t at = text.find('['); at != std::string::npos; at = text.find('[', at + 1)) {
+        const std::size_t end = text.find(']', at);
+        if (end == at + 21) {
+            bars.push_back(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
+                                      text.begin() + static_cast<std::ptrdiff_t>(end),
+                                      '#'));
+        }
+    }
+    return bars;
+}
+
+TEST_F(LiveOnJack, shows_a_meter_in_a_terminal_that_rises_and_falls_with_the_level) {
+    audio::MusicPlan music_plan;
+    music_plan.style = audio::Style::drums;
+    music_plan.tempo = {{0.0, 128.0}};
+    music_plan.seconds = 40.0;
+    music_plan.silences = {{6.0, 14.0}, {20.0, 28.0}, {34.0, 40.0}};
+    const auto music = audio::generate(music_plan);
+    ASSERT_TRUE(music) << music.error().message;
+    ASSERT_TRUE(audio::write_wav(path("pauses.wav"), music->samples, 2, music->rate));
+    CapturedProcess player(with_jack({"play", path("pauses.wav"), "--headless"}));
+    ASSERT_TRUE(player.wait_for_output("playing"));
+    ProcessPlan in_terminal =
+        with_jack({"live", "--headless", "--device", "raks", "--duration", "15"});
+    in_terminal.terminal_columns = 80;
+    const ProcessResult heard = run_process(in_terminal);
+    EXPECT_EQ(heard.exit_code, 0) << heard.err;
+    const std::vector<long> bars = meters_in(heard.err);
+    ASSERT_GT(bars.size(), 20U) << "several a second";
+    const auto loudest = std::max_element(bars.begin(), bars.end());
+    EXPECT_GE(*loudest, 10) << heard.err;
+    EXPECT_LE(*std::min_element(loudest, bars.end()), 4) << "falls in the silence after it";
+}
+
 /// What the computer plays, through a PulseAudio sink whose name for people has spaces.
 class LiveOnPulse : public Live {
  protected:

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,6 +29,24 @@ Pipe make_pipe() {
         throw std::runtime_error("pipe2 failed");
     }
     return {ends[0], ends[1]};
+}
+
+/// A terminal: the child's end to write, ours to read.
+Pipe make_terminal(int columns) {
+    const int ours = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    std::array<char, 64> name{};
+    if (ours < 0 || grantpt(ours) != 0 || unlockpt(ours) != 0 ||
+        ptsname_r(ours, name.data(), name.size()) != 0) {
+        throw std::runtime_error("no terminal");
+    }
+    const int childs = open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    winsize size{};
+    size.ws_col = static_cast<unsigned short>(columns);
+    size.ws_row = 24;
+    if (childs < 0 || ioctl(ours, TIOCSWINSZ, &size) != 0) {
+        throw std::runtime_error("no terminal");
+    }
+    return {ours, childs};
 }
 
 [[noreturn]] void become(const ProcessPlan& plan, const Pipe& out, const Pipe& err) {
@@ -66,7 +85,7 @@ Pipe make_pipe() {
 
 CapturedProcess::CapturedProcess(const ProcessPlan& plan) : deadline_(Clock::now() + plan.timeout) {
     const Pipe out = make_pipe();
-    const Pipe err = make_pipe();
+    const Pipe err = plan.terminal_columns ? make_terminal(*plan.terminal_columns) : make_pipe();
     pid_ = fork();
     if (pid_ == 0) {
         become(plan, out, err);

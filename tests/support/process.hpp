@@ -23,6 +23,7 @@ struct ProcessPlan {
     std::vector<std::pair<std::string, std::string>> environment;  ///< over the test's own
     std::vector<std::string> unset;                                ///< names to remove
     std::string folder;                       ///< to start in; empty: the test's own
+    std::optional<int> terminal_columns;      ///< stderr is a terminal so wide
     std::optional<long> file_size_limit;      ///< RLIMIT_FSIZE in bytes: a full disk
     std::optional<long> address_space_limit;  ///< RLIMIT_AS in bytes
     std::chrono::seconds timeout{60};
