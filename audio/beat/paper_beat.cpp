@@ -8,7 +8,7 @@ namespace raks::audio {
 namespace {
 
 // Of the highest peak: so high must that at half its lag be to win. Without the rule F is 61.5 and
-// not 63.9 (31 excerpts, streaming).
+// not 64.5 (31 excerpts, streaming).
 constexpr float kMultipleShare = 0.75F;
 
 constexpr double kPredictedLeadHops = 10.0;

@@ -2,14 +2,19 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "audio/beat/paper_file.hpp"
 #include "audio/music_analyzer.hpp"
+#include "base/file.hpp"
 #include "engine/analysis_document.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/music_source.hpp"
+#include "engine/plot_svg.hpp"
 
 namespace raks::cli {
 namespace {
@@ -17,10 +22,14 @@ namespace {
 /// Collects the states whose moment lies inside the file.
 class Collect final : public audio::MusicAnalyzer::Sink {
  public:
-    explicit Collect(engine::AnalysisDocument& document) : document_(document) {}
+    Collect(engine::AnalysisDocument& document, engine::PlotData* plot)
+        : document_(document), plot_(plot) {}
     void on_state(const MusicState& state) noexcept override {
         if (state.time < end) {
             document_.add(state);
+            if (plot_ != nullptr) {
+                plot_->add(state);
+            }
         }
         newest = state.time;
     }
@@ -29,11 +38,108 @@ class Collect final : public audio::MusicAnalyzer::Sink {
 
  private:
     engine::AnalysisDocument& document_;
+    engine::PlotData* plot_;  // may be null
 };
 
 audio::BeatMethod streaming_method(FileBeatMethod method) {
     return method == FileBeatMethod::pointer ? audio::BeatMethod::pointer
                                              : audio::BeatMethod::paper;
+}
+
+/// Everything that listens to the file.
+struct Listeners {
+    audio::MusicAnalyzer analyzer;
+    std::optional<audio::PaperFile> whole;  // --beat paper-whole
+    std::optional<engine::PlotData> plot;   // --plot
+    std::optional<std::vector<BeatEvent>> reference;
+    std::optional<PendingFile> plot_file;
+};
+
+/// Checks and opens all that is asked for before the first sample is heard.
+Expected<void> prepare(const AnalyzeArguments& arguments, SampleRate rate, Listeners& to) {
+    if (!arguments.plot.empty()) {
+        if (arguments.plot.extension() != ".svg") {
+            return fail(arguments.plot.string() + ": a plot is written as .svg");
+        }
+        auto file = PendingFile::create(arguments.plot);
+        if (!file) {
+            return fail(std::move(file.error()));
+        }
+        to.plot_file = std::move(*file);
+        if (auto prepared = to.plot.emplace().prepare(rate); !prepared) {
+            return prepared;
+        }
+    }
+    if (!arguments.reference.empty()) {
+        auto beats = engine::read_reference_beats(arguments.reference);
+        if (!beats) {
+            return fail(std::move(beats.error()));
+        }
+        to.reference = std::move(*beats);
+    }
+    if (arguments.beat == FileBeatMethod::paper_whole) {
+        if (auto prepared = to.whole.emplace().prepare(rate); !prepared) {
+            return prepared;
+        }
+    }
+    auto prepared =
+        to.analyzer.prepare({.sample_rate = rate, .beat_method = streaming_method(arguments.beat)});
+    if (!prepared) {
+        return fail(std::move(prepared.error()).in(arguments.input.string()));
+    }
+    return {};
+}
+
+/// All of the file, and the silence after it that brings the last hops out; what is said beyond the
+/// file's end is not told.
+void hear(engine::MusicSource& source, Listeners& listeners, Collect& collect) {
+    ProgressLine progress("analyzing");
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        listeners.analyzer.process(block.mono, collect);
+        if (listeners.whole) {
+            listeners.whole->add(block.mono);
+        }
+        if (listeners.plot) {
+            listeners.plot->hear(block.mono);
+        }
+        if (const auto share = source.progress()) {
+            progress.show(*share);
+        }
+    }
+    collect.end = StreamTime(source.given());
+    const std::array<float, 256> silence{};
+    for (Nanos fed{};
+         fed <= listeners.analyzer.delay() + kHop && collect.newest + kHop < collect.end;
+         fed += source.rate().time_of(silence.size()).time_since_epoch()) {
+        listeners.analyzer.process(silence, collect);
+    }
+}
+
+const char* name_of(FileBeatMethod method) {
+    switch (method) {
+        case FileBeatMethod::pointer:
+            return "bar pointer, streaming";
+        case FileBeatMethod::paper:
+            return "the paper's method, streaming";
+        case FileBeatMethod::paper_whole:
+            return "the paper's method, whole file";
+    }
+    return "";
+}
+
+Expected<void> write_plot(const AnalyzeArguments& arguments, Listeners& listeners, Nanos duration) {
+    listeners.plot->finish(duration);
+    const auto svg = engine::draw_plot(*listeners.plot,
+                                       {.title = arguments.input.filename().string(),
+                                        .method = name_of(arguments.beat),
+                                        .reference = std::move(listeners.reference)});
+    if (!svg) {
+        return fail(svg.error());
+    }
+    if (std::ofstream out(listeners.plot_file->part(), std::ios::binary); !(out << *svg).flush()) {
+        return fail(arguments.plot.string() + ": cannot be written; is the disk full?");
+    }
+    return listeners.plot_file->commit();
 }
 
 }  // namespace
@@ -43,42 +149,27 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
     if (!source) {
         return fail(source.error());
     }
-    audio::MusicAnalyzer analyzer;
-    audio::PaperFile whole;
-    const bool is_whole = arguments.beat == FileBeatMethod::paper_whole;
-    auto prepared = analyzer.prepare(
-        {.sample_rate = source->rate(), .beat_method = streaming_method(arguments.beat)});
-    if (prepared && is_whole) {
-        prepared = whole.prepare(source->rate());
-    }
-    if (!prepared) {
-        return fail(std::move(prepared.error()).in(arguments.input.string()));
+    Listeners listeners;
+    if (auto prepared = prepare(arguments, source->rate(), listeners); !prepared) {
+        return fail(std::move(prepared.error()));
     }
     engine::AnalysisDocument document(arguments.input.string(), source->rate());
-    Collect collect(document);
-    ProgressLine progress("analyzing");
-    for (auto block = source->next(); !block.mono.empty() && !stop_signal();
-         block = source->next()) {
-        analyzer.process(block.mono, collect);
-        if (is_whole) {
-            whole.add(block.mono);
+    Collect collect(document, listeners.plot ? &*listeners.plot : nullptr);
+    hear(*source, listeners, collect);
+    if (listeners.whole) {
+        auto beats = listeners.whole->finish(source->given());
+        if (listeners.plot) {
+            listeners.plot->replace_beats(beats);
         }
-        if (const auto share = source->progress()) {
-            progress.show(*share);
-        }
-    }
-    // Silence brings the last hops out; what it says beyond the file's end is not told.
-    collect.end = StreamTime(source->given());
-    const std::array<float, 256> silence{};
-    for (Nanos fed{}; fed <= analyzer.delay() + kHop && collect.newest + kHop < collect.end;
-         fed += source->rate().time_of(silence.size()).time_since_epoch()) {
-        analyzer.process(silence, collect);
-    }
-    if (is_whole) {
-        document.replace_beats(whole.finish(source->given()));
+        document.replace_beats(std::move(beats));
     }
     if (!source->warning().empty()) {
         std::fprintf(stderr, "raks: %s\n", source->warning().c_str());
+    }
+    if (listeners.plot) {
+        if (auto written = write_plot(arguments, listeners, source->given()); !written) {
+            return fail(std::move(written.error()));
+        }
     }
     const std::string text =
         arguments.as_json ? document.to_json(source->given()) : document.to_text(source->given());

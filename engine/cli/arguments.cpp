@@ -193,6 +193,9 @@ class Parser {
         app->add_option("file", a->input, "music file")->required();
         app->add_flag("--json", a->as_json, "one JSON document");
         add_beat_option(*app, a->beat);
+        auto* plot = app->add_option("--plot", a->plot, "X.svg: a picture of what was heard");
+        app->add_option("--reference", a->reference, "beats to draw beside: seconds, bar position")
+            ->needs(plot);
     }
 
     void add_dance() {

@@ -66,6 +66,8 @@ struct AnalyzeArguments {
     Path input;
     bool as_json = false;
     FileBeatMethod beat = FileBeatMethod::pointer;
+    Path plot;       ///< .svg; empty: none
+    Path reference;  ///< beats to compare with in the plot; empty: none
 };
 [[nodiscard]] ExitCode analyze(const AnalyzeArguments& arguments);
 

@@ -4,6 +4,7 @@
 
 #include <csetjmp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/file.hpp"
@@ -30,8 +31,12 @@ void keep_error(png_structp png, png_const_charp text) {
 void ignore_warning(png_structp, png_const_charp) {}
 
 /// libpng leaves by longjmp: nothing with a destructor may be made in here after setjmp.
-void encode(
-    png_structp png, png_infop info, png_uint_32 width, png_uint_32 height, png_bytepp rows) {
+void encode(png_structp png,
+            png_infop info,
+            png_uint_32 width,
+            png_uint_32 height,
+            png_bytepp rows,
+            int level) {
     if (setjmp(png_jmpbuf(png)) != 0) {  // NOLINT(cert-err52-cpp): libpng's way
         return;
     }
@@ -44,25 +49,22 @@ void encode(
                  PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    png_set_compression_level(png, 1);
+    png_set_compression_level(png, level);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_write_info(png, info);
     png_write_image(png, rows);
     png_write_end(png, nullptr);
 }
 
-}  // namespace
-
-Expected<void> write_png(const std::filesystem::path& path,
-                         int width,
-                         int height,
-                         std::span<const std::uint8_t> rgba) {
+Expected<std::string> encoded(int width,
+                              int height,
+                              std::span<const std::uint8_t> rgba,
+                              int level) {
     const auto wide = static_cast<std::size_t>(width < 0 ? 0 : width);
     const auto high = static_cast<std::size_t>(height < 0 ? 0 : height);
     if (wide == 0 || high == 0 || rgba.size() != wide * high * 4) {
-        return fail(path.string() + ": a picture of " + std::to_string(width) + "x" +
-                    std::to_string(height) + " does not have " + std::to_string(rgba.size()) +
-                    " bytes");
+        return fail("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                    " does not have " + std::to_string(rgba.size()) + " bytes");
     }
     std::vector<png_bytep> rows(high);
     for (std::size_t y = 0; y < high; ++y) {
@@ -79,15 +81,33 @@ Expected<void> write_png(const std::filesystem::path& path,
                info,
                static_cast<png_uint_32>(width),
                static_cast<png_uint_32>(height),
-               rows.data());
+               rows.data(),
+               level);
     } else {
         sink.error = "out of memory";
     }
     png_destroy_write_struct(&png, &info);
     if (!sink.error.empty()) {
-        return fail(path.string() + ": cannot be encoded as PNG: " + sink.error);
+        return fail("a picture cannot be encoded as PNG: " + sink.error);
     }
-    return write_file(path, sink.bytes);
+    return std::move(sink.bytes);
+}
+
+}  // namespace
+
+Expected<void> write_png(const std::filesystem::path& path,
+                         int width,
+                         int height,
+                         std::span<const std::uint8_t> rgba) {
+    auto bytes = encoded(width, height, rgba, 1);
+    if (!bytes) {
+        return fail(std::move(bytes.error()).in(path.string()));
+    }
+    return write_file(path, *bytes);
+}
+
+Expected<std::string> encode_png(int width, int height, std::span<const std::uint8_t> rgba) {
+    return encoded(width, height, rgba, 9);
 }
 
 }  // namespace raks::render

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "base/expected.hpp"
 
@@ -17,5 +18,12 @@ namespace raks::render {
                                        int width,
                                        int height,
                                        std::span<const std::uint8_t> rgba);
+
+/// The same picture as bytes, packed small (level 9) rather than fast. Errors: a size < 1 or one
+/// that does not fit the bytes.
+/// Threads: any. Real-time: no.
+[[nodiscard]] Expected<std::string> encode_png(int width,
+                                               int height,
+                                               std::span<const std::uint8_t> rgba);
 
 }  // namespace raks::render

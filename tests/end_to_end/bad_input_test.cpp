@@ -211,5 +211,27 @@ TEST_F(BadInput, a_device_that_does_not_exist_is_said) {
         {"play", path("music.wav"), "--headless", "--output", "no such thing"}, 1, "no such thing");
 }
 
+TEST_F(BadInput, a_plot_that_cannot_be_made_is_one_line) {
+    audio::MusicPlan plan;
+    plan.seconds = 1.0;
+    const auto music = audio::generate(plan);
+    ASSERT_TRUE(music);
+    ASSERT_TRUE(audio::write_wav(path("a.wav"), music->samples, music->channels, music->rate));
+    ASSERT_TRUE(write_file(path("bad.beats"), "1.0\nnoise\n"));
+    expect_one_line({"analyze", path("a.wav"), "--plot", path("none/a.svg")}, 1, "none");
+    expect_one_line({"analyze", path("a.wav"), "--plot", path("a.png")}, 1, ".svg");
+    expect_one_line(
+        {"analyze", path("a.wav"), "--plot", path("a.svg"), "--reference", path("bad.beats")},
+        1,
+        "line 2: 'noise'");
+    expect_one_line(
+        {"analyze", path("a.wav"), "--plot", path("a.svg"), "--reference", path("no.beats")},
+        1,
+        "no.beats");
+    expect_one_line({"analyze", path("a.wav"), "--reference", path("bad.beats")}, 2, "--plot");
+    expect_one_line({"analyze", path("a.wav"), "--beat", "guess"}, 2, "guess");
+    EXPECT_EQ(files(), (std::vector<std::string>{"a.wav", "bad.beats"}));
+}
+
 }  // namespace
 }  // namespace raks::test

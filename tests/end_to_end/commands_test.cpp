@@ -38,6 +38,78 @@ TEST_F(Commands, raks_alone_shows_three_examples) {
     }
 }
 
+/// Every element closed in order, one root, no bare '<' or '&' in text: what an XML parser demands.
+::testing::AssertionResult is_well_formed(const std::string& xml) {
+    std::vector<std::string> open;
+    int roots = 0;
+    for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at)) {
+        const std::size_t end = xml.find('>', at);
+        if (end == std::string::npos) {
+            return ::testing::AssertionFailure() << "a tag without end";
+        }
+        const std::string tag = xml.substr(at + 1, end - at - 1);
+        if (std::count(tag.begin(), tag.end(), '"') % 2 != 0 ||
+            tag.find('<') != std::string::npos) {
+            return ::testing::AssertionFailure() << "bad tag " << tag.substr(0, 80);
+        }
+        const std::string name =
+            tag.substr(tag[0] == '/', tag.find_first_of(" /?", 1) - (tag[0] == '/'));
+        if (tag[0] == '/') {
+            if (open.empty() || "/" + open.back() != tag) {
+                return ::testing::AssertionFailure() << "unexpected <" << tag << ">";
+            }
+            open.pop_back();
+        } else if (tag[0] != '?') {
+            roots += open.empty() ? 1 : 0;
+            if (tag.back() != '/') {
+                open.push_back(name);
+            }
+        }
+        at = end;
+    }
+    for (std::size_t at = xml.find('&'); at != std::string::npos; at = xml.find('&', at + 1)) {
+        const std::size_t end = xml.find(';', at);
+        if (end == std::string::npos || end - at > 5) {
+            return ::testing::AssertionFailure() << "a bare &";
+        }
+    }
+    if (!open.empty() || roots != 1) {
+        return ::testing::AssertionFailure() << open.size() << " open, " << roots << " roots";
+    }
+    return ::testing::AssertionSuccess();
+}
+
+TEST_F(Commands, analyze_plots_every_panel) {
+    const audio::GeneratedMusic music = write_music("a & b.wav", 120.0, 12.0, audio::Style::clicks);
+    std::string reference;
+    for (const audio::ReferenceBeat& beat : music.beats) {
+        reference += std::to_string(to_seconds(beat.time)) + "\t1\n";
+    }
+    ASSERT_TRUE(write_file(path("a.beats"), reference));
+    for (const char* method : {"pointer", "paper", "paper-whole"}) {
+        const ProcessResult result = run({"analyze",
+                                          path("a & b.wav"),
+                                          "--beat",
+                                          method,
+                                          "--plot",
+                                          path("a.svg"),
+                                          "--reference",
+                                          path("a.beats")});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        const auto svg = read_file(path("a.svg"));
+        ASSERT_TRUE(svg);
+        EXPECT_TRUE(is_well_formed(*svg));
+        EXPECT_LT(svg->size(), 2'000'000U);
+        for (const char* id :
+             {"waveform", "spectrogram", "onsets", "beats", "tempo", "bar", "confidence", "time"}) {
+            EXPECT_NE(svg->find("<g id=\"" + std::string(id) + "\">"), std::string::npos) << id;
+        }
+        EXPECT_NE(svg->find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+        EXPECT_NE(svg->find("a &amp; b.wav"), std::string::npos);
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"a & b.wav", "a.beats", "a.svg"}));
+}
+
 TEST_F(Commands, analyze_tells_tempo_and_beats) {
     const audio::GeneratedMusic music = write_music("drums.wav", 128.0, 20.0, audio::Style::drums);
     const ProcessResult result = run({"analyze", path("drums.wav"), "--json"});
