@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -50,6 +51,7 @@ Pipe make_terminal(int columns) {
 }
 
 [[noreturn]] void become(const ProcessPlan& plan, const Pipe& out, const Pipe& err) {
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a test that is killed leaves nothing behind
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(out.write_end, STDOUT_FILENO);
     dup2(err.write_end, STDERR_FILENO);
@@ -168,17 +170,20 @@ ProcessResult CapturedProcess::wait(std::optional<std::chrono::milliseconds> wit
     return result_;
 }
 
-bool CapturedProcess::wait_for_output(const std::string& text) {
-    const auto has_text = [&] {
-        return result_.out.find(text) != std::string::npos ||
-               result_.err.find(text) != std::string::npos;
-    };
-    while (!has_text()) {
+bool CapturedProcess::wait_until(const std::function<bool(const ProcessResult&)>& is_enough) {
+    while (!is_enough(result_)) {
         if (!read_some(std::chrono::milliseconds(50)) || Clock::now() > deadline_) {
-            return has_text();
+            return is_enough(result_);
         }
     }
     return true;
+}
+
+bool CapturedProcess::wait_for_output(const std::string& text) {
+    return wait_until([&](const ProcessResult& so_far) {
+        return so_far.out.find(text) != std::string::npos ||
+               so_far.err.find(text) != std::string::npos;
+    });
 }
 
 ProcessResult run_process(const ProcessPlan& plan) {

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -43,6 +44,10 @@ class CapturedProcess {
     /// Reads output until `text` appears in stdout or stderr; false when the child ended or the
     /// plan's timeout passed first.
     bool wait_for_output(const std::string& text);
+    /// The same for any condition on what was read so far.
+    bool wait_until(const std::function<bool(const ProcessResult&)>& is_enough);
+    /// What was read so far.
+    [[nodiscard]] const ProcessResult& output() const noexcept { return result_; }
     [[nodiscard]] pid_t pid() const { return pid_; }
 
  private:

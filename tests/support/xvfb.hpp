@@ -1,8 +1,9 @@
 #pragma once
 
-#include <sys/types.h>
-
+#include <memory>
 #include <string>
+
+#include "tests/support/process.hpp"
 
 namespace raks::test {
 
@@ -20,7 +21,7 @@ class Xvfb {
     [[nodiscard]] const std::string& display() const noexcept { return display_; }
 
  private:
-    pid_t pid_ = -1;
+    std::unique_ptr<CapturedProcess> server_;
     std::string display_;
 };
 
