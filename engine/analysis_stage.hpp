@@ -34,6 +34,9 @@ class AnalysisStage {
     /// Real-time: yes.
     void mark_clock(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING;
 
+    /// *audio* The device flagged an xrun: see ClockMap::loosen(). Real-time: yes.
+    void loosen_clock() noexcept RAKS_NONBLOCKING { clock_map_.loosen(); }
+
     /// *audio* Samples were lost before the next block: stream time skips them. Real-time: yes.
     void skip(std::int64_t frames) noexcept RAKS_NONBLOCKING;
 

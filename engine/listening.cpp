@@ -44,6 +44,7 @@ void Listening::on_input(std::span<const float> interleaved,
     const std::size_t stride = static_cast<std::size_t>(channels);
     const std::size_t frames = interleaved.size() / stride;
     if (time.is_xrun && last_frames_ > 0) {
+        analysis_->loosen_clock();
         skip_lost(time);
     }
     // The block's last sample has just arrived: its first is one block old.

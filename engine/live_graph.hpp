@@ -68,6 +68,8 @@ class LiveGraph {
     [[nodiscard]] Nanos output_latency() const noexcept { return output_latency_; }
     [[nodiscard]] LiveCounters counters() const noexcept;
 
+    /// The device's stream; null while our own clock drives.
+    [[nodiscard]] const audio::DeviceStream* stream() const noexcept { return stream_.get(); }
     [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
     [[nodiscard]] MotionThread& motion() noexcept { return *motion_; }
     /// Null in `live`.

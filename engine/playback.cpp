@@ -126,6 +126,9 @@ void Playback::on_output(std::span<float> interleaved,
             break;
         }
     }
+    if (time.is_xrun) {
+        analysis_->loosen_clock();
+    }
     if (has_sound) {
         analysis_->mark_clock(first, time.entered);
     } else {

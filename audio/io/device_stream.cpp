@@ -1,6 +1,7 @@
 #include "audio/io/device_stream.hpp"
 
 #include <portaudio.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
@@ -78,6 +79,8 @@ struct DeviceStream::Impl {
     std::atomic<std::uint64_t> callbacks{0};
     std::atomic<std::uint64_t> xruns{0};
     std::atomic<std::int64_t> last_callback_ns{0};
+    std::atomic<int> block_frames{0};
+    std::atomic<pthread_t> thread{};  // of the callback; its class is asked for elsewhere
 
     static int on_block(const void* input,
                         void* output,
@@ -104,6 +107,8 @@ int DeviceStream::Impl::on_block(const void* input,
         paInputOverflow | paInputUnderflow | paOutputUnderflow | paOutputOverflow;
     const BlockTime time{.first_frame = me.frames, .entered = now, .is_xrun = (flags & kXrun) != 0};
     me.last_callback_ns.store(now.time_since_epoch().count(), std::memory_order_relaxed);
+    me.block_frames.store(static_cast<int>(frame_count), std::memory_order_relaxed);
+    me.thread.store(pthread_self(), std::memory_order_relaxed);
     me.callbacks.fetch_add(1, std::memory_order_relaxed);
     me.xruns.fetch_add(time.is_xrun ? 1 : 0, std::memory_order_relaxed);
     const std::size_t samples = frame_count * static_cast<std::size_t>(me.channels);
@@ -277,6 +282,31 @@ Nanos DeviceStream::reported_latency() const noexcept { return impl_->latency; }
 
 std::uint64_t DeviceStream::callbacks() const noexcept {
     return impl_->callbacks.load(std::memory_order_relaxed);
+}
+
+int DeviceStream::block_frames() const noexcept {
+    return impl_->block_frames.load(std::memory_order_relaxed);
+}
+
+std::string DeviceStream::scheduling() const {
+    if (callbacks() == 0 || !is_alive(host_now())) {
+        return "unknown";
+    }
+    int policy = 0;
+    sched_param parameters{};
+    if (pthread_getschedparam(
+            impl_->thread.load(std::memory_order_relaxed), &policy, &parameters) != 0) {
+        return "unknown";
+    }
+    // JACK marks its threads so that what they start is of the ordinary class again.
+    switch (policy & ~SCHED_RESET_ON_FORK) {
+        case SCHED_FIFO:
+            return "SCHED_FIFO";
+        case SCHED_RR:
+            return "SCHED_RR";
+        default:
+            return "SCHED_OTHER";
+    }
 }
 
 std::uint64_t DeviceStream::xruns() const noexcept {

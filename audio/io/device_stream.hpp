@@ -64,6 +64,11 @@ class DeviceStream {
 
     /// Callbacks so far.
     [[nodiscard]] std::uint64_t callbacks() const noexcept;
+    /// Frames of the newest block; 0 before the first.
+    [[nodiscard]] int block_frames() const noexcept;
+    /// Scheduling class of the thread that calls back: "SCHED_FIFO", "SCHED_RR", "SCHED_OTHER";
+    /// "unknown" before the first block and once the stream is dead.
+    [[nodiscard]] std::string scheduling() const;
     /// Blocks flagged as xrun so far.
     [[nodiscard]] std::uint64_t xruns() const noexcept;
     /// False when no callback came for 0.5 s (JACK) or 3 s (others) before `now`, or PortAudio calls

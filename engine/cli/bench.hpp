@@ -31,8 +31,12 @@ struct BenchReport {
 [[nodiscard]] double thread_cpu_seconds();
 [[nodiscard]] double process_cpu_seconds();
 
-/// Plays generated music through the loudspeaker's device (JACK where it runs; our own clock where
-/// there is none) and measures callback time, ages and the landing of displayed poses.
+/// Plays generated music (drums at 180 BPM) through the loudspeaker's device, or by our own clock
+/// where there is none, and measures callback time, ages of what is drawn, and on JACK, through a
+/// loop from our output to our input (loop_recorder.hpp), the latency, how far pictures lie ahead
+/// of the sound, and the landing of displayed poses. What a loop would be needed for is "not
+/// measured" without one. landing_mean_ms and landing_sd_ms are of the signed errors (late is
+/// positive), landing_abs_ms of their sizes.
 [[nodiscard]] Expected<BenchReport> bench_latency(double seconds);
 
 }  // namespace raks::cli

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <csignal>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/jack_server.hpp"
 #include "tests/support/pulse_server.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace raks::test {
 namespace {
@@ -101,6 +104,32 @@ TEST_F(LiveOnJack, hears_the_tempo_that_play_plays) {
     EXPECT_EQ(player.wait(milliseconds(2'000)).exit_code, 130);
 }
 
+/// How often `part` occurs in `text`.
+int count_of(const std::string& part, const std::string& text) {
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+/// The death of a device is told in exactly one line. (What `live` says at its very end, the tempo,
+/// and the names of what plays are no news about it.)
+void expect_one_line_about_the_death(const std::string& err) {
+    EXPECT_EQ(count_of("the device is gone", err), 1) << err;
+    std::istringstream lines(err);
+    int others = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const auto says = [&](const char* part) { return line.find(part) != std::string::npos; };
+        others += says("the device is gone") || says("raks: listening to") ||
+                          says("raks: playing") || says("raks: sound goes to") ||
+                          says("raks: tempo")
+                      ? 0
+                      : 1;
+    }
+    EXPECT_EQ(others, 0) << err;
+}
+
 TEST_F(LiveOnJack, survives_the_death_of_its_input_and_still_ends_in_time) {
     for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
         JackServer jack;
@@ -113,6 +142,23 @@ TEST_F(LiveOnJack, survives_the_death_of_its_input_and_still_ends_in_time) {
         const ProcessResult result = listener.wait(milliseconds(2'000));
         EXPECT_FALSE(result.timed_out);
         EXPECT_EQ(result.exit_code, code) << result.err;
+        expect_one_line_about_the_death(result.err);
+    }
+}
+
+TEST_F(LiveOnJack, play_ends_in_time_after_the_death_of_its_loudspeaker) {
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+        JackServer jack;
+        ASSERT_EQ(jack.problem(), "");
+        CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
+        ASSERT_TRUE(player.wait_for_output("playing"));
+        jack.kill();
+        ASSERT_TRUE(player.wait_for_output("the device is gone"));
+        player.send(signal);
+        const ProcessResult result = player.wait(milliseconds(2'000));
+        EXPECT_FALSE(result.timed_out);
+        EXPECT_EQ(result.exit_code, code) << result.err;
+        expect_one_line_about_the_death(result.err);
     }
 }
 
@@ -124,6 +170,37 @@ TEST_F(LiveOnJack, play_goes_on_without_its_loudspeaker_and_says_so) {
     const ProcessResult result = player.wait(milliseconds(20'000));
     EXPECT_FALSE(result.timed_out);
     EXPECT_EQ(result.exit_code, 1) << result.err;
+    expect_one_line_about_the_death(result.err);
+}
+
+nlohmann::json bench_latency_document(const ProcessResult& result) {
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(result.out, nullptr, false);
+}
+
+TEST_F(LiveOnJack, bench_latency_measures_the_loop_and_the_landing) {
+    if (jack_->scheduling() != "SCHED_FIFO") {
+        GTEST_SKIP() << "without SCHED_FIFO the server itself drops blocks";
+    }
+    const auto report = bench_latency_document(
+        run_process(with_jack({"bench", "latency", "--json", "--duration", "24"})));
+    ASSERT_TRUE(report.is_object());
+    SCOPED_TRACE(report.dump(2));
+    EXPECT_EQ(report.value("callback_scheduling", ""), "SCHED_FIFO");
+    EXPECT_EQ(report.value("block_frames", 0.0), 256.0);
+    EXPECT_LT(report.value("callback_p99_share", 1.0), 0.2);
+    // The loop goes round once a period, 5.33 ms: that is what PortAudio reports here.
+    ASSERT_TRUE(report.contains("loop_minus_reported_ms")) << "no loop: " << report["loop"];
+    EXPECT_NEAR(report["loop_latency_ms"].get<double>(), 256.0 / 48.0, 1.0);
+    EXPECT_NEAR(report["loop_minus_reported_ms"].get<double>(), 0.0, 1.0);
+    EXPECT_NEAR(report["picture_lead_ms"]["p50"].get<double>(), 0.0, 1.0);
+    EXPECT_GE(report["beats_back"].get<double>(), 60.0);
+    ASSERT_TRUE(report.contains("landing_mean_ms")) << report["landing"];
+    EXPECT_GE(report["landings"].get<double>(), 15.0);
+    EXPECT_LE(report["landings_missing"].get<double>(), 2.0);
+    EXPECT_NEAR(report["landing_mean_ms"].get<double>(), 0.0, 15.0);
+    EXPECT_LE(report["landing_sd_ms"].get<double>(), 25.0);
+    EXPECT_GT(report["landing_abs_ms"]["max"].get<double>(), 0.0);
 }
 
 TEST_F(LiveOnJack, works_at_every_rate_that_a_server_has) {

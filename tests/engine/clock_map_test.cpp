@@ -42,6 +42,17 @@ TEST(ClockMap, a_jump_starts_anew_at_once) {
     EXPECT_NEAR(to_seconds(map.line().stream_at(host(5.1))), 9.1, 1e-6);
 }
 
+TEST(ClockMap, after_an_xrun_a_step_is_followed_within_half_a_second) {
+    for (const double step : {-0.03, -0.005, 0.03}) {
+        ClockMap map = settled_map(0.0, 0.0, 20.0);
+        map.loosen();
+        for (double t = 20.0; t < 20.5; t += 256.0 / 48'000.0) {
+            map.update(stream_time_from_seconds(t), host(t + step));
+        }
+        EXPECT_NEAR(to_seconds(map.line().stream_at(host(20.5))), 20.5 - step, 0.002) << step;
+    }
+}
+
 TEST(ClockMap, stream_time_stands_still_while_stopped) {
     ClockMap map = settled_map(0.0, 0.0, 5.0);
     map.stop(stream_time_from_seconds(5.0));
