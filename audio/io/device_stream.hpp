@@ -59,7 +59,9 @@ class DeviceStream {
 
     [[nodiscard]] SampleRate rate() const noexcept;
     [[nodiscard]] int channels() const noexcept;
-    /// What PortAudio reports, clamped to 0..2 s (unset values were seen): a hint.
+    /// What PortAudio reports, clamped to 0..2 s (unset values were seen): a hint. On JACK it is
+    /// what clicks through a loop of ports take, to 0.01 ms at periods of 64, 256 and 1024 frames
+    /// (`raks bench latency`), so it is the default; the converters behind the server are unseen.
     [[nodiscard]] Nanos reported_latency() const noexcept;
 
     /// Callbacks so far.

@@ -177,6 +177,13 @@ TEST_F(Commands, bench_latency_writes_its_document_with_the_tempo_that_plays) {
         }
     }
     EXPECT_EQ(document["dropped_states"].get<double>(), 0.0);
+    // Nothing came back from anywhere: no figure is made up.
+    for (const char* name : {"loop", "landing"}) {
+        EXPECT_EQ(document[name].get<std::string>().rfind("not measured: ", 0), 0U);
+    }
+    for (const char* name : {"loop_latency_ms", "picture_lead_ms", "landing_mean_ms"}) {
+        EXPECT_FALSE(document.contains(name)) << name;
+    }
 }
 
 TEST_F(Commands, play_without_window_and_sound_runs_to_the_files_end) {
