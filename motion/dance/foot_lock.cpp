@@ -20,6 +20,9 @@ constexpr int kLandingRepeats = 3;
 // (Before it: the foot glides the last centimetres while the lock takes it up.)
 constexpr double kRestAfterLanding = -0.03;
 
+constexpr float kToeOnset = 0.55F;    // radians of the heel's rise over which toes begin to bend
+constexpr float kMostToeBend = 0.9F;  // radians
+
 /// Shortest contact that is worth locking, in samples.
 std::ptrdiff_t shift_floor(double samples_per_beat) {
     return static_cast<std::ptrdiff_t>(0.2 * samples_per_beat);
@@ -83,7 +86,8 @@ struct FootTrack {
     std::vector<glm::vec3> ankle;
     std::vector<glm::vec3> ball;
     std::vector<glm::quat> rotation;
-    std::vector<float> lock;  // 1 in contact, 0 free, between while it is taken up or let go
+    std::vector<glm::quat> toes;  // in the foot's frame
+    std::vector<float> lock;      // 1 in contact, 0 free, between while it is taken up or let go
 };
 
 FootTrack foot_track(const Skeleton& skeleton, Side side, const std::vector<Pose>& poses) {
@@ -126,10 +130,21 @@ void anchor(const std::vector<ContactWindow>& windows, std::size_t blend, FootTr
     }
 }
 
+/// Toes that stay flat while the heel is up over a planted ball.
+glm::quat toe_bend(const Skeleton& skeleton, const glm::quat& foot, float lock) {
+    const glm::vec3 toe = foot * (skeleton.toe_tip - skeleton.ball);
+    const float down = std::asin(std::clamp(-toe.y / glm::length(toe), -1.0F, 1.0F));
+    // Zero for a flat foot and below, with a soft onset.
+    const float onset = smoothstep(down / kToeOnset);
+    const float bend = std::min(onset * std::max(0.0F, down), kMostToeBend);
+    return glm::angleAxis(-lock * bend, glm::vec3(1, 0, 0));
+}
+
 /// Heights: on the floor in contact, never below it.
 void put_on_floor(const Skeleton& skeleton, Side side, FootTrack& track) {
     for (std::size_t i = 0; i < track.ankle.size(); ++i) {
-        const float standing = -lowest_of_sole(skeleton, side, track.rotation[i]);
+        track.toes.push_back(toe_bend(skeleton, track.rotation[i], track.lock[i]));
+        const float standing = -lowest_of_sole(skeleton, side, track.rotation[i], track.toes[i]);
         const float free = std::max(track.ankle[i].y, standing);
         track.ankle[i].y = free + track.lock[i] * (standing - free);
     }
@@ -146,7 +161,8 @@ float height_over_floor(const Skeleton& skeleton,
         for (const ContactWindow& window : contacts[static_cast<std::size_t>(side)]) {
             for (std::size_t k = 0; k < window.length; ++k) {
                 const std::size_t i = (window.first + k) % track.ankle.size();
-                sum += track.ankle[i].y + lowest_of_sole(skeleton, side, track.rotation[i]);
+                sum += track.ankle[i].y +
+                       lowest_of_sole(skeleton, side, track.rotation[i], kNoRotation);
                 count += 1.0F;
             }
         }
@@ -263,6 +279,7 @@ void lock_feet(const Skeleton& skeleton,
         for (const Side side : kSides) {
             const std::size_t s = static_cast<std::size_t>(side);
             solve_leg(skeleton, side, {feet[s].ankle[i], feet[s].rotation[i]}, poses[i]);
+            poses[i].rotation(on_side(Bone::left_toes, side)) = feet[s].toes[i];
             poses[i].foot_contact[s] = feet[s].lock[i] >= 1.0F;
         }
     }

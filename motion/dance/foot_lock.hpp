@@ -33,9 +33,9 @@ struct ContactWindow {
 
 /// Plants the feet of a closed figure: the hips' height is set so that the standing foot is on the
 /// floor, the ball of a foot in contact stays where it is on average (the foot may turn about it),
-/// let go and taken up within `blend` samples, no part of a sole goes below the floor, and the hips
-/// sink where a leg would not reach. Sets foot_contact. (Kovar, Schreiner, Gleicher 2002,
-/// "Footskate cleanup for motion capture editing".)
+/// let go and taken up within `blend` samples, toes bend by the ball when the heel rises, no part
+/// of a sole goes below the floor, and the hips sink where a leg would not reach. Sets
+/// foot_contact. (Kovar, Schreiner, Gleicher 2002, "Footskate cleanup for motion capture editing".)
 /// Threads: workers. Real-time: no.
 void lock_feet(const Skeleton& skeleton,
                const std::array<std::vector<ContactWindow>, 2>& contacts,

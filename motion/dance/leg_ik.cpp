@@ -75,9 +75,18 @@ void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Po
     pose.rotation(foot) = glm::normalize(glm::conjugate(new_shin_world) * target.rotation);
 }
 
-float lowest_of_sole(const Skeleton& skeleton, Side side, const glm::quat& foot_rotation) noexcept {
+float lowest_of_sole(const Skeleton& skeleton,
+                     Side side,
+                     const glm::quat& foot_rotation,
+                     const glm::quat& toes_rotation) noexcept {
+    const glm::vec3& toes = skeleton.offsets[index_of(Bone::left_toes)];
+    const glm::quat mirrored_toes =
+        side == Side::left
+            ? toes_rotation
+            : glm::quat(toes_rotation.w, toes_rotation.x, -toes_rotation.y, -toes_rotation.z);
+    const glm::vec3 toe_tip = toes + mirrored_toes * (skeleton.toe_tip - toes);
     float lowest = 1e9F;
-    for (glm::vec3 point : {skeleton.ball, skeleton.toe_tip, skeleton.heel}) {
+    for (glm::vec3 point : {skeleton.ball, toe_tip, skeleton.heel}) {
         if (side == Side::right) {
             point.x = -point.x;
         }
@@ -91,7 +100,8 @@ void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept {
     for (const Side side : kSides) {
         const Bone foot = on_side(Bone::left_foot, side);
         FootTarget target{world.position(foot), world.rotation(foot)};
-        const float standing = -lowest_of_sole(skeleton, side, target.rotation);
+        const float standing = -lowest_of_sole(
+            skeleton, side, target.rotation, pose.rotation(on_side(Bone::left_toes, side)));
         if (target.ankle.y < standing) {
             target.ankle.y = standing;
             solve_leg(skeleton, side, target, pose);

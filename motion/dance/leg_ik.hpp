@@ -24,11 +24,12 @@ void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Po
 /// Threads: any. Real-time: yes.
 void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept;
 
-/// Lowest point of a sole under the ankle, when the foot has this rotation in the world; metres,
-/// negative. Threads: any. Real-time: yes.
+/// Lowest point of a sole under the ankle, when the foot has this rotation in the world and the
+/// toes theirs in the foot's frame; metres, negative. Threads: any. Real-time: yes.
 [[nodiscard]] float lowest_of_sole(const Skeleton& skeleton,
                                    Side side,
-                                   const glm::quat& foot_rotation) noexcept;
+                                   const glm::quat& foot_rotation,
+                                   const glm::quat& toes_rotation) noexcept;
 
 /// Length of thigh and shin together.
 [[nodiscard]] float leg_length(const Skeleton& skeleton) noexcept;

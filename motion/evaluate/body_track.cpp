@@ -11,10 +11,10 @@ namespace {
 constexpr std::array<Bone, 2> kFeet = {Bone::left_foot, Bone::right_foot};
 
 // Where a foot ends: the toes' joint or end site, else the foot's.
-glm::dvec3 toe_tip(const MotionClip& clip,
-                   const HumanoidMapping& mapping,
-                   const ClipWorldPose& world,
-                   Side side) {
+glm::dvec3 end_of_foot(const MotionClip& clip,
+                       const HumanoidMapping& mapping,
+                       const ClipWorldPose& world,
+                       Side side) {
     const std::optional<std::size_t> toes = mapping.joint(on_side(Bone::left_toes, side));
     const std::size_t joint =
         toes ? *toes : mapping.joint(on_side(Bone::left_foot, side)).value_or(0);
@@ -39,7 +39,7 @@ BodyTrack body_track(const Skeleton& skeleton,
         for (const Side side : kSides) {
             track.feet[f][static_cast<std::size_t>(side)] = {
                 glm::dvec3(world.position(on_side(Bone::left_foot, side))),
-                glm::dvec3(foot_point(world, side, skeleton.toe_tip))};
+                glm::dvec3(toe_tip(skeleton, world, side))};
         }
     }
     return track;
@@ -68,7 +68,7 @@ Expected<BodyTrack> body_track(const MotionClip& clip, double metres_per_unit) {
         for (const Side side : kSides) {
             const std::size_t s = static_cast<std::size_t>(side);
             track.feet[f][s] = {metres_per_unit * world.positions[*mapping->joint(kFeet[s])],
-                                metres_per_unit * toe_tip(clip, *mapping, world, side)};
+                                metres_per_unit * end_of_foot(clip, *mapping, world, side)};
         }
     }
     return track;

@@ -95,4 +95,12 @@ glm::vec3 foot_point(const WorldPose& world, Side side, glm::vec3 left_local) no
     return world.point(on_side(Bone::left_foot, side), left_local);
 }
 
+glm::vec3 toe_tip(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
+    glm::vec3 from_joint = skeleton.toe_tip - skeleton.offsets[index_of(Bone::left_toes)];
+    if (side == Side::right) {
+        from_joint.x = -from_joint.x;
+    }
+    return world.point(on_side(Bone::left_toes, side), from_joint);
+}
+
 }  // namespace raks::motion

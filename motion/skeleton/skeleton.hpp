@@ -49,9 +49,14 @@ struct WorldPose {
 /// Forward kinematics. Threads: any. Real-time: yes (52 products).
 [[nodiscard]] WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept;
 
-/// A point of the foot (ball, toe tip or heel of the skeleton) on one side, in the world.
+/// A point fixed to the foot's bone (ball or heel of the skeleton) on one side, in the world.
 [[nodiscard]] glm::vec3 foot_point(const WorldPose& world,
                                    Side side,
                                    glm::vec3 left_local) noexcept;
+
+/// The tip of the toes of one side, which bend by the ball of the foot, in the world.
+[[nodiscard]] glm::vec3 toe_tip(const Skeleton& skeleton,
+                                const WorldPose& world,
+                                Side side) noexcept;
 
 }  // namespace raks::motion

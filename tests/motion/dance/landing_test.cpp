@@ -33,7 +33,7 @@ std::vector<std::array<SourceFoot, 2>> feet_of(const std::vector<Pose>& poses) {
         for (const Side side : kSides) {
             SourceFoot& foot = pair[static_cast<std::size_t>(side)];
             foot.ankle = glm::dvec3(world.position(on_side(Bone::left_foot, side)));
-            foot.toe_tip = glm::dvec3(foot_point(world, side, skeleton.toe_tip));
+            foot.toe_tip = glm::dvec3(toe_tip(skeleton, world, side));
         }
     }
     return feet;
@@ -116,16 +116,36 @@ TEST(Feet, never_go_5_mm_below_the_floor) {
         for (const Pose& pose : dance_to(steady_music(bpm), 3000)) {
             const WorldPose world = world_pose(mannequin_skeleton(), pose);
             for (const Side side : kSides) {
-                for (const glm::vec3& point : {mannequin_skeleton().ball,
-                                               mannequin_skeleton().toe_tip,
-                                               mannequin_skeleton().heel}) {
-                    lowest =
-                        std::min(lowest, static_cast<double>(foot_point(world, side, point).y));
+                const Skeleton& skeleton = mannequin_skeleton();
+                for (const glm::vec3& point : {foot_point(world, side, skeleton.ball),
+                                               toe_tip(skeleton, world, side),
+                                               foot_point(world, side, skeleton.heel)}) {
+                    lowest = std::min(lowest, static_cast<double>(point.y));
                 }
             }
         }
         EXPECT_GE(lowest, -0.005) << bpm;
     }
+}
+
+TEST(Feet, bend_their_toes_where_the_heel_is_up_over_a_planted_ball) {
+    const Skeleton& skeleton = mannequin_skeleton();
+    const auto poses = dance_to(steady_music(166.0), 3000);
+    int raised = 0;
+    for (std::size_t hop = kSettled; hop < poses.size(); ++hop) {
+        const WorldPose world = world_pose(skeleton, poses[hop]);
+        for (const Side side : kSides) {
+            const float heel = foot_point(world, side, skeleton.heel).y;
+            const float ball = foot_point(world, side, skeleton.ball).y;
+            if (!poses[hop].foot_contact[static_cast<std::size_t>(side)] || heel - ball < 0.06F) {
+                continue;
+            }
+            ++raised;
+            const glm::vec3 tip = toe_tip(skeleton, world, side);
+            ASSERT_LT(std::abs(tip.y - ball), 0.015F) << hop << ": the toes lie on the floor";
+        }
+    }
+    EXPECT_GE(raised, 40);
 }
 
 TEST(Dance, does_not_leave_the_stage_or_turn_away) {
