@@ -12,7 +12,6 @@ namespace {
 // Poses between the model's samples, so that a pose every few ms needs no more than a straight
 // line.
 constexpr std::size_t kFiner = 4;
-constexpr double kBlendBeats = 0.14;
 
 /// Poses of the figure, places spread so that it closes, centred on the stage.
 std::vector<Pose> closed_poses(const FigureModel& model, const Skeleton& skeleton) {
@@ -71,10 +70,7 @@ FigureCycle::FigureCycle(const FigureModel& model, const Skeleton& skeleton)
                               samples_per_beat,
                               poses_.size());
     }
-    lock_feet(skeleton,
-              contacts,
-              static_cast<std::size_t>(std::lround(kBlendBeats * samples_per_beat)),
-              poses_);
+    lock_feet(skeleton, contacts, samples_per_beat, poses_);
 }
 
 Pose FigureCycle::at(Beats phase) const noexcept {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/dance/closed_curve.hpp"
 #include "motion/dance/leg_ik.hpp"
 
 #include <glm/geometric.hpp>
@@ -10,159 +11,216 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kSmoothBeats = 0.15;
-constexpr double kLeastGapBeats = 0.25;
-constexpr double kLeastContactBeats = 0.34;
-constexpr double kContactChance = 0.45;
-constexpr double kLandingReach = 0.5;  // beats between a contact's start and its landing
-constexpr int kLandingRepeats = 3;
-// Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
-// (Before it: the foot glides the last centimetres while the lock takes it up.)
-constexpr double kRestAfterLanding = -0.03;
+// How smoothly heel and ball take turns in carrying the foot, and the hips sink; beats.
+constexpr double kHeightSigma = 0.04;
+constexpr double kSinkSigma = 0.14;
+constexpr double kReleaseBeats = 0.3;    // beats until a foot that was let go is wholly free
+constexpr float kFloorSoftness = 0.02F;  // metres over the floor where a free foot feels it
+constexpr float kToeSoftness = 0.15F;    // radians of the heel's rise where the toes begin to bend
+constexpr float kReleaseGlide = 0.3F;    // beats over which the lock's shift fades after a contact
+constexpr float kArrivalGlide = 0.25F;   // and comes up before one: as brisk as people land
+constexpr float kMostToeBend = 0.9F;     // radians
+constexpr std::ptrdiff_t kEdgeStep = 4;  // samples: differences at a contact's ends
 
-constexpr float kToeOnset = 0.55F;    // radians of the heel's rise over which toes begin to bend
-constexpr float kMostToeBend = 0.9F;  // radians
-
-/// Shortest contact that is worth locking, in samples.
-std::ptrdiff_t shift_floor(double samples_per_beat) {
-    return static_cast<std::ptrdiff_t>(0.2 * samples_per_beat);
+/// The larger of both, rounded where they are nearer than `softness`; twice differentiable.
+float soft_max(float a, float b, float softness) {
+    const float apart = std::clamp(std::abs(a - b) / std::max(softness, 1e-9F), 0.0F, 1.0F);
+    const float near = 1.0F - apart;
+    return std::max(a, b) + softness * near * near * near / 6.0F;
 }
 
-std::size_t wrap(std::ptrdiff_t i, std::size_t size) {
-    const auto n = static_cast<std::ptrdiff_t>(size);
-    return static_cast<std::size_t>(((i % n) + n) % n);
-}
-
-float smoothstep(float t) {
+/// From 0 to 1 with no speed and acceleration at either end.
+float smootherstep(float t) {
     t = std::clamp(t, 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
+    return t * t * t * (10.0F + t * (-15.0F + t * 6.0F));
 }
 
-/// Gaussian over a closed curve.
-template <typename T>
-std::vector<T> smoothed(const std::vector<T>& values, double sigma) {
-    const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3.0 * sigma));
-    std::vector<T> result(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        double sum = 0.0;
-        double total = 0.0;
-        for (std::ptrdiff_t step = -reach; step <= reach; ++step) {
-            const double d = static_cast<double>(step) / sigma;
-            const double weight = std::exp(-0.5 * d * d);
-            sum += weight * static_cast<double>(
-                                values[wrap(static_cast<std::ptrdiff_t>(i) + step, values.size())]);
-            total += weight;
-        }
-        result[i] = static_cast<T>(sum / total);
-    }
-    return result;
-}
+/// Value, speed and acceleration of a curve at one sample; per sample.
+struct Jet {
+    glm::vec3 value{};
+    glm::vec3 speed{};
+    glm::vec3 acceleration{};
+};
 
-/// Runs of `value` in a closed row; empty when the whole row is one.
-std::vector<ContactWindow> runs_of(const std::vector<bool>& row, bool value) {
-    std::vector<ContactWindow> runs;
-    const std::size_t size = row.size();
-    for (std::size_t i = 0; i < size; ++i) {
-        if (row[i] != value || row[wrap(static_cast<std::ptrdiff_t>(i) - 1, size)] == value) {
-            continue;
-        }
-        std::size_t length = 0;
-        while (length < size && row[(i + length) % size] == value) {
-            ++length;
-        }
-        runs.push_back({i, length});
+/// The quintic that leaves as `from` says and arrives `length` samples later as `to` says.
+class Quintic {
+ public:
+    Quintic(const Jet& from, const Jet& to, float length) : length_(length) {
+        const glm::vec3 speed = from.speed * length;
+        const glm::vec3 bend = 0.5F * from.acceleration * length * length;
+        const glm::vec3 way = to.value - from.value - speed - bend;
+        const glm::vec3 gain = to.speed * length - speed - 2.0F * bend;
+        const glm::vec3 turn = to.acceleration * length * length - 2.0F * bend;
+        terms_ = {from.value,
+                  speed,
+                  bend,
+                  10.0F * way - 4.0F * gain + 0.5F * turn,
+                  -15.0F * way + 7.0F * gain - turn,
+                  6.0F * way - 3.0F * gain + 0.5F * turn};
     }
-    return runs;
-}
+    [[nodiscard]] glm::vec3 at(float sample) const {
+        const float t = sample / length_;
+        glm::vec3 value = terms_[5];
+        for (std::size_t i = 5; i-- > 0;) {
+            value = value * t + terms_[i];
+        }
+        return value;
+    }
 
-void fill(std::vector<bool>& row, const ContactWindow& window, bool value) {
-    for (std::size_t k = 0; k < window.length; ++k) {
-        row[(window.first + k) % row.size()] = value;
+ private:
+    float length_ = 1.0F;
+    std::array<glm::vec3, 6> terms_{};
+};
+
+/// What the lock moves an ankle by during one flight: it leaves the contact before with its value,
+/// speed and acceleration, fades out, and comes up to those of the contact after.
+class Glide {
+ public:
+    Glide(const Jet& from, const Jet& to, float length, float samples_per_beat)
+        : length_(length),
+          release_(std::min(length, kReleaseGlide * samples_per_beat)),
+          arrival_(std::min(length, kArrivalGlide * samples_per_beat)),
+          leave_(from, {}, release_),
+          arrive_({}, to, arrival_) {}
+    [[nodiscard]] glm::vec3 at(float sample) const {
+        const float before_end = length_ - sample;
+        glm::vec3 value{};
+        value += sample < release_ ? leave_.at(sample) : glm::vec3(0.0F);
+        value += before_end < arrival_ ? arrive_.at(arrival_ - before_end) : glm::vec3(0.0F);
+        return value;
     }
-}
+
+ private:
+    float length_;
+    float release_;
+    float arrival_;
+    Quintic leave_;
+    Quintic arrive_;
+};
 
 /// One foot over the whole figure.
 struct FootTrack {
     std::vector<glm::vec3> ankle;
-    std::vector<glm::vec3> ball;
+    std::vector<glm::vec3> from_ball;  // of the ankle, in the world
     std::vector<glm::quat> rotation;
-    std::vector<glm::quat> toes;  // in the foot's frame
+    std::vector<glm::quat> toes;  // local
     std::vector<float> lock;      // 1 in contact, 0 free, between while it is taken up or let go
+    std::vector<float> standing;  // the ankle's height when the sole is on the floor
+
+    [[nodiscard]] std::size_t size() const { return ankle.size(); }
+    [[nodiscard]] std::size_t at(std::ptrdiff_t i) const { return wrap(i, size()); }
 };
 
-FootTrack foot_track(const Skeleton& skeleton, Side side, const std::vector<Pose>& poses) {
-    FootTrack track;
-    for (const Pose& pose : poses) {
-        const WorldPose world = world_pose(skeleton, pose);
-        const Bone foot = on_side(Bone::left_foot, side);
-        track.ankle.push_back(world.position(foot));
-        track.rotation.push_back(world.rotation(foot));
-        track.ball.push_back(foot_point(world, side, skeleton.ball));
-    }
-    track.lock.resize(poses.size());
-    return track;
-}
-
-/// Moves ankles so that the ball stays on its anchor inside each window.
-void anchor(const std::vector<ContactWindow>& windows, std::size_t blend, FootTrack& track) {
-    const std::size_t size = track.ankle.size();
-    const std::vector<glm::vec3> ankle = track.ankle;
+/// How firmly each sample is held: 1 in the windows, down to 0 within `ramp` samples beside them.
+std::vector<float> locks(const std::vector<ContactWindow>& windows,
+                         std::ptrdiff_t ramp,
+                         std::size_t size) {
+    std::vector<float> lock(size);
     for (const ContactWindow& window : windows) {
-        glm::vec3 place{};
-        for (std::size_t k = 0; k < window.length; ++k) {
-            place += track.ball[(window.first + k) % size] / static_cast<float>(window.length);
-        }
         const auto length = static_cast<std::ptrdiff_t>(window.length);
-        const auto ramp = static_cast<std::ptrdiff_t>(blend);
         for (std::ptrdiff_t k = -ramp; k < length + ramp; ++k) {
-            const std::size_t i = wrap(static_cast<std::ptrdiff_t>(window.first) + k, size);
             const std::ptrdiff_t outside = k < 0 ? -k : std::max<std::ptrdiff_t>(0, k - length + 1);
-            const float weight =
-                smoothstep(1.0F - static_cast<float>(outside) / static_cast<float>(ramp + 1));
-            if (weight < track.lock[i]) {
-                continue;  // the neighbouring contact holds this sample harder
-            }
-            track.lock[i] = weight;
-            glm::vec3 shift = place - track.ball[i];
-            shift.y = 0.0F;
-            track.ankle[i] = ankle[i] + weight * shift;
+            float& here = lock[wrap(static_cast<std::ptrdiff_t>(window.first) + k, size)];
+            here = std::max(
+                here,
+                smootherstep(1.0F - static_cast<float>(outside) / static_cast<float>(ramp + 1)));
         }
     }
+    return lock;
 }
 
 /// Toes that stay flat while the heel is up over a planted ball.
 glm::quat toe_bend(const Skeleton& skeleton, const glm::quat& foot, float lock) {
     const glm::vec3 toe = foot * (skeleton.toe_tip - skeleton.ball);
     const float down = std::asin(std::clamp(-toe.y / glm::length(toe), -1.0F, 1.0F));
-    // Zero for a flat foot and below, with a soft onset.
-    const float onset = smoothstep(down / kToeOnset);
-    const float bend = std::min(onset * std::max(0.0F, down), kMostToeBend);
+    const float bend = std::min(soft_max(0.0F, down, kToeSoftness), kMostToeBend);
     return glm::angleAxis(-lock * bend, glm::vec3(1, 0, 0));
 }
 
-/// Heights: on the floor in contact, never below it.
-void put_on_floor(const Skeleton& skeleton, Side side, FootTrack& track) {
-    for (std::size_t i = 0; i < track.ankle.size(); ++i) {
+FootTrack foot_track(const Skeleton& skeleton,
+                     Side side,
+                     const std::vector<ContactWindow>& windows,
+                     double samples_per_beat,
+                     const std::vector<Pose>& poses) {
+    FootTrack track;
+    const auto ramp = static_cast<std::ptrdiff_t>(std::lround(kReleaseBeats * samples_per_beat));
+    track.lock = locks(windows, ramp, poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const WorldPose world = world_pose(skeleton, poses[i]);
+        const Bone foot = on_side(Bone::left_foot, side);
+        track.ankle.push_back(world.position(foot));
+        track.rotation.push_back(world.rotation(foot));
+        track.from_ball.push_back(world.position(foot) - foot_point(world, side, skeleton.ball));
         track.toes.push_back(toe_bend(skeleton, track.rotation[i], track.lock[i]));
-        const float standing = -lowest_of_sole(skeleton, side, track.rotation[i], track.toes[i]);
-        const float free = std::max(track.ankle[i].y, standing);
-        track.ankle[i].y = free + track.lock[i] * (standing - free);
+        track.standing.push_back(-lowest_of_sole(skeleton, side, track.rotation[i], track.toes[i]));
+    }
+    track.standing = smoothed(track.standing, kHeightSigma * samples_per_beat);
+    return track;
+}
+
+/// How far the ankle of a foot planted at `place` lies from the free one.
+glm::vec3 shift_to(const FootTrack& track, const glm::vec3& place, std::ptrdiff_t sample) {
+    const std::size_t i = track.at(sample);
+    glm::vec3 planted = place + track.from_ball[i];
+    planted.y = track.standing[i];
+    return planted - track.ankle[i];
+}
+
+Jet jet_of(const FootTrack& track, const glm::vec3& place, std::ptrdiff_t sample) {
+    const auto step = static_cast<float>(kEdgeStep);
+    const glm::vec3 before = shift_to(track, place, sample - kEdgeStep);
+    const glm::vec3 here = shift_to(track, place, sample);
+    const glm::vec3 after = shift_to(track, place, sample + kEdgeStep);
+    return {here, (after - before) / (2.0F * step), (after - 2.0F * here + before) / (step * step)};
+}
+
+/// Where the ball of the free foot is on average while it rests.
+glm::vec3 resting_place(const FootTrack& track, const ContactWindow& window) {
+    glm::vec3 place{};
+    for (std::size_t k = 0; k < window.length; ++k) {
+        const std::size_t i = (window.first + k) % track.size();
+        place += (track.ankle[i] - track.from_ball[i]) / static_cast<float>(window.length);
+    }
+    return place;
+}
+
+/// Moves the ankles so that the ball rests in each window, and glides there between them.
+void plant(const std::vector<ContactWindow>& windows, double samples_per_beat, FootTrack& track) {
+    std::vector<glm::vec3> shift(track.size());
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+        const ContactWindow& window = windows[w];
+        const ContactWindow& next = windows[(w + 1) % windows.size()];
+        const glm::vec3 place = resting_place(track, window);
+        const auto first = static_cast<std::ptrdiff_t>(window.first);
+        const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(window.length) - 1;
+        for (std::ptrdiff_t i = first; i <= last; ++i) {
+            shift[track.at(i)] = shift_to(track, place, i);
+        }
+        const auto rise = static_cast<std::ptrdiff_t>(
+            track.at(static_cast<std::ptrdiff_t>(next.first) - last - 1) + 1);
+        const Glide glide(jet_of(track, place, last),
+                          jet_of(track, resting_place(track, next), last + rise),
+                          static_cast<float>(rise),
+                          static_cast<float>(samples_per_beat));
+        for (std::ptrdiff_t k = 1; k < rise; ++k) {
+            shift[track.at(last + k)] = glide.at(static_cast<float>(k));
+        }
+    }
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        track.ankle[i] += shift[i];
+        const float softness = kFloorSoftness * (1.0F - track.lock[i]);
+        track.ankle[i].y = soft_max(track.ankle[i].y, track.standing[i], softness);
     }
 }
 
 /// Mean height of the soles in contact: what the hips must sink (positive) or rise.
-float height_over_floor(const Skeleton& skeleton,
-                        const std::array<FootTrack, 2>& feet,
-                        const std::array<std::vector<ContactWindow>, 2>& contacts) {
+float height_over_floor(const std::array<FootTrack, 2>& feet) {
     float sum = 0.0F;
     float count = 0.0F;
-    for (const Side side : kSides) {
-        const FootTrack& track = feet[static_cast<std::size_t>(side)];
-        for (const ContactWindow& window : contacts[static_cast<std::size_t>(side)]) {
-            for (std::size_t k = 0; k < window.length; ++k) {
-                const std::size_t i = (window.first + k) % track.ankle.size();
-                sum += track.ankle[i].y +
-                       lowest_of_sole(skeleton, side, track.rotation[i], kNoRotation);
+    for (const FootTrack& track : feet) {
+        for (std::size_t i = 0; i < track.size(); ++i) {
+            if (track.lock[i] >= 1.0F) {
+                sum += track.ankle[i].y - track.standing[i];
                 count += 1.0F;
             }
         }
@@ -202,78 +260,27 @@ std::vector<float> sinking(const Skeleton& skeleton,
 
 }  // namespace
 
-std::vector<ContactWindow> contact_windows(const std::array<double, kContactBins>& chance,
-                                           int beats,
-                                           std::size_t samples) {
-    const double bins_per_beat = static_cast<double>(kContactBins) / beats;
-    const std::vector<double> smooth =
-        smoothed(std::vector<double>(chance.begin(), chance.end()), kSmoothBeats * bins_per_beat);
-    std::vector<bool> row(samples);
-    for (std::size_t i = 0; i < samples; ++i) {
-        row[i] = smooth[i * kContactBins / samples] > kContactChance;
-    }
-    const double samples_per_beat = static_cast<double>(samples) / beats;
-    for (const ContactWindow& gap : runs_of(row, false)) {
-        if (static_cast<double>(gap.length) < kLeastGapBeats * samples_per_beat) {
-            fill(row, gap, true);
-        }
-    }
-    for (const ContactWindow& contact : runs_of(row, true)) {
-        if (static_cast<double>(contact.length) < kLeastContactBeats * samples_per_beat) {
-            fill(row, contact, false);
-        }
-    }
-    return runs_of(row, true);
-}
-
-std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
-                                             const std::vector<LandingOffset>& landings,
-                                             double samples_per_beat,
-                                             std::size_t samples) {
-    for (ContactWindow& window : windows) {
-        double best = kLandingReach;
-        for (std::size_t count = 0; count < landings.size(); ++count) {
-            if (landings[count].repeats < kLandingRepeats) {
-                continue;
-            }
-            const double landing =
-                static_cast<double>(count) + landings[count].median.count() + kRestAfterLanding;
-            const double beats = static_cast<double>(samples) / samples_per_beat;
-            double away = landing - static_cast<double>(window.first) / samples_per_beat;
-            away -= beats * std::round(away / beats);
-            best = std::abs(away) < std::abs(best) ? away : best;
-        }
-        const auto shift = static_cast<std::ptrdiff_t>(std::lround(best * samples_per_beat));
-        const auto length = static_cast<std::ptrdiff_t>(window.length) - shift;
-        if (std::abs(best) < kLandingReach && length > shift_floor(samples_per_beat)) {
-            window.first = wrap(static_cast<std::ptrdiff_t>(window.first) + shift, samples);
-            window.length = static_cast<std::size_t>(length);
-        }
-    }
-    return windows;
-}
-
 void lock_feet(const Skeleton& skeleton,
                const std::array<std::vector<ContactWindow>, 2>& contacts,
-               std::size_t blend,
+               double samples_per_beat,
                std::vector<Pose>& poses) {
     std::array<FootTrack, 2> feet;
     for (const Side side : kSides) {
-        feet[static_cast<std::size_t>(side)] = foot_track(skeleton, side, poses);
+        const std::size_t s = static_cast<std::size_t>(side);
+        feet[s] = foot_track(skeleton, side, contacts[s], samples_per_beat, poses);
     }
-    const float height = height_over_floor(skeleton, feet, contacts);
+    const float height = height_over_floor(feet);
     for (Pose& pose : poses) {
         pose.hips_position.y -= height;
     }
     for (const Side side : kSides) {
         FootTrack& track = feet[static_cast<std::size_t>(side)];
-        for (std::size_t i = 0; i < poses.size(); ++i) {
-            track.ankle[i].y -= height;
+        for (glm::vec3& ankle : track.ankle) {
+            ankle.y -= height;
         }
-        anchor(contacts[static_cast<std::size_t>(side)], blend, track);
-        put_on_floor(skeleton, side, track);
+        plant(contacts[static_cast<std::size_t>(side)], samples_per_beat, track);
     }
-    const std::vector<float> sink = sinking(skeleton, feet, poses, static_cast<double>(blend));
+    const std::vector<float> sink = sinking(skeleton, feet, poses, kSinkSigma * samples_per_beat);
     for (std::size_t i = 0; i < poses.size(); ++i) {
         poses[i].hips_position.y -= sink[i];
         for (const Side side : kSides) {

@@ -4,42 +4,24 @@
 #include <cstddef>
 #include <vector>
 
-#include "motion/figures/figure_model.hpp"
+#include "motion/dance/contact_windows.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
 
-/// A stretch of a closed figure in which one toe rests: samples first .. first + length - 1, modulo
-/// the number of samples.
-struct ContactWindow {
-    std::size_t first = 0;
-    std::size_t length = 0;
-};
-
-/// Contacts of one side from the learnt chance of contact: smoothed over the phase, above one half,
-/// gaps below a quarter of a beat closed, contacts below a third of a beat dropped.
-[[nodiscard]] std::vector<ContactWindow> contact_windows(
-    const std::array<double, kContactBins>& chance, int beats, std::size_t samples);
-
-/// Moves the start of each contact to the learnt landing that it belongs to (at most half a beat
-/// away, shown by three repeats or more), so that the foot comes to rest when people's feet did. A
-/// window without one stays.
-[[nodiscard]] std::vector<ContactWindow> start_at_landings(
-    std::vector<ContactWindow> windows,
-    const std::vector<LandingOffset>& landings,
-    double samples_per_beat,
-    std::size_t samples);
-
 /// Plants the feet of a closed figure: the hips' height is set so that the standing foot is on the
 /// floor, the ball of a foot in contact stays where it is on average (the foot may turn about it),
-/// let go and taken up within `blend` samples, toes bend by the ball when the heel rises, no part
-/// of a sole goes below the floor, and the hips sink where a leg would not reach. Sets
-/// foot_contact. (Kovar, Schreiner, Gleicher 2002, "Footskate cleanup for motion capture editing".)
-/// Threads: workers. Real-time: no.
+/// toes bend by the ball when the heel rises, no part of a sole goes below the floor, and the hips
+/// sink where a leg would not reach. Sets foot_contact. (Kovar, Schreiner, Gleicher 2002,
+/// "Footskate cleanup for motion capture editing".)
+///
+/// What the lock moves an ankle by is carried over each flight by a quintic that meets both
+/// contacts with their speed and acceleration: nothing kinks where a foot is let go or taken up.
+/// `samples_per_beat` paces heights and hips. Threads: workers. Real-time: no.
 void lock_feet(const Skeleton& skeleton,
                const std::array<std::vector<ContactWindow>, 2>& contacts,
-               std::size_t blend,
+               double samples_per_beat,
                std::vector<Pose>& poses);
 
 }  // namespace raks::motion

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/foot_events.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
@@ -125,6 +126,29 @@ TEST(Feet, never_go_5_mm_below_the_floor) {
             }
         }
         EXPECT_GE(lowest, -0.005) << bpm;
+    }
+}
+
+TEST(Feet, jerk_no_more_where_they_are_let_go_than_people) {
+    // A second of the lead's basics (confidence >= 0.9): knees 235 and 245, ankles 387 and 392
+    // m/s^3 rms at 60 frames a second; a third above them is allowed.
+    const auto poses = dance_to(steady_music(166.0), kHops);
+    const std::vector<Pose> dancing(poses.begin() + kSettled, poses.end());
+    const BodyTrack track =
+        body_track(mannequin_skeleton(), resampled(dancing, kHopsPerSecond, 60.0), 60.0);
+    const std::array<std::pair<Bone, double>, 4> source = {{{Bone::left_lower_leg, 235.0},
+                                                            {Bone::right_lower_leg, 245.0},
+                                                            {Bone::left_foot, 387.0},
+                                                            {Bone::right_foot, 392.0}}};
+    for (const auto& [bone, rms] : source) {
+        const auto found = std::find(kBodyBones.begin(), kBodyBones.end(), bone);
+        BodyTrack one = track;
+        for (auto& joints : one.joints) {
+            joints.fill(joints[static_cast<std::size_t>(found - kBodyBones.begin())]);
+        }
+        const double jerk = jerk_of(one).rms;
+        std::printf("jerk of bone %zu: %.0f m/s3, people %.0f\n", index_of(bone), jerk, rms);
+        EXPECT_LE(jerk, 1.3 * rms) << index_of(bone);
     }
 }
 

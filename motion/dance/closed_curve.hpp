@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+/// Small tools for values sampled over one figure that repeats for ever.
+namespace raks::motion {
+
+/// Index i modulo `size`, also for negative i.
+[[nodiscard]] inline std::size_t wrap(std::ptrdiff_t i, std::size_t size) noexcept {
+    const auto n = static_cast<std::ptrdiff_t>(size);
+    return static_cast<std::size_t>(((i % n) + n) % n);
+}
+
+/// Gaussian over a closed curve; sigma in samples, > 0.
+template <typename T>
+[[nodiscard]] std::vector<T> smoothed(const std::vector<T>& values, double sigma) {
+    const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3.0 * sigma));
+    std::vector<T> result(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        double sum = 0.0;
+        double total = 0.0;
+        for (std::ptrdiff_t step = -reach; step <= reach; ++step) {
+            const double d = static_cast<double>(step) / sigma;
+            const double weight = std::exp(-0.5 * d * d);
+            sum += weight * static_cast<double>(
+                                values[wrap(static_cast<std::ptrdiff_t>(i) + step, values.size())]);
+            total += weight;
+        }
+        result[i] = static_cast<T>(sum / total);
+    }
+    return result;
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,102 @@
+#include "motion/dance/contact_windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/dance/closed_curve.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr double kSmoothBeats = 0.15;
+constexpr double kLeastGapBeats = 0.25;
+constexpr double kLeastContactBeats = 0.34;
+constexpr double kContactChance = 0.45;
+constexpr double kLandingReach = 0.5;  // beats between a contact's start and its landing
+constexpr int kLandingRepeats = 3;
+// Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
+
+constexpr double kRestAfterLanding = 0.012;
+
+/// Shortest contact that is worth locking, in samples.
+std::ptrdiff_t shift_floor(double samples_per_beat) {
+    return static_cast<std::ptrdiff_t>(0.2 * samples_per_beat);
+}
+
+/// Runs of `value` in a closed row; empty when the whole row is one.
+std::vector<ContactWindow> runs_of(const std::vector<bool>& row, bool value) {
+    std::vector<ContactWindow> runs;
+    const std::size_t size = row.size();
+    for (std::size_t i = 0; i < size; ++i) {
+        if (row[i] != value || row[wrap(static_cast<std::ptrdiff_t>(i) - 1, size)] == value) {
+            continue;
+        }
+        std::size_t length = 0;
+        while (length < size && row[(i + length) % size] == value) {
+            ++length;
+        }
+        runs.push_back({i, length});
+    }
+    return runs;
+}
+
+void fill(std::vector<bool>& row, const ContactWindow& window, bool value) {
+    for (std::size_t k = 0; k < window.length; ++k) {
+        row[(window.first + k) % row.size()] = value;
+    }
+}
+
+}  // namespace
+
+std::vector<ContactWindow> contact_windows(const std::array<double, kContactBins>& chance,
+                                           int beats,
+                                           std::size_t samples) {
+    const double bins_per_beat = static_cast<double>(kContactBins) / beats;
+    const std::vector<double> smooth =
+        smoothed(std::vector<double>(chance.begin(), chance.end()), kSmoothBeats * bins_per_beat);
+    std::vector<bool> row(samples);
+    for (std::size_t i = 0; i < samples; ++i) {
+        row[i] = smooth[i * kContactBins / samples] > kContactChance;
+    }
+    const double samples_per_beat = static_cast<double>(samples) / beats;
+    for (const ContactWindow& gap : runs_of(row, false)) {
+        if (static_cast<double>(gap.length) < kLeastGapBeats * samples_per_beat) {
+            fill(row, gap, true);
+        }
+    }
+    for (const ContactWindow& contact : runs_of(row, true)) {
+        if (static_cast<double>(contact.length) < kLeastContactBeats * samples_per_beat) {
+            fill(row, contact, false);
+        }
+    }
+    return runs_of(row, true);
+}
+
+std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
+                                             const std::vector<LandingOffset>& landings,
+                                             double samples_per_beat,
+                                             std::size_t samples) {
+    for (ContactWindow& window : windows) {
+        double best = kLandingReach;
+        for (std::size_t count = 0; count < landings.size(); ++count) {
+            if (landings[count].repeats < kLandingRepeats) {
+                continue;
+            }
+            const double landing =
+                static_cast<double>(count) + landings[count].median.count() + kRestAfterLanding;
+            const double beats = static_cast<double>(samples) / samples_per_beat;
+            double away = landing - static_cast<double>(window.first) / samples_per_beat;
+            away -= beats * std::round(away / beats);
+            best = std::abs(away) < std::abs(best) ? away : best;
+        }
+        const auto shift = static_cast<std::ptrdiff_t>(std::lround(best * samples_per_beat));
+        const auto length = static_cast<std::ptrdiff_t>(window.length) - shift;
+        if (std::abs(best) < kLandingReach && length > shift_floor(samples_per_beat)) {
+            window.first = wrap(static_cast<std::ptrdiff_t>(window.first) + shift, samples);
+            window.length = static_cast<std::size_t>(length);
+        }
+    }
+    return windows;
+}
+
+}  // namespace raks::motion
