@@ -51,7 +51,8 @@ void add_section_options(CLI::App& app, Section& section) {
         ->check(CLI::PositiveNumber);
 }
 
-void add_beat_option(CLI::App& app, FileBeatMethod& method) {
+template <typename Methods>  // one or several
+void add_beat_option(CLI::App& app, Methods& method) {
     const std::map<std::string, FileBeatMethod> names = {
         {"pointer", FileBeatMethod::pointer},
         {"paper", FileBeatMethod::paper},
@@ -62,6 +63,7 @@ void add_beat_option(CLI::App& app, FileBeatMethod& method) {
                    "tracker: pointer, or the paper's method, streaming (paper) or with the whole "
                    "file before it (paper-whole)")
         ->transform(CLI::CheckedTransformer(names))
+        ->allow_extra_args(false)
         ->option_text("pointer|paper|paper-whole");
 }
 
@@ -101,6 +103,7 @@ class Parser {
         add_devices();
         add_render();
         add_analyze();
+        add_eval();
         add_dance();
         add_train();
         add_sheet();
@@ -196,6 +199,20 @@ class Parser {
         auto* plot = app->add_option("--plot", a->plot, "X.svg: a picture of what was heard");
         app->add_option("--reference", a->reference, "beats to draw beside: seconds, bar position")
             ->needs(plot);
+    }
+
+    void add_eval() {
+        CLI::App* eval = app_.add_subcommand("eval", "measure against annotated recordings");
+        eval->require_subcommand(1);
+        auto [app, a] = add(*eval, "beats", "score the beat tracker", eval_beats);
+        app->add_option("folder", a->corpus, "index.tsv, NAME.beats, NAME.ogg")->required();
+        app->add_flag("--json", a->as_json, "one JSON document");
+        app->add_flag("--each", a->asks_for_each, "a row for each excerpt");
+        app->add_option("--class", a->category, "only excerpts of this class");
+        app->add_option("--out", a->output, "folder for NAME.beats and NAME.pred as heard");
+        app->add_option("--peers", a->peers, "folder of NAME.beats, or a folder per tracker")
+            ->allow_extra_args(false);
+        add_beat_option(*app, a->methods);
     }
 
     void add_dance() {

@@ -71,6 +71,18 @@ struct AnalyzeArguments {
 };
 [[nodiscard]] ExitCode analyze(const AnalyzeArguments& arguments);
 
+struct EvalBeatsArguments {
+    Path corpus;  ///< folder: index.tsv, NAME.beats, NAME.ogg
+    std::vector<FileBeatMethod> methods = {FileBeatMethod::pointer};
+    std::vector<Path> peers;  ///< folders of other trackers' beats, or folders of such
+    std::string category;     ///< only excerpts of this class; empty: all
+    Path output;              ///< folder for what was heard; empty: not written
+    bool as_json = false;
+    bool asks_for_each = false;  ///< a row for each excerpt
+};
+/// Scores our trackers, and others', against annotated excerpts.
+[[nodiscard]] ExitCode eval_beats(const EvalBeatsArguments& arguments);
+
 struct DanceArguments {
     engine::Settings settings;
     Path input;

@@ -1,0 +1,115 @@
+#include "audio/evaluate/beat_scores.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "audio/evaluate/beat_metrics.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr double kTrim = 5.0;  // seconds
+constexpr double kMilliseconds = 1e3;
+
+using Unit = BeatMeasureInfo::Unit;
+using Over = BeatMeasureInfo::Over;
+constexpr std::array<BeatMeasureInfo, kBeatMeasures> kInfo = {{
+    {"F", Unit::share, Over::mean},
+    {"Cemgil", Unit::share, Over::mean},
+    {"P", Unit::share, Over::mean},
+    {"CMLc", Unit::share, Over::mean},
+    {"CMLt", Unit::share, Over::mean},
+    {"AMLc", Unit::share, Over::mean},
+    {"AMLt", Unit::share, Over::mean},
+    {"InfoGain", Unit::share, Over::mean},
+    {"downF", Unit::share, Over::mean},
+    {"pred35", Unit::share, Over::mean},
+    {"lock_s", Unit::seconds, Over::median},
+    {"Acc1", Unit::share, Over::mean},
+    {"Acc2", Unit::share, Over::mean},
+    {"bias_ms", Unit::milliseconds, Over::median},
+    {"abspred_ms", Unit::milliseconds, Over::median},
+}};
+
+BeatTimes trimmed(BeatTimes times) {
+    const auto first = std::lower_bound(times.begin(), times.end(), kTrim);
+    return times.subspan(static_cast<std::size_t>(first - times.begin()));
+}
+
+std::vector<double> downbeats(const BeatList& beats) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < beats.bar_positions.size(); ++i) {
+        if (beats.bar_positions[i] == 1) {
+            times.push_back(beats.times[i]);
+        }
+    }
+    return times;
+}
+
+std::optional<double> in_milliseconds(std::optional<double> seconds) {
+    return seconds ? std::optional(kMilliseconds * *seconds) : std::nullopt;
+}
+
+}  // namespace
+
+const BeatMeasureInfo& info_of(BeatMeasure measure) noexcept {
+    return kInfo[static_cast<std::size_t>(measure)];
+}
+
+BeatScores score_beats(const BeatList& reference, const BeatEstimate& estimate) {
+    using M = BeatMeasure;
+    const BeatTimes right = trimmed(reference.times);
+    const BeatTimes beats = trimmed(estimate.beats.times);
+    BeatScores scores;
+    scores[M::f] = f_measure(right, beats);
+    scores[M::cemgil] = cemgil_accuracy(right, beats);
+    scores[M::p] = p_score(right, beats);
+    const Continuity levels = continuity(right, beats);
+    scores[M::cml_longest] = levels.cml_longest;
+    scores[M::cml_total] = levels.cml_total;
+    scores[M::aml_longest] = levels.aml_longest;
+    scores[M::aml_total] = levels.aml_total;
+    scores[M::information_gain] = information_gain(right, beats);
+    const std::vector<double> right_downbeats = downbeats(reference);
+    if (!right_downbeats.empty() && !estimate.beats.bar_positions.empty()) {
+        scores[M::downbeat_f] =
+            f_measure(trimmed(right_downbeats), trimmed(downbeats(estimate.beats)));
+    }
+    if (estimate.predicted) {
+        const BeatTimes predicted = trimmed(*estimate.predicted);
+        scores[M::prediction_f] = f_measure(right, predicted, kPredictionTolerance);
+        scores[M::prediction_error] = in_milliseconds(median_error(right, predicted));
+    }
+    scores[M::time_to_lock] = time_to_lock(reference.times, estimate.beats.times);
+    const TempoAccuracy tempo = tempo_accuracy(right, beats);
+    scores[M::tempo_exact] = tempo.is_exact ? 1.0 : 0.0;
+    scores[M::tempo_octave] = tempo.is_octave ? 1.0 : 0.0;
+    scores[M::bias] = in_milliseconds(median_bias(right, beats));
+    return scores;
+}
+
+BeatSummary summarize(std::span<const BeatScores> excerpts) {
+    BeatSummary summary;
+    summary.excerpts = excerpts.size();
+    for (std::size_t i = 0; i < kBeatMeasures; ++i) {
+        const auto measure = static_cast<BeatMeasure>(i);
+        std::vector<double> values;
+        for (const BeatScores& scores : excerpts) {
+            if (scores[measure]) {
+                values.push_back(*scores[measure]);
+            }
+        }
+        if (measure == BeatMeasure::time_to_lock) {
+            summary.never_locked = excerpts.size() - values.size();
+        }
+        if (info_of(measure).over == Over::median) {
+            summary.scores[measure] = median(values);
+        } else if (!values.empty()) {
+            summary.scores[measure] = std::accumulate(values.begin(), values.end(), 0.0) /
+                                      static_cast<double>(values.size());
+        }
+    }
+    return summary;
+}
+
+}  // namespace raks::audio

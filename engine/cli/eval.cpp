@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "audio/evaluate/beat_corpus.hpp"
+#include "base/suggest.hpp"
+#include "engine/cli/commands.hpp"
+#include "engine/cli/eval_hearing.hpp"
+#include "engine/cli/eval_report.hpp"
+#include "engine/cli/signals.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Excerpts = std::vector<audio::BeatExcerpt>;
+
+const char* name_of(FileBeatMethod method) {
+    switch (method) {
+        case FileBeatMethod::pointer:
+            return "raks";
+        case FileBeatMethod::paper:
+            return "raks-paper";
+        case FileBeatMethod::paper_whole:
+            return "raks-paper-whole";
+    }
+    return "";
+}
+
+/// The excerpts of the class asked for, or all.
+Expected<Excerpts> load_excerpts(const EvalBeatsArguments& arguments) {
+    auto corpus = audio::load_beat_corpus(arguments.corpus);
+    if (!corpus || arguments.category.empty()) {
+        return corpus;
+    }
+    Excerpts chosen;
+    std::vector<std::string_view> known;
+    for (const audio::BeatExcerpt& excerpt : *corpus) {
+        if (excerpt.category == arguments.category) {
+            chosen.push_back(excerpt);
+        }
+        if (std::find(known.begin(), known.end(), excerpt.category) == known.end()) {
+            known.push_back(excerpt.category);
+        }
+    }
+    if (chosen.empty()) {
+        return fail(unknown_name("class", arguments.category, known));
+    }
+    return chosen;
+}
+
+/// The folders of other trackers: those in `peers`, sorted, or `peers` itself when it holds beats.
+Expected<std::vector<Path>> tracker_folders(const Path& peers) {
+    std::vector<Path> folders;
+    bool has_beats = false;
+    std::error_code error;
+    for (fs::directory_iterator entry(peers, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored)) {
+            folders.push_back(entry->path());
+        }
+        has_beats = has_beats || entry->path().extension() == ".beats";
+    }
+    if (error) {
+        return fail(peers.string() + ": cannot be listed: " + error.message());
+    }
+    if (has_beats) {
+        return std::vector<Path>{peers};
+    }
+    if (folders.empty()) {
+        return fail(peers.string() + ": holds no tracker: neither NAME.beats nor folders of them");
+    }
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+/// Name of a folder, also of "a/b/" and ".".
+std::string folder_name(const Path& folder) {
+    std::error_code ignored;
+    const Path full = fs::weakly_canonical(folder, ignored);
+    return full.filename().empty() ? folder.string() : full.filename().string();
+}
+
+/// Scores of a tracker that ran elsewhere. An excerpt without a file counts as one without beats,
+/// which is said.
+Expected<ScoredTracker> score_peer(const Path& folder, const Excerpts& excerpts) {
+    ScoredTracker tracker{folder_name(folder), {}};
+    std::size_t missing = 0;
+    for (const audio::BeatExcerpt& excerpt : excerpts) {
+        auto estimate = audio::load_beat_estimate(folder, excerpt.name);
+        if (!estimate) {
+            return fail(std::move(estimate.error()));
+        }
+        missing += *estimate ? 0U : 1U;
+        tracker.scores.push_back(
+            audio::score_beats(excerpt.reference, estimate->value_or(audio::BeatEstimate{})));
+    }
+    if (missing == excerpts.size()) {
+        return fail(folder.string() + ": has no beats of any excerpt");
+    }
+    if (missing > 0) {
+        std::fprintf(stderr,
+                     "raks: %s: lacks %zu of %zu excerpts; they count as without beats\n",
+                     folder.string().c_str(),
+                     missing,
+                     excerpts.size());
+    }
+    return tracker;
+}
+
+/// Where a method's beats are written: one folder each when there are several.
+Expected<Path> output_folder(const EvalBeatsArguments& arguments, FileBeatMethod method) {
+    const Path folder =
+        arguments.methods.size() > 1 ? arguments.output / name_of(method) : arguments.output;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        return fail(folder.string() + ": cannot be created: " + error.message());
+    }
+    return folder;
+}
+
+/// Runs one of our trackers over the excerpts; empty when a signal came.
+Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& arguments,
+                                                 FileBeatMethod method,
+                                                 const Excerpts& excerpts) {
+    std::optional<Path> folder;
+    if (!arguments.output.empty()) {
+        auto created = output_folder(arguments, method);
+        if (!created) {
+            return fail(std::move(created.error()));
+        }
+        folder = std::move(*created);
+    }
+    const auto heard = hear_beats_of(excerpts, method, name_of(method));
+    if (!heard) {
+        return fail(heard.error());
+    }
+    if (heard->empty()) {
+        return std::optional<ScoredTracker>();
+    }
+    ScoredTracker tracker{name_of(method), {}};
+    for (std::size_t i = 0; i < excerpts.size(); ++i) {
+        const auto& [estimate, warning] = (*heard)[i];
+        if (!warning.empty()) {
+            std::fprintf(stderr, "raks: %s\n", warning.c_str());
+        }
+        tracker.scores.push_back(audio::score_beats(excerpts[i].reference, estimate));
+        if (!folder) {
+            continue;
+        }
+        if (auto saved = audio::save_beat_estimate(*folder, excerpts[i].name, estimate); !saved) {
+            return fail(std::move(saved.error()));
+        }
+    }
+    return std::optional(std::move(tracker));
+}
+
+/// All that other trackers said, scored before ours run: a fault there should not cost minutes.
+Expected<std::vector<ScoredTracker>> score_peers(const EvalBeatsArguments& arguments,
+                                                 const Excerpts& excerpts) {
+    std::vector<ScoredTracker> trackers;
+    for (const Path& peers : arguments.peers) {
+        const auto folders = tracker_folders(peers);
+        if (!folders) {
+            return fail(folders.error());
+        }
+        for (const Path& folder : *folders) {
+            auto tracker = score_peer(folder, excerpts);
+            if (!tracker) {
+                return fail(std::move(tracker.error()));
+            }
+            trackers.push_back(std::move(*tracker));
+        }
+    }
+    return trackers;
+}
+
+}  // namespace
+
+ExitCode eval_beats(const EvalBeatsArguments& arguments) {
+    const auto excerpts = load_excerpts(arguments);
+    if (!excerpts) {
+        return fail(excerpts.error());
+    }
+    BeatReport report{arguments.corpus.string(), {}, {}};
+    for (const audio::BeatExcerpt& excerpt : *excerpts) {
+        report.excerpts.push_back({excerpt.name, excerpt.category});
+    }
+    auto peers = score_peers(arguments, *excerpts);
+    if (!peers) {
+        return fail(std::move(peers.error()));
+    }
+    for (const FileBeatMethod method : arguments.methods) {
+        auto own = score_own(arguments, method, *excerpts);
+        if (!own) {
+            return fail(std::move(own.error()));
+        }
+        if (!*own) {
+            return kExitDone;  // stopped: what was written stays, half a table would mislead
+        }
+        report.trackers.push_back(std::move(**own));
+    }
+    std::move(peers->begin(), peers->end(), std::back_inserter(report.trackers));
+    const Detail detail = arguments.asks_for_each ? Detail::by_excerpt : Detail::by_class;
+    const std::string text = arguments.as_json ? to_json(report) : to_text(report, detail);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::cli

@@ -1,0 +1,140 @@
+#include "engine/cli/eval_hearing.hpp"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <optional>
+#include <utility>
+
+#include "audio/beat/paper_file.hpp"
+#include "audio/music_analyzer.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/signals.hpp"
+#include "engine/music_source.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::cli {
+namespace {
+
+double rounded_seconds(StreamTime time) { return std::round(to_seconds(time) * 1e6) / 1e6; }
+
+/// Notes beats and predictions of the states whose moment lies before `end`.
+class NoteBeats final : public audio::MusicAnalyzer::Sink {
+ public:
+    void on_state(const MusicState& state) noexcept override {
+        newest = state.time;
+        if (state.time >= end) {
+            return;
+        }
+        if (state.has_beat) {
+            beats.push_back(state.beat);
+        }
+        if (state.has_predicted) {
+            predicted.push_back(rounded_seconds(state.predicted));
+        }
+    }
+    StreamTime end = StreamTime::max();
+    StreamTime newest{Nanos(-1)};
+    std::vector<BeatEvent> beats;
+    std::vector<double> predicted;
+};
+
+enum class Bars { told, not_told };
+audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
+    audio::BeatList list;
+    for (const BeatEvent& beat : beats) {
+        list.times.push_back(rounded_seconds(beat.time));
+        if (bars == Bars::told) {
+            list.bar_positions.push_back(beat.bar_position);
+        }
+    }
+    return list;
+}
+
+Expected<audio::BeatEstimate> hear_streaming(engine::MusicSource& source,
+                                             audio::BeatMethod method) {
+    audio::MusicAnalyzer analyzer;
+    if (auto prepared = analyzer.prepare({.sample_rate = source.rate(), .beat_method = method});
+        !prepared) {
+        return fail(std::move(prepared.error()));
+    }
+    NoteBeats notes;
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        analyzer.process(block.mono, notes);
+    }
+    // Silence brings the last hops out.
+    notes.end = StreamTime(source.given());
+    const std::array<float, 256> silence{};
+    for (Nanos fed{}; fed <= analyzer.delay() + kHop && notes.newest + kHop < notes.end;
+         fed += source.rate().time_of(silence.size()).time_since_epoch()) {
+        analyzer.process(silence, notes);
+    }
+    const Bars bars = method == audio::BeatMethod::pointer ? Bars::told : Bars::not_told;
+    return audio::BeatEstimate{list_of(notes.beats, bars), std::move(notes.predicted)};
+}
+
+Expected<audio::BeatEstimate> hear_whole(engine::MusicSource& source) {
+    audio::PaperFile paper;
+    if (auto prepared = paper.prepare(source.rate()); !prepared) {
+        return fail(std::move(prepared.error()));
+    }
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        paper.add(block.mono);
+    }
+    return audio::BeatEstimate{list_of(paper.finish(source.given()), Bars::not_told), std::nullopt};
+}
+
+}  // namespace
+
+Expected<HeardBeats> hear_beats(const Path& audio, FileBeatMethod method) {
+    auto source = engine::MusicSource::open(audio);
+    if (!source) {
+        return fail(std::move(source.error()));
+    }
+    auto estimate = method == FileBeatMethod::paper_whole ? hear_whole(*source)
+                    : method == FileBeatMethod::paper
+                        ? hear_streaming(*source, audio::BeatMethod::paper)
+                        : hear_streaming(*source, audio::BeatMethod::pointer);
+    if (!estimate) {
+        return fail(std::move(estimate.error()).in(audio.string()));
+    }
+    return HeardBeats{std::move(*estimate), source->warning()};
+}
+
+Expected<std::vector<HeardBeats>> hear_beats_of(std::span<const audio::BeatExcerpt> excerpts,
+                                                FileBeatMethod method,
+                                                const std::string& what) {
+    std::vector<std::optional<Expected<HeardBeats>>> heard(excerpts.size());
+    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> done{0};
+    // Each excerpt has its own slot. Relaxed: the future's get() orders the slots before reading.
+    const auto work = [&](const auto& after_each) {
+        for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed);
+             i < excerpts.size() && !stop_signal();
+             i = next.fetch_add(1, std::memory_order_relaxed)) {
+            heard[i] = hear_beats(excerpts[i].audio, method);
+            after_each(done.fetch_add(1, std::memory_order_relaxed) + 1);
+        }
+    };
+    ProgressLine progress(what);
+    auto helper = std::async(std::launch::async, work, [](std::size_t) {});
+    work([&](std::size_t count) {
+        progress.show(fmt::format("{} of {} excerpts", count, excerpts.size()));
+    });
+    helper.get();
+    if (stop_signal()) {
+        return std::vector<HeardBeats>();
+    }
+    std::vector<HeardBeats> results;
+    for (auto& result : heard) {
+        if (!*result) {
+            return fail(std::move(result->error()));
+        }
+        results.push_back(std::move(**result));
+    }
+    return results;
+}
+
+}  // namespace raks::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audio/evaluate/beat_corpus.hpp"
+#include "engine/cli/commands.hpp"
+
+/// What `raks eval beats` hears: our own trackers over the excerpts of a corpus.
+namespace raks::cli {
+
+/// What one tracker said about one excerpt, times to the microsecond as `raks analyze --json` tells
+/// them.
+struct HeardBeats {
+    audio::BeatEstimate estimate;
+    std::string warning;  ///< what is wrong with a file that still plays; empty when nothing is
+};
+
+/// One file from its start to its end: beats as announced and as predicted, without look-ahead (but
+/// paper-whole: that announces all at the end and predicts none). Errors: as MusicSource::open.
+[[nodiscard]] Expected<HeardBeats> hear_beats(const Path& audio, FileBeatMethod method);
+
+/// All excerpts, on this thread and one more, with progress on stderr; results in order and the
+/// same as one by one. Errors: the first excerpt's that failed. Empty when a signal came.
+[[nodiscard]] Expected<std::vector<HeardBeats>> hear_beats_of(
+    std::span<const audio::BeatExcerpt> excerpts, FileBeatMethod method, const std::string& what);
+
+}  // namespace raks::cli
