@@ -125,7 +125,7 @@ Expected<Path> output_folder(const EvalBeatsArguments& arguments, FileBeatMethod
     return folder;
 }
 
-/// Runs one of our trackers over the excerpts; empty when a signal came.
+/// Runs one of our trackers over the excerpts; empty when a signal came before all were heard.
 Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& arguments,
                                                  FileBeatMethod method,
                                                  const Excerpts& excerpts) {
@@ -141,12 +141,12 @@ Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& argum
     if (!heard) {
         return fail(heard.error());
     }
-    if (heard->empty()) {
-        return std::optional<ScoredTracker>();
-    }
     ScoredTracker tracker{name_of(method), {}};
     for (std::size_t i = 0; i < excerpts.size(); ++i) {
-        const auto& [estimate, warning] = (*heard)[i];
+        if (!(*heard)[i]) {
+            continue;
+        }
+        const auto& [estimate, warning] = *(*heard)[i];
         if (!warning.empty()) {
             std::fprintf(stderr, "raks: %s\n", warning.c_str());
         }
@@ -158,7 +158,8 @@ Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& argum
             return fail(std::move(saved.error()));
         }
     }
-    return std::optional(std::move(tracker));
+    const bool is_complete = tracker.scores.size() == excerpts.size();
+    return is_complete ? std::optional(std::move(tracker)) : std::nullopt;
 }
 
 /// All that other trackers said, scored before ours run: a fault there should not cost minutes.

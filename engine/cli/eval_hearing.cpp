@@ -2,6 +2,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <future>
 #include <optional>
@@ -17,6 +18,8 @@
 
 namespace raks::cli {
 namespace {
+
+constexpr auto kBetweenLooks = std::chrono::milliseconds(100);  // at how far the workers are
 
 double rounded_seconds(StreamTime time) { return std::round(to_seconds(time) * 1e6) / 1e6; }
 
@@ -103,36 +106,39 @@ Expected<HeardBeats> hear_beats(const Path& audio, FileBeatMethod method) {
     return HeardBeats{std::move(*estimate), source->warning()};
 }
 
-Expected<std::vector<HeardBeats>> hear_beats_of(std::span<const audio::BeatExcerpt> excerpts,
-                                                FileBeatMethod method,
-                                                const std::string& what) {
+Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
+    std::span<const audio::BeatExcerpt> excerpts, FileBeatMethod method, const std::string& what) {
     std::vector<std::optional<Expected<HeardBeats>>> heard(excerpts.size());
     std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> done{0};
-    // Each excerpt has its own slot. Relaxed: the future's get() orders the slots before reading.
-    const auto work = [&](const auto& after_each) {
-        for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed);
-             i < excerpts.size() && !stop_signal();
+    // Each excerpt has its own slot. Relaxed: the futures' get() orders the slots before reading.
+    const auto work = [&] {
+        for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed); i < excerpts.size();
              i = next.fetch_add(1, std::memory_order_relaxed)) {
-            heard[i] = hear_beats(excerpts[i].audio, method);
-            after_each(done.fetch_add(1, std::memory_order_relaxed) + 1);
+            auto result = hear_beats(excerpts[i].audio, method);
+            if (stop_signal()) {
+                return;  // this one may have been broken off
+            }
+            heard[i] = std::move(result);
+            done.fetch_add(1, std::memory_order_relaxed);
         }
     };
     ProgressLine progress(what);
-    auto helper = std::async(std::launch::async, work, [](std::size_t) {});
-    work([&](std::size_t count) {
-        progress.show(fmt::format("{} of {} excerpts", count, excerpts.size()));
-    });
-    helper.get();
-    if (stop_signal()) {
-        return std::vector<HeardBeats>();
+    std::array<std::future<void>, 2> workers = {std::async(std::launch::async, work),
+                                                std::async(std::launch::async, work)};
+    for (std::future<void>& worker : workers) {
+        while (worker.wait_for(kBetweenLooks) == std::future_status::timeout) {
+            progress.show(fmt::format(
+                "{} of {} excerpts", done.load(std::memory_order_relaxed), excerpts.size()));
+        }
+        worker.get();
     }
-    std::vector<HeardBeats> results;
+    std::vector<std::optional<HeardBeats>> results;
     for (auto& result : heard) {
-        if (!*result) {
+        if (result && !*result) {
             return fail(std::move(result->error()));
         }
-        results.push_back(std::move(**result));
+        results.push_back(result ? std::optional(std::move(**result)) : std::nullopt);
     }
     return results;
 }

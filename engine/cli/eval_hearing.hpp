@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,9 +22,10 @@ struct HeardBeats {
 /// paper-whole: that announces all at the end and predicts none). Errors: as MusicSource::open.
 [[nodiscard]] Expected<HeardBeats> hear_beats(const Path& audio, FileBeatMethod method);
 
-/// All excerpts, on this thread and one more, with progress on stderr; results in order and the
-/// same as one by one. Errors: the first excerpt's that failed. Empty when a signal came.
-[[nodiscard]] Expected<std::vector<HeardBeats>> hear_beats_of(
+/// All excerpts, on two threads, with progress on stderr; results in order and the same as one by
+/// one. When a signal came, those that were not finished are empty. Errors: the first excerpt's that
+/// failed.
+[[nodiscard]] Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
     std::span<const audio::BeatExcerpt> excerpts, FileBeatMethod method, const std::string& what);
 
 }  // namespace raks::cli

@@ -1,6 +1,8 @@
 // raks eval beats on a corpus of generated music with exact beats.
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include <fmt/format.h>
 
 #include "audio/io/audio_file.hpp"
@@ -183,6 +185,29 @@ TEST_F(EvalBeats, the_same_bytes_every_time) {
     const ProcessResult first = run({"eval", "beats", corpus().string(), "--json"});
     const ProcessResult again = run({"eval", "beats", corpus().string(), "--json"});
     EXPECT_EQ(first.out, again.out);
+}
+
+TEST_F(EvalBeats, stopped_by_a_signal_keeps_what_was_finished_and_prints_no_table) {
+    // A quarter of an hour beside the short ones: never done when the signal comes.
+    audio::MusicPlan plan;
+    plan.style = audio::Style::clicks;
+    plan.seconds = 900.0;
+    plan.rate = SampleRate(8'000);
+    plan.channels = 1;
+    const auto music = audio::generate(plan);
+    ASSERT_TRUE(audio::write_wav(corpus() / "salsa_180.wav", music->samples, 1, music->rate));
+    ProcessPlan started =
+        ProgramTest::plan({"eval", "beats", corpus().string(), "--out", path("heard")});
+    started.terminal_columns = 80;
+    CapturedProcess process(started);
+    ASSERT_TRUE(process.wait_for_output("2 of 3 excerpts")) << process.output().err;
+    process.send(SIGTERM);
+    const ProcessResult result = process.wait();
+    EXPECT_EQ(result.exit_code, 143);
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(fs::exists(path("heard/drums_120.pred")));
+    EXPECT_TRUE(fs::exists(path("heard/drums_100.beats")));
+    EXPECT_FALSE(fs::exists(path("heard/salsa_180.beats"))) << "half heard";
 }
 
 TEST_F(EvalBeats, says_what_is_wrong_in_one_line) {
