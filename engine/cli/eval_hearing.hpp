@@ -23,8 +23,8 @@ struct HeardBeats {
 [[nodiscard]] Expected<HeardBeats> hear_beats(const Path& audio, FileBeatMethod method);
 
 /// All excerpts, on two threads, with progress on stderr; results in order and the same as one by
-/// one. When a signal came, those that were not finished are empty. Errors: the first excerpt's that
-/// failed.
+/// one. When a signal came, those that were not finished are empty. Errors: those of the first
+/// excerpt that failed.
 [[nodiscard]] Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
     std::span<const audio::BeatExcerpt> excerpts, FileBeatMethod method, const std::string& what);
 
