@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct MusicAnalyzer::State {
     BeatTracker tracker;
     PaperTracker paper;
     BeatMethod beat_method = BeatMethod::pointer;
+    NetworkInput network_input;
+    std::optional<BeatListener> listener;
+    int lookahead = 0;  // hops
 
     std::vector<float> clean = std::vector<float>(kChunk);
     std::vector<float> resampled = std::vector<float>(1536);  // a chunk at 8 kHz becomes 1024
@@ -69,6 +73,10 @@ void MusicAnalyzer::State::reset() noexcept {
     onsets.reset();
     tracker.reset();
     paper.reset();
+    network_input.reset();
+    if (listener) {
+        listener->reset();
+    }
     // The first hop's window is centred on the first sample: half of it lies before the stream.
     std::fill(window.begin(), window.end(), 0.0F);
     filled = OnsetDetector::kWindow / 2;
@@ -122,7 +130,17 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     if (beat_method == BeatMethod::paper) {
         paper.advance(window, state);
     } else {
-        tracker.advance({state.hop, state.heard_until, onset, state.is_silent}, state);
+        TrackedHop tracked;
+        tracked.hop = state.hop;
+        tracked.heard_until = state.heard_until;
+        tracked.onset_strength = onset.strength;
+        tracked.is_silent = state.is_silent;
+        if (listener) {
+            tracked.has_evidence = true;
+            tracked.evidence_lag = lookahead;
+            tracked.evidence = listener->next(network_input.next(onsets.mel_magnitudes()));
+        }
+        tracker.advance(tracked, state);
     }
     state.genre_log_probability.fill(-20.0F);
     state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
@@ -181,6 +199,11 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
         return prepared;
     }
     state_->beat_method = config.beat_method;
+    state_->listener.reset();
+    if (config.beat_network) {
+        state_->listener.emplace(config.beat_network);
+        state_->lookahead = config.beat_network->lookahead();
+    }
     state_->reset();
     return {};
 }

@@ -17,9 +17,14 @@ namespace raks::audio {
 /// knows no bars and heeds no commands.
 enum class BeatMethod : std::uint8_t { pointer, paper };
 
+class BeatNetwork;
+
 struct AnalyzerConfig {
     SampleRate sample_rate{48'000};  ///< of the samples that process() gets; 8 to 192 kHz
     BeatMethod beat_method = BeatMethod::pointer;
+    /// Hears beats and bars (audio/beat/network/network_file.hpp loads the shipped one). None: the
+    /// onset strength alone leads, and bars are not known.
+    std::shared_ptr<const BeatNetwork> beat_network;
 };
 
 /// Beat, tempo, loudness and silence of a stream of mono samples, causal and in real time.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/hearing.hpp"
+
 namespace raks::engine {
 namespace {
 
@@ -22,11 +24,11 @@ float level_of(std::span<const float> mono) noexcept {
 }  // namespace
 
 Expected<std::unique_ptr<AnalysisStage>> AnalysisStage::create(SampleRate rate) {
-    audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare({.sample_rate = rate}); !prepared) {
-        return fail(prepared.error());
+    auto analyzer = make_analyzer(rate);
+    if (!analyzer) {
+        return fail(analyzer.error());
     }
-    return std::unique_ptr<AnalysisStage>(new AnalysisStage(rate, std::move(analyzer)));
+    return std::unique_ptr<AnalysisStage>(new AnalysisStage(rate, std::move(*analyzer)));
 }
 
 AnalysisStage::AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer)

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "engine/hearing.hpp"
+
 namespace raks::engine {
 namespace {
 
@@ -29,16 +31,16 @@ class DanceEachState final : public audio::MusicAnalyzer::Sink {
 Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
                                               std::shared_ptr<const motion::DanceLibrary> library,
                                               std::uint64_t seed) {
-    audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare({.sample_rate = rate}); !prepared) {
-        return fail(prepared.error());
+    auto analyzer = make_analyzer(rate);
+    if (!analyzer) {
+        return fail(analyzer.error());
     }
     motion::Dancer dancer;
     if (auto prepared = dancer.prepare(std::move(library), motion::mannequin_skeleton(), seed);
         !prepared) {
         return fail(prepared.error());
     }
-    return OfflineDriver(rate, std::move(analyzer), std::move(dancer));
+    return OfflineDriver(rate, std::move(*analyzer), std::move(dancer));
 }
 
 OfflineDriver::OfflineDriver(SampleRate rate, audio::MusicAnalyzer analyzer, motion::Dancer dancer)

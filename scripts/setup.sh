@@ -2,6 +2,7 @@
 # Installs every Debian 12 package that Raks needs to build, test and run. Idempotent: when all is
 # there it asks dpkg once and leaves. Uses sudo when not root.
 #   scripts/setup.sh            build, run and test
+#   scripts/setup.sh --training also the soundfonts that `raks train beats` renders music with
 #   scripts/setup.sh --rtsan    also clang 22 for the RealtimeSanitizer build
 set -euo pipefail
 
@@ -14,6 +15,8 @@ packages=(
     libx11-dev libimgui-dev libstb-dev libpng-dev libavcodec-dev libavformat-dev libavutil-dev
     libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
     libexpected-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
+    # learning to hear beats: MIDI in, rendered, matrices
+    libsmf-dev libfluidsynth-dev libopenblas-dev
     # what the program and its tests run on
     libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils
     libasound2-plugins xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core
@@ -22,8 +25,10 @@ packages=(
 )
 if [ "${1:-}" = --rtsan ]; then
     packages+=(clang-22 libclang-rt-22-dev llvm-14)
+elif [ "${1:-}" = --training ]; then
+    packages+=(fluid-soundfont-gm musescore-general-soundfont-small)
 elif [ $# -gt 0 ]; then
-    echo "usage: scripts/setup.sh [--rtsan]" >&2
+    echo "usage: scripts/setup.sh [--training|--rtsan]" >&2
     exit 2
 fi
 

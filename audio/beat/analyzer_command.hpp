@@ -16,6 +16,7 @@ struct AnalyzerCommand {
         nudge,         ///< beats move by `value` seconds (positive: later), |value| <= 0.5
         resync_bar,    ///< the beat nearest to `time` is count 1
         set_tempo,     ///< `value` BPM, held until release_tempo
+        hold_tempo,    ///< the tempo of now, until release_tempo
         release_tempo,  ///< follow the music again
     };
     Kind kind = Kind::tap;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "audio/beat/fast_exp.hpp"
+#include "audio/beat/simd_clones.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
@@ -17,6 +18,11 @@ constexpr double kOnQuarter = 0.12;
 // What counts as "the same hypothesis" around the best state.
 constexpr double kNearTempo = 0.06;  // ratio
 constexpr double kNearPhase = 0.12;  // beats
+
+// What the network says on the average hop, of a beat and of a half beat; and the least that
+// counts.
+constexpr float kMeanEvidence = 0.04F;
+constexpr float kLeastEvidence = 1e-3F;
 
 double hops_of(double bpm) { return 60.0 * kHopsPerSecond / bpm; }
 
@@ -37,6 +43,13 @@ float sum_of(const std::vector<float>& values) noexcept {
         total += strand;
     }
     return total;
+}
+
+/// How near a place is to an event, as wide as the network's evidence of one.
+float bump(double hops_away) {
+    constexpr double kSigma = 1.5;  // hops
+    const double distance = hops_away / kSigma;
+    return static_cast<float>(std::exp(-0.5 * distance * distance));
 }
 
 /// Template of one tempo: bumps at the beat (both ends), the half and the quarters, zero mean.
@@ -63,6 +76,30 @@ std::vector<float> beat_template(int hops) {
     return result;
 }
 
+/// The leak to the prior, and the factor of the onset strength.
+RAKS_SIMD_CLONES void weigh_flux(float* __restrict states,
+                                 const float* prior,
+                                 const float* shape,
+                                 std::size_t count,
+                                 float leak,
+                                 float strength) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+        states[i] = ((1.0F - leak) * states[i] + leak * prior[i]) * fast_exp(shape[i] * strength);
+    }
+}
+
+RAKS_SIMD_CLONES void weigh_evidence(float* __restrict states,
+                                     const float* on_beat,
+                                     const float* on_half,
+                                     std::size_t count,
+                                     float other,
+                                     float beat,
+                                     float half) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+        states[i] *= other + beat * on_beat[i] + half * on_half[i];
+    }
+}
+
 }  // namespace
 
 BeatPointer::BeatPointer(const BeatPointerConfig& config) : config_(config) {
@@ -79,7 +116,11 @@ BeatPointer::BeatPointer(const BeatPointerConfig& config) : config_(config) {
             const float prior = static_cast<float>(std::exp(-0.5 * octaves * octaves) / hops);
             prior_.insert(prior_.end(), static_cast<std::size_t>(hops), prior);
             for (const float value : beat_template(hops)) {
-                template_.push_back(value * static_cast<float>(config.trust));
+                template_.push_back(value);
+            }
+            for (int at = 0; at < hops; ++at) {
+                on_beat_.push_back(bump(std::min(at, hops - at)));
+                on_half_.push_back(bump(at - 0.5 * hops));
             }
         }
     }
@@ -152,11 +193,36 @@ void BeatPointer::normalize() noexcept {
 
 void BeatPointer::advance(float onset_strength) noexcept RAKS_NONBLOCKING {
     move();
-    const float leak = static_cast<float>(config_.leak);
-    const float keep = 1.0F - leak;
-    for (std::size_t i = 0; i < moved_.size(); ++i) {
-        moved_[i] = (keep * moved_[i] + leak * prior_[i]) * fast_exp(template_[i] * onset_strength);
-    }
+    weigh_flux(moved_.data(),
+               prior_.data(),
+               template_.data(),
+               moved_.size(),
+               static_cast<float>(config_.leak),
+               static_cast<float>(config_.trust) * onset_strength);
+    normalize();
+}
+
+void BeatPointer::advance(float onset_strength,
+                          const BeatEvidence& heard) noexcept RAKS_NONBLOCKING {
+    move();
+    weigh_flux(moved_.data(),
+               prior_.data(),
+               template_.data(),
+               moved_.size(),
+               static_cast<float>(config_.leak),
+               static_cast<float>(config_.trust_beside) * onset_strength);
+    const auto trust = static_cast<float>(config_.network_trust);
+    const float neither = std::max(0.02F, 1.0F - heard.beat - heard.half);
+    const float other = std::pow(neither / (1.0F - 2.0F * kMeanEvidence), trust);
+    const float beat = std::pow(std::max(heard.beat, kLeastEvidence) / kMeanEvidence, trust);
+    const float half = std::pow(std::max(heard.half, kLeastEvidence) / kMeanEvidence, trust);
+    weigh_evidence(moved_.data(),
+                   on_beat_.data(),
+                   on_half_.data(),
+                   moved_.size(),
+                   other,
+                   beat - other,
+                   half - other);
     normalize();
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "audio/beat/network/beat_network.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {
@@ -10,13 +11,15 @@ namespace raks::audio {
 struct BeatPointerConfig {
     double lowest_bpm = 50.0;
     double highest_bpm = 230.0;
-    int tempi = 76;             ///< log-spaced between the two
-    double stiffness = 120.0;   ///< a beat's tempo change by ratio r costs exp(-stiffness |r - 1|)
-    double trust = 0.7;         ///< exponent of one hop's evidence
-    double leak = 1e-5;         ///< share of the prior that flows back in every hop: a new song
-                                ///< is found within seconds
-    double centre_bpm = 120.0;  ///< of the tempo prior, which acts at the start and by the leak
-    double octaves = 0.7;       ///< its width
+    int tempi = 76;              ///< log-spaced between the two
+    double stiffness = 120.0;    ///< a beat's tempo change by ratio r costs exp(-stiffness |r - 1|)
+    double trust = 0.7;          ///< exponent of one hop's onset strength, alone
+    double trust_beside = 0.3;   ///< the same beside a network's evidence
+    double network_trust = 0.4;  ///< exponent of the network's evidence
+    double leak = 1e-5;          ///< share of the prior that flows back in every hop: a new song
+                                 ///< is found within seconds
+    double centre_bpm = 120.0;   ///< of the tempo prior, which acts at the start and by the leak
+    double octaves = 0.7;        ///< its width
 };
 
 /// What the pointer believes after a hop.
@@ -39,6 +42,8 @@ class BeatPointer {
 
     /// One hop with this onset strength.
     void advance(float onset_strength) noexcept RAKS_NONBLOCKING;
+    /// One hop with what the network says, too.
+    void advance(float onset_strength, const BeatEvidence& heard) noexcept RAKS_NONBLOCKING;
     /// One hop of which nothing is known.
     void advance_blind() noexcept RAKS_NONBLOCKING;
 
@@ -73,7 +78,9 @@ class BeatPointer {
     std::vector<Tempo> tempi_;
     std::vector<float> default_prior_;  // of every state
     std::vector<float> prior_;          // as expected now
-    std::vector<float> template_;       // trust x template of every state
+    std::vector<float> template_;       // of onset strength, of every state
+    std::vector<float> on_beat_;        // how much a state is a beat's: 1 on it
+    std::vector<float> on_half_;        // the same half way to the next
     std::vector<float> transition_;     // tempo from x tempo to, row-major
     std::vector<float> probability_;    // of every state
     std::vector<float> moved_;          // work space

@@ -20,13 +20,14 @@ constexpr int kApartHops = 20;
 constexpr int kFirstHops = 150;  // until then the grid is set anew at once
 
 constexpr float kAnnounceConfidence = 0.05F;
-constexpr float kLeastContrast = 0.15F;  // onset strength on the beat that noise has, too
-constexpr float kFullContrast = 0.9F;
+// What noise has on the beats, too, and what makes sure: of onset strength, of a network's
+// evidence.
+constexpr float kLeastStrength = 0.15F;
+constexpr float kFullStrength = 0.9F;
+constexpr float kLeastEvidence = 0.08F;
+constexpr float kFullEvidence = 0.35F;
 constexpr float kMassShare = 0.02F;
 constexpr float kSilentDecay = 0.985F;  // a hop: confidence is gone after 2 s
-
-constexpr float kUnsure = 0.15F;
-constexpr int kUnsureHops = 300;
 
 constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 constexpr Nanos kAnnounceLead = kHop;
@@ -43,10 +44,9 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     position_ = 0.0;
     beats_per_hop_ = 1.0 / 50;
     nudge_hops_ = 0.0;
-    is_tempo_held_ = is_halved_ = is_octave_users_ = false;
-    shift_ = 0.0;
-    hops_apart_ = hops_heard_ = hops_unsure_ = 0;
-    recent_ = {};
+    is_tempo_held_ = false;
+    hops_apart_ = hops_heard_ = 0;
+    heard_ = {};
     rated_beat_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
@@ -57,29 +57,26 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
 
 void BeatTracker::jump() noexcept RAKS_NONBLOCKING {
     pointer_.open_positions();
-    if (is_halved_) {
-        is_halved_ = false;
-        pointer_.expect_any_tempo();
-    }
-    shift_ = 0.0;
     hops_heard_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
 }
 
+BeatTracker::Heard& BeatTracker::heard(HopIndex hop) noexcept {
+    constexpr auto kCount = static_cast<HopIndex>(kRecent);
+    return heard_[static_cast<std::size_t>((hop % kCount + kCount) % kCount)];
+}
+
 void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING {
     position_ += beats_per_hop_;
     run_commands(time_of_hop(hop.hop));
-    recent_[static_cast<std::size_t>(hop.hop) % kRecent] = hop.onset.strength;
+    heard(hop.hop) = {hop.onset_strength, {}};
     if (hop.is_silent) {
         pointer_.advance_blind();
         confidence_ *= kSilentDecay;
     } else {
-        pointer_.advance(hop.onset.strength);
-        ++hops_heard_;
-        follow(pointer_.estimate());
-        const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
-        heed(bars_.add(hop.onset, position_, bpm));
+        listen(hop);
+        rate_beat(hop);
         rate_confidence(hop);
     }
     publish(hop.hop, state);
@@ -88,16 +85,28 @@ void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAK
 
 void BeatTracker::advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_NONBLOCKING {
     position_ += beats_per_hop_;
-    recent_[static_cast<std::size_t>(hop) % kRecent] = 0.0F;
+    heard(hop) = {};
     run_commands(time_of_hop(hop));
     publish(hop, state);
 }
 
+void BeatTracker::listen(const TrackedHop& hop) noexcept {
+    if (hop.has_evidence) {
+        Heard& then = heard(hop.hop - hop.evidence_lag);
+        then.evidence = hop.evidence;
+        pointer_.advance(then.strength, hop.evidence);
+    } else {
+        pointer_.advance(hop.onset_strength);
+    }
+    ++hops_heard_;
+    follow(pointer_.estimate(), hop.evidence_lag);
+}
+
 /// Moves the grid toward what the pointer believes.
-void BeatTracker::follow(const PointerEstimate& estimate) noexcept {
+void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept {
     const double believed_rate = 1.0 / estimate.period_hops;
-    const double lag = (kOnsetLagHops - nudge_hops_) * believed_rate;
-    const double error = wrapped(estimate.phase + shift_ + lag - position_);
+    const double lag = (lag_hops + kOnsetLagHops - nudge_hops_) * believed_rate;
+    const double error = wrapped(estimate.phase + lag - position_);
     const bool is_tempo_apart =
         !is_tempo_held_ && std::abs(beats_per_hop_ / believed_rate - 1.0) > kApartTempo;
     const bool is_apart = is_tempo_apart || std::abs(error) > kApartPhase;
@@ -120,91 +129,49 @@ void BeatTracker::follow(const PointerEstimate& estimate) noexcept {
     mass_ += kMassShare * (estimate.mass - mass_);
 }
 
-/// What the folded onsets say of the grid: another octave, or half a beat off. A user's tempo wins.
-void BeatTracker::heed(GridAdvice advice) noexcept {
-    const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
-    hops_unsure_ = confidence_ < kUnsure ? hops_unsure_ + 1 : 0;
-    if (is_halved_ && !is_octave_users_ && hops_unsure_ > kUnsureHops) {
-        // Another song, maybe a faster one.
-        is_halved_ = false;
-        pointer_.expect_any_tempo();
-    }
-    if (shift_ != 0.0 && hops_unsure_ > kUnsureHops) {
-        // Half a beat on there is nothing to dance to: it was a mistake.
-        hops_unsure_ = 0;
-        shift_ = 0.0;
-        position_ += 0.5;
-    }
-    if (is_tempo_held_ || is_octave_users_) {
+/// Once all that belongs to a beat was heard: how strong it was, and whether it begins a bar.
+void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
+    constexpr int kAround = 2;  // hops on either side of the beat
+    const int wait = kAround + 1 + hop.evidence_lag;
+    const long beat = std::lround(std::floor(position_ - wait * beats_per_hop_));
+    if (beat == rated_beat_) {
         return;
     }
-    const double whole = std::floor(position_);
-    switch (advice) {
-        case GridAdvice::keep:
-            break;
-        case GridAdvice::shift_half:
-            shift_ = 0.5 - shift_;
-            position_ += 0.5;
-            break;
-        case GridAdvice::halve:
-        case GridAdvice::halve_other: {
-            // The beat number goes on; only its fraction changes: beats of the other parity are no
-            // longer beats.
-            const double first = advice == GridAdvice::halve ? 0.0 : 1.0;
-            const double half = 0.5 * (position_ - first);
-            const double fraction = half - std::floor(half);
-            beats_per_hop_ *= 0.5;
-            is_halved_ = true;
-            fastest_bpm_ = 0.75 * bpm;
-            pointer_.expect_below(fastest_bpm_);
-            pointer_.believe(0.5 * bpm, fraction);
-            shift_ = 0.0;
-            position_ = whole + fraction;
-            break;
-        }
-        case GridAdvice::double_up:
-            if (is_halved_) {
-                is_halved_ = false;
-                pointer_.expect_any_tempo();
-                const double fraction = 2.0 * (position_ - whole);
-                beats_per_hop_ *= 2.0;
-                pointer_.believe(2.0 * bpm, fraction - std::floor(fraction));
-                shift_ = 0.0;
-                position_ = whole + fraction - std::floor(fraction);
-            }
-            break;
+    rated_beat_ = beat;
+    const double hops_ago = (position_ - static_cast<double>(beat)) / beats_per_hop_;
+    const HopIndex centre = hop.hop - std::lround(hops_ago - kOnsetLagHops);
+    float strength = 0.0F;
+    BeatEvidence most;
+    for (HopIndex at = centre - kAround; at <= centre + kAround; ++at) {
+        const Heard& then = heard(at);
+        strength += then.strength / (2 * kAround + 1);
+        most.beat = std::max(most.beat, then.evidence.beat);
+        most.downbeat = std::max(most.downbeat, then.evidence.downbeat);
+    }
+    beats_rated_ = std::min(beats_rated_ + 1, 8);
+    const float contrast = hop.has_evidence ? most.beat : strength;
+    contrast_ += (contrast - contrast_) / static_cast<float>(beats_rated_);
+    bars_.next_beat(beat);
+    // A beat that was hardly heard says nothing of the bar.
+    if (hop.has_evidence && most.beat > kLeastEvidence) {
+        bars_.observe(most.downbeat / most.beat);
     }
 }
 
-/// Confidence: the pointer is sure of one hypothesis, and there are onsets on its beats.
+/// Confidence: the pointer is sure of one hypothesis, and there is something on its beats.
 void BeatTracker::rate_confidence(const TrackedHop& hop) noexcept {
-    constexpr int kAround = 2;  // hops on either side of the beat
-    const double beats_ago = (kAround + 1) * beats_per_hop_;
-    const long beat = std::lround(std::floor(position_ - beats_ago));
-    if (beat != rated_beat_) {
-        rated_beat_ = beat;
-        const double hops_ago = (position_ - static_cast<double>(beat)) / beats_per_hop_;
-        const HopIndex centre = hop.hop - std::lround(hops_ago - kOnsetLagHops);
-        float strength = 0.0F;
-        for (HopIndex at = centre - kAround; at <= centre + kAround; ++at) {
-            strength +=
-                recent_[static_cast<std::size_t>(at + static_cast<HopIndex>(kRecent)) % kRecent] /
-                (2 * kAround + 1);
-        }
-        beats_rated_ = std::min(beats_rated_ + 1, 8);
-        contrast_ += (strength - contrast_) / static_cast<float>(beats_rated_);
-    }
-    const float onsets =
-        std::clamp((contrast_ - kLeastContrast) / (kFullContrast - kLeastContrast), 0.0F, 1.0F);
-    confidence_ = std::min(1.0F, 1.1F * mass_) * onsets;
+    const float least = hop.has_evidence ? kLeastEvidence : kLeastStrength;
+    const float full = hop.has_evidence ? kFullEvidence : kFullStrength;
+    const float on_beats = std::clamp((contrast_ - least) / (full - least), 0.0F, 1.0F);
+    confidence_ = std::min(1.0F, 1.1F * mass_) * on_beats;
 }
 
 void BeatTracker::publish(HopIndex hop, MusicState& state) const noexcept {
     state.grid.anchor_time = time_of_hop(hop);
     state.grid.anchor_beat = Beats(position_);
     state.grid.tempo = Bpm(beats_per_hop_ * kHopsPerSecond * 60.0);
-    state.grid.beats_per_bar = BarTracker::kBeatsPerBar;
-    state.grid.bar_origin = Beats(bars_.origin());
+    state.grid.beats_per_bar = bars_.beats_per_bar();
+    state.grid.bar_origin = Beats(static_cast<double>(bars_.origin()));
     state.grid.confidence = confidence_;
 }
 
@@ -223,7 +190,7 @@ void BeatTracker::announce(const TrackedHop& hop, MusicState& state) noexcept {
             const int in_bar = static_cast<int>(
                 std::lround(state.grid.bar_position(Beats(static_cast<double>(next_beat_)))));
             state.has_beat = true;
-            state.beat = {beat, in_bar % BarTracker::kBeatsPerBar + 1, confidence_};
+            state.beat = {beat, in_bar % state.grid.beats_per_bar + 1, confidence_};
         }
         ++next_beat_;
     }
@@ -261,18 +228,31 @@ void BeatTracker::run_commands(StreamTime now) noexcept {
 /// The grid's phase becomes `phase` by the shortest way.
 void BeatTracker::set_position(double phase) noexcept { position_ += wrapped(phase - position_); }
 
+void BeatTracker::change_tempo(double bpm) noexcept {
+    const double in_range = std::clamp(bpm, 50.0, 230.0);
+    beats_per_hop_ = in_range / (60.0 * kHopsPerSecond);
+    pointer_.expect_tempo(in_range);
+    if (std::abs(wrapped(position_)) < 0.25) {
+        pointer_.expect_beat();
+    }
+}
+
+/// Half or double tempo: beat numbers count on, the bars stay where they are.
+void BeatTracker::change_octave(double factor) noexcept {
+    const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
+    const double bar = bars_.beats_per_bar() / std::min(1.0, factor);
+    const double from_origin = position_ - static_cast<double>(bars_.origin());
+    const double in_bar = factor * (from_origin - bar * std::floor(from_origin / bar));
+    const double whole = std::floor(position_);
+    position_ = whole + in_bar - std::floor(in_bar);
+    bars_.recount(std::lround(whole - std::floor(in_bar)));
+    change_tempo(factor * bpm);
+    pointer_.believe(factor * bpm, in_bar - std::floor(in_bar));
+}
+
 void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept {
     using Kind = AnalyzerCommand::Kind;
-    const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
     const double hops_ago = to_seconds(now - command.time) * kHopsPerSecond;
-    const auto change_tempo = [&](double wanted) {
-        const double in_range = std::clamp(wanted, 50.0, 230.0);
-        beats_per_hop_ = in_range / (60.0 * kHopsPerSecond);
-        pointer_.expect_tempo(in_range);
-        if (std::abs(wrapped(position_)) < 0.25) {
-            pointer_.expect_beat();
-        }
-    };
     switch (command.kind) {
         case Kind::tap:
             if (const auto tapped = taps_.tap(command.time)) {
@@ -282,12 +262,10 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             }
             break;
         case Kind::half_tempo:
-            change_tempo(0.5 * bpm);
-            is_octave_users_ = true;
+            change_octave(0.5);
             break;
         case Kind::double_tempo:
-            change_tempo(2.0 * bpm);
-            is_octave_users_ = true;
+            change_octave(2.0);
             break;
         case Kind::nudge: {
             const double hops = std::clamp(command.value, -0.5, 0.5) * kHopsPerSecond;
@@ -302,13 +280,15 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             change_tempo(command.value);
             is_tempo_held_ = true;
             break;
+        case Kind::hold_tempo:
+            pointer_.expect_tempo(beats_per_hop_ * kHopsPerSecond * 60.0);
+            pointer_.believe(beats_per_hop_ * kHopsPerSecond * 60.0,
+                             position_ - std::floor(position_));
+            is_tempo_held_ = true;
+            break;
         case Kind::release_tempo:
-            // What the user held; an octave that the music told stays.
-            is_tempo_held_ = is_octave_users_ = false;
+            is_tempo_held_ = false;
             pointer_.expect_any_tempo();
-            if (is_halved_) {
-                pointer_.expect_below(fastest_bpm_);
-            }
             break;
     }
 }

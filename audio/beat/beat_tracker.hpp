@@ -4,10 +4,10 @@
 #include <cstdint>
 
 #include "audio/beat/analyzer_command.hpp"
-#include "audio/beat/bar_tracker.hpp"
+#include "audio/beat/bar_belief.hpp"
 #include "audio/beat/beat_pointer.hpp"
+#include "audio/beat/network/beat_network.hpp"
 #include "audio/beat/tap_tempo.hpp"
-#include "audio/features/onset.hpp"
 #include "base/beat_grid.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
@@ -18,8 +18,11 @@ namespace raks::audio {
 struct TrackedHop {
     HopIndex hop = 0;
     StreamTime heard_until{};  ///< end of the audio behind this hop
-    Onset onset;
-    bool is_silent = false;  ///< no evidence: the tempo runs on, confidence falls
+    float onset_strength = 0.0F;
+    bool has_evidence = false;  ///< a network listens
+    int evidence_lag = 0;       ///< hops by which its evidence is late
+    BeatEvidence evidence;      ///< about the hop `evidence_lag` ago
+    bool is_silent = false;     ///< nothing to hear: the tempo runs on, confidence falls
 };
 
 /// From the pointer's belief to a grid that can be danced to: a second-order filter follows the
@@ -47,19 +50,29 @@ class BeatTracker {
 
  private:
     static constexpr std::size_t kCommands = 16;
-    static constexpr std::size_t kRecent = 64;  // hops of onset strength kept
+    static constexpr std::size_t kRecent = 64;  // hops kept
+
+    /// What was heard of one hop.
+    struct Heard {
+        float strength = 0.0F;
+        BeatEvidence evidence;
+    };
 
     void run_commands(StreamTime now) noexcept;
     void apply(const AnalyzerCommand& command, StreamTime now) noexcept;
-    void follow(const PointerEstimate& estimate) noexcept;
+    void change_tempo(double bpm) noexcept;
+    void change_octave(double factor) noexcept;
+    void set_position(double phase) noexcept;
+    void listen(const TrackedHop& hop) noexcept;
+    void follow(const PointerEstimate& estimate, int lag_hops) noexcept;
+    void rate_beat(const TrackedHop& hop) noexcept;
     void rate_confidence(const TrackedHop& hop) noexcept;
     void publish(HopIndex hop, MusicState& state) const noexcept;
     void announce(const TrackedHop& hop, MusicState& state) noexcept;
-    void set_position(double phase) noexcept;
-    void heed(GridAdvice advice) noexcept;
+    [[nodiscard]] Heard& heard(HopIndex hop) noexcept;
 
     BeatPointer pointer_;
-    BarTracker bars_;
+    BarBelief bars_;
     TapTempo taps_;
 
     // The grid at the current hop.
@@ -67,19 +80,14 @@ class BeatTracker {
     double beats_per_hop_ = 1.0 / 50;  // 120 BPM
     double nudge_hops_ = 0.0;          // the user's, later is positive
     bool is_tempo_held_ = false;
-    double shift_ = 0.0;            // beats between the pointer's beat and ours: 0 or 0.5
-    bool is_octave_users_ = false;  // the user chose it: patterns do not change it
-    bool is_halved_ = false;        // faster tempi are ruled out: drums and bass said so
-    double fastest_bpm_ = 230.0;    // while is_halved_
-    int hops_unsure_ = 0;
     int hops_apart_ = 0;  // hops in a row in which belief and grid disagreed
     int hops_heard_ = 0;  // hops with evidence since reset or jump
 
     // Confidence.
-    std::array<float, kRecent> recent_{};  // onset strength by hop, ring
-    long rated_beat_ = 0;                  // last beat whose onsets were rated
+    std::array<Heard, kRecent> heard_{};  // by hop, ring
+    long rated_beat_ = 0;                 // last beat that was rated
     int beats_rated_ = 0;
-    float contrast_ = 0.0F;  // onset strength on the beat, running mean
+    float contrast_ = 0.0F;  // evidence on the beats, running mean
     float mass_ = 0.0F;      // the pointer's, smoothed
     float confidence_ = 0.0F;
 

@@ -37,11 +37,11 @@ Onset OnsetDetector::compute(std::span<const float> window,
     const std::span<const float> power = spectrum_.compute(window);
     std::transform(
         power.begin(), power.end(), magnitude_.begin(), [](float p) { return std::sqrt(p); });
+    filters_.apply(magnitude_, magnitudes_);
     LogMel now{};
-    filters_.apply(magnitude_, now);
-    for (float& band : now) {
-        band = std::log1p(kCompression * band);
-    }
+    std::transform(magnitudes_.begin(), magnitudes_.end(), now.begin(), [](float magnitude) {
+        return std::log1p(kCompression * magnitude);
+    });
     Onset onset;
     if (hops_ >= 3) {
         onset.flux = flux_of(now);

@@ -40,8 +40,13 @@ class OnsetDetector {
     Onset compute(std::span<const float> window, bool is_silent) noexcept RAKS_NONBLOCKING;
     void reset() noexcept RAKS_NONBLOCKING;
 
+    static constexpr int kMelBands = 36;  ///< 30 to 15,500 Hz
+    /// Of the last window: the bands' magnitudes, unnormalized.
+    [[nodiscard]] std::span<const float, kMelBands> mel_magnitudes() const noexcept {
+        return magnitudes_;
+    }
+
  private:
-    static constexpr int kMelBands = 36;
     static constexpr int kHistory = 4;
     using LogMel = std::array<float, kMelBands>;
 
@@ -51,6 +56,7 @@ class OnsetDetector {
     PowerSpectrum spectrum_;
     FilterBank filters_;
     std::vector<float> magnitude_;
+    std::array<float, kMelBands> magnitudes_{};  // of the mel bands
     std::array<LogMel, kHistory> history_{};  // of the last hops, ring
     int hops_ = 0;
     int hops_normalized_ = 0;

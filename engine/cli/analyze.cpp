@@ -13,6 +13,7 @@
 #include "engine/analysis_document.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/signals.hpp"
+#include "engine/hearing.hpp"
 #include "engine/music_source.hpp"
 #include "engine/plot_svg.hpp"
 
@@ -82,11 +83,11 @@ Expected<void> prepare(const AnalyzeArguments& arguments, SampleRate rate, Liste
             return prepared;
         }
     }
-    auto prepared =
-        to.analyzer.prepare({.sample_rate = rate, .beat_method = streaming_method(arguments.beat)});
-    if (!prepared) {
-        return fail(std::move(prepared.error()).in(arguments.input.string()));
+    auto analyzer = engine::make_analyzer(rate, streaming_method(arguments.beat));
+    if (!analyzer) {
+        return fail(std::move(analyzer.error()).in(arguments.input.string()));
     }
+    to.analyzer = std::move(*analyzer);
     return {};
 }
 

@@ -249,6 +249,14 @@ class Parser {
         app->add_option("--source", a->source, "cmu: the model acknowledges mocap.cs.cmu.edu")
             ->check(CLI::IsMember({"cmu"}));
         app->add_option("-o,--out", a->output, "X.json")->required();
+
+        // A program of its own reads what follows: it needs libraries that dancing does not.
+        CLI::App* beats = train->add_subcommand("beats", "learn to hear beats from MIDI files");
+        beats->prefix_command();
+        beats->set_help_flag();
+        beats->callback([this, beats] {
+            run_ = [arguments = beats->remaining()] { return train_beats(arguments); };
+        });
     }
 
     void add_sheet() {

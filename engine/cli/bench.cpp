@@ -13,6 +13,7 @@
 #include "audio/synth/music_generator.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/dance_files.hpp"
+#include "engine/hearing.hpp"
 #include "engine/show.hpp"
 #include "motion/dancer.hpp"
 #include "render/avatar/avatar.hpp"
@@ -82,9 +83,9 @@ Expected<BenchReport> bench_analysis(double seconds) {
     if (!music) {
         return fail(music.error());
     }
-    audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare({.sample_rate = music->rate}); !prepared) {
-        return fail(prepared.error());
+    auto analyzer = engine::make_analyzer(music->rate);
+    if (!analyzer) {
+        return fail(analyzer.error());
     }
     CollectStates collect(seconds);
     std::vector<double> hop_us;
@@ -92,7 +93,7 @@ Expected<BenchReport> bench_analysis(double seconds) {
     const std::size_t hop = static_cast<std::size_t>(music->rate.hertz() / 100);
     for (std::size_t at = 0; at + hop <= music->samples.size(); at += hop) {
         const HostTime hop_start = HostClock::now();
-        analyzer.process(std::span(music->samples).subspan(at, hop), collect);
+        analyzer->process(std::span(music->samples).subspan(at, hop), collect);
         hop_us.push_back(microseconds_since(hop_start));
     }
     const double cpu = thread_cpu_seconds() - start;
@@ -112,17 +113,16 @@ Expected<BenchReport> bench_motion(double seconds) {
     if (!library) {
         return fail(library.error());
     }
-    audio::MusicAnalyzer analyzer;
-    motion::Dancer dancer;
-    auto prepared = analyzer.prepare({.sample_rate = music->rate});
-    if (prepared) {
-        prepared = dancer.prepare(*library, motion::mannequin_skeleton(), 1);
+    auto analyzer = engine::make_analyzer(music->rate);
+    if (!analyzer) {
+        return fail(analyzer.error());
     }
-    if (!prepared) {
+    motion::Dancer dancer;
+    if (auto prepared = dancer.prepare(*library, motion::mannequin_skeleton(), 1); !prepared) {
         return fail(prepared.error());
     }
     CollectStates collect(seconds);
-    analyzer.process(music->samples, collect);
+    analyzer->process(music->samples, collect);
     const auto track = std::make_unique<motion::PoseTrack>();
     constexpr double kPoses = 1.0 + motion::PoseTrack::kPredictedPoses;
     std::vector<double> pose_us;

@@ -110,6 +110,9 @@ struct TrainFigureArguments {
 };
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
 
+/// Becomes the program raks-train-beats, with these arguments; returns only when that is missing.
+[[nodiscard]] ExitCode train_beats(const std::vector<std::string>& arguments);
+
 struct SheetArguments {
     engine::Settings settings;
     Path output;         ///< .png

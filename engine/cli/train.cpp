@@ -1,7 +1,12 @@
 #include "engine/cli/commands.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/training_plan.hpp"
@@ -69,6 +74,20 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
             .c_str(),
         stdout);
     return kExitDone;
+}
+
+ExitCode train_beats(const std::vector<std::string>& arguments) {
+    std::error_code problem;
+    const Path self = std::filesystem::read_symlink("/proc/self/exe", problem);
+    std::string program = (self.parent_path() / "raks-train-beats").string();
+    std::vector<std::string> words = arguments;
+    std::vector<char*> argv = {program.data()};
+    for (std::string& word : words) {
+        argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    execv(program.c_str(), argv.data());
+    return fail({program + ": not there; build the target raks-train-beats"});
 }
 
 }  // namespace raks::cli

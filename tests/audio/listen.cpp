@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "audio/beat/network/network_file.hpp"
+
 namespace raks::audio::test {
 
 BeatScore score_beats(const std::vector<MusicState>& states,
@@ -63,9 +65,18 @@ GeneratedMusic music(Style style, std::vector<TempoPoint> tempo, double seconds,
     return *piece;
 }
 
+AnalyzerConfig as_shipped(SampleRate rate) {
+    static const auto network = load_network(RAKS_SOURCE_DIR "/models/trained/beats.json");
+    EXPECT_TRUE(network) << network.error().message;
+    AnalyzerConfig config;
+    config.sample_rate = rate;
+    config.beat_network = network ? *network : nullptr;
+    return config;
+}
+
 std::vector<MusicState> listen(const GeneratedMusic& piece) {
     MusicAnalyzer analyzer;
-    EXPECT_TRUE(analyzer.prepare({.sample_rate = piece.rate}));
+    EXPECT_TRUE(analyzer.prepare(as_shipped(piece.rate)));
     Collect collect;
     const std::vector<float> mono = piece.mono();
     for (std::size_t at = 0; at < mono.size(); at += 256) {

@@ -41,7 +41,7 @@ void expect_same(const MusicState& a, const MusicState& b) {
 
 std::vector<MusicState> in_blocks(const GeneratedMusic& piece, std::size_t block) {
     MusicAnalyzer analyzer;
-    EXPECT_TRUE(analyzer.prepare({.sample_rate = piece.rate}));
+    EXPECT_TRUE(analyzer.prepare(test::as_shipped(piece.rate)));
     Collect collect;
     const CounterRandom random(block);
     std::uint64_t draw = 0;
@@ -88,7 +88,7 @@ TEST(MusicAnalyzer, hops_are_10_ms_apart_and_come_within_the_delay) {
     for (const int hertz : {8'000, 11'025, 22'050, 44'100, 48'000, 96'000, 192'000}) {
         const SampleRate rate(hertz);
         MusicAnalyzer analyzer;
-        ASSERT_TRUE(analyzer.prepare({.sample_rate = rate}));
+        ASSERT_TRUE(analyzer.prepare(test::as_shipped(rate)));
         EXPECT_LT(analyzer.delay(), std::chrono::milliseconds(40)) << hertz;
         Collect collect;
         const std::vector<float> block(static_cast<std::size_t>(hertz) / 50 + 1);
@@ -118,7 +118,7 @@ TEST(MusicAnalyzer, the_rate_of_the_input_does_not_move_the_beats) {
 
 TEST(MusicAnalyzer, nan_and_infinities_count_as_silence) {
     MusicAnalyzer analyzer;
-    ASSERT_TRUE(analyzer.prepare({}));
+    ASSERT_TRUE(analyzer.prepare(test::as_shipped()));
     Collect collect;
     std::vector<float> samples(48'000, std::numeric_limits<float>::quiet_NaN());
     samples[100] = std::numeric_limits<float>::infinity();
@@ -150,7 +150,7 @@ TEST(MusicAnalyzer, lost_audio_moves_stream_time_and_is_said) {
     const GeneratedMusic piece = music(Style::drums, {{0.0, 120.0}}, 20.0);
     const std::vector<float> mono = piece.mono();
     MusicAnalyzer analyzer;
-    ASSERT_TRUE(analyzer.prepare({}));
+    ASSERT_TRUE(analyzer.prepare(test::as_shipped()));
     Collect collect;
     const std::size_t cut = 48'000 * 10;
     analyzer.process(std::span(mono).first(cut), collect);
@@ -170,7 +170,7 @@ TEST(MusicAnalyzer, lost_audio_moves_stream_time_and_is_said) {
 TEST(MusicAnalyzer, reset_gives_the_same_bits_again) {
     const GeneratedMusic piece = music(Style::house, {{0.0, 124.0}}, 4.0);
     MusicAnalyzer analyzer;
-    ASSERT_TRUE(analyzer.prepare({}));
+    ASSERT_TRUE(analyzer.prepare(test::as_shipped()));
     Collect first;
     analyzer.process(piece.mono(), first);
     analyzer.reset();
@@ -203,7 +203,7 @@ TEST(MusicAnalyzer, sixty_seconds_with_jump_and_silence_keep_the_real_time_rules
     ASSERT_TRUE(piece);
     const std::vector<float> mono = piece->mono();
     MusicAnalyzer analyzer;
-    ASSERT_TRUE(analyzer.prepare({}));
+    ASSERT_TRUE(analyzer.prepare(test::as_shipped()));
     Collect collect;
     const CounterRandom random(2);
     raks::test::RealtimeScope scope;

@@ -131,7 +131,7 @@ class Commanded : public ::testing::Test {
     static std::vector<MusicState> after(AnalyzerCommand::Kind kind, double value = 0.0) {
         const GeneratedMusic piece = music(Style::drums, {{0.0, 100.0}}, 20.0);
         MusicAnalyzer analyzer;
-        EXPECT_TRUE(analyzer.prepare({.sample_rate = piece.rate}));
+        EXPECT_TRUE(analyzer.prepare(test::as_shipped(piece.rate)));
         analyzer.command({kind, stream_time_from_seconds(10.0), value});
         test::Collect collect;
         analyzer.process(piece.mono(), collect);
@@ -170,7 +170,7 @@ TEST_F(Commanded, nudge_moves_the_beats) {
 
 TEST_F(Commanded, taps_set_tempo_and_phase_without_music) {
     MusicAnalyzer analyzer;
-    ASSERT_TRUE(analyzer.prepare({}));
+    ASSERT_TRUE(analyzer.prepare(test::as_shipped()));
     for (int tap = 0; tap < 6; ++tap) {
         analyzer.command(
             {AnalyzerCommand::Kind::tap, stream_time_from_seconds(2.0 + 0.4 * tap), 0.0});

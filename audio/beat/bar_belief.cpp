@@ -1,0 +1,126 @@
+#include "audio/beat/bar_belief.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raks::audio {
+namespace {
+
+constexpr std::array kMetrePrior = {0.16F, 0.2F, 0.62F, 0.02F};
+constexpr float kMetreChange = 0.02F;   // a bar
+constexpr float kLeak = 0.003F;         // a beat: the count may have been wrong
+constexpr float kPriorDownbeat = 0.3F;  // how often a beat is one
+constexpr float kTrust = 0.8F;          // beats of a bar are not heard independently
+constexpr float kStay = 1.3F;           // by which another place must be likelier to be told
+
+}  // namespace
+
+void BarBelief::reset() noexcept RAKS_NONBLOCKING {
+    for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
+        const int beats = kMetres[metre];
+        probability_[metre].fill(0.0F);
+        std::fill_n(
+            probability_[metre].begin(), beats, kMetrePrior[metre] / static_cast<float>(beats));
+    }
+    number_ = origin_ = 0;
+    has_beat_ = is_held_ = false;
+    beats_per_bar_ = 4;
+    confidence_ = 0.0F;
+}
+
+/// Every place moves on by one beat.
+void BarBelief::step() noexcept {
+    std::array<float, kMetres.size()> arriving{};  // at a downbeat, by metre
+    float total = 0.0F;
+    for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
+        arriving[metre] = probability_[metre][static_cast<std::size_t>(kMetres[metre] - 1)];
+        total += arriving[metre];
+    }
+    for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
+        const int beats = kMetres[metre];
+        Positions& places = probability_[metre];
+        for (std::size_t place = static_cast<std::size_t>(beats - 1); place > 0; --place) {
+            places[place] = places[place - 1];
+        }
+        places[0] =
+            (1.0F - kMetreChange) * arriving[metre] + kMetreChange * total * kMetrePrior[metre];
+        for (int place = 0; place < beats; ++place) {
+            float& value = places[static_cast<std::size_t>(place)];
+            value = (1.0F - kLeak) * value + kLeak * kMetrePrior[metre] / static_cast<float>(beats);
+        }
+    }
+}
+
+void BarBelief::next_beat(long number) noexcept RAKS_NONBLOCKING {
+    constexpr long kMostSteps = 8;
+    const long steps = has_beat_ ? std::clamp(number - number_, 0L, kMostSteps) : 1;
+    for (long i = 0; i < steps; ++i) {
+        step();
+    }
+    number_ = number;
+    has_beat_ = true;
+    tell();
+}
+
+void BarBelief::observe(float downbeat) noexcept RAKS_NONBLOCKING {
+    const float first = std::pow(std::clamp(downbeat, 0.02F, 0.98F) / kPriorDownbeat, kTrust);
+    const float other =
+        std::pow((1.0F - std::clamp(downbeat, 0.02F, 0.98F)) / (1.0F - kPriorDownbeat), kTrust);
+    float total = 0.0F;
+    for (Positions& places : probability_) {
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            places[place] *= place == 0 ? first : other;
+            total += places[place];
+        }
+    }
+    for (Positions& places : probability_) {
+        for (float& value : places) {
+            value /= total;
+        }
+    }
+    tell();
+}
+
+void BarBelief::tell() noexcept {
+    float best = 0.0F;
+    float told = 0.0F;
+    int best_beats = beats_per_bar_;
+    long best_origin = origin_;
+    for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
+        for (long place = 0; place < kMetres[metre]; ++place) {
+            const float value = probability_[metre][static_cast<std::size_t>(place)];
+            const bool is_told = kMetres[metre] == beats_per_bar_ &&
+                                 (number_ - place - origin_) % beats_per_bar_ == 0;
+            told = is_told ? value : told;
+            if (value > best) {
+                best = value;
+                best_beats = kMetres[metre];
+                best_origin = number_ - place;
+            }
+        }
+    }
+    if (is_held_) {
+        confidence_ = 1.0F;
+        return;
+    }
+    const bool changes = best > kStay * told;
+    beats_per_bar_ = changes ? best_beats : beats_per_bar_;
+    origin_ = changes ? best_origin : origin_;
+    confidence_ = changes ? best : told;
+}
+
+void BarBelief::recount(long origin) noexcept RAKS_NONBLOCKING {
+    const bool was_held = is_held_;
+    const int beats = beats_per_bar_;
+    reset();
+    beats_per_bar_ = beats;
+    origin_ = origin;
+    is_held_ = was_held;
+}
+
+void BarBelief::hold(long number) noexcept RAKS_NONBLOCKING {
+    origin_ = number;
+    is_held_ = true;
+}
+
+}  // namespace raks::audio

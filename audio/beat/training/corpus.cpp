@@ -1,0 +1,245 @@
+#include "audio/beat/training/corpus.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <thread>
+
+#include "audio/beat/training/band.hpp"
+#include "audio/beat/training/midi_scores.hpp"
+#include "audio/beat/training/rhythm_styles.hpp"
+#include "audio/beat/training/sound_augmentation.hpp"
+#include "audio/beat/training/soundfont_player.hpp"
+#include "audio/features/onset.hpp"
+#include "audio/features/resampler.hpp"
+#include "audio/synth/music_generator.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr int kMostBeats = 112;  // 22 s at 217 BPM and some to choose from
+constexpr double kShortestSeconds = 8.0;
+
+/// What one excerpt is made from.
+struct Piece {
+    std::string family;
+    Performance performance;
+    std::vector<float> samples;  // filled already when it is our own generator's
+};
+
+/// The magnitudes that the analyzer would hear.
+std::vector<float> listen(std::span<const float> samples, int rate) {
+    Resampler resampler;
+    if (!resampler.prepare(SampleRate(rate), SampleRate(OnsetDetector::kSampleRate))) {
+        return {};
+    }
+    OnsetDetector detector;
+    std::vector<float> heard(OnsetDetector::kWindow / 2);  // half a window before the first hop
+    std::vector<float> block(8192);
+    for (std::size_t at = 0; at < samples.size();) {
+        const auto progress = resampler.process(
+            samples.subspan(at, std::min<std::size_t>(2048, samples.size() - at)), block);
+        heard.insert(
+            heard.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(progress.made));
+        at += progress.taken;
+    }
+    std::vector<float> mel;
+    for (std::size_t at = 0; at + OnsetDetector::kWindow <= heard.size();
+         at += OnsetDetector::kHop) {
+        detector.compute(std::span(heard).subspan(at, OnsetDetector::kWindow), false);
+        const auto magnitudes = detector.mel_magnitudes();
+        mel.insert(mel.end(), magnitudes.begin(), magnitudes.end());
+    }
+    return mel;
+}
+
+class PieceMaker {
+ public:
+    PieceMaker(std::vector<MidiStretch> pack, double seconds) : seconds_(seconds) {
+        for (MidiStretch& stretch : pack) {
+            auto& set = stretch.set == "groove"     ? (stretch.is_fill ? fills_ : groove_)
+                        : stretch.set == "freedoom" ? freedoom_
+                                                    : lieder_;
+            set.push_back(std::move(stretch.score));
+        }
+        for (const RhythmStyle& style : rhythm_styles()) {
+            total_weight_ += style.weight;
+        }
+    }
+
+    [[nodiscard]] Piece make(Dice& dice) const {
+        const double kind = dice.uniform();
+        if (kind < 0.46) {
+            return from_style(draw_style(dice), dice);
+        }
+        if (kind < 0.56) {
+            return from_free(dice);
+        }
+        if (kind < 0.74 && !groove_.empty()) {
+            return from_groove(dice);
+        }
+        if (kind < 0.85 && !freedoom_.empty()) {
+            return {"game", perform(dice.pick<Score>(freedoom_), seconds_, dice), {}};
+        }
+        if (kind < 0.95 && !lieder_.empty()) {
+            return from_lied(dice);
+        }
+        return from_own_generator(dice);
+    }
+
+ private:
+    [[nodiscard]] const RhythmStyle& draw_style(Dice& dice) const {
+        double left = dice.uniform(0.0, total_weight_);
+        for (const RhythmStyle& style : rhythm_styles()) {
+            left -= style.weight;
+            if (left < 0.0) {
+                return style;
+            }
+        }
+        return rhythm_styles().front();
+    }
+    [[nodiscard]] Piece from_style(const RhythmStyle& style, Dice& dice) const {
+        Score score = drum_score(style, kMostBeats, dice);
+        if (dice.chance(0.65)) {
+            add_band(style.bass, style.comping, score, dice);
+        }
+        return {std::string(style.family), perform(score, seconds_, dice), {}};
+    }
+    [[nodiscard]] Piece from_free(Dice& dice) const {
+        Score score = free_drum_score(kMostBeats, dice);
+        if (dice.chance(0.6)) {
+            add_band({}, {}, score, dice);
+        }
+        return {"free", perform(score, seconds_, dice), {}};
+    }
+    [[nodiscard]] Piece from_groove(Dice& dice) const {
+        Score score = dice.pick<Score>(groove_);
+        const int beats = static_cast<int>(score.bar_position.size());
+        const int bar = *std::max_element(score.bar_position.begin(), score.bar_position.end());
+        if (beats > kMostBeats) {
+            const int last_bar = (beats - kMostBeats) / bar;
+            score = cut_beats(score, bar * dice.whole(0, last_bar), kMostBeats / bar * bar);
+        }
+        if (dice.chance(0.7)) {
+            add_band({}, {}, score, dice);
+        }
+        return {"groove", perform(score, seconds_, dice), {}};
+    }
+    [[nodiscard]] Piece from_lied(Dice& dice) const {
+        Score score = dice.pick<Score>(lieder_);
+        const bool is_piano = dice.chance(0.7);
+        const double accent = dice.uniform(0.0, 14.0);
+        const double loudness = dice.uniform(55.0, 85.0);
+        for (ScoreNote& note : score.notes) {
+            const double off = std::abs(note.beat - std::round(note.beat));
+            note.velocity = loudness + (off < 0.05 ? accent : 0.0) + dice.normal(8.0);
+            note.program = is_piano ? 0 : note.program;
+        }
+        return {"piano", perform(score, seconds_, dice), {}};
+    }
+    [[nodiscard]] Piece from_own_generator(Dice& dice) const {
+        MusicPlan plan;
+        plan.style = dice.pick({Style::drums, Style::salsa, Style::maqsum, Style::house});
+        const double bpm = plan.style == Style::salsa    ? dice.uniform(150.0, 217.0)
+                           : plan.style == Style::maqsum ? dice.uniform(80.0, 150.0)
+                           : plan.style == Style::house  ? dice.uniform(110.0, 135.0)
+                                                         : dice.log_uniform(65.0, 200.0);
+        plan.tempo = {{0.0, bpm}, {seconds_, bpm * dice.uniform(0.85, 1.18)}};
+        plan.seconds = seconds_;
+        plan.channels = 1;
+        plan.rate = SampleRate(SoundfontPlayer::kRate);
+        plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
+        plan.first_beat_seconds = dice.uniform(0.0, 0.5);
+        Piece piece{"own", {}, {}};
+        if (auto music = generate(plan)) {
+            piece.samples = std::move(music->samples);
+            for (const ReferenceBeat& beat : music->beats) {
+                piece.performance.beats.push_back(
+                    {static_cast<double>(beat.time.time_since_epoch().count()) * 1e-9,
+                     beat.bar_position});
+            }
+        }
+        return piece;
+    }
+
+    double seconds_;
+    double total_weight_ = 0.0;
+    std::vector<Score> groove_;
+    std::vector<Score> fills_;
+    std::vector<Score> freedoom_;
+    std::vector<Score> lieder_;
+};
+
+TrainingExcerpt make_excerpt(const CorpusPlan& plan,
+                             const PieceMaker& maker,
+                             int number,
+                             std::span<SoundfontPlayer> players) {
+    Dice dice(plan.seed, static_cast<std::uint64_t>(number));
+    Piece piece = maker.make(dice);
+    for (int tries = 0;
+         piece.samples.empty() && piece.performance.seconds < kShortestSeconds && tries < 20;
+         ++tries) {
+        piece = maker.make(dice);
+    }
+    if (piece.samples.empty()) {
+        const PlayerRoom room = dice.chance(0.5)
+                                    ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.7)}
+                                    : PlayerRoom{};
+        const auto player =
+            static_cast<std::size_t>(dice.whole(0, static_cast<int>(players.size()) - 1));
+        piece.samples = players[player].play(piece.performance, room);
+    }
+    augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
+    return {std::move(piece.family),
+            listen(piece.samples, SoundfontPlayer::kRate),
+            std::move(piece.performance.beats)};
+}
+
+Expected<std::vector<SoundfontPlayer>> open_players(
+    const std::vector<std::filesystem::path>& soundfonts) {
+    std::vector<SoundfontPlayer> players;
+    for (const std::filesystem::path& soundfont : soundfonts) {
+        auto player = SoundfontPlayer::open(soundfont);
+        if (!player) {
+            return fail(player.error());
+        }
+        players.push_back(std::move(*player));
+    }
+    return players;
+}
+
+}  // namespace
+
+Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan) {
+    auto pack = read_midi_pack(plan.pack);
+    if (!pack) {
+        return fail(pack.error());
+    }
+    std::vector<std::vector<SoundfontPlayer>> bands;  // one set of players a thread
+    for (int i = 0; i < plan.threads; ++i) {
+        auto players = open_players(plan.soundfonts);
+        if (!players) {
+            return fail(players.error());
+        }
+        bands.push_back(std::move(*players));
+    }
+    const PieceMaker maker(std::move(*pack), plan.seconds);
+    std::vector<TrainingExcerpt> corpus(static_cast<std::size_t>(plan.excerpts));
+    std::atomic<int> next{0};
+    std::vector<std::jthread> threads;
+    for (std::vector<SoundfontPlayer>& players : bands) {
+        threads.emplace_back([&corpus, &next, &plan, &maker, &players] {
+            for (int number = next++; number < plan.excerpts; number = next++) {
+                corpus[static_cast<std::size_t>(number)] =
+                    make_excerpt(plan, maker, number, players);
+            }
+        });
+    }
+    threads.clear();
+    return corpus;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "audio/beat/training/performance.hpp"
+#include "base/expected.hpp"
+
+namespace raks::audio {
+
+/// One excerpt as the network's front end hears it.
+struct TrainingExcerpt {
+    std::string family;      ///< of music, to leave it out: "salsa", "pop", "piano", ...
+    std::vector<float> mel;  ///< hops x 36 magnitudes, 10 ms a hop
+    std::vector<PlayedBeat> beats;
+    [[nodiscard]] std::size_t hops() const { return mel.size() / 36; }
+};
+
+struct CorpusPlan {
+    std::filesystem::path pack;                     ///< MIDI with its index, see read_midi_pack
+    std::vector<std::filesystem::path> soundfonts;  ///< one is drawn an excerpt; not empty
+    int excerpts = 1400;
+    double seconds = 22.0;  ///< of each
+    std::uint64_t seed = 1;
+    int threads = 2;
+};
+
+/// Writes music, plays it, and hears it: excerpt n depends on the plan's seed and n alone, so any
+/// number of threads gives the same corpus. About 0.5 s of CPU each.
+/// Errors: the pack or a soundfont cannot be read.
+[[nodiscard]] Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan);
+
+/// A corpus kept between runs; numbers as this machine stores them.
+/// Errors of reading: not such a file, cut short, sizes that do not fit together.
+[[nodiscard]] Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
+                                         const std::filesystem::path& path);
+[[nodiscard]] Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& path);
+
+}  // namespace raks::audio

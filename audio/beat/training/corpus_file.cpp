@@ -1,0 +1,101 @@
+// A corpus between runs: "RAKSBEAT", a version, then each excerpt's sizes and numbers.
+#include <array>
+#include <cstring>
+#include <type_traits>
+
+#include "audio/beat/training/corpus.hpp"
+#include "base/file.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr std::string_view kMagic = "RAKSBEAT";
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kLargest = std::size_t{4} << 30U;
+
+template <class T>
+void put(std::string& bytes, const T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+/// Takes numbers off the front of a file; false for ever once it was too short.
+class Bytes {
+ public:
+    explicit Bytes(std::string_view bytes) : left_(bytes) {}
+
+    template <class T>
+    bool take(std::size_t count, std::vector<T>& values) {
+        if (count > left_.size() / sizeof(T)) {
+            left_ = {};
+            return false;
+        }
+        values.resize(count);
+        if (count > 0) {
+            std::memcpy(values.data(), left_.data(), count * sizeof(T));
+        }
+        left_.remove_prefix(count * sizeof(T));
+        return true;
+    }
+    [[nodiscard]] bool is_empty() const { return left_.empty(); }
+
+ private:
+    std::string_view left_;
+};
+
+bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
+    std::vector<std::uint64_t> sizes;
+    std::vector<char> family;
+    if (!bytes.take(3, sizes) || !bytes.take(sizes[0], family) ||
+        !bytes.take(sizes[1], excerpt.mel) || !bytes.take(sizes[2], excerpt.beats)) {
+        return false;
+    }
+    excerpt.family.assign(family.begin(), family.end());
+    return true;
+}
+
+}  // namespace
+
+Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
+                           const std::filesystem::path& path) {
+    std::string bytes(kMagic);
+    put(bytes, &kVersion, 1);
+    for (const TrainingExcerpt& excerpt : corpus) {
+        const std::array<std::uint64_t, 3> sizes = {
+            excerpt.family.size(), excerpt.mel.size(), excerpt.beats.size()};
+        put(bytes, sizes.data(), sizes.size());
+        put(bytes, excerpt.family.data(), excerpt.family.size());
+        put(bytes, excerpt.mel.data(), excerpt.mel.size());
+        put(bytes, excerpt.beats.data(), excerpt.beats.size());
+    }
+    return write_file(path, bytes);
+}
+
+Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& path) {
+    const auto text = read_file(path, kLargest);
+    if (!text) {
+        return fail(text.error());
+    }
+    std::string_view view = *text;
+    std::uint32_t version = 0;
+    if (!view.starts_with(kMagic) || view.size() < kMagic.size() + sizeof(version)) {
+        return fail(path.string() + ": not a corpus of beats");
+    }
+    std::memcpy(&version, view.data() + kMagic.size(), sizeof(version));
+    if (version != kVersion) {
+        return fail(path.string() + ": version " + std::to_string(version) +
+                    " of a corpus, this program reads 1");
+    }
+    Bytes bytes(view.substr(kMagic.size() + sizeof(version)));
+    std::vector<TrainingExcerpt> corpus;
+    while (!bytes.is_empty()) {
+        TrainingExcerpt excerpt;
+        if (!take_excerpt(bytes, excerpt) || excerpt.mel.size() % 36 != 0) {
+            return fail(path.string() + ": cut short or damaged; delete it to make it anew");
+        }
+        corpus.push_back(std::move(excerpt));
+    }
+    return corpus;
+}
+
+}  // namespace raks::audio

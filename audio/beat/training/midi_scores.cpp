@@ -1,0 +1,301 @@
+#include "audio/beat/training/midi_scores.hpp"
+
+#include <smf.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+namespace raks::audio {
+namespace {
+
+constexpr int kLowestBpm = 52;
+constexpr int kHighestBpm = 217;
+constexpr int kFewestBars = 4;
+
+/// A time signature from a tick on.
+struct Signature {
+    double quarter = 0.0;
+    int numerator = 4;
+    int denominator = 4;
+};
+
+struct MidiNote {
+    double quarter = 0.0;
+    double length = 0.0;  // quarters
+    int channel = 0;
+    int key = 0;
+    int program = 0;
+    int velocity = 0;
+};
+
+struct MidiSong {
+    std::vector<MidiNote> notes;
+    std::vector<Signature> signatures;  // the first at 0
+    double quarters = 0.0;
+    double bpm = 120.0;  // quarters a minute, the file's first
+};
+
+/// How a signature is tapped.
+struct Metre {
+    double beat_quarters = 1.0;
+    int beats_per_bar = 4;
+};
+
+/// Nothing for signatures that are not danced here.
+std::optional<Metre> metre_of(const Signature& signature) {
+    const int n = signature.numerator;
+    const double unit = 4.0 / signature.denominator;
+    if (signature.denominator == 8 && (n == 6 || n == 9 || n == 12)) {
+        return Metre{1.5, n / 3};
+    }
+    if (signature.denominator == 8 && n == 3) {
+        return Metre{1.5, 1};
+    }
+    if (signature.denominator <= 4 && (n == 2 || n == 3 || n == 4 || n == 6)) {
+        return Metre{unit, n};
+    }
+    return std::nullopt;
+}
+
+/// Pads of the electronic kit without a General MIDI sound of their own.
+int general_midi_drum(int key) {
+    static const std::map<int, int> pads = {
+        {22, 42}, {26, 46}, {58, 43}, {52, 57}, {40, 38}, {55, 49}, {59, 51}, {50, 48}, {47, 45}};
+    const auto found = pads.find(key);
+    return found == pads.end() ? key : found->second;
+}
+
+using SmfPointer = std::unique_ptr<smf_t, decltype(&smf_delete)>;
+
+/// Collects the notes of one file, in quarters.
+class NoteReader {
+ public:
+    explicit NoteReader(double pulses_per_quarter) : pulses_(pulses_per_quarter) {}
+
+    void take(const smf_event_t& event) {
+        const unsigned char* const bytes = event.midi_buffer;
+        const double quarter = event.time_pulses / pulses_;
+        song_.quarters = std::max(song_.quarters, quarter);
+        if (event.midi_buffer_length >= 7 && bytes[0] == 0xFF && bytes[1] == 0x58) {
+            song_.signatures.push_back({quarter, bytes[3], 1 << std::min<int>(bytes[4], 5)});
+        } else if (event.midi_buffer_length >= 6 && bytes[0] == 0xFF && bytes[1] == 0x51 &&
+                   !has_tempo_) {
+            const int micros = (bytes[3] << 16) | (bytes[4] << 8) | bytes[5];
+            song_.bpm = 6e7 / std::max(1, micros);
+            has_tempo_ = true;
+        } else if (event.midi_buffer_length >= 2 && bytes[0] < 0xF0) {
+            take_channel(bytes, event.midi_buffer_length, quarter);
+        }
+    }
+    MidiSong finish() {
+        if (song_.signatures.empty() || song_.signatures.front().quarter > 0.0) {
+            song_.signatures.insert(song_.signatures.begin(), Signature{});
+        }
+        return std::move(song_);
+    }
+
+ private:
+    void take_channel(const unsigned char* bytes, int length, double quarter) {
+        const int kind = bytes[0] & 0xF0;
+        const int channel = bytes[0] & 0x0F;
+        if (kind == 0xC0) {
+            programs_[static_cast<std::size_t>(channel)] = bytes[1];
+            return;
+        }
+        if ((kind != 0x90 && kind != 0x80) || length < 3) {
+            return;
+        }
+        const auto sounding = open_.find({channel, bytes[1]});
+        if (sounding != open_.end()) {
+            MidiNote& note = song_.notes[sounding->second];
+            note.length = std::max(0.05, quarter - note.quarter);
+            open_.erase(sounding);
+        }
+        if (kind == 0x90 && bytes[2] > 0) {
+            open_[{channel, bytes[1]}] = song_.notes.size();
+            song_.notes.push_back({quarter,
+                                   0.25,
+                                   channel,
+                                   bytes[1],
+                                   programs_[static_cast<std::size_t>(channel)],
+                                   bytes[2]});
+        }
+    }
+
+    double pulses_;
+    MidiSong song_;
+    std::array<int, 16> programs_{};
+    std::map<std::pair<int, int>, std::size_t> open_;  // by channel and key
+    bool has_tempo_ = false;
+};
+
+Expected<MidiSong> read_midi(const std::filesystem::path& path) {
+    const SmfPointer smf(smf_load(path.c_str()), &smf_delete);
+    if (!smf || smf->ppqn <= 0) {
+        return fail(path.string() + ": not a MIDI file");
+    }
+    NoteReader reader(smf->ppqn);
+    smf_rewind(smf.get());
+    while (const smf_event_t* event = smf_get_next_event(smf.get())) {
+        reader.take(*event);
+    }
+    return reader.finish();
+}
+
+/// The notes of [from, to) in quarters as a score of this metre.
+Score score_of(const MidiSong& song, double from, double to, const Metre& metre, bool is_kit) {
+    Score score;
+    score.bpm = song.bpm / metre.beat_quarters;
+    score.has_drums = false;
+    for (const MidiNote& note : song.notes) {
+        // Human hits lie a little before the beat: the first belongs to the stretch.
+        if (note.quarter < from - 0.06 || note.quarter >= to - 0.06) {
+            continue;
+        }
+        ScoreNote written;
+        written.beat = std::max(0.0, (note.quarter - from) / metre.beat_quarters);
+        written.length = note.length / metre.beat_quarters;
+        written.channel = is_kit ? kDrumChannel : note.channel;
+        written.key = is_kit ? general_midi_drum(note.key) : note.key;
+        written.program = is_kit ? 0 : note.program;
+        written.velocity = note.velocity;
+        score.has_drums = score.has_drums || written.channel == kDrumChannel;
+        score.notes.push_back(written);
+    }
+    const int beats = static_cast<int>((to - from) / metre.beat_quarters + 0.01);
+    for (int beat = 0; beat < beats; ++beat) {
+        score.bar_position.push_back(beat % metre.beats_per_bar + 1);
+    }
+    return score;
+}
+
+struct IndexRow {
+    std::string file;
+    std::string set;
+    bool is_fill = false;
+    double bpm = 120.0;
+    std::string signature;
+};
+
+Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::string line;
+    if (!std::getline(file, line)) {
+        return fail(path.string() + ": cannot be read, or empty");
+    }
+    const auto split = [](const std::string& text) {
+        std::vector<std::string> cells;
+        std::istringstream stream(text);
+        for (std::string cell; std::getline(stream, cell, '\t');) {
+            cells.push_back(cell);
+        }
+        return cells;
+    };
+    std::map<std::string, std::size_t> columns;
+    for (const std::string& name : split(line)) {
+        columns.emplace(name, columns.size());
+    }
+    for (const char* const name : {"file", "set", "kind", "bpm_quarter", "time_signature"}) {
+        if (columns.count(name) == 0) {
+            return fail(path.string() + ": no column '" + name + "'");
+        }
+    }
+    std::vector<IndexRow> rows;
+    while (std::getline(file, line)) {
+        const std::vector<std::string> cells = split(line);
+        if (cells.size() < columns.size()) {
+            return fail(path.string() + ": line " + std::to_string(rows.size() + 2) +
+                        " has too few columns");
+        }
+        rows.push_back({cells[columns["file"]],
+                        cells[columns["set"]],
+                        cells[columns["kind"]] == "fill",
+                        std::strtod(cells[columns["bpm_quarter"]].c_str(), nullptr),
+                        cells[columns["time_signature"]]});
+    }
+    return rows;
+}
+
+/// groove: the index says tempo and signature, the file only its hits.
+void apply_index(const IndexRow& row, MidiSong& song) {
+    song.bpm = row.bpm;
+    const auto slash = row.signature.find('/');
+    if (slash != std::string::npos) {
+        song.signatures = {
+            {0.0, std::atoi(row.signature.c_str()), std::atoi(row.signature.c_str() + slash + 1)}};
+    }
+}
+
+void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiStretch>& into) {
+    for (std::size_t i = 0; i < song.signatures.size(); ++i) {
+        const double from = song.signatures[i].quarter;
+        const double to =
+            i + 1 < song.signatures.size() ? song.signatures[i + 1].quarter : song.quarters;
+        const auto metre = metre_of(song.signatures[i]);
+        if (!metre) {
+            continue;
+        }
+        const double bars = (to - from) / metre->beat_quarters / metre->beats_per_bar;
+        if (bars < kFewestBars && !row.is_fill) {
+            continue;
+        }
+        MidiStretch stretch{
+            score_of(song, from, to, *metre, row.set == "groove"), row.set, row.is_fill};
+        stretch.score.is_expressive = row.set == "lieder";
+        const double bpm = stretch.score.bpm;
+        if (row.set == "lieder") {
+            stretch.score.lowest_bpm = std::max(50.0, 0.7 * bpm);
+            stretch.score.highest_bpm = std::min(217.0, 1.4 * bpm);
+        } else {
+            stretch.score.lowest_bpm = std::max<double>(kLowestBpm, 0.85 * bpm);
+            stretch.score.highest_bpm = std::min<double>(kHighestBpm, 1.18 * bpm);
+        }
+        const bool is_tempo_fit = bpm >= kLowestBpm && bpm <= kHighestBpm;
+        if (!stretch.score.notes.empty() && is_tempo_fit) {
+            into.push_back(std::move(stretch));
+        }
+    }
+}
+
+}  // namespace
+
+Score cut_beats(const Score& score, int first_beat, int beats) {
+    Score cut = score;
+    cut.notes.clear();
+    for (ScoreNote note : score.notes) {
+        note.beat -= first_beat;
+        if (note.beat >= -0.06 && note.beat < beats - 0.06) {
+            note.beat = std::max(0.0, note.beat);
+            cut.notes.push_back(note);
+        }
+    }
+    const auto first = score.bar_position.begin() + first_beat;
+    cut.bar_position.assign(first, first + beats);
+    return cut;
+}
+
+Expected<std::vector<MidiStretch>> read_midi_pack(const std::filesystem::path& folder) {
+    const auto rows = read_index(folder / "index.tsv");
+    if (!rows) {
+        return fail(rows.error());
+    }
+    std::vector<MidiStretch> stretches;
+    for (const IndexRow& row : *rows) {
+        auto song = read_midi(folder / row.file);
+        if (!song) {
+            return fail(song.error());
+        }
+        if (row.set == "groove") {
+            apply_index(row, *song);
+        }
+        add_stretches(row, *song, stretches);
+    }
+    return stretches;
+}
+
+}  // namespace raks::audio

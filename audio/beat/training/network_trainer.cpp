@@ -1,0 +1,330 @@
+#include "audio/beat/training/network_trainer.hpp"
+
+#include <cblas.h>
+#include <algorithm>
+#include <cmath>
+
+#include "audio/beat/network/gates.hpp"
+#include "base/random.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr float kLongestGradient = 1.0F;
+
+/// C (m x n) = A (m x k) B (k x n) + beta C, row-major.
+void multiply(std::size_t m,
+              std::size_t n,
+              std::size_t k,
+              const float* a,
+              const float* b,
+              float beta,
+              float* c) {
+    const auto size = [](std::size_t value) { return static_cast<blasint>(value); };
+    cblas_sgemm(CblasRowMajor,
+                CblasNoTrans,
+                CblasNoTrans,
+                size(m),
+                size(n),
+                size(k),
+                1.0F,
+                a,
+                size(k),
+                b,
+                size(n),
+                beta,
+                c,
+                size(n));
+}
+
+/// C (m x n) = A (m x k) B^T (B is n x k) + beta C.
+void multiply_transposed(std::size_t m,
+                         std::size_t n,
+                         std::size_t k,
+                         const float* a,
+                         const float* b,
+                         float beta,
+                         float* c) {
+    const auto size = [](std::size_t value) { return static_cast<blasint>(value); };
+    cblas_sgemm(CblasRowMajor,
+                CblasNoTrans,
+                CblasTrans,
+                size(m),
+                size(n),
+                size(k),
+                1.0F,
+                a,
+                size(k),
+                b,
+                size(k),
+                beta,
+                c,
+                size(n));
+}
+
+/// C (m x n) += A^T (A is k x m) B (k x n).
+void add_outer(
+    std::size_t m, std::size_t n, std::size_t k, const float* a, const float* b, float* c) {
+    const auto size = [](std::size_t value) { return static_cast<blasint>(value); };
+    cblas_sgemm(CblasRowMajor,
+                CblasTrans,
+                CblasNoTrans,
+                size(m),
+                size(n),
+                size(k),
+                1.0F,
+                a,
+                size(m),
+                b,
+                size(n),
+                1.0F,
+                c,
+                size(n));
+}
+
+void add_columns(std::size_t rows, std::size_t width, const float* values, float* sums) {
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t i = 0; i < width; ++i) {
+            sums[i] += values[row * width + i];
+        }
+    }
+}
+
+}  // namespace
+
+void NetworkGradient::forward(const BeatNetwork& network,
+                              std::size_t index,
+                              const float* below,
+                              const TrainingBatch& batch) {
+    const BeatNetwork::Layer& layer = network.layers()[index];
+    LayerTrace& trace = traces_[index];
+    const float* const parameters = network.parameters().data();
+    const std::size_t frames = batch.steps * batch.chunks;
+    const std::size_t units = layer.units;
+    const std::size_t width = 3 * units;
+    trace.projected.resize(frames * width);
+    trace.recurrent.resize(frames * width);
+    for (auto* values : {&trace.reset, &trace.keep, &trace.candidate, &trace.product}) {
+        values->resize(frames * units);
+    }
+    trace.hidden.assign((frames + batch.chunks) * units, 0.0F);
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        std::copy_n(parameters + layer.biases, width, &trace.projected[frame * width]);
+    }
+    multiply(frames,
+             width,
+             layer.inputs,
+             below,
+             parameters + layer.input_weights,
+             1.0F,
+             trace.projected.data());
+    for (std::size_t t = 0; t < batch.steps; ++t) {
+        float* const recurrent = &trace.recurrent[t * batch.chunks * width];
+        const float* const before = &trace.hidden[t * batch.chunks * units];
+        multiply(batch.chunks,
+                 width,
+                 units,
+                 before,
+                 parameters + layer.recurrent_weights,
+                 0.0F,
+                 recurrent);
+        for (std::size_t chunk = 0; chunk < batch.chunks; ++chunk) {
+            const std::size_t frame = t * batch.chunks + chunk;
+            const float* const projected = &trace.projected[frame * width];
+            const float* const product = recurrent + chunk * width;
+            float* const after = &trace.hidden[(frame + batch.chunks) * units];
+            for (std::size_t i = 0; i < units; ++i) {
+                const std::size_t at = frame * units + i;
+                const float q = product[2 * units + i] + parameters[layer.candidate_biases + i];
+                const float r = logistic(projected[i] + product[i]);
+                const float z = logistic(projected[units + i] + product[units + i]);
+                const float n = fast_tanh(projected[2 * units + i] + r * q);
+                trace.reset[at] = r;
+                trace.keep[at] = z;
+                trace.candidate[at] = n;
+                trace.product[at] = q;
+                after[i] = (1.0F - z) * n + z * before[chunk * units + i];
+            }
+        }
+    }
+}
+
+double NetworkGradient::output_loss(const BeatNetwork& network, const TrainingBatch& batch) {
+    const LayerTrace& top = traces_.back();
+    const std::size_t frames = batch.steps * batch.chunks;
+    constexpr std::size_t kOutputs = BeatNetwork::kOutputs;
+    const float* const parameters = network.parameters().data();
+    output_gradient_.resize(frames * kOutputs);
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        std::copy_n(
+            parameters + network.output_biases(), kOutputs, &output_gradient_[frame * kOutputs]);
+    }
+    multiply(frames,
+             kOutputs,
+             network.units(),
+             &top.hidden[batch.chunks * network.units()],
+             parameters + network.output_weights(),
+             1.0F,
+             output_gradient_.data());
+    double loss = 0.0;
+    for (std::size_t i = 0; i < output_gradient_.size(); ++i) {
+        const double logit = static_cast<double>(output_gradient_[i]);
+        const double target = static_cast<double>(batch.targets[i]);
+        const double weight = static_cast<double>(batch.weights[i]);
+        // log(1 + e^l) - t l, without overflow.
+        loss += weight *
+                (std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit))) - target * logit);
+        const double probability = 1.0 / (1.0 + std::exp(-logit));
+        output_gradient_[i] = static_cast<float>(weight * (probability - target));
+    }
+    return loss;
+}
+
+void NetworkGradient::backward(const BeatNetwork& network,
+                               std::size_t index,
+                               const float* below,
+                               const TrainingBatch& batch,
+                               std::vector<float>& from_above,
+                               std::span<float> gradient) {
+    const BeatNetwork::Layer& layer = network.layers()[index];
+    LayerTrace& trace = traces_[index];
+    const float* const parameters = network.parameters().data();
+    const std::size_t units = layer.units;
+    const std::size_t width = 3 * units;
+    std::vector<float> later(batch.chunks * units, 0.0F);  // gradient that comes from t + 1
+    for (std::size_t t = batch.steps; t-- > 0;) {
+        const float* const before = &trace.hidden[t * batch.chunks * units];
+        for (std::size_t chunk = 0; chunk < batch.chunks; ++chunk) {
+            const std::size_t frame = t * batch.chunks + chunk;
+            float* const projected = &trace.projected[frame * width];
+            float* const recurrent = &trace.recurrent[frame * width];
+            for (std::size_t i = 0; i < units; ++i) {
+                const std::size_t at = frame * units + i;
+                const float r = trace.reset[at];
+                const float z = trace.keep[at];
+                const float n = trace.candidate[at];
+                const float dh = from_above[at] + later[chunk * units + i];
+                const float dn = dh * (1.0F - z) * (1.0F - n * n);
+                const float dz = dh * (before[chunk * units + i] - n) * z * (1.0F - z);
+                const float dr = dn * trace.product[at] * r * (1.0F - r);
+                projected[i] = recurrent[i] = dr;
+                projected[units + i] = recurrent[units + i] = dz;
+                projected[2 * units + i] = dn;
+                recurrent[2 * units + i] = dn * r;
+                later[chunk * units + i] = dh * z;
+            }
+        }
+        multiply_transposed(batch.chunks,
+                            units,
+                            width,
+                            &trace.recurrent[t * batch.chunks * width],
+                            parameters + layer.recurrent_weights,
+                            1.0F,
+                            later.data());
+    }
+    const std::size_t frames = batch.steps * batch.chunks;
+    add_outer(
+        layer.inputs, width, frames, below, trace.projected.data(), &gradient[layer.input_weights]);
+    add_outer(units,
+              width,
+              frames,
+              trace.hidden.data(),
+              trace.recurrent.data(),
+              &gradient[layer.recurrent_weights]);
+    add_columns(frames, width, trace.projected.data(), &gradient[layer.biases]);
+    std::vector<float> sums(width, 0.0F);
+    add_columns(frames, width, trace.recurrent.data(), sums.data());
+    for (std::size_t i = 0; i < units; ++i) {
+        gradient[layer.candidate_biases + i] += sums[2 * units + i];
+    }
+    if (index > 0) {
+        from_above.resize(frames * layer.inputs);
+        multiply_transposed(frames,
+                            layer.inputs,
+                            width,
+                            trace.projected.data(),
+                            parameters + layer.input_weights,
+                            0.0F,
+                            from_above.data());
+    }
+}
+
+double NetworkGradient::accumulate(const BeatNetwork& network,
+                                   const TrainingBatch& batch,
+                                   std::span<float> gradient) {
+    const std::size_t layers = network.layers().size();
+    traces_.resize(layers);
+    const auto below = [&](std::size_t layer) {
+        return layer == 0 ? batch.inputs.data()
+                          : &traces_[layer - 1].hidden[batch.chunks * network.units()];
+    };
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+        forward(network, layer, below(layer), batch);
+    }
+    const double loss = output_loss(network, batch);
+    if (gradient.empty()) {
+        return loss;
+    }
+    const std::size_t frames = batch.steps * batch.chunks;
+    constexpr std::size_t kOutputs = BeatNetwork::kOutputs;
+    const float* const top = &traces_.back().hidden[batch.chunks * network.units()];
+    add_outer(network.units(),
+              kOutputs,
+              frames,
+              top,
+              output_gradient_.data(),
+              &gradient[network.output_weights()]);
+    add_columns(frames, kOutputs, output_gradient_.data(), &gradient[network.output_biases()]);
+    from_above_.resize(frames * network.units());
+    multiply_transposed(frames,
+                        network.units(),
+                        kOutputs,
+                        output_gradient_.data(),
+                        network.parameters().data() + network.output_weights(),
+                        0.0F,
+                        from_above_.data());
+    for (std::size_t layer = layers; layer-- > 0;) {
+        backward(network, layer, below(layer), batch, from_above_, gradient);
+    }
+    return loss;
+}
+
+void Adam::step(std::span<float> gradient, double rate, std::span<float> parameters) {
+    constexpr double kMeanDecay = 0.9;
+    constexpr double kSquareDecay = 0.999;
+    constexpr double kEpsilon = 1e-8;
+    double norm = 0.0;
+    for (const float value : gradient) {
+        norm += static_cast<double>(value) * static_cast<double>(value);
+    }
+    norm = std::sqrt(norm);
+    const double scale = norm > static_cast<double>(kLongestGradient) ? 1.0 / norm : 1.0;
+    ++steps_;
+    const double mean_share = 1.0 - std::pow(kMeanDecay, static_cast<double>(steps_));
+    const double square_share = 1.0 - std::pow(kSquareDecay, static_cast<double>(steps_));
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const double g = scale * static_cast<double>(gradient[i]);
+        const double mean = kMeanDecay * static_cast<double>(mean_[i]) + (1.0 - kMeanDecay) * g;
+        const double square =
+            kSquareDecay * static_cast<double>(square_[i]) + (1.0 - kSquareDecay) * g * g;
+        mean_[i] = static_cast<float>(mean);
+        square_[i] = static_cast<float>(square);
+        parameters[i] -= static_cast<float>(rate * (mean / mean_share) /
+                                            (std::sqrt(square / square_share) + kEpsilon));
+    }
+}
+
+void initialize(BeatNetwork& network, std::uint64_t seed) {
+    const CounterRandom random(seed);
+    const double span = std::sqrt(1.0 / static_cast<double>(network.units()));
+    const std::span<float> parameters = network.parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        parameters[i] = static_cast<float>(span * (2.0 * random.uniform(i) - 1.0));
+    }
+    const std::size_t biases = network.output_biases();
+    parameters[biases] = -3.0F;
+    parameters[biases + 1] = -4.0F;
+    parameters[biases + 2] = -3.0F;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "audio/beat/training/dice.hpp"
+#include "audio/beat/training/score.hpp"
+
+namespace raks::audio {
+
+/// One note as played, in seconds.
+struct PlayedNote {
+    double time = 0.0;
+    double length = 0.1;
+    int channel = kDrumChannel;
+    int key = 36;
+    int program = 0;
+    int velocity = 90;
+};
+
+struct PlayedBeat {
+    double time = 0.0;
+    int bar_position = 1;
+};
+
+/// A score as people would play it.
+struct Performance {
+    std::vector<PlayedNote> notes;  ///< by time
+    std::vector<PlayedBeat> beats;  ///< ascending
+    double seconds = 0.0;
+};
+
+/// Plays a score from a random place on for about `seconds`: the tempo drawn in the style's range
+/// (steady, drifting, rubato, a ramp or a step), each instrument a little early or late, jitter,
+/// dropped and ghost notes, each instrument group at a volume of its own.
+[[nodiscard]] Performance perform(const Score& score, double seconds, Dice& dice);
+
+}  // namespace raks::audio

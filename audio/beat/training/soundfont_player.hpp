@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "audio/beat/training/performance.hpp"
+#include "base/expected.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+/// The room that a performance is played in.
+struct PlayerRoom {
+    double size = 0.0;   ///< 0 dry to 1
+    double level = 0.0;  ///< of the reverb, 0 to 1
+};
+
+/// Plays performances with a soundfont (FluidSynth). Threads: one each.
+class SoundfontPlayer {
+ public:
+    static constexpr int kRate = 44'100;
+
+    /// Errors: the soundfont cannot be loaded.
+    [[nodiscard]] static Expected<SoundfontPlayer> open(const std::filesystem::path& soundfont);
+
+    /// Mono samples at kRate, peak 0.7, its delay of 2.5 ms taken off.
+    [[nodiscard]] std::vector<float> play(const Performance& performance, const PlayerRoom& room);
+
+    SoundfontPlayer(SoundfontPlayer&&) noexcept;
+    SoundfontPlayer& operator=(SoundfontPlayer&&) noexcept;
+    ~SoundfontPlayer();
+
+ private:
+    struct Synth;
+    explicit SoundfontPlayer(std::unique_ptr<Synth> synth);
+    std::unique_ptr<Synth> synth_;
+};
+
+}  // namespace raks::audio

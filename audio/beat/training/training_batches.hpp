@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "audio/beat/training/corpus.hpp"
+#include "audio/beat/training/dice.hpp"
+#include "audio/beat/training/network_trainer.hpp"
+
+namespace raks::audio {
+
+/// `chunks` stretches of `hops` hops from excerpts drawn from `from` (not empty), as heard through
+/// drawn augmentations.
+[[nodiscard]] TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
+                                       std::size_t chunks,
+                                       std::size_t hops,
+                                       int lookahead,
+                                       Dice& dice);
+
+/// The first `hops` hops of `excerpts`, as they are.
+[[nodiscard]] TrainingBatch plain_batch(const std::vector<const TrainingExcerpt*>& excerpts,
+                                        std::size_t hops,
+                                        int lookahead);
+
+}  // namespace raks::audio

@@ -1,0 +1,82 @@
+#include "audio/beat/bar_belief.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/realtime_guard.hpp"
+
+namespace raks::audio {
+namespace {
+
+/// Hears `beats` beats from number `first` on; every `metre`-th, from `downbeat` on, sounds like a
+/// downbeat.
+void hear(BarBelief& bars, long first, int beats, int metre, long downbeat) {
+    for (long number = first; number < first + beats; ++number) {
+        bars.next_beat(number);
+        bars.observe((number - downbeat) % metre == 0 ? 0.5F : 0.2F);
+    }
+}
+
+long place(const BarBelief& bars, long number) {
+    const long beats = bars.beats_per_bar();
+    return ((number - bars.origin()) % beats + beats) % beats;
+}
+
+TEST(BarBelief, finds_metre_and_downbeat_within_six_bars) {
+    for (const int metre : {2, 3, 4}) {
+        for (int downbeat = 0; downbeat < metre; ++downbeat) {
+            BarBelief bars;
+            hear(bars, 0, 6 * metre, metre, downbeat);
+            EXPECT_EQ(bars.beats_per_bar(), metre);
+            EXPECT_EQ(place(bars, downbeat), 0) << "bars of " << metre;
+        }
+    }
+}
+
+TEST(BarBelief, confidence_grows_with_what_fits_and_is_low_without) {
+    BarBelief bars;
+    const float before = bars.confidence();
+    hear(bars, 0, 40, 4, 1);
+    EXPECT_LT(before, 0.5F);
+    EXPECT_GT(bars.confidence(), 0.9F);
+    BarBelief alike;
+    for (long number = 0; number < 40; ++number) {
+        alike.next_beat(number);
+        alike.observe(0.3F);
+    }
+    EXPECT_LT(alike.confidence(), 0.5F);
+}
+
+TEST(BarBelief, moves_to_another_place_when_the_music_does) {
+    BarBelief bars;
+    hear(bars, 0, 32, 4, 0);
+    hear(bars, 32, 32, 4, 34);
+    EXPECT_EQ(place(bars, 34), 0);
+}
+
+TEST(BarBelief, beats_that_were_not_heard_count_on) {
+    BarBelief bars;
+    hear(bars, 0, 32, 4, 0);
+    bars.next_beat(35);
+    EXPECT_EQ(place(bars, 36), 0);
+}
+
+TEST(BarBelief, what_the_user_says_is_held_whatever_is_heard) {
+    BarBelief bars;
+    hear(bars, 0, 16, 4, 0);
+    bars.hold(17);
+    hear(bars, 16, 40, 4, 0);
+    EXPECT_EQ(place(bars, 17), 0);
+    EXPECT_EQ(bars.confidence(), 1.0F);
+}
+
+TEST(BarBelief, no_allocation_and_no_lock) {
+    BarBelief bars;
+    raks::test::RealtimeScope scope;
+    hear(bars, 0, 64, 3, 1);
+    bars.recount(3);
+    bars.reset();
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+}
+
+}  // namespace
+}  // namespace raks::audio
