@@ -24,7 +24,7 @@ struct AnalyzerConfig {
     BeatMethod beat_method = BeatMethod::pointer;
     /// Hears beats and bars (audio/beat/network/network_file.hpp loads the shipped one). None: the
     /// onset strength alone leads, and bars are not known.
-    std::shared_ptr<const BeatNetwork> beat_network;
+    std::shared_ptr<const BeatNetwork> beat_network = nullptr;
 };
 
 /// Beat, tempo, loudness and silence of a stream of mono samples, causal and in real time.

@@ -37,7 +37,7 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--layers", options.network.layers)->check(CLI::Range(1, 3));
     app.add_option("--lookahead", options.network.lookahead, "hops of 10 ms")
         ->check(CLI::Range(0, 10));
-    app.add_option("--steps", options.network.steps, "batches of 48 x 5 s")
+    app.add_option("--steps", options.network.steps, "batches of 24 x 10 s")
         ->check(CLI::Range(10, 1'000'000));
     app.add_option("--seed", options.network.seed, "of weights and batches");
     app.add_option("--threads", options.network.threads)->check(CLI::Range(1, 64));

@@ -72,19 +72,19 @@ class PieceMaker {
 
     [[nodiscard]] Piece make(Dice& dice) const {
         const double kind = dice.uniform();
-        if (kind < 0.46) {
+        if (kind < 0.42) {
             return from_style(draw_style(dice), dice);
         }
-        if (kind < 0.56) {
+        if (kind < 0.52) {
             return from_free(dice);
         }
-        if (kind < 0.74 && !groove_.empty()) {
+        if (kind < 0.68 && !groove_.empty()) {
             return from_groove(dice);
         }
-        if (kind < 0.85 && !freedoom_.empty()) {
+        if (kind < 0.79 && !freedoom_.empty()) {
             return {"game", perform(dice.pick<Score>(freedoom_), seconds_, dice), {}};
         }
-        if (kind < 0.95 && !lieder_.empty()) {
+        if (kind < 0.90 && !lieder_.empty()) {
             return from_lied(dice);
         }
         return from_own_generator(dice);
@@ -142,11 +142,12 @@ class PieceMaker {
     }
     [[nodiscard]] Piece from_own_generator(Dice& dice) const {
         MusicPlan plan;
-        plan.style = dice.pick({Style::drums, Style::salsa, Style::maqsum, Style::house});
+        plan.style = dice.pick(
+            {Style::clicks, Style::drums, Style::drums, Style::salsa, Style::maqsum, Style::house});
         const double bpm = plan.style == Style::salsa    ? dice.uniform(150.0, 217.0)
                            : plan.style == Style::maqsum ? dice.uniform(80.0, 150.0)
                            : plan.style == Style::house  ? dice.uniform(110.0, 135.0)
-                                                         : dice.log_uniform(65.0, 200.0);
+                                                         : dice.log_uniform(57.0, 205.0);
         plan.tempo = {{0.0, bpm}, {seconds_, bpm * dice.uniform(0.85, 1.18)}};
         plan.seconds = seconds_;
         plan.channels = 1;

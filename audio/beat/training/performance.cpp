@@ -62,7 +62,14 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
     const bool leaves_out = dice.chance(0.5);
     const double start = dice.uniform(0.0, 0.6);  // silence before the first beat
 
+    // In some pieces the drums pause for a while, in others all but one instrument do.
+    const bool has_break = score.has_drums && dice.chance(0.35);
+    const bool is_solo = dice.chance(0.3);
+    const double break_from = dice.uniform(8.0, std::max(9.0, wanted - 12.0));
+    const double break_to = break_from + dice.uniform(4.0, 17.0);
+
     std::map<int, Player> players;
+    int soloist = -1;
     Performance played;
     for (const ScoreNote& note : score.notes) {
         const double beat = note.beat - first;
@@ -77,7 +84,10 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
                       std::exp(dice.normal(0.2)),
                       leaves_out && score.has_drums && dice.chance(0.12)};
         }
-        if (player.is_missing || dice.chance(drop)) {
+        soloist = soloist < 0 && is_solo && beat > 4.0 ? group : soloist;
+        const bool is_in_break = has_break && beat > break_from && beat < break_to;
+        const bool pauses = is_in_break && (is_solo ? group != soloist : group >= 100);
+        if (player.is_missing || pauses || dice.chance(drop)) {
             continue;
         }
         const double exact = start + time_at(times, std::max(beat, 0.0));

@@ -408,7 +408,7 @@ std::vector<RhythmStyle> pop_styles() {
     return {
         {"rock",
          "pop",
-         70,
+         57,
          180,
          4,
          4,

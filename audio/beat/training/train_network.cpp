@@ -22,8 +22,8 @@ constexpr std::size_t kValidationHops = 2000;
 
 /// What one step trains on.
 struct BatchShape {
-    std::size_t chunks = 48;
-    std::size_t hops = 500;
+    std::size_t chunks = 24;
+    std::size_t hops = 1000;
 };
 
 double mean_loss(double sum, const std::vector<TrainingBatch>& batches) {

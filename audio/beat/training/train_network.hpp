@@ -12,7 +12,7 @@ struct NetworkPlan {
     std::size_t units = 64;
     std::size_t layers = 2;
     int lookahead = 2;   ///< hops of 10 ms
-    int steps = 4000;    ///< of batches of 48 chunks of 5 s; then 1/7 as many of 16 of 20 s
+    int steps = 4000;    ///< of batches of 24 chunks of 10 s; then 1/7 as many of 16 of 20 s
     double rate = 5e-3;  ///< of Adam at its highest; warm-up of 30 steps, then a cosine to 0
     std::uint64_t seed = 1;
     int threads = 2;

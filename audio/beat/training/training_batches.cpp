@@ -16,6 +16,8 @@ constexpr std::size_t kOutputs = BeatNetwork::kOutputs;
 constexpr double kHopsPerSecond = 100.0;
 constexpr std::size_t kWarmUpHops = 120;  // what came before is not known yet
 constexpr float kWarmUpWeight = 0.2F;
+// Downbeats are learnt last: they take counting.
+constexpr float kDownbeatWeight = 2.0F;
 constexpr float kHalfWeight = 0.7F;
 
 using Bands = std::array<float, kBands>;
@@ -146,7 +148,8 @@ class BatchWriter {
                                       static_cast<double>(excerpt.hops());
             const float weight = !is_known ? 0.0F : t < kWarmUpHops ? kWarmUpWeight : 1.0F;
             float* const weights = &batch_.weights[(t * batch_.chunks + chunk) * kOutputs];
-            weights[0] = weights[1] = weight;
+            weights[0] = weight;
+            weights[1] = kDownbeatWeight * weight;
             weights[2] = kHalfWeight * weight;
         }
     }
