@@ -38,8 +38,13 @@ Onset OnsetDetector::compute(std::span<const float> window,
     std::transform(
         power.begin(), power.end(), magnitude_.begin(), [](float p) { return std::sqrt(p); });
     filters_.apply(magnitude_, magnitudes_);
+    return compute_from_mel(magnitudes_, is_silent);
+}
+
+Onset OnsetDetector::compute_from_mel(std::span<const float> magnitudes,
+                                      bool is_silent) noexcept RAKS_NONBLOCKING {
     LogMel now{};
-    std::transform(magnitudes_.begin(), magnitudes_.end(), now.begin(), [](float magnitude) {
+    std::transform(magnitudes.begin(), magnitudes.end(), now.begin(), [](float magnitude) {
         return std::log1p(kCompression * magnitude);
     });
     Onset onset;

@@ -38,6 +38,9 @@ class OnsetDetector {
 
     /// `window`: kWindow samples around the hop's moment, in [-1, 1].
     Onset compute(std::span<const float> window, bool is_silent) noexcept RAKS_NONBLOCKING;
+    /// The same from the magnitudes that a window gave, see mel_magnitudes().
+    Onset compute_from_mel(std::span<const float> magnitudes,
+                           bool is_silent) noexcept RAKS_NONBLOCKING;
     void reset() noexcept RAKS_NONBLOCKING;
 
     static constexpr int kMelBands = 36;  ///< 30 to 15,500 Hz
@@ -57,7 +60,7 @@ class OnsetDetector {
     FilterBank filters_;
     std::vector<float> magnitude_;
     std::array<float, kMelBands> magnitudes_{};  // of the mel bands
-    std::array<LogMel, kHistory> history_{};  // of the last hops, ring
+    std::array<LogMel, kHistory> history_{};     // of the last hops, ring
     int hops_ = 0;
     int hops_normalized_ = 0;
     std::array<float, kOnsetBands> mean_{};
