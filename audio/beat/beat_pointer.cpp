@@ -24,6 +24,8 @@ constexpr double kNearPhase = 0.12;  // beats
 constexpr float kMeanEvidence = 0.04F;
 constexpr float kLeastEvidence = 1e-3F;
 
+constexpr double kLeastTransition = 1e-10;
+
 double hops_of(double bpm) { return 60.0 * kHopsPerSecond / bpm; }
 
 /// Sum in eight strands: the compiler vectorizes it without changing the order of additions.
@@ -132,7 +134,10 @@ BeatPointer::BeatPointer(const BeatPointerConfig& config) : config_(config) {
         std::vector<double> row;
         for (const Tempo& to : tempi_) {
             const double ratio = static_cast<double>(to.hops) / from.hops;
-            row.push_back(std::exp(-config.stiffness * std::abs(ratio - 1.0)));
+            const double weight = std::exp(-config.stiffness * std::abs(ratio - 1.0));
+            // Another octave is found by the leak alone: the smallest rest would grow, also where
+            // the user has ruled it out.
+            row.push_back(weight > kLeastTransition ? weight : 0.0);
         }
         const double sum = std::accumulate(row.begin(), row.end(), 0.0);
         for (const double value : row) {
