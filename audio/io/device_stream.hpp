@@ -73,8 +73,8 @@ class DeviceStream {
     [[nodiscard]] std::string scheduling() const;
     /// Blocks flagged as xrun so far.
     [[nodiscard]] std::uint64_t xruns() const noexcept;
-    /// False when no callback came for 0.5 s (JACK) or 3 s (others) before `now`, or PortAudio calls
-    /// it inactive.
+    /// False when no callback came for 0.5 s (JACK) or 3 s (others) before `now`, or PortAudio
+    /// calls it inactive.
     [[nodiscard]] bool is_alive(HostTime now) const noexcept;
     /// Leaves the stream to itself for ever: it is never stopped, closed or freed, and PortAudio
     /// never terminated, in this process.

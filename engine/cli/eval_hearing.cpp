@@ -12,6 +12,7 @@
 #include "audio/music_analyzer.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/signals.hpp"
+#include "engine/hearing.hpp"
 #include "engine/music_source.hpp"
 
 #include <fmt/format.h>
@@ -58,21 +59,20 @@ audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
 
 Expected<audio::BeatEstimate> hear_streaming(engine::MusicSource& source,
                                              audio::BeatMethod method) {
-    audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare({.sample_rate = source.rate(), .beat_method = method});
-        !prepared) {
-        return fail(std::move(prepared.error()));
+    auto analyzer = engine::make_analyzer(source.rate(), method);
+    if (!analyzer) {
+        return fail(std::move(analyzer.error()));
     }
     NoteBeats notes;
     for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
-        analyzer.process(block.mono, notes);
+        analyzer->process(block.mono, notes);
     }
     // Silence brings the last hops out.
     notes.end = StreamTime(source.given());
     const std::array<float, 256> silence{};
-    for (Nanos fed{}; fed <= analyzer.delay() + kHop && notes.newest + kHop < notes.end;
+    for (Nanos fed{}; fed <= analyzer->delay() + kHop && notes.newest + kHop < notes.end;
          fed += source.rate().time_of(silence.size()).time_since_epoch()) {
-        analyzer.process(silence, notes);
+        analyzer->process(silence, notes);
     }
     const Bars bars = method == audio::BeatMethod::pointer ? Bars::told : Bars::not_told;
     return audio::BeatEstimate{list_of(notes.beats, bars), std::move(notes.predicted)};
