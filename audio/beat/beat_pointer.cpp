@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "audio/beat/fast_exp.hpp"
-#include "audio/beat/simd_clones.hpp"
+#include "audio/math/fast_exp.hpp"
+#include "audio/math/simd_clones.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {

@@ -14,7 +14,10 @@ namespace {
 class ReferenceBeats : public ::testing::Test {
  protected:
     void SetUp() override {
-        path_ = std::filesystem::path(::testing::TempDir()) / "raks_reference.beats";
+        // Tests run side by side: each has a file of its own.
+        const char* const test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        path_ = std::filesystem::path(::testing::TempDir()) /
+                (std::string("raks_reference_") + test + ".beats");
     }
     void TearDown() override { std::filesystem::remove(path_); }
     Expected<std::vector<BeatEvent>> read(const std::string& text) const {

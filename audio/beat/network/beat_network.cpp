@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "audio/beat/network/gates.hpp"
-#include "audio/beat/simd_clones.hpp"
+#include "audio/math/gates.hpp"
+#include "audio/math/simd_clones.hpp"
 #include "base/assert.hpp"
 
 namespace raks::audio {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "audio/beat/network/gates.hpp"
+#include "audio/math/gates.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "audio/beat/fast_exp.hpp"
+#include "audio/math/fast_exp.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::audio {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "audio/beat/fast_exp.hpp"
+#include "audio/math/fast_exp.hpp"
 
 namespace raks::audio {
 
