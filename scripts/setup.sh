@@ -15,8 +15,8 @@ packages=(
     libx11-dev libimgui-dev libstb-dev libpng-dev libavcodec-dev libavformat-dev libavutil-dev
     libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
     libexpected-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
-    # learning to hear beats: MIDI in, rendered, matrices
-    libsmf-dev libfluidsynth-dev libopenblas-dev
+    # learning to hear beats: MIDI rendered, matrices
+    libfluidsynth-dev libopenblas-dev
     # what the program and its tests run on
     libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils
     libasound2-plugins xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core

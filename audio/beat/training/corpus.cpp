@@ -174,10 +174,10 @@ class PieceMaker {
     std::vector<Score> lieder_;
 };
 
-TrainingExcerpt make_excerpt(const CorpusPlan& plan,
-                             const PieceMaker& maker,
-                             int number,
-                             std::span<SoundfontPlayer> players) {
+/// Errors: the drawn soundfont cannot be loaded.
+Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
+                                       const PieceMaker& maker,
+                                       int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
     Piece piece = maker.make(dice);
     for (int tries = 0;
@@ -189,27 +189,18 @@ TrainingExcerpt make_excerpt(const CorpusPlan& plan,
         const PlayerRoom room = dice.chance(0.5)
                                     ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.7)}
                                     : PlayerRoom{};
-        const auto player =
-            static_cast<std::size_t>(dice.whole(0, static_cast<int>(players.size()) - 1));
-        piece.samples = players[player].play(piece.performance, room);
-    }
-    augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
-    return {std::move(piece.family),
-            listen(piece.samples, SoundfontPlayer::kRate),
-            std::move(piece.performance.beats)};
-}
-
-Expected<std::vector<SoundfontPlayer>> open_players(
-    const std::vector<std::filesystem::path>& soundfonts) {
-    std::vector<SoundfontPlayer> players;
-    for (const std::filesystem::path& soundfont : soundfonts) {
-        auto player = SoundfontPlayer::open(soundfont);
+        // A synthesizer that has played before does not play the same samples again: each piece
+        // has a new one, which costs less than a second of music.
+        auto player = SoundfontPlayer::open(dice.pick<std::filesystem::path>(plan.soundfonts));
         if (!player) {
             return fail(player.error());
         }
-        players.push_back(std::move(*player));
+        piece.samples = player->play(piece.performance, room);
     }
-    return players;
+    augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
+    return TrainingExcerpt{std::move(piece.family),
+                           listen(piece.samples, SoundfontPlayer::kRate),
+                           std::move(piece.performance.beats)};
 }
 
 }  // namespace
@@ -219,27 +210,28 @@ Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan) {
     if (!pack) {
         return fail(pack.error());
     }
-    std::vector<std::vector<SoundfontPlayer>> bands;  // one set of players a thread
-    for (int i = 0; i < plan.threads; ++i) {
-        auto players = open_players(plan.soundfonts);
-        if (!players) {
-            return fail(players.error());
-        }
-        bands.push_back(std::move(*players));
-    }
     const PieceMaker maker(std::move(*pack), plan.seconds);
     std::vector<TrainingExcerpt> corpus(static_cast<std::size_t>(plan.excerpts));
+    std::vector<Expected<void>> done(static_cast<std::size_t>(plan.threads));
     std::atomic<int> next{0};
     std::vector<std::jthread> threads;
-    for (std::vector<SoundfontPlayer>& players : bands) {
-        threads.emplace_back([&corpus, &next, &plan, &maker, &players] {
-            for (int number = next++; number < plan.excerpts; number = next++) {
-                corpus[static_cast<std::size_t>(number)] =
-                    make_excerpt(plan, maker, number, players);
+    for (Expected<void>& mine : done) {
+        threads.emplace_back([&corpus, &next, &plan, &maker, &mine] {
+            for (int number = next++; number < plan.excerpts && mine; number = next++) {
+                if (auto excerpt = make_excerpt(plan, maker, number)) {
+                    corpus[static_cast<std::size_t>(number)] = std::move(*excerpt);
+                } else {
+                    mine = fail(excerpt.error());
+                }
             }
         });
     }
     threads.clear();
+    for (Expected<void>& thread : done) {
+        if (!thread) {
+            return fail(thread.error());
+        }
+    }
     return corpus;
 }
 

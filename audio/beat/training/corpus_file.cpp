@@ -46,9 +46,14 @@ class Bytes {
 bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
     std::vector<std::uint64_t> sizes;
     std::vector<char> family;
+    std::vector<double> beats;
     if (!bytes.take(3, sizes) || !bytes.take(sizes[0], family) ||
-        !bytes.take(sizes[1], excerpt.mel) || !bytes.take(sizes[2], excerpt.beats)) {
+        !bytes.take(sizes[1], excerpt.mel) || sizes[2] > kLargest ||
+        !bytes.take(2 * sizes[2], beats)) {
         return false;
+    }
+    for (std::size_t i = 0; i < beats.size(); i += 2) {
+        excerpt.beats.push_back({beats[i], static_cast<int>(beats[i + 1])});
     }
     excerpt.family.assign(family.begin(), family.end());
     return true;
@@ -66,7 +71,11 @@ Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
         put(bytes, sizes.data(), sizes.size());
         put(bytes, excerpt.family.data(), excerpt.family.size());
         put(bytes, excerpt.mel.data(), excerpt.mel.size());
-        put(bytes, excerpt.beats.data(), excerpt.beats.size());
+        std::vector<double> beats;  // two numbers a beat: a struct's padding holds anything
+        for (const PlayedBeat& beat : excerpt.beats) {
+            beats.insert(beats.end(), {beat.time, static_cast<double>(beat.bar_position)});
+        }
+        put(bytes, beats.data(), beats.size());
     }
     return write_file(path, bytes);
 }

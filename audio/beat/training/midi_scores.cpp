@@ -1,14 +1,16 @@
 #include "audio/beat/training/midi_scores.hpp"
 
-#include <smf.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <sstream>
+#include <utility>
+
+#include "audio/beat/training/midi_file.hpp"
+#include "base/file.hpp"
 
 namespace raks::audio {
 namespace {
@@ -16,6 +18,7 @@ namespace {
 constexpr int kLowestBpm = 52;
 constexpr int kHighestBpm = 217;
 constexpr int kFewestBars = 4;
+constexpr double kMostQuarters = 20'000.0;  // more than an hour: a damaged file
 
 /// A time signature from a tick on.
 struct Signature {
@@ -70,26 +73,28 @@ int general_midi_drum(int key) {
     return found == pads.end() ? key : found->second;
 }
 
-using SmfPointer = std::unique_ptr<smf_t, decltype(&smf_delete)>;
-
 /// Collects the notes of one file, in quarters.
 class NoteReader {
  public:
     explicit NoteReader(double pulses_per_quarter) : pulses_(pulses_per_quarter) {}
 
-    void take(const smf_event_t& event) {
-        const unsigned char* const bytes = event.midi_buffer;
-        const double quarter = event.time_pulses / pulses_;
+    void take(const MidiEvent& event) {
+        constexpr std::uint8_t kMeta = 0xFF;
+        constexpr std::uint8_t kTempo = 0x51;
+        constexpr std::uint8_t kTimeSignature = 0x58;
+        const double quarter = static_cast<double>(event.pulse) / pulses_;
         song_.quarters = std::max(song_.quarters, quarter);
-        if (event.midi_buffer_length >= 7 && bytes[0] == 0xFF && bytes[1] == 0x58) {
-            song_.signatures.push_back({quarter, bytes[3], 1 << std::min<int>(bytes[4], 5)});
-        } else if (event.midi_buffer_length >= 6 && bytes[0] == 0xFF && bytes[1] == 0x51 &&
-                   !has_tempo_) {
-            const int micros = (bytes[3] << 16) | (bytes[4] << 8) | bytes[5];
+        const auto byte = [&event](std::size_t i) {
+            return static_cast<std::uint8_t>(event.meta[i]);
+        };
+        if (event.status != kMeta) {
+            take_channel(event, quarter);
+        } else if (event.first == kTimeSignature && event.meta.size() >= 2) {
+            song_.signatures.push_back({quarter, byte(0), 1 << std::min<int>(byte(1), 5)});
+        } else if (event.first == kTempo && event.meta.size() >= 3 && !has_tempo_) {
+            const int micros = byte(0) << 16 | byte(1) << 8 | byte(2);
             song_.bpm = 6e7 / std::max(1, micros);
             has_tempo_ = true;
-        } else if (event.midi_buffer_length >= 2 && bytes[0] < 0xF0) {
-            take_channel(bytes, event.midi_buffer_length, quarter);
         }
     }
     MidiSong finish() {
@@ -100,30 +105,26 @@ class NoteReader {
     }
 
  private:
-    void take_channel(const unsigned char* bytes, int length, double quarter) {
-        const int kind = bytes[0] & 0xF0;
-        const int channel = bytes[0] & 0x0F;
+    void take_channel(const MidiEvent& event, double quarter) {
+        const int kind = event.status & 0xF0;
+        const int channel = event.status & 0x0F;
+        int& program = programs_[static_cast<std::size_t>(channel)];
         if (kind == 0xC0) {
-            programs_[static_cast<std::size_t>(channel)] = bytes[1];
+            program = event.first;
             return;
         }
-        if ((kind != 0x90 && kind != 0x80) || length < 3) {
+        if (kind != 0x90 && kind != 0x80) {
             return;
         }
-        const auto sounding = open_.find({channel, bytes[1]});
+        const auto sounding = open_.find({channel, event.first});
         if (sounding != open_.end()) {
             MidiNote& note = song_.notes[sounding->second];
             note.length = std::max(0.05, quarter - note.quarter);
             open_.erase(sounding);
         }
-        if (kind == 0x90 && bytes[2] > 0) {
-            open_[{channel, bytes[1]}] = song_.notes.size();
-            song_.notes.push_back({quarter,
-                                   0.25,
-                                   channel,
-                                   bytes[1],
-                                   programs_[static_cast<std::size_t>(channel)],
-                                   bytes[2]});
+        if (kind == 0x90 && event.second > 0) {
+            open_[{channel, event.first}] = song_.notes.size();
+            song_.notes.push_back({quarter, 0.25, channel, event.first, program, event.second});
         }
     }
 
@@ -135,14 +136,17 @@ class NoteReader {
 };
 
 Expected<MidiSong> read_midi(const std::filesystem::path& path) {
-    const SmfPointer smf(smf_load(path.c_str()), &smf_delete);
-    if (!smf || smf->ppqn <= 0) {
-        return fail(path.string() + ": not a MIDI file");
+    const auto bytes = read_file(path);
+    if (!bytes) {
+        return fail(bytes.error());
     }
-    NoteReader reader(smf->ppqn);
-    smf_rewind(smf.get());
-    while (const smf_event_t* event = smf_get_next_event(smf.get())) {
-        reader.take(*event);
+    const auto midi = parse_midi(*bytes);
+    if (!midi) {
+        return fail(path.string() + ": " + midi.error().message);
+    }
+    NoteReader reader(midi->pulses_per_quarter);
+    for (const MidiEvent& event : midi->events) {
+        reader.take(event);
     }
     return reader.finish();
 }
@@ -238,6 +242,9 @@ void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiSt
             i + 1 < song.signatures.size() ? song.signatures[i + 1].quarter : song.quarters;
         const auto metre = metre_of(song.signatures[i]);
         if (!metre) {
+            continue;
+        }
+        if (to - from > kMostQuarters) {
             continue;
         }
         const double bars = (to - from) / metre->beat_quarters / metre->beats_per_bar;

@@ -1,0 +1,127 @@
+// What training reads: a kept corpus and MIDI files, good and bad.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "audio/beat/training/corpus.hpp"
+#include "audio/beat/training/midi_scores.hpp"
+#include "base/file.hpp"
+#include "base/random.hpp"
+
+namespace raks::audio {
+namespace {
+
+class TrainingFiles : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        const char* const test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder_ = std::filesystem::path(::testing::TempDir()) / test;
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    /// 4 bars of 4/4 in a MIDI file of one track: a note on every quarter.
+    static std::string midi() {
+        std::string track;
+        const auto add = [&track](std::initializer_list<int> bytes) {
+            for (const int byte : bytes) {
+                track.push_back(static_cast<char>(byte));
+            }
+        };
+        add({0, 0xFF, 0x58, 4, 4, 2, 24, 8});
+        for (int quarter = 0; quarter < 16; ++quarter) {
+            add({0, 0x99, 36, 100, 96, 0x89, 36, 0});
+        }
+        add({0, 0xFF, 0x2F, 0});
+        const auto size = static_cast<char>(track.size());
+        return std::string("MThd\0\0\0\6\0\0\0\1\0\x60MTrk\0\0\0", 21) + size + track;
+    }
+    void write_pack(const std::string& file, const std::string& index) {
+        EXPECT_TRUE(write_file(folder_ / "one.mid", file));
+        EXPECT_TRUE(write_file(folder_ / "index.tsv", index));
+    }
+    static constexpr const char* kIndex =
+        "file\tset\tkind\tbpm_quarter\ttime_signature\none.mid\tfreedoom\tsong\t120\t4/4\n";
+    std::filesystem::path folder_;
+};
+
+TEST_F(TrainingFiles, midi_becomes_a_score_in_beats) {
+    write_pack(midi(), kIndex);
+    const auto stretches = read_midi_pack(folder_);
+    ASSERT_TRUE(stretches) << stretches.error().message;
+    ASSERT_EQ(stretches->size(), 1U);
+    const Score& score = stretches->front().score;
+    EXPECT_NEAR(score.bpm, 120.0, 1e-6);
+    ASSERT_EQ(score.notes.size(), 16U);
+    EXPECT_EQ(score.bar_position.size(), 16U);
+    for (std::size_t i = 0; i < score.notes.size(); ++i) {
+        EXPECT_NEAR(score.notes[i].beat, static_cast<double>(i), 1e-9);
+        EXPECT_EQ(score.bar_position[i], static_cast<int>(i % 4) + 1);
+    }
+}
+
+TEST_F(TrainingFiles, a_bad_pack_is_named_in_one_line) {
+    EXPECT_FALSE(read_midi_pack(folder_)) << "no index";
+    write_pack("no midi", kIndex);
+    const auto bad = read_midi_pack(folder_);
+    ASSERT_FALSE(bad);
+    EXPECT_NE(bad.error().message.find("one.mid"), std::string::npos);
+    write_pack(midi(), "file\tset\n");
+    const auto column = read_midi_pack(folder_);
+    ASSERT_FALSE(column);
+    EXPECT_NE(column.error().message.find("kind"), std::string::npos);
+}
+
+TEST_F(TrainingFiles, mangled_midi_ends_in_an_error_or_a_score) {
+    const std::string good = midi();
+    for (std::size_t length = 0; length < good.size(); length += 5) {
+        write_pack(good.substr(0, length), kIndex);
+        static_cast<void>(read_midi_pack(folder_));
+    }
+    const CounterRandom random(3);
+    for (std::uint64_t i = 0; i < 200; ++i) {
+        std::string text = good;
+        text[random.below(2 * i, text.size())] = static_cast<char>(random.below(2 * i + 1, 256));
+        write_pack(text, kIndex);
+        if (const auto stretches = read_midi_pack(folder_)) {
+            for (const MidiStretch& stretch : *stretches) {
+                EXPECT_LT(stretch.score.bar_position.size(), 1'000'000U);
+            }
+        }
+    }
+}
+
+TEST_F(TrainingFiles, a_kept_corpus_is_the_same_again) {
+    std::vector<TrainingExcerpt> corpus(2);
+    corpus[0] = {"salsa", std::vector<float>(36 * 7, 0.25F), {{0.5, 1}, {1.0, 2}}};
+    corpus[1] = {"", {}, {}};
+    ASSERT_TRUE(save_corpus(corpus, folder_ / "corpus"));
+    const auto read = load_corpus(folder_ / "corpus");
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->size(), 2U);
+    EXPECT_EQ((*read)[0].family, "salsa");
+    EXPECT_EQ((*read)[0].hops(), 7U);
+    EXPECT_EQ((*read)[0].beats[1].bar_position, 2);
+    EXPECT_EQ((*read)[0].mel, corpus[0].mel);
+}
+
+TEST_F(TrainingFiles, a_damaged_corpus_is_refused) {
+    std::vector<TrainingExcerpt> corpus(1);
+    corpus[0] = {"pop", std::vector<float>(36 * 3, 1.0F), {{0.5, 1}}};
+    ASSERT_TRUE(save_corpus(corpus, folder_ / "corpus"));
+    const std::string good = *read_file(folder_ / "corpus");
+    for (std::size_t length = 0; length < good.size(); ++length) {
+        if (length == 12) {
+            continue;  // a whole head: an empty corpus
+        }
+        ASSERT_TRUE(write_file(folder_ / "cut", good.substr(0, length)));
+        EXPECT_FALSE(load_corpus(folder_ / "cut")) << length;
+    }
+    std::string huge = good;
+    huge[12 + 8] = huge[12 + 15] = '\x7F';  // a size that no file holds
+    ASSERT_TRUE(write_file(folder_ / "cut", huge));
+    EXPECT_FALSE(load_corpus(folder_ / "cut"));
+}
+
+}  // namespace
+}  // namespace raks::audio

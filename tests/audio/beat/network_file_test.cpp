@@ -1,0 +1,110 @@
+// The network's file: what was saved is read back, and nothing else is believed.
+#include "audio/beat/network/network_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/file.hpp"
+#include "base/random.hpp"
+
+namespace raks::audio {
+namespace {
+
+class NetworkFile : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        const char* const test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        path_ = std::filesystem::path(::testing::TempDir()) / (std::string(test) + ".json");
+    }
+    void TearDown() override { std::filesystem::remove(path_); }
+
+    static BeatNetwork small() {
+        BeatNetwork network(4, 1, 2);
+        const CounterRandom random(5);
+        for (std::size_t i = 0; i < network.parameters().size(); ++i) {
+            network.parameters()[i] = static_cast<float>(random.normal(i));
+        }
+        return network;
+    }
+    std::string saved_text() {
+        EXPECT_TRUE(save_network(small(), {"a \"command\"", "people"}, path_));
+        return *read_file(path_);
+    }
+    /// The error for this text; empty when it is read.
+    std::string error_of(const std::string& text) {
+        EXPECT_TRUE(write_file(path_, text));
+        const auto network = load_network(path_);
+        return network ? "" : network.error().message;
+    }
+    static std::string replaced(std::string text, std::string_view what, std::string_view with) {
+        const std::size_t at = text.find(what);
+        EXPECT_NE(at, std::string::npos) << what;
+        return text.replace(at, what.size(), with);
+    }
+    std::filesystem::path path_;
+};
+
+TEST_F(NetworkFile, gives_back_what_was_saved) {
+    saved_text();
+    const auto network = load_network(path_);
+    ASSERT_TRUE(network) << network.error().message;
+    const BeatNetwork original = small();
+    EXPECT_EQ((*network)->lookahead(), 2);
+    ASSERT_EQ((*network)->parameters().size(), original.parameters().size());
+    for (std::size_t i = 0; i < original.parameters().size(); ++i) {
+        EXPECT_NEAR((*network)->parameters()[i],
+                    original.parameters()[i],
+                    1e-5F * std::abs(original.parameters()[i]));
+    }
+}
+
+TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
+    const std::string good = saved_text();
+    const struct {
+        std::string text;
+        std::string expected;
+    } cases[] = {
+        {replaced(good, "raks-beat-network", "raks-figure"), "format"},
+        {replaced(good, "\"version\": 1", "\"version\": 2"), "version"},
+        {replaced(good, "\"units\": 4", "\"units\": 8"), "parameters"},
+        {replaced(good, "\"units\": 4", "\"units\": 100000"), "units"},
+        {replaced(good, "\"layers\": 1", "\"layers\": 0"), "layers"},
+        {replaced(good, "\"parameters\": [\n", "\"parameters\": [1e30,"), "parameters"},
+        {replaced(good, "\"parameters\": [\n", "\"parameters\": [null,"), "parameters"},
+        {replaced(good, "\"lookahead\": 2,", ""), "lookahead"},
+        {"", "JSON"},
+        {"[1, 2]", ""},
+    };
+    for (const auto& c : cases) {
+        const std::string error = error_of(c.text);
+        EXPECT_NE(error.find(path_.string()), std::string::npos) << error;
+        EXPECT_NE(error.find(c.expected), std::string::npos) << error;
+        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    }
+}
+
+TEST_F(NetworkFile, survives_every_cut_and_flipped_bytes) {
+    const std::string good = saved_text();
+    for (std::size_t length = 0; length + 3 < good.size(); length += 37) {
+        EXPECT_NE(error_of(good.substr(0, length)), "") << length;
+    }
+    const CounterRandom random(9);
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        std::string text = good;
+        for (std::uint64_t flip = 0; flip < 3; ++flip) {
+            text[random.below(6 * i + 2 * flip, text.size())] =
+                static_cast<char>(random.below(6 * i + 2 * flip + 1, 256));
+        }
+        EXPECT_EQ(error_of(text).find('\n'), std::string::npos);
+    }
+}
+
+TEST_F(NetworkFile, a_missing_file_is_named) {
+    const auto network = load_network(path_);
+    ASSERT_FALSE(network);
+    EXPECT_NE(network.error().message.find(path_.string()), std::string::npos);
+}
+
+}  // namespace
+}  // namespace raks::audio
