@@ -11,7 +11,7 @@
 #include "audio/beat/paper_beat.hpp"
 #include "audio/features/loudness.hpp"
 #include "audio/features/onset.hpp"
-#include "audio/features/resampler.hpp"
+#include "audio/resample/resampler.hpp"
 
 namespace raks::audio {
 namespace {
@@ -134,6 +134,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
         tracked.hop = state.hop;
         tracked.heard_until = state.heard_until;
         tracked.onset_strength = onset.strength;
+        tracked.quiet_hops = quiet_hops;
         tracked.is_silent = state.is_silent;
         if (listener) {
             tracked.has_evidence = true;

@@ -24,6 +24,7 @@ constexpr std::string_view kAuto = "auto";
 
 std::vector<std::string> known_dances() {
     std::vector<std::string> names;
+    names.reserve(std::size(kDances));
     for (const DanceFiles& files : kDances) {
         names.emplace_back(files.dance);
     }

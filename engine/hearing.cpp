@@ -7,18 +7,32 @@
 
 namespace raks::engine {
 
-Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate, audio::BeatMethod method) {
-    const auto path = data_path("models/trained/beats.json");
-    if (!path) {
-        return fail(path.error());
+Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
+    const std::filesystem::path& path) {
+    if (!path.empty()) {
+        return audio::load_network(path);
     }
-    auto network = audio::load_network(*path);
+    const auto shipped = data_path("models/trained/beats.json");
+    if (!shipped) {
+        return fail(shipped.error());
+    }
+    return audio::load_network(*shipped);
+}
+
+Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate, audio::BeatMethod method) {
+    auto network = load_beat_network();
     if (!network) {
         return fail(network.error());
     }
+    return make_analyzer(rate, method, std::move(*network));
+}
+
+Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
+                                             audio::BeatMethod method,
+                                             std::shared_ptr<const audio::BeatNetwork> network) {
     audio::MusicAnalyzer analyzer;
     if (auto prepared = analyzer.prepare(
-            {.sample_rate = rate, .beat_method = method, .beat_network = std::move(*network)});
+            {.sample_rate = rate, .beat_method = method, .beat_network = std::move(network)});
         !prepared) {
         return fail(prepared.error());
     }

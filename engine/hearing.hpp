@@ -1,15 +1,26 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
+
+#include "audio/beat/network/beat_network.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
 namespace raks::engine {
 
+/// Reads the beat network that comes with Raks, or one of `path`.
+/// Errors: a file that is missing or bad.
+[[nodiscard]] Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
+    const std::filesystem::path& path = {});
+
 /// An analyzer for samples of this rate, with the beat network that comes with Raks
 /// (models/trained/beats.json).
 /// Errors: a rate that is not supported, a network file that is missing or bad.
 [[nodiscard]] Expected<audio::MusicAnalyzer> make_analyzer(
     SampleRate rate, audio::BeatMethod method = audio::BeatMethod::pointer);
+[[nodiscard]] Expected<audio::MusicAnalyzer> make_analyzer(
+    SampleRate rate, audio::BeatMethod method, std::shared_ptr<const audio::BeatNetwork> network);
 
 }  // namespace raks::engine

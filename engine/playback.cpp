@@ -37,7 +37,7 @@ Expected<void> Playback::prepare(SampleRate device_rate) {
     device_rate_ = device_rate;
     // The loudspeaker may change (it died, our clock takes over): stream time goes on.
     frames_out_ = device_rate.index_at(analysis_->taken_until());
-    return resampler_.prepare(file_rate_, device_rate);
+    return resampler_.prepare(file_rate_, device_rate, 2);
 }
 
 /// Next frames of the file, analyzed as they come; 0 when none are ready or the file has ended.
@@ -84,9 +84,9 @@ std::size_t Playback::pull(std::span<float> stereo) noexcept {
         }
         const auto progress = resampler_.process(
             std::span(pulled_).subspan(2 * pending_at_, 2 * pending_), stereo.subspan(2 * made));
-        pending_at_ += progress.frames_taken;
-        pending_ -= progress.frames_taken;
-        made += progress.frames_made;
+        pending_at_ += progress.taken;
+        pending_ -= progress.taken;
+        made += progress.made;
     }
     return made;
 }

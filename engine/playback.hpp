@@ -8,7 +8,7 @@
 
 #include "audio/io/device_stream.hpp"
 #include "audio/io/file_player.hpp"
-#include "audio/io/stereo_resampler.hpp"
+#include "audio/resample/resampler.hpp"
 #include "base/expected.hpp"
 #include "engine/analysis_stage.hpp"
 
@@ -58,7 +58,7 @@ class Playback final : public audio::StreamCallback {
     std::unique_ptr<AnalysisStage> analysis_;
     SampleRate file_rate_;
     SampleRate device_rate_;
-    audio::StereoResampler resampler_;
+    audio::Resampler resampler_;
 
     // Owned by the audio thread.
     std::vector<float> pulled_;  // stereo at the file's rate

@@ -35,7 +35,7 @@ class PlotData {
     static constexpr std::size_t kColumns = 4096;
 
     PlotData();
-    /// Errors: libsamplerate refuses the ratio.
+    /// Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate);
     /// The file's next samples, mono, in [-1, 1].
     void hear(std::span<const float> mono);

@@ -24,6 +24,13 @@ std::string time_label(double seconds, double longest) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+/// Overlong forms, surrogates, beyond U+10FFFF, and the two characters that XML forbids.
+bool is_forbidden(unsigned first, unsigned second, unsigned third) noexcept {
+    return (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+           (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F) ||
+           (first == 0xEF && second == 0xBF && third >= 0xBE);
+}
+
 /// Bytes of the UTF-8 character at the start of `text`; 0 when there is none.
 std::size_t utf8_length(std::string_view text) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -42,12 +49,9 @@ std::size_t utf8_length(std::string_view text) noexcept {
             return 0;
         }
     }
-    // Overlong forms, surrogates, beyond U+10FFFF, and the two that XML forbids.
-    const bool is_forbidden =
-        (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
-        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F) ||
-        (first == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE);
-    return is_forbidden ? 0 : length;
+    const unsigned second = length > 1 ? byte(1) : 0U;
+    const unsigned third = length > 2 ? byte(2) : 0U;
+    return is_forbidden(first, second, third) ? 0 : length;
 }
 
 }  // namespace

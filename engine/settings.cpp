@@ -101,14 +101,16 @@ Expected<void> read_section(const std::string& name,
                             std::string_view section,
                             const toml::table& table,
                             Settings& settings) {
-    for (const auto& [toml_key, node] : table) {
+    for (const auto& entry : table) {
+        const std::string_view name_in_file = entry.first.str();
+        const toml::node& node = entry.second;
         const auto key = std::find_if(kKeys.begin(), kKeys.end(), [&](const Key& k) {
-            return k.section == section && k.name == toml_key.str();
+            return k.section == section && k.name == name_in_file;
         });
         if (key == kKeys.end()) {
             std::vector<std::string> names;
             std::transform(kKeys.begin(), kKeys.end(), std::back_inserter(names), full_name);
-            const std::string unknown = fmt::format("{}.{}", section, toml_key.str());
+            const std::string unknown = fmt::format("{}.{}", section, name_in_file);
             return fail(fmt::format("{}: unknown key \"{}\"{}",
                                     where(name, node.source()),
                                     unknown,
@@ -123,21 +125,23 @@ Expected<void> read_section(const std::string& name,
 }
 
 Expected<void> read_table(const std::string& name, const toml::table& table, Settings& settings) {
-    for (const auto& [key, node] : table) {
+    for (const auto& entry : table) {
+        const std::string_view key = entry.first.str();
+        const toml::node& node = entry.second;
         if (key == "format" || key == "version") {
             continue;
         }
-        const bool is_section = std::any_of(
-            kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == key.str(); });
+        const bool is_section =
+            std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == key; });
         if (!is_section || !node.is_table()) {
             constexpr std::array<std::string_view, 5> kKnown = {
                 "audio", "dance", "picture", "format", "version"};
             return fail(fmt::format("{}: unknown key \"{}\"{}",
                                     where(name, node.source()),
-                                    key.str(),
-                                    suggestion(key.str(), kKnown)));
+                                    key,
+                                    suggestion(key, kKnown)));
         }
-        if (auto read = read_section(name, key.str(), *node.as_table(), settings); !read) {
+        if (auto read = read_section(name, key, *node.as_table(), settings); !read) {
             return read;
         }
     }

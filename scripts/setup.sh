@@ -10,7 +10,7 @@ packages=(
     # build
     g++ cmake ninja-build ccache mold pkg-config git ca-certificates
     # libraries
-    portaudio19-dev libjack-jackd2-dev libsndfile1-dev libsamplerate0-dev libkissfft-dev libebur128-dev libpulse-dev
+    portaudio19-dev libjack-jackd2-dev libsndfile1-dev libspeexdsp-dev libkissfft-dev libebur128-dev libpulse-dev
     libasound2-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
     libx11-dev libimgui-dev libstb-dev libpng-dev libavcodec-dev libavformat-dev libavutil-dev
     libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev

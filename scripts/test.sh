@@ -33,7 +33,7 @@ cmake --build --preset release -j "$(nproc)"
 
 scripts/tidy.sh --changed
 
-sanitized asan base models skeleton figures audio_io audio_evaluate engine avatar render_video
+sanitized asan base models skeleton figures audio_io audio_evaluate audio_training engine avatar render_video
 sanitized tsan base engine
 
 step "release: tests"

@@ -19,8 +19,7 @@ constexpr double kOnQuarter = 0.12;
 constexpr double kNearTempo = 0.06;  // ratio
 constexpr double kNearPhase = 0.12;  // beats
 
-// What the network says on the average hop, of a beat and of a half beat; and the least that
-// counts.
+// What the network says on the average hop, of each place in the beat; and the least that counts.
 constexpr float kMeanEvidence = 0.04F;
 constexpr float kLeastEvidence = 1e-3F;
 
@@ -45,6 +44,23 @@ float sum_of(const std::vector<float>& values) noexcept {
         total += strand;
     }
     return total;
+}
+
+/// Index of the greatest, the first of equals. In strands, as above: 4 us less a hop than
+/// std::max_element.
+std::size_t greatest(const std::vector<float>& values) noexcept {
+    std::array<float, 16> strands{};  // probabilities: none is negative
+    std::size_t i = 0;
+    for (; i + strands.size() <= values.size(); i += strands.size()) {
+        for (std::size_t lane = 0; lane < strands.size(); ++lane) {
+            strands[lane] = std::max(strands[lane], values[i + lane]);
+        }
+    }
+    float most = *std::max_element(strands.begin(), strands.end());
+    for (; i < values.size(); ++i) {
+        most = std::max(most, values[i]);
+    }
+    return static_cast<std::size_t>(std::find(values.begin(), values.end(), most) - values.begin());
 }
 
 /// How near a place is to an event, as wide as the network's evidence of one.
@@ -72,6 +88,7 @@ std::vector<float> beat_template(int hops) {
     }
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / hops;
     std::vector<float> result;
+    result.reserve(values.size());
     for (const double value : values) {
         result.push_back(static_cast<float>(value - mean));
     }
@@ -166,7 +183,7 @@ void BeatPointer::open_positions() noexcept RAKS_NONBLOCKING {
         const float share =
             std::accumulate(first, first + tempo.hops, 0.0F) / static_cast<float>(tempo.hops);
         for (int i = 0; i < tempo.hops; ++i) {
-            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            const std::size_t state = tempo.state(i);
             moved_[state] = 0.5F * (share + prior_[state]);
         }
     }
@@ -176,7 +193,7 @@ void BeatPointer::open_positions() noexcept RAKS_NONBLOCKING {
 void BeatPointer::move() noexcept {
     std::fill(arrivals_.begin(), arrivals_.end(), 0.0F);
     for (std::size_t from = 0; from < tempi_.size(); ++from) {
-        const auto last = static_cast<std::size_t>(tempi_[from].first + tempi_[from].hops - 1);
+        const std::size_t last = tempi_[from].state(tempi_[from].hops - 1);
         const float leaving = probability_[last];
         const float* const row = &transition_[from * tempi_.size()];
         for (std::size_t to = 0; to < tempi_.size(); ++to) {
@@ -185,7 +202,9 @@ void BeatPointer::move() noexcept {
     }
     std::copy(probability_.begin(), probability_.end() - 1, moved_.begin() + 1);
     for (std::size_t i = 0; i < tempi_.size(); ++i) {
-        moved_[static_cast<std::size_t>(tempi_[i].first)] = arrivals_[i];
+        // What is ruled out is not reached by many small steps either.
+        const std::size_t beat = tempi_[i].state(0);
+        moved_[beat] = prior_[beat] > 0.0F ? arrivals_[i] : 0.0F;
     }
 }
 
@@ -219,15 +238,16 @@ void BeatPointer::advance(float onset_strength,
     const auto trust = static_cast<float>(config_.network_trust);
     const float neither = std::max(0.02F, 1.0F - heard.beat - heard.half);
     const float other = std::pow(neither / (1.0F - 2.0F * kMeanEvidence), trust);
-    const float beat = std::pow(std::max(heard.beat, kLeastEvidence) / kMeanEvidence, trust);
-    const float half = std::pow(std::max(heard.half, kLeastEvidence) / kMeanEvidence, trust);
+    const auto above_other = [other, trust](float probability) {
+        return std::pow(std::max(probability, kLeastEvidence) / kMeanEvidence, trust) - other;
+    };
     weigh_evidence(moved_.data(),
                    on_beat_.data(),
                    on_half_.data(),
                    moved_.size(),
                    other,
-                   beat - other,
-                   half - other);
+                   above_other(heard.beat),
+                   above_other(heard.half));
     normalize();
 }
 
@@ -237,8 +257,7 @@ void BeatPointer::advance_blind() noexcept RAKS_NONBLOCKING {
 }
 
 PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
-    const auto best = static_cast<int>(std::max_element(probability_.begin(), probability_.end()) -
-                                       probability_.begin());
+    const auto best = static_cast<int>(greatest(probability_));
     const auto at =
         std::upper_bound(tempi_.begin(),
                          tempi_.end(),
@@ -258,8 +277,7 @@ PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
         const int reach = static_cast<int>(kNearPhase * tempo.hops) + 1;
         for (int step = -reach; step <= reach; ++step) {
             const int position = ((centre + step) % tempo.hops + tempo.hops) % tempo.hops;
-            const double p =
-                static_cast<double>(probability_[static_cast<std::size_t>(tempo.first + position)]);
+            const double p = static_cast<double>(probability_[tempo.state(position)]);
             double distance = position / static_cast<double>(tempo.hops) - best_phase;
             distance -= std::round(distance);
             mass += p;
@@ -277,14 +295,17 @@ PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
 
 void BeatPointer::expect_tempo(double bpm) noexcept RAKS_NONBLOCKING {
     for (const Tempo& tempo : tempi_) {
-        const double distance = (hops_of(bpm) / tempo.hops - 1.0) / 0.03;
+        constexpr double kReach = 0.3;  // in the logarithm: music may slow down, not halve
+        constexpr double kLeast = 1e-6;
+        const double ratio = hops_of(bpm) / tempo.hops;
+        const double distance = (ratio - 1.0) / 0.03;
         // Nothing at all is left of other tempi: the smallest rest would grow again.
-        const float weight = std::abs(distance) < 4.0
-                                 ? static_cast<float>(std::exp(-0.5 * distance * distance))
-                                 : 0.0F;
+        const float weight =
+            std::abs(std::log(ratio)) < kReach
+                ? static_cast<float>(std::max(kLeast, std::exp(-0.5 * distance * distance)))
+                : 0.0F;
         for (int i = 0; i < tempo.hops; ++i) {
-            moved_[static_cast<std::size_t>(tempo.first + i)] =
-                weight / static_cast<float>(tempo.hops);
+            moved_[tempo.state(i)] = weight / static_cast<float>(tempo.hops);
         }
     }
     normalize();
@@ -300,7 +321,7 @@ void BeatPointer::believe(double bpm, double phase) noexcept RAKS_NONBLOCKING {
         for (int i = 0; i < tempo.hops; ++i) {
             double off = i / static_cast<double>(tempo.hops) - phase;
             off = (off - std::round(off)) / kPhaseSigma;
-            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            const std::size_t state = tempo.state(i);
             // What is ruled out stays so: the smallest rest would grow again.
             moved_[state] = prior_[state] > 0.0F
                                 ? static_cast<float>(weight * std::exp(-0.5 * off * off) + 1e-12)
@@ -314,9 +335,25 @@ void BeatPointer::expect_below(double bpm) noexcept RAKS_NONBLOCKING {
     for (const Tempo& tempo : tempi_) {
         const bool is_open = tempo.hops > hops_of(bpm);
         for (int i = 0; i < tempo.hops; ++i) {
-            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            const std::size_t state = tempo.state(i);
             prior_[state] = is_open ? default_prior_[state] : 0.0F;
         }
+    }
+}
+
+void BeatPointer::expect_range(double lowest_bpm, double highest_bpm) noexcept RAKS_NONBLOCKING {
+    constexpr float kOutside = 0.25F;
+    float total = 0.0F;
+    for (const Tempo& tempo : tempi_) {
+        const double bpm = hops_of(1.0) / tempo.hops;
+        const float weight = bpm < lowest_bpm || bpm > highest_bpm ? kOutside : 1.0F;
+        for (int i = 0; i < tempo.hops; ++i) {
+            prior_[tempo.state(i)] = weight * default_prior_[tempo.state(i)];
+            total += prior_[tempo.state(i)];
+        }
+    }
+    for (float& value : prior_) {
+        value /= total;
     }
 }
 
@@ -324,7 +361,7 @@ void BeatPointer::expect_beat() noexcept RAKS_NONBLOCKING {
     constexpr double kPhaseSigma = 0.06;  // beats
     for (const Tempo& tempo : tempi_) {
         for (int i = 0; i < tempo.hops; ++i) {
-            const std::size_t state = static_cast<std::size_t>(tempo.first + i);
+            const std::size_t state = tempo.state(i);
             double phase = i / static_cast<double>(tempo.hops);
             phase = (phase - std::round(phase)) / kPhaseSigma;
             moved_[state] =

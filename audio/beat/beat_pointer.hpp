@@ -12,10 +12,10 @@ struct BeatPointerConfig {
     double lowest_bpm = 50.0;
     double highest_bpm = 230.0;
     int tempi = 76;              ///< log-spaced between the two
-    double stiffness = 120.0;    ///< a beat's tempo change by ratio r costs exp(-stiffness |r - 1|)
+    double stiffness = 80.0;     ///< a beat's tempo change by ratio r costs exp(-stiffness |r - 1|)
     double trust = 0.7;          ///< exponent of one hop's onset strength, alone
     double trust_beside = 0.3;   ///< the same beside a network's evidence
-    double network_trust = 0.4;  ///< exponent of the network's evidence
+    double network_trust = 0.3;  ///< exponent of the network's evidence
     double leak = 1e-5;          ///< share of the prior that flows back in every hop: a new song
                                  ///< is found within seconds
     double centre_bpm = 120.0;   ///< of the tempo prior, which acts at the start and by the leak
@@ -51,14 +51,17 @@ class BeatPointer {
 
     /// Back to the prior.
     void reset() noexcept RAKS_NONBLOCKING;
-    /// Only tempi within some percent of this one are expected until expect_any_tempo(); all
-    /// positions are open.
+    /// A tempo within some percent of this one is expected, none beyond a third more or less, until
+    /// expect_any_tempo(); all positions are open.
     void expect_tempo(double bpm) noexcept RAKS_NONBLOCKING;
     /// A beat of this tempo stands at `phase` [0, 1) now: all else is nearly ruled out. What is
     /// expected of other songs stays.
     void believe(double bpm, double phase) noexcept RAKS_NONBLOCKING;
     /// No faster tempi than this are found anew, until expect_any_tempo().
     void expect_below(double bpm) noexcept RAKS_NONBLOCKING;
+    /// Tempi between the two are likelier than others by a factor of 4, where a tempo is sought (at
+    /// the start, in a new song); none is ruled out, and what is believed now stays.
+    void expect_range(double lowest_bpm, double highest_bpm) noexcept RAKS_NONBLOCKING;
     /// The default prior again; what is believed now stays.
     void expect_any_tempo() noexcept RAKS_NONBLOCKING;
     /// A beat is known to be now; its tempo as expected.
@@ -70,6 +73,9 @@ class BeatPointer {
     struct Tempo {
         int first = 0;  // index of its first state
         int hops = 0;   // a beat: its number of states
+        [[nodiscard]] std::size_t state(int position) const noexcept {
+            return static_cast<std::size_t>(first) + static_cast<std::size_t>(position);
+        }
     };
     void move() noexcept;
     void normalize() noexcept;

@@ -18,6 +18,11 @@ constexpr double kApartPhase = 0.12;  // beats
 constexpr double kApartTempo = 0.10;  // ratio
 constexpr int kApartHops = 20;
 constexpr int kFirstHops = 150;  // until then the grid is set anew at once
+// Where a network hears nothing like a beat for longer than this, the belief slows and spreads: the
+// grid runs on by itself.
+constexpr double kLongestWithout = 1.1;  // beats
+constexpr double kSteadyBeats = 6.0;     // over which the tempo to run on with is averaged
+constexpr double kSteadyReach = 0.05;    // ratio: further apart the tempo was changing
 
 constexpr float kAnnounceConfidence = 0.05F;
 // What noise has on the beats, too, and what makes sure: of onset strength, of a network's
@@ -33,6 +38,19 @@ constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 constexpr Nanos kAnnounceLead = kHop;
 constexpr double kLeastGap = 0.45;  // of a beat between two announcements
 
+struct TempoRange {
+    double lowest_bpm = 0.0;
+    double highest_bpm = 0.0;
+};
+// Where the dances' tempi lie, by Genre; nothing is known of `unknown`.
+constexpr std::array<TempoRange, kGenreCount> kTempiOf = {{{160.0, 220.0},
+                                                           {90.0, 150.0},
+                                                           {112.0, 136.0},
+                                                           {70.0, 115.0},
+                                                           {80.0, 180.0},
+                                                           {80.0, 200.0},
+                                                           {0.0, 0.0}}};
+
 double wrapped(double phase) { return phase - std::round(phase); }
 
 }  // namespace
@@ -45,6 +63,9 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     beats_per_hop_ = 1.0 / 50;
     nudge_hops_ = 0.0;
     is_tempo_held_ = false;
+    hint_ = Genre::unknown;
+    steady_rate_ = beats_per_hop_;
+    hops_without_ = 0;
     hops_apart_ = hops_heard_ = 0;
     heard_ = {};
     rated_beat_ = 0;
@@ -91,15 +112,40 @@ void BeatTracker::advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_N
 }
 
 void BeatTracker::listen(const TrackedHop& hop) noexcept {
+    if (hop.quiet_hops * beats_per_hop_ > kLongestWithout) {
+        pointer_.advance_blind();
+        run_alone();
+        return;
+    }
     if (hop.has_evidence) {
         Heard& then = heard(hop.hop - hop.evidence_lag);
         then.evidence = hop.evidence;
         pointer_.advance(then.strength, hop.evidence);
+        hops_without_ = hop.evidence.beat > kLeastEvidence ? 0 : hops_without_ + 1;
     } else {
         pointer_.advance(hop.onset_strength);
+        hops_without_ = 0;
     }
     ++hops_heard_;
-    follow(pointer_.estimate(), hop.evidence_lag);
+    const double before = position_ - beats_per_hop_;
+    if (hops_heard_ >= kFirstHops && hops_without_ * beats_per_hop_ > kLongestWithout) {
+        run_alone();
+    } else {
+        follow(pointer_.estimate(), hop.evidence_lag);
+        const double share = beats_per_hop_ / kSteadyBeats;
+        const double moved = position_ - before;
+        // A grid that was set anew has not moved.
+        const bool is_new = std::abs(moved / beats_per_hop_ - 1.0) > 0.5;
+        steady_rate_ += is_new ? beats_per_hop_ - steady_rate_ : share * (moved - steady_rate_);
+    }
+}
+
+/// No beat is heard: on at the tempo of the last beats, not of the moment in which they ceased.
+void BeatTracker::run_alone() noexcept {
+    const bool is_steady = std::abs(steady_rate_ / beats_per_hop_ - 1.0) < kSteadyReach;
+    if (is_steady && !is_tempo_held_) {
+        beats_per_hop_ = steady_rate_;
+    }
 }
 
 /// Moves the grid toward what the pointer believes.
@@ -237,6 +283,17 @@ void BeatTracker::change_tempo(double bpm) noexcept {
     }
 }
 
+/// Any tempo again; those of the genre, when one is known, are likelier.
+void BeatTracker::release_tempo() noexcept {
+    is_tempo_held_ = false;
+    const TempoRange range = kTempiOf[static_cast<std::size_t>(hint_)];
+    if (range.highest_bpm > 0.0) {
+        pointer_.expect_range(range.lowest_bpm, range.highest_bpm);
+    } else {
+        pointer_.expect_any_tempo();
+    }
+}
+
 /// Half or double tempo: beat numbers count on, the bars stay where they are.
 void BeatTracker::change_octave(double factor) noexcept {
     const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
@@ -287,8 +344,14 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             is_tempo_held_ = true;
             break;
         case Kind::release_tempo:
-            is_tempo_held_ = false;
-            pointer_.expect_any_tempo();
+            release_tempo();
+            break;
+        case Kind::hint_genre:
+            hint_ =
+                static_cast<Genre>(std::clamp(static_cast<int>(command.value), 0, kGenreCount - 1));
+            if (!is_tempo_held_) {
+                release_tempo();
+            }
             break;
     }
 }

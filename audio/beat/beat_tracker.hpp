@@ -22,6 +22,7 @@ struct TrackedHop {
     bool has_evidence = false;  ///< a network listens
     int evidence_lag = 0;       ///< hops by which its evidence is late
     BeatEvidence evidence;      ///< about the hop `evidence_lag` ago
+    int quiet_hops = 0;         ///< so many in a row, to this one, were too soft to tell anything
     bool is_silent = false;     ///< nothing to hear: the tempo runs on, confidence falls
 };
 
@@ -61,9 +62,11 @@ class BeatTracker {
     void run_commands(StreamTime now) noexcept;
     void apply(const AnalyzerCommand& command, StreamTime now) noexcept;
     void change_tempo(double bpm) noexcept;
+    void release_tempo() noexcept;
     void change_octave(double factor) noexcept;
     void set_position(double phase) noexcept;
     void listen(const TrackedHop& hop) noexcept;
+    void run_alone() noexcept;
     void follow(const PointerEstimate& estimate, int lag_hops) noexcept;
     void rate_beat(const TrackedHop& hop) noexcept;
     void rate_confidence(const TrackedHop& hop) noexcept;
@@ -80,8 +83,11 @@ class BeatTracker {
     double beats_per_hop_ = 1.0 / 50;  // 120 BPM
     double nudge_hops_ = 0.0;          // the user's, later is positive
     bool is_tempo_held_ = false;
-    int hops_apart_ = 0;  // hops in a row in which belief and grid disagreed
-    int hops_heard_ = 0;  // hops with evidence since reset or jump
+    Genre hint_ = Genre::unknown;
+    double steady_rate_ = 1.0 / 50;  // beats a hop over the last beats, corrections included
+    int hops_without_ = 0;           // hops since a network last heard anything like a beat
+    int hops_apart_ = 0;             // hops in a row in which belief and grid disagreed
+    int hops_heard_ = 0;             // hops with evidence since reset or jump
 
     // Confidence.
     std::array<Heard, kRecent> heard_{};  // by hop, ring

@@ -11,7 +11,7 @@ namespace raks::audio {
 /// Threads: one. Real-time: no (it keeps 8 bytes a hop of the file).
 class PaperFile {
  public:
-    /// Errors: libsamplerate refuses the ratio.
+    /// Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate);
     /// The next samples, mono, finite, in [-1, 1].
     void add(std::span<const float> mono);

@@ -56,8 +56,9 @@ FilterBank htk_filter_bank(const MelConfig& config) {
         centres.push_back(low + k / (config.bands + 1.0) * (high - low));
     }
     const double bin_hz = static_cast<double>(config.sample_rate) / config.fft_size;
-    const int first = std::max(1, static_cast<int>(config.low_hz / bin_hz + 2.5) - 1);
-    const int end = std::min(config.fft_size / 2, static_cast<int>(config.high_hz / bin_hz + 0.5));
+    const int first = std::max(1, static_cast<int>(std::floor(config.low_hz / bin_hz + 1.5)));
+    const int end =
+        std::min(config.fft_size / 2, static_cast<int>(std::lround(config.high_hz / bin_hz)));
     DenseFilters dense(static_cast<std::size_t>(config.bands),
                        std::vector<double>(static_cast<std::size_t>(config.fft_size / 2 + 1)));
     std::size_t channel = 0;
@@ -82,7 +83,7 @@ FilterBank triangular_filter_bank(const MelConfig& config) {
     const double low = mel_of(config.low_hz);
     const double step = (mel_of(config.high_hz) - low) / (config.bands + 1);
     const double bin_hz = static_cast<double>(config.sample_rate) / config.fft_size;
-    const std::size_t bins = static_cast<std::size_t>(config.fft_size / 2 + 1);
+    const std::size_t bins = static_cast<std::size_t>(config.fft_size) / 2 + 1;
     DenseFilters dense(static_cast<std::size_t>(config.bands), std::vector<double>(bins));
     for (std::size_t band = 0; band < dense.size(); ++band) {
         const double left = hertz_of(low + step * static_cast<double>(band));

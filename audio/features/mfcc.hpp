@@ -10,7 +10,7 @@
 
 namespace raks::audio {
 
-inline constexpr int kMfccStatic = 13;    // C1..C12, then C0 or the log energy
+inline constexpr std::size_t kMfccStatic = 13;  // C1..C12, then C0 or the log energy
 inline constexpr int kMfccFeatures = 39;  // and their first and second derivatives: Ofli 2008, 5
 
 using MfccVector = std::array<float, kMfccFeatures>;

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "audio/features/resampler.hpp"
+#include "audio/resample/resampler.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
@@ -20,7 +20,7 @@ class RhythmFrames {
     static constexpr std::size_t kHop = 320;
     static constexpr std::size_t kWindow = 1024;
 
-    /// Errors: libsamplerate refuses the ratio.
+    /// Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate);
 
     /// Takes samples, calls `on_window(std::span<const float>)` for each window that became full.

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace raks::audio {
 namespace {
 
@@ -39,15 +41,15 @@ Expected<int> connect_own_outputs_to_inputs() {
     const std::string own(own_name);
     int connected = 0;
     for (;; ++connected) {
-        const std::string from = own + ":out_" + std::to_string(connected);
-        const std::string to = own + ":in_" + std::to_string(connected);
+        const std::string from = fmt::format("{}:out_{}", own, connected);
+        const std::string to = fmt::format("{}:in_{}", own, connected);
         const jack_port_t* input = jack_port_by_name(client.get(), to.c_str());
         if (input == nullptr || jack_port_by_name(client.get(), from.c_str()) == nullptr) {
             break;
         }
         disconnect_all(client.get(), input, to);
         if (jack_connect(client.get(), from.c_str(), to.c_str()) != 0) {
-            return fail("JACK: cannot connect " + from + " to " + to);
+            return fail(fmt::format("JACK: cannot connect {} to {}", from, to));
         }
     }
     if (connected == 0) {

@@ -212,6 +212,10 @@ class Parser {
         app->add_option("--out", a->output, "folder for NAME.beats and NAME.pred as heard");
         app->add_option("--peers", a->peers, "folder of NAME.beats, or a folder per tracker")
             ->allow_extra_args(false);
+        app->add_option("--network", a->network, "X.json for the pointer, or none: onsets alone");
+        app->add_option("--leave-class-out",
+                        a->left_out,
+                        "folder of CLASS.json: networks that were trained without that class");
         add_beat_option(*app, a->methods);
     }
 

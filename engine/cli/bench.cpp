@@ -11,6 +11,7 @@
 
 #include "audio/music_analyzer.hpp"
 #include "audio/synth/music_generator.hpp"
+#include "engine/cli/bench_peers.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/dance_files.hpp"
 #include "engine/hearing.hpp"
@@ -101,6 +102,7 @@ Expected<BenchReport> bench_analysis(double seconds) {
     report.values.emplace_back("times_real_time", seconds / cpu);
     report.values.emplace_back("cpu_us_a_hop", 1e6 * cpu / static_cast<double>(hop_us.size()));
     report.spreads.emplace_back("wall_us_a_hop", spread_of(hop_us));
+    add_aubio(*music, seconds, report);
     return report;
 }
 

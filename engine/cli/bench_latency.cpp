@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <system_error>
 
-#include "audio/io/audio_file.hpp"
 #include "audio/io/devices.hpp"
 #include "audio/synth/music_generator.hpp"
 #include "engine/cli/bench.hpp"
+#include "engine/cli/bench_peers.hpp"
 #include "engine/cli/loop_recorder.hpp"
 #include "engine/cli/shown_landing.hpp"
 #include "engine/cli/signals.hpp"
@@ -26,29 +24,6 @@ constexpr double kBpm = 180.0;
 // Silence before the first beat: time to connect the loop.
 constexpr double kLeadIn = 2.0;
 constexpr int kOwnClockBlock = 256;
-
-/// A music file that is removed at the end.
-class TemporaryMusic {
- public:
-    explicit TemporaryMusic(const audio::GeneratedMusic& music)
-        : path_(std::filesystem::temp_directory_path() /
-                fmt::format("raks-bench-{}.wav", HostClock::now().time_since_epoch().count())) {
-        written_ = audio::write_wav(path_, music.samples, music.channels, music.rate);
-    }
-    ~TemporaryMusic() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    TemporaryMusic(const TemporaryMusic&) = delete;
-    TemporaryMusic& operator=(const TemporaryMusic&) = delete;
-
-    [[nodiscard]] const Expected<void>& written() const { return written_; }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-    std::filesystem::path path_;
-    Expected<void> written_;
-};
 
 void sleep_until(HostTime time) {
     timespec until{};

@@ -75,6 +75,8 @@ struct EvalBeatsArguments {
     Path corpus;  ///< folder: index.tsv, NAME.beats, NAME.ogg
     std::vector<FileBeatMethod> methods = {FileBeatMethod::pointer};
     std::vector<Path> peers;  ///< folders of other trackers' beats, or folders of such
+    Path network;             ///< for the pointer; empty: what comes with Raks; "none": none
+    Path left_out;            ///< folder of CLASS.json, networks that never heard that class
     std::string category;     ///< only excerpts of this class; empty: all
     Path output;              ///< folder for what was heard; empty: not written
     bool as_json = false;

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "engine/cli/eval_hearing.hpp"
 #include "engine/cli/eval_report.hpp"
 #include "engine/cli/signals.hpp"
+#include "engine/hearing.hpp"
 
 #include <fmt/format.h>
 
@@ -125,6 +128,38 @@ Expected<Path> output_folder(const EvalBeatsArguments& arguments, FileBeatMethod
     return folder;
 }
 
+using Networks = std::vector<std::shared_ptr<const audio::BeatNetwork>>;
+
+/// The network asked for, for every excerpt.
+Expected<Networks> networks_for(const Excerpts& excerpts, const Path& network) {
+    if (network == "none") {
+        return Networks(excerpts.size());
+    }
+    auto loaded = engine::load_beat_network(network);
+    if (!loaded) {
+        return fail(std::move(loaded.error()));
+    }
+    return Networks(excerpts.size(), *loaded);
+}
+
+/// For every excerpt folder/CLASS.json of its class.
+Expected<Networks> networks_by_class(const Excerpts& excerpts, const Path& folder) {
+    std::map<std::string, std::shared_ptr<const audio::BeatNetwork>> loaded;
+    Networks networks;
+    for (const audio::BeatExcerpt& excerpt : excerpts) {
+        const std::string name = excerpt.category + ".json";
+        if (loaded.count(name) == 0) {
+            auto network = engine::load_beat_network(folder / name);
+            if (!network) {
+                return fail(std::move(network.error()));
+            }
+            loaded[name] = std::move(*network);
+        }
+        networks.push_back(loaded[name]);
+    }
+    return networks;
+}
+
 /// Runs one of our trackers over the excerpts; empty when a signal came before all were heard.
 Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& arguments,
                                                  FileBeatMethod method,
@@ -137,7 +172,11 @@ Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& argum
         }
         folder = std::move(*created);
     }
-    const auto heard = hear_beats_of(excerpts, method, name_of(method));
+    const auto networks = networks_for(excerpts, arguments.network);
+    if (!networks) {
+        return fail(networks.error());
+    }
+    const auto heard = hear_beats_of(excerpts, method, *networks, name_of(method));
     if (!heard) {
         return fail(heard.error());
     }
@@ -160,6 +199,28 @@ Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& argum
     }
     const bool is_complete = tracker.scores.size() == excerpts.size();
     return is_complete ? std::optional(std::move(tracker)) : std::nullopt;
+}
+
+/// The default tracker, each class heard by a network that was trained without it.
+Expected<std::optional<ScoredTracker>> score_left_out(const Path& folder,
+                                                      const Excerpts& excerpts) {
+    const auto networks = networks_by_class(excerpts, folder);
+    if (!networks) {
+        return fail(networks.error());
+    }
+    const std::string name = "raks-left-out";
+    const auto heard = hear_beats_of(excerpts, FileBeatMethod::pointer, *networks, name);
+    if (!heard) {
+        return fail(heard.error());
+    }
+    ScoredTracker tracker{name, {}};
+    for (std::size_t i = 0; i < excerpts.size(); ++i) {
+        if (!(*heard)[i]) {
+            return std::nullopt;
+        }
+        tracker.scores.push_back(audio::score_beats(excerpts[i].reference, (*heard)[i]->estimate));
+    }
+    return tracker;
 }
 
 /// All that other trackers said, scored before ours run: a fault there should not cost minutes.
@@ -206,6 +267,16 @@ ExitCode eval_beats(const EvalBeatsArguments& arguments) {
             return kExitDone;  // stopped: what was written stays, half a table would mislead
         }
         report.trackers.push_back(std::move(**own));
+    }
+    if (!arguments.left_out.empty()) {
+        auto left_out = score_left_out(arguments.left_out, *excerpts);
+        if (!left_out) {
+            return fail(std::move(left_out.error()));
+        }
+        if (!*left_out) {
+            return kExitDone;
+        }
+        report.trackers.push_back(std::move(**left_out));
     }
     std::move(peers->begin(), peers->end(), std::back_inserter(report.trackers));
     const Detail detail = arguments.asks_for_each ? Detail::by_excerpt : Detail::by_class;

@@ -58,8 +58,9 @@ audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
 }
 
 Expected<audio::BeatEstimate> hear_streaming(engine::MusicSource& source,
-                                             audio::BeatMethod method) {
-    auto analyzer = engine::make_analyzer(source.rate(), method);
+                                             audio::BeatMethod method,
+                                             std::shared_ptr<const audio::BeatNetwork> network) {
+    auto analyzer = engine::make_analyzer(source.rate(), method, std::move(network));
     if (!analyzer) {
         return fail(std::move(analyzer.error()));
     }
@@ -91,15 +92,17 @@ Expected<audio::BeatEstimate> hear_whole(engine::MusicSource& source) {
 
 }  // namespace
 
-Expected<HeardBeats> hear_beats(const Path& audio, FileBeatMethod method) {
+Expected<HeardBeats> hear_beats(const Path& audio,
+                                FileBeatMethod method,
+                                std::shared_ptr<const audio::BeatNetwork> network) {
     auto source = engine::MusicSource::open(audio);
     if (!source) {
         return fail(std::move(source.error()));
     }
     auto estimate = method == FileBeatMethod::paper_whole ? hear_whole(*source)
                     : method == FileBeatMethod::paper
-                        ? hear_streaming(*source, audio::BeatMethod::paper)
-                        : hear_streaming(*source, audio::BeatMethod::pointer);
+                        ? hear_streaming(*source, audio::BeatMethod::paper, nullptr)
+                        : hear_streaming(*source, audio::BeatMethod::pointer, std::move(network));
     if (!estimate) {
         return fail(std::move(estimate.error()).in(audio.string()));
     }
@@ -107,7 +110,10 @@ Expected<HeardBeats> hear_beats(const Path& audio, FileBeatMethod method) {
 }
 
 Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
-    std::span<const audio::BeatExcerpt> excerpts, FileBeatMethod method, const std::string& what) {
+    std::span<const audio::BeatExcerpt> excerpts,
+    FileBeatMethod method,
+    const std::vector<std::shared_ptr<const audio::BeatNetwork>>& networks,
+    const std::string& what) {
     std::vector<std::optional<Expected<HeardBeats>>> heard(excerpts.size());
     std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> done{0};
@@ -115,7 +121,7 @@ Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
     const auto work = [&] {
         for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed); i < excerpts.size();
              i = next.fetch_add(1, std::memory_order_relaxed)) {
-            auto result = hear_beats(excerpts[i].audio, method);
+            auto result = hear_beats(excerpts[i].audio, method, networks[i]);
             if (stop_signal()) {
                 return;  // this one may have been broken off
             }

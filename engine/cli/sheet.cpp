@@ -18,6 +18,7 @@ namespace {
 constexpr double kBeatsBefore = 16.0;  // the dancer has settled into the figure by then
 constexpr int kCounts = 8;
 constexpr int kPosesPerBeat = 8;
+constexpr std::size_t kPoses = std::size_t{kCounts} * kPosesPerBeat;
 constexpr int kColumns = 16;
 constexpr int kTileWidth = 120;
 constexpr int kTileHeight = 180;
@@ -50,14 +51,14 @@ Expected<std::vector<motion::Pose>> poses_of_a_figure(const engine::Settings& se
     }
     const auto track = std::make_unique<motion::PoseTrack>();
     std::vector<motion::Pose> poses;
-    for (HopIndex hop = 0; poses.size() < kCounts * kPosesPerBeat; ++hop) {
+    for (HopIndex hop = 0; poses.size() < kPoses; ++hop) {
         const MusicState state = steady_music(hop, tempo);
         dancer.advance(state, *track);
         const auto next = [&] {
             return state.grid.time_of(
                 Beats(kBeatsBefore + static_cast<double>(poses.size()) / kPosesPerBeat));
         };
-        while (poses.size() < kCounts * kPosesPerBeat && next() <= state.time) {
+        while (poses.size() < kPoses && next() <= state.time) {
             poses.push_back(track->at(next()));
         }
     }

@@ -1,13 +1,19 @@
 // The program raks-train-beats, that `raks train beats` starts: it alone needs FluidSynth and a
 // BLAS, which the dancing program should not load.
 #include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/beat/training/corpus.hpp"
 #include "audio/beat/training/train_network.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 namespace {
@@ -21,24 +27,38 @@ constexpr const char* kAttribution =
 struct Options {
     audio::CorpusPlan corpus;
     std::filesystem::path corpus_file;
+    std::vector<std::string> left_out;
+    std::filesystem::path start;
+    std::vector<std::filesystem::path> averaged;
     audio::NetworkPlan network;
     std::filesystem::path output;
 };
 
 void add_options(CLI::App& app, Options& options) {
-    app.add_option("pack", options.corpus.pack, "folder of MIDI files with index.tsv")->required();
-    app.add_option("--soundfont", options.corpus.soundfonts, "SF2 or SF3; several: one is drawn")
-        ->required();
+    auto* average = app.add_option(
+        "--average", options.averaged, "no training: the mean of these networks' weights");
+    auto* pack = app.add_option("pack", options.corpus.pack, "folder of MIDI files with index.tsv");
+    auto* soundfont = app.add_option(
+        "--soundfont", options.corpus.soundfonts, "SF2 or SF3; several: one is drawn");
+    app.callback([average, pack, soundfont] {
+        if (average->count() == 0 && (pack->count() == 0 || soundfont->count() == 0)) {
+            throw CLI::RequiredError("pack and --soundfont, or --average");
+        }
+    });
     app.add_option("--corpus", options.corpus_file, "keep the rendered music here between runs");
     app.add_option("--excerpts", options.corpus.excerpts, "pieces of 22 s to render")
         ->check(CLI::Range(16, 100'000));
     app.add_option("--corpus-seed", options.corpus.seed, "same seed, same music");
+    app.add_option("--leave-out", options.left_out, "families of music not to learn from");
+    app.add_option("--from", options.start, "X.json: go on from these weights");
     app.add_option("--units", options.network.units, "of each layer")->check(CLI::Range(4, 128));
     app.add_option("--layers", options.network.layers)->check(CLI::Range(1, 3));
     app.add_option("--lookahead", options.network.lookahead, "hops of 10 ms")
         ->check(CLI::Range(0, 10));
     app.add_option("--steps", options.network.steps, "batches of 24 x 10 s")
         ->check(CLI::Range(10, 1'000'000));
+    app.add_option("--rate", options.network.rate, "of learning, at its highest")
+        ->check(CLI::Range(1e-5, 0.1));
     app.add_option("--seed", options.network.seed, "of weights and batches");
     app.add_option("--threads", options.network.threads)->check(CLI::Range(1, 64));
     app.add_option("-o,--out", options.output, "X.json")->required();
@@ -58,12 +78,74 @@ Expected<std::vector<audio::TrainingExcerpt>> corpus_of(const Options& options) 
     return corpus;
 }
 
-Expected<void> run(const Options& options, const std::string& command) {
-    const auto corpus = corpus_of(options);
+/// Empties the excerpts of these families. Errors: a family that the corpus does not have.
+Expected<void> leave_out(const std::vector<std::string>& families,
+                         std::vector<audio::TrainingExcerpt>& corpus) {
+    for (const std::string& family : families) {
+        bool is_known = false;
+        std::set<std::string> known;
+        for (audio::TrainingExcerpt& excerpt : corpus) {
+            known.insert(excerpt.family);
+            if (excerpt.family == family) {
+                is_known = true;
+                excerpt.mel.clear();
+                excerpt.beats.clear();
+            }
+        }
+        if (!is_known) {
+            return fail(fmt::format(
+                "--leave-out: no family '{}'; there are {}", family, fmt::join(known, ", ")));
+        }
+    }
+    return {};
+}
+
+/// Networks that went on from one and the same lie in one valley: the mean of their weights hears
+/// like all of them together (Wortsman et al. 2022, "Model soups"). Errors: a file that is bad,
+/// networks of different shapes.
+Expected<void> average(const Options& options, const audio::NetworkNotes& notes) {
+    std::optional<audio::BeatNetwork> mean;
+    const auto count = static_cast<float>(options.averaged.size());
+    for (const std::filesystem::path& path : options.averaged) {
+        const auto network = audio::load_network(path);
+        if (!network) {
+            return fail(network.error());
+        }
+        const audio::BeatNetwork& one = **network;
+        if (!mean) {
+            mean.emplace(one.units(), one.layers().size(), one.lookahead());
+        }
+        if (one.units() != mean->units() || one.layers().size() != mean->layers().size() ||
+            one.lookahead() != mean->lookahead()) {
+            return fail(path.string() + ": has another shape than " +
+                        options.averaged.front().string());
+        }
+        for (std::size_t i = 0; i < one.parameters().size(); ++i) {
+            mean->parameters()[i] += one.parameters()[i] / count;
+        }
+    }
+    return audio::save_network(*mean, notes, options.output);
+}
+
+Expected<void> run(Options& options, const std::string& command) {
+    const audio::NetworkNotes notes{command, kAttribution};
+    if (!options.averaged.empty()) {
+        return average(options, notes);
+    }
+    if (!options.start.empty()) {
+        auto start = audio::load_network(options.start);
+        if (!start) {
+            return fail(start.error());
+        }
+        options.network.start = std::move(*start);
+    }
+    auto corpus = corpus_of(options);
     if (!corpus) {
         return fail(corpus.error());
     }
-    const audio::NetworkNotes notes{command, kAttribution};
+    if (auto done = leave_out(options.left_out, *corpus); !done) {
+        return done;
+    }
     // What was learnt so far lies in the file, should this be stopped.
     Expected<void> saved;
     const auto report = [&](const audio::NetworkProgress& progress,
@@ -82,7 +164,7 @@ Expected<void> run(const Options& options, const std::string& command) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     Options options;
     CLI::App app("learns to hear beats from rendered music", "raks train beats");
     add_options(app, options);
@@ -97,4 +179,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     return 0;
+} catch (const std::exception& error) {  // no memory, or a fault of ours
+    std::fprintf(stderr, "raks: %s\n", error.what());
+    return 1;
 }

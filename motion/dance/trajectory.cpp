@@ -43,6 +43,8 @@ struct BandedSystem {
         }
     }
 
+    static constexpr double kLeastDiagonal = 1e-12;  // of a sound system it is far larger
+
     /// Cholesky in the bands, then two substitutions. The result is in `right`.
     void solve() {
         const std::size_t size = right.size();
@@ -58,7 +60,7 @@ struct BandedSystem {
             for (std::size_t k = 1; k <= std::min<std::size_t>(2, i); ++k) {
                 diagonal -= bands[i][k] * bands[i][k];
             }
-            bands[i][0] = std::sqrt(diagonal);
+            bands[i][0] = std::sqrt(std::max(diagonal, kLeastDiagonal));
         }
         for (std::size_t i = 0; i < size; ++i) {
             for (std::size_t k = 1; k <= std::min<std::size_t>(2, i); ++k) {

@@ -35,6 +35,21 @@ void summarize(LandingReport& report) {
     report.deviation = std::sqrt(squares);
 }
 
+/// Times of the landings in [from, to), seconds.
+std::vector<double> landings_between(std::span<const double> moments,
+                                     double frames_per_second,
+                                     double from,
+                                     double to) {
+    std::vector<double> times;
+    for (const double moment : moments) {
+        const double time = moment / frames_per_second;
+        if (time >= from && time < to) {
+            times.push_back(time);
+        }
+    }
+    return times;
+}
+
 }  // namespace
 
 LandingReport landing_errors(const BodyTrack& track,
@@ -58,21 +73,18 @@ LandingReport landing_errors(const BodyTrack& track,
             }
             const std::size_t count = k % beats;
             const bool is_expected = offsets[count].repeats >= least_repeats;
-            std::size_t found = 0;
-            for (const double moment : moments) {
-                const double time = moment / track.frames_per_second;
-                if (time < from || time >= from + beat) {
-                    continue;
-                }
-                ++found;
-                if (is_expected && found == 1) {
-                    const double error =
-                        time - count_times[k] - offsets[count].median.count() * beat;
-                    report.landings.push_back({side, static_cast<int>(count) + 1, time, error});
-                }
+            const std::vector<double> found =
+                landings_between(moments, track.frames_per_second, from, from + beat);
+            if (!is_expected) {
+                report.unexpected += found.size();
+            } else if (found.empty()) {
+                ++report.missing;
+            } else {
+                report.unexpected += found.size() - 1;
+                const double error =
+                    found[0] - count_times[k] - offsets[count].median.count() * beat;
+                report.landings.push_back({side, static_cast<int>(count) + 1, found[0], error});
             }
-            report.missing += is_expected && found == 0 ? 1 : 0;
-            report.unexpected += is_expected ? (found > 1 ? found - 1 : 0) : found;
         }
     }
     summarize(report);

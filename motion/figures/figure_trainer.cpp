@@ -319,6 +319,7 @@ Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
         const std::size_t p = static_cast<std::size_t>(which);
         model.parts[p] = mean_joints(which, phased, weights);
         std::vector<FeatureTrack> tracks;
+        tracks.reserve(phased.size());
         for (const std::vector<Pose>& poses : phased) {
             tracks.push_back(features_of(poses, model.parts[p], options.samples_per_beat));
         }

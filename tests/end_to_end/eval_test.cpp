@@ -181,6 +181,37 @@ TEST_F(EvalBeats, compares_our_methods_with_other_trackers_in_one_table) {
         << "it tells no bars";
 }
 
+TEST_F(EvalBeats, hears_with_the_network_asked_for) {
+    const fs::path shipped = fs::path(RAKS_SOURCE_DIR) / "models/trained/beats.json";
+    const nlohmann::json plain = document();
+    EXPECT_EQ(document({"--network", shipped.string()}), plain);
+    EXPECT_NE(document({"--network", "none"})["trackers"], plain["trackers"]);
+    expect_one_line({"--network", path("none.json")}, 1, "none.json");
+
+    // With each class's network the shipped one, both rows of the tables are the same.
+    fs::create_directories(folder_ / "without");
+    fs::copy_file(shipped, folder_ / "without/drums.json");
+    expect_one_line({"--leave-class-out", path("without")}, 1, "salsa.json");
+    fs::copy_file(shipped, folder_ / "without/salsa.json");
+    const nlohmann::json both = document({"--leave-class-out", path("without")});
+    ASSERT_EQ(both["trackers"].size(), 2U);
+    EXPECT_EQ(both["trackers"][1]["name"], "raks-left-out");
+    EXPECT_EQ(both["trackers"][1]["excerpts"], both["trackers"][0]["excerpts"]);
+}
+
+TEST_F(EvalBeats, the_mean_of_a_network_with_itself_is_that_network) {
+    const fs::path shipped = fs::path(RAKS_SOURCE_DIR) / "models/trained/beats.json";
+    const ProcessResult result = run({"train",
+                                      "beats",
+                                      "--average",
+                                      shipped.string(),
+                                      shipped.string(),
+                                      "-o",
+                                      path("mean.json")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(document({"--network", path("mean.json")}), document());
+}
+
 TEST_F(EvalBeats, the_same_bytes_every_time) {
     const ProcessResult first = run({"eval", "beats", corpus().string(), "--json"});
     const ProcessResult again = run({"eval", "beats", corpus().string(), "--json"});

@@ -141,7 +141,7 @@ TEST_F(Keys, p_saves_a_picture_of_the_window_and_no_other_key_does) {
     ASSERT_TRUE(raks_->wait_for_output("screenshot saved: "));
     const std::vector<std::string> after = files();
     ASSERT_EQ(after.size(), before.size() + 1);
-    const std::string file = after[1];  // one.wav, raks-....png, two.wav
+    const std::string& file = after[1];  // one.wav, raks-....png, two.wav
     EXPECT_EQ(file.rfind("raks-", 0), 0U) << file;
     const std::string size = run_program({"identify", "-format", "%m %wx%h", path(file)});
     EXPECT_EQ(size, "PNG 640x360");

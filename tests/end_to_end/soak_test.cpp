@@ -1,10 +1,13 @@
 // Long runs; label soak: `ctest -L soak`.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 
+#include "tests/audio/listen.hpp"
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/realtime_guard.hpp"
 
 namespace raks::test {
 namespace {
@@ -37,6 +40,44 @@ TEST_F(Soak, ten_hours_are_analyzed_in_bounded_memory) {
     const ProcessResult result = run_process(plan);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find("36000.0 s"), std::string::npos) << result.out;
+}
+
+/// Keeps the beats of a stretch, so that hours need no memory.
+class KeepStretch final : public audio::MusicAnalyzer::Sink {
+ public:
+    KeepStretch() { states.reserve(70'000); }
+    void on_state(const MusicState& state) noexcept override {
+        if (state.time >= from && state.has_beat && states.size() < states.capacity()) {
+            states.push_back(state);
+        }
+    }
+    StreamTime from = StreamTime::max();
+    std::vector<MusicState> states;
+};
+
+TEST(BeatSoak, six_hours_of_music_do_not_drift_or_allocate) {
+    constexpr int kLoops = 36;
+    constexpr double kSeconds = 600.0;  // 450 bars at 180 BPM: it loops without a seam in the beat
+    const audio::GeneratedMusic piece =
+        audio::test::music(audio::Style::salsa, {{0.0, 180.0}}, kSeconds, 32'000);
+    audio::MusicAnalyzer analyzer;
+    ASSERT_TRUE(analyzer.prepare(audio::test::as_shipped(piece.rate)));
+    KeepStretch keep;
+    for (int loop = 0; loop < kLoops; ++loop) {
+        const double start = loop * kSeconds;
+        keep.from = loop + 1 == kLoops ? stream_time_from_seconds(start) : StreamTime::max();
+        RealtimeScope scope;
+        analyzer.process(piece.samples, keep);
+        ASSERT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+    }
+    std::vector<audio::ReferenceBeat> beats = piece.beats;
+    for (audio::ReferenceBeat& beat : beats) {
+        beat.time += nanos_from_seconds((kLoops - 1) * kSeconds);
+    }
+    const double from = (kLoops - 1) * kSeconds + 10.0;
+    const auto score = audio::test::score_beats(keep.states, beats, from, kLoops * kSeconds - 5.0);
+    EXPECT_GE(score.f_measure, 0.98);
+    EXPECT_LE(std::abs(score.median_error), 0.010);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ class PlaybackTest : public ::testing::Test {
                  ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".wav");
         std::vector<float> samples(kSeconds * kRate);
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            samples[i] = 0.1F * static_cast<float>(i / kRate + 1);
+            const auto second = i / kRate;
+            samples[i] = 0.1F * static_cast<float>(second + 1);
         }
         ASSERT_TRUE(audio::write_wav(path_, samples, 1, SampleRate(kRate)));
         auto player = audio::FilePlayer::start({path_});

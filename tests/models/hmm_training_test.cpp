@@ -17,7 +17,8 @@ TrainingSet three_state_data(std::size_t sequences, Eigen::Index dimension, std:
         const Eigen::Index frames = 24 + static_cast<Eigen::Index>(random.below(0, 12));
         Frames sequence(frames, dimension);
         for (Eigen::Index t = 0; t < frames; ++t) {
-            const double level = 4.0 * static_cast<double>(3 * t / frames);
+            const auto third = 3 * t / frames;
+            const double level = 4.0 * static_cast<double>(third);
             for (Eigen::Index i = 0; i < dimension; ++i) {
                 const auto number = static_cast<std::uint64_t>(1 + t * dimension + i);
                 const double sign = i % 2 == 0 ? 1.0 : -1.0;
@@ -161,7 +162,7 @@ TEST(HmmTraining, mixtures_raise_the_likelihood_of_two_clusters) {
 
 TEST(HmmTraining, refuses_data_that_cannot_be_learnt_from) {
     const GaussianHmm start = left_to_right(3, 2, CovarianceType::full, 2.0);
-    const auto message = [&](TrainingSet set) {
+    const auto message = [&](const TrainingSet& set) {
         const Expected<TrainingResult> result = baum_welch(start, set);
         return result ? std::string("learnt") : result.error().message;
     };

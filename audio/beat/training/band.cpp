@@ -139,6 +139,45 @@ std::vector<bool> random_cell(int beats_per_bar, bool has_beat_1, Dice& dice) {
     return cell;
 }
 
+/// Calls play(beats after the bar's begin) on each sixteenth of the cell that sounds.
+template <class Play>
+void play_cell(const std::vector<bool>& cell, int bar_beats, const Play& play) {
+    const std::size_t steps = std::min(cell.size(), 4 * static_cast<std::size_t>(bar_beats));
+    for (std::size_t step = 0; step < steps; ++step) {
+        if (cell[step]) {
+            play(0.25 * static_cast<double>(step));
+        }
+    }
+}
+
+void play_walking_bass(int beat, int bar_beats, Band& band) {
+    for (int i = 0; i < bar_beats; ++i) {
+        band.play_bass(beat, beat + i, 0.9, 92.0, band.dice().pick({0, 4, 7, 9, 5, 2}));
+    }
+}
+
+void play_root_fifth(int beat, int bar_beats, Band& band) {
+    for (int i = 0; i < bar_beats; i += bar_beats == 3 ? 3 : 2) {
+        band.play_bass(beat, beat + i, 0.9, 95.0, i % 4 == 0 ? 0 : 7);
+    }
+}
+
+void play_surdo(int beat, int bar_beats, Band& band) {
+    for (int i = 0; i < bar_beats; ++i) {
+        const int interval = i % 2 == 0 ? 0 : 7;
+        band.play_bass(beat, beat + i, 0.6, i % 2 == 0 ? 80.0 : 105.0, interval);
+        band.play_bass(beat, beat + i + 0.75, 0.2, 75.0, interval);
+    }
+}
+
+void play_habanera(int beat, int bar_beats, Band& band) {
+    for (const double at : {0.0, 0.75, 1.0, 1.5}) {
+        for (int half = 0; half + 1 < bar_beats; half += 2) {
+            band.play_bass(beat, beat + half + at, 0.4);
+        }
+    }
+}
+
 void play_bass_bar(
     BassLine line, const std::vector<bool>& cell, int beat, int bar_beats, Band& band) {
     const auto each = [&](double from, double step, double length, bool is_octave = false) {
@@ -168,32 +207,19 @@ void play_bass_bar(
             each(0.75, 1.0, 0.2);
             break;
         case BassLine::random_cell:
-            for (std::size_t step = 0;
-                 step < cell.size() && step < 4U * static_cast<unsigned>(bar_beats);
-                 ++step) {
-                if (cell[step]) {
-                    band.play_bass(beat, beat + 0.25 * static_cast<double>(step), 0.4);
-                }
-            }
+            play_cell(cell, bar_beats, [&](double at) { band.play_bass(beat, beat + at, 0.4); });
             break;
         case BassLine::whole_bar:
             band.play_bass(beat, beat, 0.9 * bar_beats);
             break;
         case BassLine::walking:
-            for (int i = 0; i < bar_beats; ++i) {
-                band.play_bass(beat, beat + i, 0.9, 92.0, band.dice().pick({0, 4, 7, 9, 5, 2}));
-            }
+            play_walking_bass(beat, bar_beats, band);
             break;
         case BassLine::root_fifth:
-            for (int i = 0; i < bar_beats; i += bar_beats == 3 ? 3 : 2) {
-                band.play_bass(beat, beat + i, 0.9, 95.0, i % 4 == 0 ? 0 : 7);
-            }
+            play_root_fifth(beat, bar_beats, band);
             break;
         case BassLine::surdo:
-            for (int i = 0; i < bar_beats; ++i) {
-                band.play_bass(beat, beat + i, 0.6, i % 2 == 0 ? 80.0 : 105.0, i % 2 == 0 ? 0 : 7);
-                band.play_bass(beat, beat + i + 0.75, 0.2, 75.0, i % 2 == 0 ? 0 : 7);
-            }
+            play_surdo(beat, bar_beats, band);
             break;
         case BassLine::tumbao:
             band.play_bass(beat, beat + 1.5, 1.4, 95.0, 7);
@@ -201,11 +227,7 @@ void play_bass_bar(
             band.play_bass(beat + bar_beats, beat + 3.0, 2.3, 105.0);
             break;
         case BassLine::habanera:
-            for (const double at : {0.0, 0.75, 1.0, 1.5}) {
-                for (int half = 0; half + 1 < bar_beats; half += 2) {
-                    band.play_bass(beat, beat + half + at, 0.4);
-                }
-            }
+            play_habanera(beat, bar_beats, band);
             break;
     }
 }
@@ -263,13 +285,7 @@ void play_comping_bar(
             arpeggio(0.5);
             break;
         case Comping::random_cell:
-            for (std::size_t step = 0;
-                 step < cell.size() && step < 4U * static_cast<unsigned>(bar_beats);
-                 ++step) {
-                if (cell[step]) {
-                    band.play_chord(beat, beat + 0.25 * static_cast<double>(step), 0.3);
-                }
-            }
+            play_cell(cell, bar_beats, [&](double at) { band.play_chord(beat, beat + at, 0.3); });
             break;
         case Comping::montuno:
             play_montuno_bar(beat, bar_beats, band);

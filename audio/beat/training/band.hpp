@@ -3,8 +3,8 @@
 #include <span>
 
 #include "audio/beat/training/dice.hpp"
-#include "audio/beat/training/rhythm_styles.hpp"
 #include "audio/beat/training/score.hpp"
+#include "audio/beat/training/styles/rhythm_styles.hpp"
 
 namespace raks::audio {
 

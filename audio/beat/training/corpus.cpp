@@ -9,12 +9,14 @@
 #include <thread>
 
 #include "audio/beat/training/band.hpp"
+#include "audio/beat/training/drum_scores.hpp"
+#include "audio/beat/training/keyboard_scores.hpp"
 #include "audio/beat/training/midi_scores.hpp"
-#include "audio/beat/training/rhythm_styles.hpp"
+#include "audio/beat/training/non_music.hpp"
 #include "audio/beat/training/sound_augmentation.hpp"
 #include "audio/beat/training/soundfont_player.hpp"
 #include "audio/features/onset.hpp"
-#include "audio/features/resampler.hpp"
+#include "audio/resample/resampler.hpp"
 #include "audio/synth/music_generator.hpp"
 
 namespace raks::audio {
@@ -22,6 +24,9 @@ namespace {
 
 constexpr int kMostBeats = 112;  // 22 s at 217 BPM and some to choose from
 constexpr double kShortestSeconds = 8.0;
+// One excerpt in twenty has no beat.
+constexpr int kNonMusicEvery = 20;
+constexpr int kNonMusic = 12;
 
 /// What one excerpt is made from.
 struct Piece {
@@ -70,22 +75,33 @@ class PieceMaker {
         }
     }
 
+    /// What is no music and has no beat.
+    [[nodiscard]] Piece make_non_music(Dice& dice) const {
+        if (dice.chance(0.35)) {
+            return {"none", notes_without_pulse(seconds_, dice), {}};
+        }
+        return {"none", {}, noise_of_people(SoundfontPlayer::kRate, seconds_, dice)};
+    }
+
     [[nodiscard]] Piece make(Dice& dice) const {
         const double kind = dice.uniform();
-        if (kind < 0.42) {
+        if (kind < 0.44) {
             return from_style(draw_style(dice), dice);
         }
-        if (kind < 0.52) {
+        if (kind < 0.51) {
             return from_free(dice);
         }
-        if (kind < 0.68 && !groove_.empty()) {
+        if (kind < 0.65 && !groove_.empty()) {
             return from_groove(dice);
         }
-        if (kind < 0.79 && !freedoom_.empty()) {
+        if (kind < 0.74 && !freedoom_.empty()) {
             return {"game", perform(dice.pick<Score>(freedoom_), seconds_, dice), {}};
         }
-        if (kind < 0.90 && !lieder_.empty()) {
+        if (kind < 0.82 && !lieder_.empty()) {
             return from_lied(dice);
+        }
+        if (kind < 0.91) {
+            return {"piano", perform(keyboard_score(kMostBeats, dice), seconds_, dice), {}};
         }
         return from_own_generator(dice);
     }
@@ -179,7 +195,8 @@ Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
                                        const PieceMaker& maker,
                                        int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
-    Piece piece = maker.make(dice);
+    Piece piece =
+        number % kNonMusicEvery == kNonMusic ? maker.make_non_music(dice) : maker.make(dice);
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortestSeconds && tries < 20;
          ++tries) {
@@ -215,6 +232,7 @@ Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan) {
     std::vector<Expected<void>> done(static_cast<std::size_t>(plan.threads));
     std::atomic<int> next{0};
     std::vector<std::jthread> threads;
+    threads.reserve(done.size());
     for (Expected<void>& mine : done) {
         threads.emplace_back([&corpus, &next, &plan, &maker, &mine] {
             for (int number = next++; number < plan.excerpts && mine; number = next++) {

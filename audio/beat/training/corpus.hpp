@@ -12,7 +12,8 @@ namespace raks::audio {
 
 /// One excerpt as the network's front end hears it.
 struct TrainingExcerpt {
-    std::string family;      ///< of music, to leave it out: "salsa", "pop", "piano", ...
+    std::string
+        family;  ///< of music, to leave it out: "salsa", "pop", "piano", ...; "none": no music
     std::vector<float> mel;  ///< hops x 36 magnitudes, 10 ms a hop
     std::vector<PlayedBeat> beats;
     [[nodiscard]] std::size_t hops() const { return mel.size() / 36; }

@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "audio/beat/training/rhythm_styles.hpp"
+#include "audio/beat/training/drum_scores.hpp"
 
 namespace raks::audio {
 namespace {

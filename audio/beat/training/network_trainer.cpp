@@ -324,7 +324,9 @@ void initialize(BeatNetwork& network, std::uint64_t seed) {
     const std::size_t biases = network.output_biases();
     parameters[biases] = -3.0F;
     parameters[biases + 1] = -4.0F;
-    parameters[biases + 2] = -3.0F;
+    for (std::size_t output = 2; output < BeatNetwork::kOutputs; ++output) {
+        parameters[biases + output] = -3.0F;
+    }
 }
 
 }  // namespace raks::audio

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace raks::audio {
 namespace {
@@ -20,6 +21,9 @@ std::vector<double> beat_times(int beats, double bpm, bool is_expressive, Dice& 
     const bool has_step = kind >= 0.93 && !is_expressive;
     const int step_beat = dice.whole(beats / 4, std::max(beats / 4, 3 * beats / 4));
     const double step_ratio = std::exp(dice.uniform(-0.35, 0.35));
+    // At the end of a phrase players of free tempo wait.
+    const int phrase = dice.pick({8, 12, 16, 16, 24, 32});
+    const double wait = is_expressive ? dice.uniform(0.0, 0.25) : 0.0;
     double log_drift = 0.0;
     double log_wander = 0.0;
     for (int beat = 0; beat < beats; ++beat) {
@@ -28,6 +32,9 @@ std::vector<double> beat_times(int beats, double bpm, bool is_expressive, Dice& 
         double period = 60.0 / bpm * std::exp(log_drift + log_wander - ramp * times.back());
         if (has_step && beat >= step_beat) {
             period *= step_ratio;
+        }
+        if (beat % phrase >= phrase - 2) {
+            period *= 1.0 + wait * (beat % phrase == phrase - 1 ? 1.0 : 0.5) * dice.uniform();
         }
         times.push_back(times.back() + std::clamp(period, 0.26, 1.25));
     }
@@ -39,6 +46,20 @@ double time_at(const std::vector<double>& times, double beat) {
     const double clamped = std::clamp(beat, 0.0, last - 1e-9);
     const auto whole = static_cast<std::size_t>(clamped);
     return times[whole] + (beat - static_cast<double>(whole)) * (times[whole + 1] - times[whole]);
+}
+
+std::size_t index_of(int beat) { return static_cast<std::size_t>(beat); }
+
+/// The first beats, each `start` seconds later than in `times`.
+std::vector<PlayedBeat> beats_until(double seconds,
+                                    std::span<const double> times,
+                                    double start,
+                                    std::span<const int> bar_positions) {
+    std::vector<PlayedBeat> beats;
+    for (std::size_t beat = 0; beat + 1 < times.size() && start + times[beat] < seconds; ++beat) {
+        beats.push_back({start + times[beat], bar_positions[beat]});
+    }
+    return beats;
 }
 
 /// How one instrument (channel, and key for drums) plays in this piece.
@@ -56,7 +77,7 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
     const int wanted = std::min(all, static_cast<int>(seconds * bpm / 60.0) + 8);
     const int first = all > wanted ? dice.whole(0, all - wanted) : 0;
     const std::vector<double> times = beat_times(wanted, bpm, score.is_expressive, dice);
-    const double jitter = dice.log_uniform(0.001, 0.010);
+    const double jitter = dice.log_uniform(0.001, score.is_expressive ? 0.020 : 0.010);
     const double drop = dice.uniform(0.0, 0.06);
     const double ghosts = dice.uniform(0.0, 0.06);
     const bool leaves_out = dice.chance(0.5);
@@ -110,13 +131,8 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
     std::stable_sort(played.notes.begin(),
                      played.notes.end(),
                      [](const PlayedNote& a, const PlayedNote& b) { return a.time < b.time; });
-    for (int beat = 0; beat < wanted; ++beat) {
-        const double time = start + times[static_cast<std::size_t>(beat)];
-        if (time < seconds) {
-            played.beats.push_back(
-                {time, score.bar_position[static_cast<std::size_t>(first + beat)]});
-        }
-    }
+    played.beats =
+        beats_until(seconds, times, start, std::span(score.bar_position).subspan(index_of(first)));
     played.seconds = std::min(seconds, start + times.back());
     return played;
 }

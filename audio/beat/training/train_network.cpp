@@ -38,7 +38,7 @@ class NetworkTrainer {
  public:
     NetworkTrainer(const std::vector<TrainingExcerpt>& corpus, const NetworkPlan& plan)
         : plan_(plan),
-          network_(plan.units, plan.layers, plan.lookahead),
+          network_(plan.start ? *plan.start : BeatNetwork(plan.units, plan.layers, plan.lookahead)),
           adam_(network_.parameters().size()) {
         std::vector<const TrainingExcerpt*> kept;
         for (std::size_t i = 0; i < corpus.size(); ++i) {
@@ -51,9 +51,11 @@ class NetworkTrainer {
             const auto count =
                 static_cast<std::ptrdiff_t>(std::min<std::size_t>(16, kept.size() - i));
             validation_.push_back(
-                plain_batch({first, first + count}, kValidationHops, plan.lookahead));
+                plain_batch({first, first + count}, kValidationHops, network_.lookahead()));
         }
-        initialize(network_, plan.seed);
+        if (!plan.start) {
+            initialize(network_, plan.seed);
+        }
         openblas_set_num_threads(1);
     }
 
@@ -104,7 +106,7 @@ class NetworkTrainer {
         share(kShards, [&](std::size_t shard) {
             Dice dice(plan_.seed, 1000 + static_cast<std::uint64_t>(step) * kShards + shard);
             const TrainingBatch batch =
-                draw_batch(training_, chunks, shape.hops, plan_.lookahead, dice);
+                draw_batch(training_, chunks, shape.hops, network_.lookahead(), dice);
             gradients[shard].assign(network_.parameters().size(), 0.0F);
             losses[shard] = gradients_[shard].accumulate(network_, batch, gradients[shard]);
         });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "audio/beat/network/beat_network.hpp"
@@ -15,6 +16,8 @@ struct NetworkPlan {
     int steps = 4000;    ///< of batches of 24 chunks of 10 s; then 1/7 as many of 16 of 20 s
     double rate = 5e-3;  ///< of Adam at its highest; warm-up of 30 steps, then a cosine to 0
     std::uint64_t seed = 1;
+    std::shared_ptr<const BeatNetwork> start;  ///< weights to go on from; its units, layers and
+                                               ///< lookahead count. None: drawn by the seed
     int threads = 2;
 };
 
@@ -23,7 +26,7 @@ struct NetworkPlan {
 struct NetworkProgress {
     int step = 0;
     int steps = 0;
-    double training_loss = 0.0;  ///< mean since the last report; the three outputs' sum
+    double training_loss = 0.0;  ///< mean since the last report; the outputs' sum
     double validation_loss = 0.0;
 };
 

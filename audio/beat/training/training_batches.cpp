@@ -109,8 +109,9 @@ class BatchWriter {
             const double hop = hearing.first_hop + static_cast<double>(t) * hearing.stretch;
             Bands bands = magnitudes_at(excerpt, hop);
             for (std::size_t band = 0; band < kBands; ++band) {
-                const float hiss =
-                    floor > 0.0F ? floor * static_cast<float>(dice->uniform(0.5, 1.5)) : 0.0F;
+                const float hiss = floor > 0.0F && dice != nullptr
+                                       ? floor * static_cast<float>(dice->uniform(0.5, 1.5))
+                                       : 0.0F;
                 bands[band] = bands[band] * hearing.gain[band] + hiss;
             }
             const NetworkInput::Frame frame = input.next(bands);
@@ -143,7 +144,7 @@ class BatchWriter {
             }
         }
         for (std::size_t t = 0; t < batch_.steps; ++t) {
-            const bool is_known = static_cast<double>(t) < known_until &&
+            const bool is_known = (beats.empty() || static_cast<double>(t) < known_until) &&
                                   hearing.first_hop + static_cast<double>(t) * hearing.stretch <
                                       static_cast<double>(excerpt.hops());
             const float weight = !is_known ? 0.0F : t < kWarmUpHops ? kWarmUpWeight : 1.0F;

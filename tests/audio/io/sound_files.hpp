@@ -30,7 +30,7 @@ class SoundFilesTest : public ::testing::Test {
     std::filesystem::path encode(const std::filesystem::path& wav,
                                  const std::string& name,
                                  const std::string& options = "") const {
-        const std::filesystem::path out = folder_ / name;
+        std::filesystem::path out = folder_ / name;
         const std::string command = "ffmpeg -nostdin -loglevel error -y -i '" + wav.string() +
                                     "' " + options + " '" + out.string() + "'";
         EXPECT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT(concurrency-mt-unsafe)

@@ -112,7 +112,7 @@ TEST(MusicGenerator, energy_rises_at_the_beats_of_every_drummed_style) {
         double before = 0.0;
         double after = 0.0;
         for (const ReferenceBeat& beat : music.beats) {
-            const auto at = static_cast<std::int64_t>(to_seconds(beat.time) * 48'000.0 + 0.5);
+            const auto at = std::llround(to_seconds(beat.time) * 48'000.0);
             for (std::int64_t i = 0; i < 960; ++i) {
                 if (at < 960 || at + 960 > music.frames()) {
                     continue;

@@ -95,6 +95,7 @@ FigureModel two_steps() {
 
 TEST(LandingErrors, measure_how_late_each_foot_is_against_its_learnt_offset) {
     std::vector<double> counts;
+    counts.reserve(24);
     for (int k = 0; k < 24; ++k) {
         counts.push_back(2.0 + 0.5 * k);  // 120 BPM
     }
@@ -121,6 +122,7 @@ TEST(LandingErrors, measure_how_late_each_foot_is_against_its_learnt_offset) {
 
 TEST(LandingErrors, count_steps_that_are_missing_or_not_expected) {
     std::vector<double> counts;
+    counts.reserve(16);
     for (int k = 0; k < 16; ++k) {
         counts.push_back(2.0 + 0.5 * k);
     }

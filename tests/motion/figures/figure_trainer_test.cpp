@@ -11,7 +11,9 @@
 namespace raks::motion {
 namespace {
 
-FigureTrainingResult learnt(const TrainingClip& clip, int figures, FigureTrainingOptions options) {
+FigureTrainingResult learnt(const TrainingClip& clip,
+                            int figures,
+                            const FigureTrainingOptions& options) {
     const std::vector<TrainingClip> clips = {clip};
     Expected<FigureTrainingResult> result =
         train_figure(clips, test::known_repeats(figures), options);

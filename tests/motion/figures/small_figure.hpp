@@ -17,7 +17,8 @@ inline TrainingClip known_dance(int figures, double turn = 0.0) {
     clip.hips_height = 0.9;
     for (int f = 0; f < figures * kFrames + 1; ++f) {
         const double phase = 2.0 * M_PI * f / kFrames;
-        const double size = 1.0 + 0.05 * std::sin(1.7 * (f / kFrames));
+        const int figure = f / kFrames;
+        const double size = 1.0 + 0.05 * std::sin(1.7 * figure);
         const double heading = turn * f / kFrames;
         Pose pose;
         pose.rotation(Bone::hips) =

@@ -1,4 +1,4 @@
-#include "audio/features/resampler.hpp"
+#include "audio/resample/resampler.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,102 @@
+#include "audio/resample/resampler.hpp"
+
+#include <speex/speex_resampler.h>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace raks::audio {
+
+struct Resampler::State {
+    SpeexResamplerState* converter = nullptr;
+    std::size_t channels = 1;
+    bool is_copy = true;
+    Nanos delay{};
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (converter != nullptr) {
+            speex_resampler_destroy(converter);
+        }
+    }
+};
+
+namespace {
+
+constexpr int kQuality = 5;
+
+/// How far the output's time lags behind the input's at worst, over a quarter of a second.
+Nanos measured_delay(Resampler& resampler, SampleRate from, SampleRate to, std::size_t channels) {
+    constexpr std::size_t kChunk = 16;
+    const std::vector<float> silence(kChunk * channels);
+    std::vector<float> out(1024 * channels);
+    Nanos worst{};
+    std::int64_t taken = 0;
+    std::int64_t made = 0;
+    while (taken < from.hertz() / 4) {
+        const auto progress = resampler.process(silence, out);
+        taken += static_cast<std::int64_t>(progress.taken);
+        made += static_cast<std::int64_t>(progress.made);
+        worst = std::max(worst, from.time_of(taken) - to.time_of(made));
+    }
+    return worst;
+}
+
+}  // namespace
+
+Resampler::Resampler() : state_(std::make_unique<State>()) {}
+Resampler::~Resampler() = default;
+Resampler::Resampler(Resampler&&) noexcept = default;
+Resampler& Resampler::operator=(Resampler&&) noexcept = default;
+
+Expected<void> Resampler::prepare(SampleRate from, SampleRate to, int channels) {
+    state_ = std::make_unique<State>();
+    state_->channels = static_cast<std::size_t>(channels);
+    state_->is_copy = from == to;
+    if (state_->is_copy) {
+        return {};
+    }
+    int error = 0;
+    state_->converter = speex_resampler_init(static_cast<spx_uint32_t>(channels),
+                                             static_cast<spx_uint32_t>(from.hertz()),
+                                             static_cast<spx_uint32_t>(to.hertz()),
+                                             kQuality,
+                                             &error);
+    if (state_->converter == nullptr) {
+        return fail(std::string("resampler: ") + speex_resampler_strerror(error));
+    }
+    reset();
+    state_->delay = measured_delay(*this, from, to, state_->channels);
+    reset();
+    return {};
+}
+
+Resampler::Progress Resampler::process(std::span<const float> input,
+                                       std::span<float> output) noexcept RAKS_NONBLOCKING {
+    const std::size_t channels = state_->channels;
+    if (state_->is_copy) {
+        const std::size_t frames = std::min(input.size(), output.size()) / channels;
+        std::copy_n(input.data(), frames * channels, output.data());
+        return {frames, frames};
+    }
+    auto taken = static_cast<spx_uint32_t>(input.size() / channels);
+    auto made = static_cast<spx_uint32_t>(output.size() / channels);
+    speex_resampler_process_interleaved_float(
+        state_->converter, input.data(), &taken, output.data(), &made);
+    return {taken, made};
+}
+
+void Resampler::reset() noexcept RAKS_NONBLOCKING {
+    if (!state_->is_copy) {
+        speex_resampler_reset_mem(state_->converter);
+        // Without the filter's own delay at the front: frame 0 is the input's.
+        speex_resampler_skip_zeros(state_->converter);
+    }
+}
+
+Nanos Resampler::delay() const noexcept { return state_->delay; }
+
+}  // namespace raks::audio
