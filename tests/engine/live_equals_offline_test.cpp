@@ -65,6 +65,7 @@ class LiveEqualsOffline : public ::testing::Test {
 
 class Record final : public OfflineDriver::Sink {
  public:
+    Record() { poses.reserve(100 * kSeconds + 100); }  // called on a real-time path
     void on_hop(const PerformedHop& hop) override {
         poses.push_back(hop.track.at_hop(hop.music.hop));
     }

@@ -24,6 +24,7 @@ constexpr double kSettled = 10.0;  // seconds: tracked, started, blended in
 
 class Poses final : public OfflineDriver::Sink {
  public:
+    Poses() { all.reserve(static_cast<std::size_t>(100.0 * kSeconds) + 100); }  // real-time path
     void on_hop(const PerformedHop& hop) override {
         all.push_back(hop.track.at_hop(hop.music.hop));
     }
