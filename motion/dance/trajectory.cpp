@@ -83,6 +83,9 @@ FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples) 
     FeatureTrack track;
     track.columns = part.dimension();
     track.values.resize(track.columns * samples);
+    if (samples == 0) {
+        return track;
+    }
     for (std::size_t feature = 0; feature < track.columns; ++feature) {
         BandedSystem system(kTurns * samples);
         for (std::size_t i = 0; i < kTurns * samples; ++i) {

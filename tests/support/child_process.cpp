@@ -12,6 +12,7 @@ namespace {
 
 pid_t start(const std::vector<std::string>& arguments, const std::string& log) {
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (const std::string& argument : arguments) {
         argv.push_back(const_cast<char*>(argument.c_str()));
     }

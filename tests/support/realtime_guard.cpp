@@ -57,6 +57,7 @@ void on_free(const volatile void*) { count(t_counts.frees); }
 #else
 
 // glibc's own entry points, so that replacing malloc needs no dlsym at start-up.
+// NOLINTBEGIN(bugprone-reserved-identifier): the names are the C library's.
 extern "C" {
 void* __libc_malloc(std::size_t);
 void __libc_free(void*);
@@ -107,6 +108,8 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
     return original(size);
 }
 }  // extern "C"
+
+// NOLINTEND(bugprone-reserved-identifier)
 
 #endif
 
