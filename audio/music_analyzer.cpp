@@ -18,6 +18,7 @@ namespace {
 
 constexpr SampleRate kRhythmRate(OnsetDetector::kSampleRate);
 constexpr std::size_t kChunk = 256;  // input samples worked on at a time
+constexpr double kPassBand = 0.9;    // of the source's band that the resampler lets pass
 constexpr float kLoudest = 16.0F;
 constexpr float kLowestLevel = -120.0F;
 // Silence: quieter than this for longer than a beat at 50 BPM.
@@ -199,6 +200,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     if (auto prepared = state_->loudness.prepare(kRhythmRate); !prepared) {
         return prepared;
     }
+    state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
     state_->listener.reset();
     if (config.beat_network) {

@@ -215,26 +215,24 @@ void BeatPointer::normalize() noexcept {
     }
 }
 
-void BeatPointer::advance(float onset_strength) noexcept RAKS_NONBLOCKING {
+void BeatPointer::move_and_weigh(float flux) noexcept {
     move();
     weigh_flux(moved_.data(),
                prior_.data(),
                template_.data(),
                moved_.size(),
                static_cast<float>(config_.leak),
-               static_cast<float>(config_.trust) * onset_strength);
+               flux);
+}
+
+void BeatPointer::advance(float onset_strength) noexcept RAKS_NONBLOCKING {
+    move_and_weigh(static_cast<float>(config_.trust) * onset_strength);
     normalize();
 }
 
 void BeatPointer::advance(float onset_strength,
                           const BeatEvidence& heard) noexcept RAKS_NONBLOCKING {
-    move();
-    weigh_flux(moved_.data(),
-               prior_.data(),
-               template_.data(),
-               moved_.size(),
-               static_cast<float>(config_.leak),
-               static_cast<float>(config_.trust_beside) * onset_strength);
+    move_and_weigh(static_cast<float>(config_.trust_beside) * onset_strength);
     const auto trust = static_cast<float>(config_.network_trust);
     const float neither = std::max(0.02F, 1.0F - heard.beat - heard.half);
     const float other = std::pow(neither / (1.0F - 2.0F * kMeanEvidence), trust);

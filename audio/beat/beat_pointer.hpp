@@ -78,6 +78,7 @@ class BeatPointer {
         }
     };
     void move() noexcept;
+    void move_and_weigh(float flux) noexcept;
     void normalize() noexcept;
 
     BeatPointerConfig config_;

@@ -16,7 +16,7 @@ constexpr double kTempoPull = 0.01;  // a hop, toward the believed period
 // Belief and grid may disagree this much before the grid is set anew; for as long as this.
 constexpr double kApartPhase = 0.12;  // beats
 constexpr double kApartTempo = 0.10;  // ratio
-constexpr int kApartHops = 20;
+constexpr int kApartHops = 6;
 constexpr int kFirstHops = 150;  // until then the grid is set anew at once
 // Where a network hears nothing like a beat for longer than this, the belief slows and spreads: the
 // grid runs on by itself.
@@ -160,6 +160,7 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
     if (hops_heard_ < kFirstHops || hops_apart_ > kApartHops) {
         hops_apart_ = 0;
         position_ += error;
+        mass_ *= 0.5F;  // it was of another belief
         if (!is_tempo_held_) {
             beats_per_hop_ = believed_rate;
         }

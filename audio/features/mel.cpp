@@ -34,6 +34,13 @@ FilterBank sparse(const DenseFilters& dense) {
 
 FilterBank::FilterBank(std::vector<Filter> filters) : filters_(std::move(filters)) {}
 
+int FilterBank::size_below(int bin) const noexcept {
+    const auto above = std::find_if(filters_.begin(), filters_.end(), [bin](const Filter& filter) {
+        return filter.first_bin + static_cast<int>(filter.weights.size()) > bin + 1;
+    });
+    return static_cast<int>(above - filters_.begin());
+}
+
 void FilterBank::apply(std::span<const float> spectrum,
                        std::span<float> bands) const noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(bands.size() == filters_.size());

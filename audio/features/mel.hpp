@@ -23,6 +23,8 @@ class FilterBank {
                std::span<float> bands) const noexcept RAKS_NONBLOCKING;
 
     [[nodiscard]] int size() const noexcept { return static_cast<int>(filters_.size()); }
+    /// How many filters, from the first on, end at or below this bin.
+    [[nodiscard]] int size_below(int bin) const noexcept;
 
  private:
     std::vector<Filter> filters_;

@@ -25,6 +25,11 @@ OnsetDetector::OnsetDetector()
     reset();
 }
 
+void OnsetDetector::limit_to(double hertz) noexcept {
+    const int bin = static_cast<int>(hertz * kWindow / kSampleRate);
+    whole_bands_ = static_cast<std::size_t>(std::max(1, filters_.size_below(bin)));
+}
+
 void OnsetDetector::reset() noexcept RAKS_NONBLOCKING {
     history_ = {};
     hops_ = hops_normalized_ = 0;
@@ -38,6 +43,9 @@ Onset OnsetDetector::compute(std::span<const float> window,
     std::transform(
         power.begin(), power.end(), magnitude_.begin(), [](float p) { return std::sqrt(p); });
     filters_.apply(magnitude_, magnitudes_);
+    std::fill(magnitudes_.begin() + static_cast<std::ptrdiff_t>(whole_bands_),
+              magnitudes_.end(),
+              magnitudes_[whole_bands_ - 1]);
     return compute_from_mel(magnitudes_, is_silent);
 }
 

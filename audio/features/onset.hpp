@@ -43,6 +43,10 @@ class OnsetDetector {
                            bool is_silent) noexcept RAKS_NONBLOCKING;
     void reset() noexcept RAKS_NONBLOCKING;
 
+    /// The source holds nothing above this many hertz: bands that reach higher sound like the
+    /// highest one below, so that onsets come at the same time whatever the source's rate is.
+    void limit_to(double hertz) noexcept;
+
     static constexpr int kMelBands = 36;  ///< 30 to 15,500 Hz
     /// Of the last window: the bands' magnitudes, unnormalized.
     [[nodiscard]] std::span<const float, kMelBands> mel_magnitudes() const noexcept {
@@ -58,6 +62,7 @@ class OnsetDetector {
 
     PowerSpectrum spectrum_;
     FilterBank filters_;
+    std::size_t whole_bands_ = kMelBands;  // that the source can fill
     std::vector<float> magnitude_;
     std::array<float, kMelBands> magnitudes_{};  // of the mel bands
     std::array<LogMel, kHistory> history_{};     // of the last hops, ring

@@ -160,27 +160,18 @@ Expected<Networks> networks_by_class(const Excerpts& excerpts, const Path& folde
     return networks;
 }
 
-/// Runs one of our trackers over the excerpts; empty when a signal came before all were heard.
-Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& arguments,
+/// Runs one of our trackers over the excerpts, each with its network, and keeps the beats in
+/// `folder` if there is one; empty when a signal came before all were heard.
+Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
                                                  FileBeatMethod method,
-                                                 const Excerpts& excerpts) {
-    std::optional<Path> folder;
-    if (!arguments.output.empty()) {
-        auto created = output_folder(arguments, method);
-        if (!created) {
-            return fail(std::move(created.error()));
-        }
-        folder = std::move(*created);
-    }
-    const auto networks = networks_for(excerpts, arguments.network);
-    if (!networks) {
-        return fail(networks.error());
-    }
-    const auto heard = hear_beats_of(excerpts, method, *networks, name_of(method));
+                                                 const Networks& networks,
+                                                 const std::string& name,
+                                                 const std::optional<Path>& folder) {
+    const auto heard = hear_beats_of(excerpts, method, networks, name);
     if (!heard) {
         return fail(heard.error());
     }
-    ScoredTracker tracker{name_of(method), {}};
+    ScoredTracker tracker{name, {}};
     for (std::size_t i = 0; i < excerpts.size(); ++i) {
         if (!(*heard)[i]) {
             continue;
@@ -201,6 +192,25 @@ Expected<std::optional<ScoredTracker>> score_own(const EvalBeatsArguments& argum
     return is_complete ? std::optional(std::move(tracker)) : std::nullopt;
 }
 
+/// One method with the network asked for.
+Expected<std::optional<ScoredTracker>> score_method(const EvalBeatsArguments& arguments,
+                                                    FileBeatMethod method,
+                                                    const Excerpts& excerpts) {
+    std::optional<Path> folder;
+    if (!arguments.output.empty()) {
+        auto created = output_folder(arguments, method);
+        if (!created) {
+            return fail(std::move(created.error()));
+        }
+        folder = std::move(*created);
+    }
+    const auto networks = networks_for(excerpts, arguments.network);
+    if (!networks) {
+        return fail(networks.error());
+    }
+    return score_own(excerpts, method, *networks, name_of(method), folder);
+}
+
 /// The default tracker, each class heard by a network that was trained without it.
 Expected<std::optional<ScoredTracker>> score_left_out(const Path& folder,
                                                       const Excerpts& excerpts) {
@@ -208,19 +218,7 @@ Expected<std::optional<ScoredTracker>> score_left_out(const Path& folder,
     if (!networks) {
         return fail(networks.error());
     }
-    const std::string name = "raks-left-out";
-    const auto heard = hear_beats_of(excerpts, FileBeatMethod::pointer, *networks, name);
-    if (!heard) {
-        return fail(heard.error());
-    }
-    ScoredTracker tracker{name, {}};
-    for (std::size_t i = 0; i < excerpts.size(); ++i) {
-        if (!(*heard)[i]) {
-            return std::nullopt;
-        }
-        tracker.scores.push_back(audio::score_beats(excerpts[i].reference, (*heard)[i]->estimate));
-    }
-    return tracker;
+    return score_own(excerpts, FileBeatMethod::pointer, *networks, "raks-left-out", std::nullopt);
 }
 
 /// All that other trackers said, scored before ours run: a fault there should not cost minutes.
@@ -259,7 +257,7 @@ ExitCode eval_beats(const EvalBeatsArguments& arguments) {
         return fail(std::move(peers.error()));
     }
     for (const FileBeatMethod method : arguments.methods) {
-        auto own = score_own(arguments, method, *excerpts);
+        auto own = score_method(arguments, method, *excerpts);
         if (!own) {
             return fail(std::move(own.error()));
         }

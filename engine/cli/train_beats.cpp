@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -100,29 +100,19 @@ Expected<void> leave_out(const std::vector<std::string>& families,
     return {};
 }
 
-/// Networks that went on from one and the same lie in one valley: the mean of their weights hears
-/// like all of them together (Wortsman et al. 2022, "Model soups"). Errors: a file that is bad,
-/// networks of different shapes.
-Expected<void> average(const Options& options, const audio::NetworkNotes& notes) {
-    std::optional<audio::BeatNetwork> mean;
-    const auto count = static_cast<float>(options.averaged.size());
+/// Writes the mean of the networks asked for.
+Expected<void> write_average(const Options& options, const audio::NetworkNotes& notes) {
+    std::vector<std::shared_ptr<const audio::BeatNetwork>> networks;
     for (const std::filesystem::path& path : options.averaged) {
-        const auto network = audio::load_network(path);
+        auto network = audio::load_network(path);
         if (!network) {
             return fail(network.error());
         }
-        const audio::BeatNetwork& one = **network;
-        if (!mean) {
-            mean.emplace(one.units(), one.layers().size(), one.lookahead());
-        }
-        if (one.units() != mean->units() || one.layers().size() != mean->layers().size() ||
-            one.lookahead() != mean->lookahead()) {
-            return fail(path.string() + ": has another shape than " +
-                        options.averaged.front().string());
-        }
-        for (std::size_t i = 0; i < one.parameters().size(); ++i) {
-            mean->parameters()[i] += one.parameters()[i] / count;
-        }
+        networks.push_back(std::move(*network));
+    }
+    const auto mean = audio::average(networks);
+    if (!mean) {
+        return fail("--average: network " + mean.error().message);
     }
     return audio::save_network(*mean, notes, options.output);
 }
@@ -130,7 +120,7 @@ Expected<void> average(const Options& options, const audio::NetworkNotes& notes)
 Expected<void> run(Options& options, const std::string& command) {
     const audio::NetworkNotes notes{command, kAttribution};
     if (!options.averaged.empty()) {
-        return average(options, notes);
+        return write_average(options, notes);
     }
     if (!options.start.empty()) {
         auto start = audio::load_network(options.start);

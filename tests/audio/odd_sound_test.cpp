@@ -81,7 +81,7 @@ TEST(Rates, any_two_give_the_same_beats) {
             for (std::size_t b = a + 1; b < heard.size(); ++b) {
                 const Agreement agreement = agreement_of(heard[a], heard[b]);
                 EXPECT_GE(agreement.f_measure, 0.99) << name_of(style) << ' ' << a << ' ' << b;
-                EXPECT_LE(agreement.median_shift, 0.0006) << name_of(style) << ' ' << a << ' ' << b;
+                EXPECT_LE(agreement.median_shift, 0.0005) << name_of(style) << ' ' << a << ' ' << b;
             }
         }
     }

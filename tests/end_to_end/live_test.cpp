@@ -130,36 +130,29 @@ void expect_one_line_about_the_death(const std::string& err) {
     EXPECT_EQ(others, 0) << err;
 }
 
-TEST_F(LiveOnJack, survives_the_death_of_its_input_and_still_ends_in_time) {
+/// Starts raks so beside a server, kills the server, and ends raks by each of the signals.
+void expect_end_after_death(const ProcessPlan& plan, const std::string& running) {
     for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
         JackServer jack;
         ASSERT_EQ(jack.problem(), "");
-        CapturedProcess listener(with_jack({"live", "--headless", "--device", "system"}));
-        ASSERT_TRUE(listener.wait_for_output("listening to"));
+        CapturedProcess raks(plan);
+        ASSERT_TRUE(raks.wait_for_output(running));
         jack.kill();
-        ASSERT_TRUE(listener.wait_for_output("the device is gone"));
-        listener.send(signal);
-        const ProcessResult result = listener.wait(milliseconds(2'000));
+        ASSERT_TRUE(raks.wait_for_output("the device is gone"));
+        raks.send(signal);
+        const ProcessResult result = raks.wait(milliseconds(2'000));
         EXPECT_FALSE(result.timed_out);
         EXPECT_EQ(result.exit_code, code) << result.err;
         expect_one_line_about_the_death(result.err);
     }
 }
 
+TEST_F(LiveOnJack, survives_the_death_of_its_input_and_still_ends_in_time) {
+    expect_end_after_death(with_jack({"live", "--headless", "--device", "system"}), "listening to");
+}
+
 TEST_F(LiveOnJack, play_ends_in_time_after_the_death_of_its_loudspeaker) {
-    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
-        JackServer jack;
-        ASSERT_EQ(jack.problem(), "");
-        CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
-        ASSERT_TRUE(player.wait_for_output("playing"));
-        jack.kill();
-        ASSERT_TRUE(player.wait_for_output("the device is gone"));
-        player.send(signal);
-        const ProcessResult result = player.wait(milliseconds(2'000));
-        EXPECT_FALSE(result.timed_out);
-        EXPECT_EQ(result.exit_code, code) << result.err;
-        expect_one_line_about_the_death(result.err);
-    }
+    expect_end_after_death(with_jack({"play", path("drums.wav"), "--headless"}), "playing");
 }
 
 TEST_F(LiveOnJack, play_goes_on_without_its_loudspeaker_and_says_so) {

@@ -60,6 +60,25 @@ BeatNetwork::BeatNetwork(std::size_t units, std::size_t layers, int lookahead)
     parameters_.resize(at);
 }
 
+Expected<BeatNetwork> average(std::span<const std::shared_ptr<const BeatNetwork>> networks) {
+    if (networks.empty()) {
+        return fail("0: there is none");
+    }
+    const BeatNetwork& first = *networks.front();
+    BeatNetwork mean(first.units(), first.layers().size(), first.lookahead());
+    for (std::size_t n = 0; n < networks.size(); ++n) {
+        const BeatNetwork& one = *networks[n];
+        if (one.units() != mean.units() || one.layers().size() != mean.layers().size() ||
+            one.lookahead() != mean.lookahead()) {
+            return fail(std::to_string(n + 1) + ": has another shape than the first");
+        }
+        for (std::size_t i = 0; i < one.parameters().size(); ++i) {
+            mean.parameters()[i] += one.parameters()[i] / static_cast<float>(networks.size());
+        }
+    }
+    return mean;
+}
+
 BeatListener::BeatListener(std::shared_ptr<const BeatNetwork> network)
     : network_(std::move(network)) {}
 

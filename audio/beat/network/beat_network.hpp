@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audio/beat/network/network_input.hpp"
+#include "base/expected.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {
@@ -62,6 +63,12 @@ class BeatNetwork {
     int lookahead_ = 0;
     std::vector<float> parameters_;
 };
+
+/// The mean of the weights of networks that went on from one and the same: they lie in one valley,
+/// and their mean hears like all of them together (Wortsman et al. 2022, "Model soups").
+/// Errors: none given, or "3: has another shape than the first", counted from 1.
+[[nodiscard]] Expected<BeatNetwork> average(
+    std::span<const std::shared_ptr<const BeatNetwork>> networks);
 
 /// Listens with one network, hop by hop.
 /// Cost: units x (inputs + units) x 3 multiply-adds a layer; 3 us a hop for two layers of 64.

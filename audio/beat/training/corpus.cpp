@@ -16,7 +16,7 @@
 #include "audio/beat/training/sound_augmentation.hpp"
 #include "audio/beat/training/soundfont_player.hpp"
 #include "audio/features/onset.hpp"
-#include "audio/resample/resampler.hpp"
+#include "audio/features/rhythm_frames.hpp"
 #include "audio/synth/music_generator.hpp"
 
 namespace raks::audio {
@@ -37,27 +37,20 @@ struct Piece {
 
 /// The magnitudes that the analyzer would hear.
 std::vector<float> listen(std::span<const float> samples, int rate) {
-    Resampler resampler;
-    if (!resampler.prepare(SampleRate(rate), SampleRate(OnsetDetector::kSampleRate))) {
+    static_assert(RhythmFrames::kSampleRate == OnsetDetector::kSampleRate);
+    static_assert(RhythmFrames::kWindow == OnsetDetector::kWindow);
+    static_assert(RhythmFrames::kHop == OnsetDetector::kHop);
+    RhythmFrames frames;
+    if (!frames.prepare(SampleRate(rate))) {
         return {};
     }
     OnsetDetector detector;
-    std::vector<float> heard(OnsetDetector::kWindow / 2);  // half a window before the first hop
-    std::vector<float> block(8192);
-    for (std::size_t at = 0; at < samples.size();) {
-        const auto progress = resampler.process(
-            samples.subspan(at, std::min<std::size_t>(2048, samples.size() - at)), block);
-        heard.insert(
-            heard.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(progress.made));
-        at += progress.taken;
-    }
     std::vector<float> mel;
-    for (std::size_t at = 0; at + OnsetDetector::kWindow <= heard.size();
-         at += OnsetDetector::kHop) {
-        detector.compute(std::span(heard).subspan(at, OnsetDetector::kWindow), false);
+    frames.process(samples, [&](std::span<const float> window) {
+        detector.compute(window, false);
         const auto magnitudes = detector.mel_magnitudes();
         mel.insert(mel.end(), magnitudes.begin(), magnitudes.end());
-    }
+    });
     return mel;
 }
 

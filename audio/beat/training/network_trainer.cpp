@@ -12,18 +12,23 @@ namespace {
 
 constexpr float kLongestGradient = 1.0F;
 
-/// C (m x n) = A (m x k) B (k x n) + beta C, row-major.
+/// What B is multiplied as.
+enum class Right { plain, transposed };
+
+/// C (m x n) = A (m x k) B (k x n, or its transpose) + beta C, row-major.
 void multiply(std::size_t m,
               std::size_t n,
               std::size_t k,
               const float* a,
               const float* b,
+              Right right,
               float beta,
               float* c) {
     const auto size = [](std::size_t value) { return static_cast<blasint>(value); };
+    const bool is_plain = right == Right::plain;
     cblas_sgemm(CblasRowMajor,
                 CblasNoTrans,
-                CblasNoTrans,
+                is_plain ? CblasNoTrans : CblasTrans,
                 size(m),
                 size(n),
                 size(k),
@@ -31,32 +36,7 @@ void multiply(std::size_t m,
                 a,
                 size(k),
                 b,
-                size(n),
-                beta,
-                c,
-                size(n));
-}
-
-/// C (m x n) = A (m x k) B^T (B is n x k) + beta C.
-void multiply_transposed(std::size_t m,
-                         std::size_t n,
-                         std::size_t k,
-                         const float* a,
-                         const float* b,
-                         float beta,
-                         float* c) {
-    const auto size = [](std::size_t value) { return static_cast<blasint>(value); };
-    cblas_sgemm(CblasRowMajor,
-                CblasNoTrans,
-                CblasTrans,
-                size(m),
-                size(n),
-                size(k),
-                1.0F,
-                a,
-                size(k),
-                b,
-                size(k),
+                size(is_plain ? n : k),
                 beta,
                 c,
                 size(n));
@@ -116,6 +96,7 @@ void NetworkGradient::forward(const BeatNetwork& network,
              layer.inputs,
              below,
              parameters + layer.input_weights,
+             Right::plain,
              1.0F,
              trace.projected.data());
     for (std::size_t t = 0; t < batch.steps; ++t) {
@@ -126,6 +107,7 @@ void NetworkGradient::forward(const BeatNetwork& network,
                  units,
                  before,
                  parameters + layer.recurrent_weights,
+                 Right::plain,
                  0.0F,
                  recurrent);
         for (std::size_t chunk = 0; chunk < batch.chunks; ++chunk) {
@@ -164,6 +146,7 @@ double NetworkGradient::output_loss(const BeatNetwork& network, const TrainingBa
              network.units(),
              &top.hidden[batch.chunks * network.units()],
              parameters + network.output_weights(),
+             Right::plain,
              1.0F,
              output_gradient_.data());
     double loss = 0.0;
@@ -214,13 +197,14 @@ void NetworkGradient::backward(const BeatNetwork& network,
                 later[chunk * units + i] = dh * z;
             }
         }
-        multiply_transposed(batch.chunks,
-                            units,
-                            width,
-                            &trace.recurrent[t * batch.chunks * width],
-                            parameters + layer.recurrent_weights,
-                            1.0F,
-                            later.data());
+        multiply(batch.chunks,
+                 units,
+                 width,
+                 &trace.recurrent[t * batch.chunks * width],
+                 parameters + layer.recurrent_weights,
+                 Right::transposed,
+                 1.0F,
+                 later.data());
     }
     const std::size_t frames = batch.steps * batch.chunks;
     add_outer(
@@ -239,13 +223,14 @@ void NetworkGradient::backward(const BeatNetwork& network,
     }
     if (index > 0) {
         from_above.resize(frames * layer.inputs);
-        multiply_transposed(frames,
-                            layer.inputs,
-                            width,
-                            trace.projected.data(),
-                            parameters + layer.input_weights,
-                            0.0F,
-                            from_above.data());
+        multiply(frames,
+                 layer.inputs,
+                 width,
+                 trace.projected.data(),
+                 parameters + layer.input_weights,
+                 Right::transposed,
+                 0.0F,
+                 from_above.data());
     }
 }
 
@@ -276,13 +261,14 @@ double NetworkGradient::accumulate(const BeatNetwork& network,
               &gradient[network.output_weights()]);
     add_columns(frames, kOutputs, output_gradient_.data(), &gradient[network.output_biases()]);
     from_above_.resize(frames * network.units());
-    multiply_transposed(frames,
-                        network.units(),
-                        kOutputs,
-                        output_gradient_.data(),
-                        network.parameters().data() + network.output_weights(),
-                        0.0F,
-                        from_above_.data());
+    multiply(frames,
+             network.units(),
+             kOutputs,
+             output_gradient_.data(),
+             network.parameters().data() + network.output_weights(),
+             Right::transposed,
+             0.0F,
+             from_above_.data());
     for (std::size_t layer = layers; layer-- > 0;) {
         backward(network, layer, below(layer), batch, from_above_, gradient);
     }

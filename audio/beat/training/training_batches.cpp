@@ -20,7 +20,18 @@ constexpr float kWarmUpWeight = 0.2F;
 constexpr float kDownbeatWeight = 2.0F;
 constexpr float kHalfWeight = 0.7F;
 
+// In one chunk of three another piece begins, as on a stage.
+constexpr double kCutChance = 0.33;
+constexpr double kEarliestCut = 0.25;  // of the chunk
+constexpr double kLatestCut = 0.6;
+
 using Bands = std::array<float, kBands>;
+
+/// Hops of a chunk that one excerpt fills.
+struct Span {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
 
 /// How one chunk is heard.
 struct Hearing {
@@ -100,13 +111,15 @@ class BatchWriter {
     }
 
     void write(std::size_t chunk,
+               const Span& span,
                const TrainingExcerpt& excerpt,
                const Hearing& hearing,
+               NetworkInput& input,
                Dice* dice) {
-        NetworkInput input;
         const float floor = hearing.noise > 0.0F ? hearing.noise * mean_magnitude(excerpt) : 0.0F;
-        for (std::size_t t = 0; t < batch_.steps; ++t) {
-            const double hop = hearing.first_hop + static_cast<double>(t) * hearing.stretch;
+        for (std::size_t t = span.begin; t < span.end; ++t) {
+            const double hop =
+                hearing.first_hop + static_cast<double>(t - span.begin) * hearing.stretch;
             Bands bands = magnitudes_at(excerpt, hop);
             for (std::size_t band = 0; band < kBands; ++band) {
                 const float hiss = floor > 0.0F && dice != nullptr
@@ -120,34 +133,39 @@ class BatchWriter {
                       batch_.inputs.begin() +
                           static_cast<std::ptrdiff_t>((t * batch_.chunks + chunk) * frame.size()));
         }
-        write_targets(chunk, excerpt, hearing);
+        write_targets(chunk, span, excerpt, hearing);
     }
     TrainingBatch finish() { return std::move(batch_); }
 
  private:
-    void write_targets(std::size_t chunk, const TrainingExcerpt& excerpt, const Hearing& hearing) {
+    void write_targets(std::size_t chunk,
+                       const Span& span,
+                       const TrainingExcerpt& excerpt,
+                       const Hearing& hearing) {
         const auto hop_of = [&](double seconds) {
-            return (seconds * kHopsPerSecond - hearing.first_hop) / hearing.stretch + lookahead_;
+            return static_cast<double>(span.begin) + lookahead_ +
+                   (seconds * kHopsPerSecond - hearing.first_hop) / hearing.stretch;
         };
         const std::vector<PlayedBeat>& beats = excerpt.beats;
         double known_until = 0.0;
         for (std::size_t i = 0; i < beats.size(); ++i) {
             const double at = hop_of(beats[i].time);
-            mark(chunk, at, 0);
+            mark(chunk, span, at, 0);
             if (beats[i].bar_position == 1) {
-                mark(chunk, at, 1);
+                mark(chunk, span, at, 1);
             }
             if (i + 1 < beats.size()) {
                 const double next = hop_of(beats[i + 1].time);
-                mark(chunk, 0.5 * (at + next), 2);
+                mark(chunk, span, 0.5 * (at + next), 2);
                 known_until = next + 0.4 * (next - at);
             }
         }
-        for (std::size_t t = 0; t < batch_.steps; ++t) {
+        for (std::size_t t = span.begin; t < span.end; ++t) {
+            const std::size_t since = t - span.begin;
             const bool is_known = (beats.empty() || static_cast<double>(t) < known_until) &&
-                                  hearing.first_hop + static_cast<double>(t) * hearing.stretch <
+                                  hearing.first_hop + static_cast<double>(since) * hearing.stretch <
                                       static_cast<double>(excerpt.hops());
-            const float weight = !is_known ? 0.0F : t < kWarmUpHops ? kWarmUpWeight : 1.0F;
+            const float weight = !is_known ? 0.0F : since < kWarmUpHops ? kWarmUpWeight : 1.0F;
             float* const weights = &batch_.weights[(t * batch_.chunks + chunk) * kOutputs];
             weights[0] = weight;
             weights[1] = kDownbeatWeight * weight;
@@ -155,11 +173,12 @@ class BatchWriter {
         }
     }
     /// 1 on the hop, falling to 0 two hops beside it.
-    void mark(std::size_t chunk, double at, std::size_t output) {
+    void mark(std::size_t chunk, const Span& span, double at, std::size_t output) {
         for (auto t = static_cast<std::ptrdiff_t>(std::floor(at)) - 1;
              t <= static_cast<std::ptrdiff_t>(std::floor(at)) + 2;
              ++t) {
-            if (t < 0 || t >= static_cast<std::ptrdiff_t>(batch_.steps)) {
+            if (t < static_cast<std::ptrdiff_t>(span.begin) ||
+                t >= static_cast<std::ptrdiff_t>(span.end)) {
                 continue;
             }
             const auto index = (static_cast<std::size_t>(t) * batch_.chunks + chunk) * kOutputs;
@@ -182,8 +201,18 @@ TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
                          Dice& dice) {
     BatchWriter writer(chunks, hops, lookahead);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        const TrainingExcerpt& excerpt = *dice.pick(std::span<const TrainingExcerpt* const>(from));
-        writer.write(chunk, excerpt, draw_hearing(excerpt, hops, dice), &dice);
+        const double length = static_cast<double>(hops);
+        const std::size_t cut =
+            dice.chance(kCutChance)
+                ? static_cast<std::size_t>(dice.uniform(kEarliestCut * length, kLatestCut * length))
+                : hops;
+        NetworkInput input;
+        for (const Span& span : {Span{0, cut}, Span{cut, hops}}) {
+            const TrainingExcerpt& excerpt =
+                *dice.pick(std::span<const TrainingExcerpt* const>(from));
+            const Hearing hearing = draw_hearing(excerpt, span.end - span.begin, dice);
+            writer.write(chunk, span, excerpt, hearing, input, &dice);
+        }
     }
     return writer.finish();
 }
@@ -195,7 +224,8 @@ TrainingBatch plain_batch(const std::vector<const TrainingExcerpt*>& excerpts,
     Hearing hearing;
     hearing.gain.fill(1.0F);
     for (std::size_t chunk = 0; chunk < excerpts.size(); ++chunk) {
-        writer.write(chunk, *excerpts[chunk], hearing, nullptr);
+        NetworkInput input;
+        writer.write(chunk, {0, hops}, *excerpts[chunk], hearing, input, nullptr);
     }
     return writer.finish();
 }

@@ -10,7 +10,7 @@
 namespace raks::audio {
 
 /// `chunks` stretches of `hops` hops from excerpts drawn from `from` (not empty), as heard through
-/// drawn augmentations.
+/// drawn augmentations; some go over into another excerpt.
 [[nodiscard]] TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
                                        std::size_t chunks,
                                        std::size_t hops,

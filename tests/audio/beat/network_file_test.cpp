@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/file.hpp"
@@ -104,6 +105,31 @@ TEST_F(NetworkFile, a_missing_file_is_named) {
     const auto network = load_network(path_);
     ASSERT_FALSE(network);
     EXPECT_NE(network.error().message.find(path_.string()), std::string::npos);
+}
+
+TEST(NetworkAverage, is_the_mean_of_every_weight) {
+    std::vector<std::shared_ptr<const BeatNetwork>> networks;
+    for (const float value : {1.0F, 2.0F, 6.0F}) {
+        auto network = std::make_shared<BeatNetwork>(4, 1, 2);
+        std::fill(network->parameters().begin(), network->parameters().end(), value);
+        network->parameters()[7] = -value;
+        networks.push_back(network);
+    }
+    const auto mean = average(networks);
+    ASSERT_TRUE(mean) << mean.error().message;
+    EXPECT_EQ(mean->lookahead(), 2);
+    for (std::size_t i = 0; i < mean->parameters().size(); ++i) {
+        EXPECT_FLOAT_EQ(mean->parameters()[i], i == 7 ? -3.0F : 3.0F) << i;
+    }
+}
+
+TEST(NetworkAverage, refuses_none_and_other_shapes) {
+    EXPECT_FALSE(average({}));
+    const std::vector<std::shared_ptr<const BeatNetwork>> networks{
+        std::make_shared<BeatNetwork>(4, 1, 2), std::make_shared<BeatNetwork>(8, 1, 2)};
+    const auto mean = average(networks);
+    ASSERT_FALSE(mean);
+    EXPECT_EQ(mean.error().message, "2: has another shape than the first");
 }
 
 }  // namespace
