@@ -6,17 +6,20 @@
 
 #include "base/suggest.hpp"
 #include "engine/settings.hpp"
+#include "motion/figures/figure_grammar.hpp"
 #include "motion/figures/figure_model.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::engine {
 namespace {
 
-/// The figures of each dance, as files below models/trained.
+/// Each dance with the part of it that is danced; its grammar and figures lie below models/trained.
 struct DanceFiles {
     std::string_view dance;
-    std::array<std::string_view, 1> figures;
+    std::string_view role;  ///< models are DANCE_FIGURE_ROLE.json
 };
-constexpr std::array<DanceFiles, 1> kDances = {{{"salsa", {"salsa_basic_lead.json"}}}};
+constexpr std::array<DanceFiles, 1> kDances = {{{"salsa", "lead"}}};
 
 constexpr std::string_view kAuto = "auto";
 
@@ -54,9 +57,19 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
         std::find_if(kDances.begin(), kDances.end(), [&](const DanceFiles& candidate) {
             return candidate.dance == dance;
         });
+    const std::filesystem::path folder = std::filesystem::path("models") / "trained";
+    const auto grammar_path = data_path(folder / fmt::format("{}.toml", dance));
+    if (!grammar_path) {
+        return fail(grammar_path.error());
+    }
+    const auto grammar = motion::load_grammar(*grammar_path);
+    if (!grammar) {
+        return fail(grammar.error());
+    }
     std::vector<motion::FigureModel> figures;
-    for (const std::string_view name : files->figures) {
-        const auto path = data_path(std::filesystem::path("models") / "trained" / name);
+    for (const motion::FigureGrammar::Rule& rule : grammar->rules) {
+        const auto path =
+            data_path(folder / fmt::format("{}_{}_{}.json", dance, rule.figure, files->role));
         if (!path) {
             return fail(path.error());
         }
@@ -66,7 +79,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
         }
         figures.push_back(std::move(*figure));
     }
-    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton());
+    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton(), &*grammar);
 }
 
 }  // namespace raks::engine

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/figure_cycle.hpp"
+#include "motion/dance/dance_content.hpp"
+#include "motion/dance/figure_sequence.hpp"
 #include "motion/dance/idle.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/leg_ik.hpp"
@@ -25,35 +26,30 @@ constexpr std::size_t kQueuedCommands = 16;
 
 }  // namespace
 
-struct DanceLibrary::Content {
-    std::vector<FigureCycle> figures;
-    Skeleton skeleton;
-};
-
 DanceLibrary::DanceLibrary(std::unique_ptr<const Content> content) : content_(std::move(content)) {}
 DanceLibrary::~DanceLibrary() = default;
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
-    std::span<const FigureModel> figures, const Skeleton& skeleton) {
+    std::span<const FigureModel> figures, const Skeleton& skeleton, const FigureGrammar* grammar) {
     if (figures.empty()) {
         return fail("a dance needs at least one figure");
     }
-    auto content = std::make_unique<Content>();
-    content->skeleton = skeleton;
-    for (const FigureModel& figure : figures) {
-        if (auto valid = validate(figure); !valid) {
-            return fail(figure.name + ": " + valid.error().message);
-        }
-        content->figures.emplace_back(figure, skeleton);
+    auto content = make_content(figures, skeleton, grammar);
+    if (!content) {
+        return fail(std::move(content.error()));
     }
-    return std::shared_ptr<const DanceLibrary>(new DanceLibrary(std::move(content)));
+    return std::shared_ptr<const DanceLibrary>(
+        new DanceLibrary(std::make_unique<const Content>(std::move(*content))));
 }
 
 struct Dancer::State {
     std::shared_ptr<const DanceLibrary> library;
     Skeleton skeleton;
-    std::size_t figure = 0;
-    std::size_t next_figure = 0;  // taken up when this one ends
+    std::uint64_t seed = 0;
+    FigureSequence sequence;
+    FigureWish wish;
+    MusicEnergy energy;
+    bool stands_turned = false;  // half a turn from where the first dance began
 
     bool is_dancing = false;
     bool is_held = false;
@@ -71,8 +67,8 @@ struct Dancer::State {
     std::array<DancerCommand, kQueuedCommands> commands{};
     std::size_t command_count = 0;
 
-    [[nodiscard]] const FigureCycle& cycle() const noexcept {
-        return library->content().figures[figure];
+    [[nodiscard]] const DanceLibrary::Content& content() const noexcept {
+        return library->content();
     }
     void reset() noexcept;
     void run_commands(StreamTime now) noexcept;
@@ -83,7 +79,10 @@ struct Dancer::State {
 };
 
 void Dancer::State::reset() noexcept {
-    figure = next_figure = 0;
+    sequence = FigureSequence();
+    wish = FigureWish();
+    energy.reset();
+    stands_turned = false;
     is_dancing = is_held = false;
     hops_sure = hops_unsure = 0;
     phase = DancePhase();
@@ -102,15 +101,18 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
             commands[kept++] = command;
             continue;
         }
-        const std::size_t count = library->content().figures.size();
         switch (command.kind) {
             case DancerCommand::Kind::next_figure:
-                next_figure = (next_figure + 1) % count;
+                wish.is_another = true;
                 break;
             case DancerCommand::Kind::select_figure:
-                if (command.value >= 0.0 && command.value < static_cast<double>(count)) {
-                    next_figure = static_cast<std::size_t>(command.value);
+                if (command.value >= 0.0 &&
+                    command.value < static_cast<double>(content().figures.size())) {
+                    wish.figure = static_cast<std::size_t>(command.value);
                 }
+                break;
+            case DancerCommand::Kind::lock_figure:
+                wish.is_locked = command.value != 0.0;
                 break;
             case DancerCommand::Kind::hold:
                 is_held = true;
@@ -125,7 +127,13 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
 
 /// The pose without smoothing, `ahead` of the hop at `time`.
 Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
-    return is_dancing ? cycle().at(phase.phase_after(ahead)) : idle_pose(skeleton, time + ahead);
+    if (is_dancing) {
+        return sequence.at(phase.phase_after(ahead));
+    }
+    // Where the dance ended, turned as it ended.
+    const FloorMove from_start = floor_of(content(), stands_turned);
+    const FloorMove to_start = inverse(content().stage);
+    return (from_start * to_start)(idle_pose(skeleton, time + ahead));
 }
 
 Pose Dancer::State::smoothed(StreamTime now, Nanos ahead) const noexcept {
@@ -148,19 +156,19 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     const bool is_unsure = music.is_silent || music.grid.confidence < kStopConfidence;
     hops_sure = is_sure ? hops_sure + 1 : 0;
     hops_unsure = is_unsure ? hops_unsure + 1 : 0;
+    energy.advance(music);
     if (is_dancing) {
-        const double figures_before = std::floor(phase.phase().count() / cycle().beats());
-        const bool has_reanchored = phase.advance(music.grid, cycle().learnt_tempo(), music.time);
-        const bool is_figure_over =
-            std::floor(phase.phase().count() / cycle().beats()) != figures_before;
+        const bool has_reanchored = phase.advance(music.grid, content().learnt_tempo, music.time);
+        if (has_reanchored) {
+            sequence.jump(phase.phase());
+        }
+        sequence.advance(phase.phase(), energy.value(), wish);
         if (is_held || hops_unsure > kHopsToStop) {
             is_dancing = false;
+            stands_turned = sequence.is_turned();
             change(music.time);
         } else if (has_reanchored) {
             ++reanchors;
-            change(music.time);
-        } else if (is_figure_over && figure != next_figure) {
-            figure = next_figure;
             change(music.time);
         }
         return;
@@ -172,8 +180,8 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     const double since_downbeat = music.grid.bar_position(now);
     if (since_downbeat < kDownbeatWindow) {
         is_dancing = true;
-        figure = next_figure;
-        phase.start(music.grid, now - Beats(since_downbeat), cycle().learnt_tempo(), music.time);
+        phase.start(music.grid, now - Beats(since_downbeat), content().learnt_tempo, music.time);
+        sequence.start(content(), seed, stands_turned);
         change(music.time);
     }
 }
@@ -185,13 +193,14 @@ Dancer& Dancer::operator=(Dancer&&) noexcept = default;
 
 Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
                                const Skeleton& skeleton,
-                               std::uint64_t /*seed*/) {
+                               std::uint64_t seed) {
     if (!library) {
         return fail("the dancer has no dance: a library is missing");
     }
     state_ = std::make_unique<State>();
     state_->library = std::move(library);
     state_->skeleton = skeleton;
+    state_->seed = seed;
     state_->reset();
     return {};
 }
@@ -236,12 +245,12 @@ DancerStatus Dancer::status() const noexcept {
         status.reanchors = state.reanchors;
         return status;
     }
-    const FigureCycle& cycle = state.cycle();
-    const std::size_t length = std::min(cycle.name().size(), status.figure.size() - 1);
-    std::memcpy(status.figure.data(), cycle.name().data(), length);
-    const double beats = state.phase.phase().count();
+    const LibraryFigure& figure = state.sequence.figure();
+    const std::size_t length = std::min(figure.name.size(), status.figure.size() - 1);
+    std::memcpy(status.figure.data(), figure.name.data(), length);
     status.is_dancing = true;
-    status.phase = beats - cycle.beats() * std::floor(beats / cycle.beats());
+    status.number = static_cast<std::uint32_t>(state.sequence.number());
+    status.phase = std::clamp(state.sequence.beat(state.phase.phase()), 0.0, figure.beats - 1e-9);
     status.count = static_cast<int>(status.phase) + 1;
     status.octave = state.phase.octave();
     status.rate = state.phase.rate();

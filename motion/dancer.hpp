@@ -16,17 +16,21 @@
 /// The one door of motion: music states in, poses out.
 namespace raks::motion {
 
+struct FigureGrammar;
 struct FigureModel;
 
 /// All figures of a dance, solved into trajectories for one skeleton. Immutable: may be shared by
 /// any number of dancers and threads.
 class DanceLibrary {
  public:
-    /// Solves the trajectories (some ms a figure). Errors: no figures, or a figure that cannot be
-    /// solved (named).
+    /// Solves the trajectories of all figures, each in eight ways (some 40 ms a figure). `grammar`:
+    /// its rules in the order of the figures; none: any after any other.
+    /// Errors: no figures, a figure that cannot be solved (named), a grammar of another dance.
     /// Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
-        std::span<const FigureModel> figures, const Skeleton& skeleton);
+        std::span<const FigureModel> figures,
+        const Skeleton& skeleton,
+        const FigureGrammar* grammar = nullptr);
     ~DanceLibrary();
     DanceLibrary(const DanceLibrary&) = delete;
     DanceLibrary& operator=(const DanceLibrary&) = delete;
@@ -44,6 +48,7 @@ struct DancerCommand {
     enum class Kind : std::uint8_t {
         next_figure,    ///< go on to another figure at the end of this one
         select_figure,  ///< figure number `value` at the end of this one
+        lock_figure,    ///< `value` 1: this figure again and again; 0: as the grammar says
         hold,           ///< settle and stand, whatever the music does
         release,        ///< dance again from the next count 1
     };
@@ -57,6 +62,7 @@ static_assert(std::is_trivially_copyable_v<DancerCommand>);
 struct DancerStatus {
     std::array<char, 32> figure{};  ///< name, zero-terminated; empty while standing
     bool is_dancing = false;
+    std::uint32_t number = 0;     ///< of the figures begun since reset()
     int count = 0;                ///< 1..8 of the figure; 0 while standing
     double phase = 0.0;           ///< beats of the figure danced, [0, length)
     double octave = 1.0;          ///< dance beats per music beat: 0.5, 1 or 2

@@ -10,6 +10,7 @@ constexpr double kMostCorrection = 0.2;  // of the rate
 constexpr double kGain = 2.5;            // of the error, a second
 constexpr double kApart = 1.0;           // beats
 constexpr int kApartHops = 100;
+constexpr double kPauseCount = 3.0;  // counts 4 and 8: no step lands there
 constexpr double kKeepLow = 0.62;
 constexpr double kKeepHigh = 1.6;
 
@@ -61,7 +62,8 @@ bool DancePhase::advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now)
         std::clamp(kGain * error, -kMostCorrection * music_rate, kMostCorrection * music_rate);
     rate_ = music_rate + correction;
     hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;
-    if (hops_apart_ > kApartHops) {
+    const double in_four = phase_.count() - 4.0 * std::floor(phase_.count() / 4.0);
+    if (hops_apart_ > kApartHops && in_four >= kPauseCount) {
         hops_apart_ = 0;
         phase_ = std::max(Beats(0.0), wanted(grid, now));
         rate_ = music_rate;

@@ -10,8 +10,8 @@ namespace raks::motion {
 /// at the octave that suits the figure's learnt tempo.
 ///
 /// It never runs backward: the phase's rate is the music's, corrected by at most +-20 %; an error
-/// that stays above one beat for a second is not danced off but re-anchored.
-/// Threads: one. Real-time: yes.
+/// that stays above one beat for a second is not danced off but re-anchored, on a pause (count 4 or
+/// 8). Threads: one. Real-time: yes.
 class DancePhase {
  public:
     /// Starts the figure: its count 1 falls on `downbeat`.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/dance/closed_curve.hpp"
 
@@ -12,8 +13,9 @@ constexpr double kSmoothBeats = 0.15;
 constexpr double kLeastGapBeats = 0.25;
 constexpr double kLeastContactBeats = 0.34;
 constexpr double kContactChance = 0.45;
-constexpr double kLandingReach = 0.5;  // beats between a contact's start and its landing
+constexpr double kLandingReach = 0.75;  // beats between a contact's start and its landing
 constexpr int kLandingRepeats = 3;
+constexpr double kStepBeats = 0.4;  // that a step stands which people hardly rest on
 // Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
 
 constexpr double kRestAfterLanding = 0.012;
@@ -44,6 +46,42 @@ void fill(std::vector<bool>& row, const ContactWindow& window, bool value) {
     for (std::size_t k = 0; k < window.length; ++k) {
         row[(window.first + k) % row.size()] = value;
     }
+}
+
+/// Beats from `from` to `to` on a closed figure, nearest way.
+double beats_between(double from, double to, double beats) {
+    const double apart = to - from;
+    return apart - beats * std::round(apart / beats);
+}
+
+/// A step that comes down where no contact is (dancers spin on it, the toe hardly rests) stands for
+/// a moment, too: else it would slide through its landing.
+std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
+                                      const std::vector<LandingOffset>& landings,
+                                      double samples_per_beat,
+                                      std::size_t samples) {
+    const double beats = static_cast<double>(samples) / samples_per_beat;
+    const std::vector<ContactWindow> own = windows;
+    for (std::size_t count = 0; count < landings.size(); ++count) {
+        const double landing =
+            static_cast<double>(count) + landings[count].median.count() + kRestAfterLanding;
+        const bool is_near = std::any_of(own.begin(), own.end(), [&](const ContactWindow& window) {
+            const double first = static_cast<double>(window.first) / samples_per_beat;
+            const double length = static_cast<double>(window.length) / samples_per_beat;
+            const double centre = first + 0.5 * length;
+            return std::abs(beats_between(centre, landing, beats)) <
+                   0.5 * length + kStepBeats + kLeastGapBeats;
+        });
+        if (landings[count].repeats >= kLandingRepeats && !is_near) {
+            const auto first = static_cast<std::ptrdiff_t>(std::lround(landing * samples_per_beat));
+            windows.push_back(
+                {wrap(first, samples), static_cast<std::size_t>(kStepBeats * samples_per_beat)});
+        }
+    }
+    std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) {
+        return a.first < b.first;
+    });
+    return windows;
 }
 
 }  // namespace
@@ -96,7 +134,7 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
             window.length = static_cast<std::size_t>(length);
         }
     }
-    return windows;
+    return with_steps(std::move(windows), landings, samples_per_beat, samples);
 }
 
 }  // namespace raks::motion

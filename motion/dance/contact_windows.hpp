@@ -22,7 +22,7 @@ struct ContactWindow {
 
 /// Moves the start of each contact to the learnt landing that it belongs to (at most half a beat
 /// away, shown by three repeats or more), so that the foot comes to rest when people's feet did. A
-/// window without one stays.
+/// window without one stays; a landing without a window gets a short one.
 [[nodiscard]] std::vector<ContactWindow> start_at_landings(
     std::vector<ContactWindow> windows,
     const std::vector<LandingOffset>& landings,

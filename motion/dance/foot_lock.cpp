@@ -20,7 +20,7 @@ constexpr float kToeSoftness = 0.15F;    // radians of the heel's rise where the
 constexpr float kReleaseGlide = 0.3F;    // beats over which the lock's shift fades after a contact
 constexpr float kArrivalGlide = 0.25F;   // and comes up before one: as brisk as people land
 constexpr float kMostToeBend = 0.9F;     // radians
-constexpr std::ptrdiff_t kEdgeStep = 4;  // samples: differences at a contact's ends
+constexpr double kEdgeBeats = 0.042;     // differences at a contact's ends
 
 /// The larger of both, rounded where they are nearer than `softness`; twice differentiable.
 float soft_max(float a, float b, float softness) {
@@ -112,11 +112,12 @@ struct FootTrack {
 };
 
 /// How firmly each sample is held: 1 in the windows, down to 0 within `ramp` samples beside them.
-std::vector<float> locks(const std::vector<ContactWindow>& windows,
+std::vector<float> locks(const std::vector<PlannedContact>& contacts,
                          std::ptrdiff_t ramp,
                          std::size_t size) {
     std::vector<float> lock(size);
-    for (const ContactWindow& window : windows) {
+    for (const PlannedContact& contact : contacts) {
+        const ContactWindow& window = contact.window;
         const auto length = static_cast<std::ptrdiff_t>(window.length);
         for (std::ptrdiff_t k = -ramp; k < length + ramp; ++k) {
             const std::ptrdiff_t outside = k < 0 ? -k : std::max<std::ptrdiff_t>(0, k - length + 1);
@@ -139,12 +140,12 @@ glm::quat toe_bend(const Skeleton& skeleton, const glm::quat& foot, float lock) 
 
 FootTrack foot_track(const Skeleton& skeleton,
                      Side side,
-                     const std::vector<ContactWindow>& windows,
+                     const std::vector<PlannedContact>& contacts,
                      double samples_per_beat,
                      const std::vector<Pose>& poses) {
     FootTrack track;
     const auto ramp = static_cast<std::ptrdiff_t>(std::lround(kReleaseBeats * samples_per_beat));
-    track.lock = locks(windows, ramp, poses.size());
+    track.lock = locks(contacts, ramp, poses.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const WorldPose world = world_pose(skeleton, poses[i]);
         const Bone foot = on_side(Bone::left_foot, side);
@@ -166,11 +167,14 @@ glm::vec3 shift_to(const FootTrack& track, const glm::vec3& place, std::ptrdiff_
     return planted - track.ankle[i];
 }
 
-Jet jet_of(const FootTrack& track, const glm::vec3& place, std::ptrdiff_t sample) {
-    const auto step = static_cast<float>(kEdgeStep);
-    const glm::vec3 before = shift_to(track, place, sample - kEdgeStep);
+Jet jet_of(const FootTrack& track,
+           const glm::vec3& place,
+           std::ptrdiff_t sample,
+           std::ptrdiff_t reach) {
+    const auto step = static_cast<float>(reach);
+    const glm::vec3 before = shift_to(track, place, sample - reach);
     const glm::vec3 here = shift_to(track, place, sample);
-    const glm::vec3 after = shift_to(track, place, sample + kEdgeStep);
+    const glm::vec3 after = shift_to(track, place, sample + reach);
     return {here, (after - before) / (2.0F * step), (after - 2.0F * here + before) / (step * step)};
 }
 
@@ -184,26 +188,40 @@ glm::vec3 resting_place(const FootTrack& track, const ContactWindow& window) {
     return place;
 }
 
+/// How far from there it shall rest.
+glm::vec3 aside_of(const PlannedContact& contact, const glm::vec3& resting) {
+    const glm::vec2 own(resting.x, resting.z);
+    const glm::vec2 aside = contact.place.value_or(own) + contact.aside - own;
+    return {aside.x, 0.0F, aside.y};
+}
+
 /// Moves the ankles so that the ball rests in each window, and glides there between them.
-void plant(const std::vector<ContactWindow>& windows, double samples_per_beat, FootTrack& track) {
+void plant(const std::vector<PlannedContact>& contacts, double samples_per_beat, FootTrack& track) {
     std::vector<glm::vec3> shift(track.size());
-    for (std::size_t w = 0; w < windows.size(); ++w) {
-        const ContactWindow& window = windows[w];
-        const ContactWindow& next = windows[(w + 1) % windows.size()];
-        const glm::vec3 place = resting_place(track, window);
-        const auto first = static_cast<std::ptrdiff_t>(window.first);
-        const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(window.length) - 1;
+    const auto reach = std::max<std::ptrdiff_t>(1, std::lround(kEdgeBeats * samples_per_beat));
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const PlannedContact& contact = contacts[c];
+        const PlannedContact& next = contacts[(c + 1) % contacts.size()];
+        const glm::vec3 place = resting_place(track, contact.window);
+        const glm::vec3 next_place = resting_place(track, next.window);
+        const glm::vec3 aside = aside_of(contact, place);
+        const auto first = static_cast<std::ptrdiff_t>(contact.window.first);
+        const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(contact.window.length) - 1;
         for (std::ptrdiff_t i = first; i <= last; ++i) {
-            shift[track.at(i)] = shift_to(track, place, i);
+            shift[track.at(i)] = shift_to(track, place, i) + aside;
         }
         const auto rise = static_cast<std::ptrdiff_t>(
-            track.at(static_cast<std::ptrdiff_t>(next.first) - last - 1) + 1);
-        const Glide glide(jet_of(track, place, last),
-                          jet_of(track, resting_place(track, next), last + rise),
-                          static_cast<float>(rise),
+            track.at(static_cast<std::ptrdiff_t>(next.window.first) - last - 1) + 1);
+        const auto length = static_cast<float>(rise);
+        const Glide glide(jet_of(track, place, last, reach),
+                          jet_of(track, next_place, last + rise, reach),
+                          length,
                           static_cast<float>(samples_per_beat));
+        const glm::vec3 next_aside = aside_of(next, next_place);
         for (std::ptrdiff_t k = 1; k < rise; ++k) {
-            shift[track.at(last + k)] = glide.at(static_cast<float>(k));
+            const auto sample = static_cast<float>(k);
+            shift[track.at(last + k)] =
+                glide.at(sample) + glm::mix(aside, next_aside, smootherstep(sample / length));
         }
     }
     for (std::size_t i = 0; i < track.size(); ++i) {
@@ -261,13 +279,14 @@ std::vector<float> sinking(const Skeleton& skeleton,
 }  // namespace
 
 void lock_feet(const Skeleton& skeleton,
-               const std::array<std::vector<ContactWindow>, 2>& contacts,
+               const std::array<std::vector<PlannedContact>, 2>& contacts,
                double samples_per_beat,
+               const std::vector<Pose>& stepping,
                std::vector<Pose>& poses) {
     std::array<FootTrack, 2> feet;
     for (const Side side : kSides) {
         const std::size_t s = static_cast<std::size_t>(side);
-        feet[s] = foot_track(skeleton, side, contacts[s], samples_per_beat, poses);
+        feet[s] = foot_track(skeleton, side, contacts[s], samples_per_beat, stepping);
     }
     const float height = height_over_floor(feet);
     for (Pose& pose : poses) {

@@ -115,7 +115,7 @@ FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples) 
     return track;
 }
 
-void restore_variance(const PartModel& part, FeatureTrack& track) {
+void restore_variance(const PartModel& part, double amount, FeatureTrack& track) {
     const auto is_about_mean = [&](std::size_t feature) {
         // Height and tilts: the only features whose mean is not zero by definition.
         return part.part == Part::torso &&
@@ -127,7 +127,7 @@ void restore_variance(const PartModel& part, FeatureTrack& track) {
             own += state.variance[feature] / static_cast<double>(part.states.size());
         }
         const double share = std::min(kMostLost, own / part.global_variance[feature]);
-        const double factor = std::sqrt(1.0 / (1.0 - share));
+        const double factor = 1.0 + amount * (std::sqrt(1.0 / (1.0 - share)) - 1.0);
         double centre = 0.0;
         for (std::size_t i = 0; i < track.rows() && is_about_mean(feature); ++i) {
             centre += track.row(i)[feature] / static_cast<double>(track.rows());

@@ -144,6 +144,7 @@ FigureModel figure_of(const Field& root) {
                               root["net_displacement"][1].number()};
     model.net_turn = root["net_turn"].number();
     model.source_hips_height = root["source_hips_height"].number();
+    model.peak_toe_speed = root["peak_toe_speed"].number();
     const Field parts = root["parts"];
     if (parts.size() != model.parts.size()) {
         parts.complain(fmt::format("has {} entries, must have 3", parts.size()));
@@ -177,6 +178,7 @@ std::string figure_text(const FigureModel& model) {
     json["net_displacement"] = {model.net_displacement.x, model.net_displacement.y};
     json["net_turn"] = model.net_turn;
     json["source_hips_height"] = model.source_hips_height;
+    json["peak_toe_speed"] = model.peak_toe_speed;
     json["parts"] = Json::array();
     for (const PartModel& part : model.parts) {
         json["parts"].push_back(json_of(part));

@@ -129,6 +129,10 @@ struct FigureModel {
     /// hips height) / this.
     double source_hips_height = 1.0;
 
+    /// Speed of the faster toe tip at its fastest (10 Hz low-pass), median over the repeats, at the
+    /// learnt tempo; metres a second. A mean over repeats dances smaller: it is widened to this.
+    double peak_toe_speed = 3.0;
+
     /// Chance [0, 1] that the toe of a side rests on the floor; bin j spans the phase
     /// [j, j+1) x beats / kContactBins. By Side.
     std::array<std::array<double, kContactBins>, 2> contact{};

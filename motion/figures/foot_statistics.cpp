@@ -17,6 +17,7 @@ constexpr double kEarliest = -0.4;  // beats from the count a landing belongs to
 struct ClipFeet {
     std::array<std::vector<bool>, 2> contacts;
     std::array<std::vector<double>, 2> landings;
+    std::array<std::vector<double>, 2> toe_speeds;
 };
 
 ClipFeet feet_of(const TrainingClip& clip) {
@@ -27,6 +28,8 @@ ClipFeet feet_of(const TrainingClip& clip) {
         const std::size_t s = static_cast<std::size_t>(side);
         result.contacts[s] = toe_contacts(feet, side, clip.frames_per_second);
         result.landings[s] = landings(feet, side, clip.frames_per_second);
+        result.toe_speeds[s] =
+            toe_speed(feet, side, clip.frames_per_second, FootRules{}.contact_low_pass_hz);
     }
     return result;
 }
@@ -54,6 +57,25 @@ void add_landings(const std::vector<double>& moments,
             offsets[static_cast<std::size_t>(count)].push_back(beat - count);
         }
     }
+}
+
+/// The faster toe's highest speed in each repeat; the median of them.
+double peak_toe_speed(std::span<const TrainingClip> clips,
+                      std::span<const FigureRepeat> repeats,
+                      const std::vector<std::array<std::vector<double>, 2>>& speeds) {
+    std::vector<double> peaks;
+    for (const FigureRepeat& repeat : repeats) {
+        double peak = 0.0;
+        const std::size_t last = clips[repeat.clip].poses.size() - 1;
+        const auto end = std::min(static_cast<std::size_t>(repeat.beat_frames.back()), last);
+        for (auto i = static_cast<std::size_t>(repeat.beat_frames.front()); i <= end; ++i) {
+            peak = std::max({peak, speeds[repeat.clip][0][i], speeds[repeat.clip][1][i]});
+        }
+        peaks.push_back(peak);
+    }
+    const auto middle = peaks.begin() + static_cast<std::ptrdiff_t>(peaks.size() / 2);
+    std::nth_element(peaks.begin(), middle, peaks.end());
+    return *middle;
 }
 
 LandingOffset summary_of(std::vector<double> offsets) {
@@ -88,6 +110,11 @@ void learn_feet(std::span<const TrainingClip> clips,
     for (const TrainingClip& clip : clips) {
         feet.push_back(feet_of(clip));
     }
+    std::vector<std::array<std::vector<double>, 2>> toe_speeds;
+    for (const ClipFeet& one : feet) {
+        toe_speeds.push_back(one.toe_speeds);
+    }
+    model.peak_toe_speed = peak_toe_speed(clips, repeats, toe_speeds);
     double weight_sum = 0.0;
     for (const FigureRepeat& repeat : repeats) {
         weight_sum += repeat.weight;

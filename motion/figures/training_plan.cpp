@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "motion/figures/common_turn.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -324,6 +325,29 @@ std::string_view cmu_attribution() noexcept {
            "created with funding from NSF EIA-0196217.";
 }
 
+namespace {
+
+/// Drops the repeats that turn otherwise than most.
+void keep_common_turn(TrainingMaterial& material) {
+    const std::vector<bool> kept = of_common_turn(material.clips, material.repeats);
+    std::vector<FigureRepeat> repeats;
+    std::size_t at = 0;
+    for (RepeatUse& use : material.uses) {
+        if (!use.left_out.empty()) {
+            continue;
+        }
+        if (kept[at]) {
+            repeats.push_back(material.repeats[at]);
+        } else {
+            use.left_out = "turns otherwise than most repeats";
+        }
+        ++at;
+    }
+    material.repeats = std::move(repeats);
+}
+
+}  // namespace
+
 Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan) {
     const Expected<std::map<std::string, fs::path>> files = files_of(plan);
     if (!files) {
@@ -360,6 +384,7 @@ Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan) {
     if (!material) {
         return fail(std::move(material.error()));
     }
+    keep_common_turn(*material);
     FigureTrainingOptions options;
     options.name = plan.figure;
     options.dance = plan.dance;

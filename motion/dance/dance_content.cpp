@@ -1,0 +1,212 @@
+#include "motion/dance/dance_content.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "base/random.hpp"
+#include "motion/dance/relaxed_hands.hpp"
+#include "motion/dance/variation.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr std::size_t kWorkers = 2;
+constexpr std::uint64_t kPassageStream = 100;
+constexpr std::uint64_t kWaysStream = 2;
+
+/// Ways that close: figures that end turned by an odd number of half turns all turn about the mean
+/// of their points, so that two of them lead back; the others come back by themselves.
+std::vector<FigureWay> closed_ways(std::span<const FigureModel> figures, const Skeleton& skeleton) {
+    std::vector<FigureWay> ways;
+    glm::dvec2 sum{0.0, 0.0};
+    double odd = 0.0;
+    for (const FigureModel& model : figures) {
+        FigureWay way;
+        way.half_turns = static_cast<int>(std::lround(model.net_turn / M_PI));
+        if (way.half_turns % 2 != 0) {
+            const double scale =
+                static_cast<double>(skeleton.hips_height()) / model.source_hips_height;
+            sum += model.net_displacement * scale;
+            odd += 1.0;
+        }
+        ways.push_back(way);
+    }
+    for (FigureWay& way : ways) {
+        if (way.half_turns % 2 != 0) {
+            way.move = {M_PI, sum / odd};
+        }
+    }
+    return ways;
+}
+
+/// One place a foot for the starts of all figures: their mean.
+StartPlaces common_places(std::span<const FigureModel> figures,
+                          const std::vector<FigureTracks>& tracks,
+                          const std::vector<FigureWay>& ways,
+                          const Skeleton& skeleton) {
+    StartPlaces common;
+    for (const Side side : kSides) {
+        const auto s = static_cast<std::size_t>(side);
+        glm::vec2 sum{};
+        float count = 0.0F;
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            if (const auto place = learnt_places(figures[i], tracks[i], ways[i], skeleton)[s]) {
+                sum += *place;
+                count += 1.0F;
+            }
+        }
+        if (count > 0.0F) {
+            common[s] = sum / count;
+        }
+    }
+    return common;
+}
+
+/// Where the first figure is danced, on average: in the middle of the stage, facing the audience.
+FloorMove stage_of(const LibraryFigure& figure) {
+    glm::dvec2 centre{0.0, 0.0};
+    glm::dvec2 facing{0.0, 0.0};
+    const int steps = 8 * figure.beats;
+    for (int i = 0; i < steps; ++i) {
+        Pose pose;
+        figure.passages.front().at(i / 8.0, pose);
+        const double heading = heading_of(glm::dquat(pose.rotation(Bone::hips)));
+        centre +=
+            glm::dvec2(pose.hips_position.x, pose.hips_position.z) / static_cast<double>(steps);
+        facing += glm::dvec2(std::sin(heading), std::cos(heading));
+    }
+    FloorMove stage{-std::atan2(facing.x, facing.y), {}};
+    stage.offset = -stage.turned(centre);
+    return stage;
+}
+
+struct Baking {
+    std::span<const FigureModel> figures;
+    const std::vector<FigureTracks>& tracks;
+    const std::vector<FigureWay>& ways;
+    const StartPlaces& places;
+    const Skeleton& skeleton;
+
+    /// Passage n of a figure; the first is danced as learnt.
+    [[nodiscard]] FigurePassage passage(std::size_t figure, std::size_t n) const {
+        FigureTracks varied = tracks[figure];
+        const std::uint64_t stream = kPassageStream + n * (kParts.size() + 1);
+        for (const Part part : {Part::torso, Part::upper}) {
+            const auto p = static_cast<std::size_t>(part);
+            if (n > 0) {
+                vary(figures[figure].part(part), CounterRandom(figure, stream + p), varied[p]);
+            }
+        }
+        const CounterRandom places_of_steps(figure, stream + kParts.size());
+        return {figures[figure],
+                tracks[figure],
+                varied,
+                ways[figure],
+                places,
+                n > 0 ? &places_of_steps : nullptr,
+                skeleton};
+    }
+};
+
+}  // namespace
+
+Expected<DanceLibrary::Content> make_content(std::span<const FigureModel> figures,
+                                             const Skeleton& skeleton,
+                                             const FigureGrammar* grammar) {
+    DanceLibrary::Content content;
+    content.skeleton = skeleton;
+    relax_hands(content.rest);
+    std::vector<FigureTracks> tracks;
+    std::vector<std::string> names;
+    double seconds_per_beat = 0.0;
+    for (const FigureModel& model : figures) {
+        if (auto valid = validate(model); !valid) {
+            return fail(model.name + ": " + valid.error().message);
+        }
+        tracks.push_back(learnt_tracks(model, skeleton));
+        names.push_back(model.name);
+        seconds_per_beat +=
+            model.learnt_tempo.seconds_per_beat() / static_cast<double>(figures.size());
+    }
+    content.learnt_tempo = Bpm::from_period(seconds_per_beat);
+    if (grammar != nullptr && grammar->rules.size() != figures.size()) {
+        return fail("the grammar has another number of figures than the dance");
+    }
+    content.choreography =
+        Choreography(grammar != nullptr ? *grammar : FigureGrammar::uniform(names));
+    const std::vector<FigureWay> ways = closed_ways(figures, skeleton);
+    const StartPlaces places = common_places(figures, tracks, ways, skeleton);
+
+    const Baking baking{figures, tracks, ways, places, skeleton};
+    constexpr std::size_t kPassages = DanceLibrary::Content::kPassages;
+    std::vector<std::optional<FigurePassage>> baked(figures.size() * kPassages);
+    {
+        std::vector<std::jthread> workers;
+        for (std::size_t first = 0; first < kWorkers; ++first) {
+            workers.emplace_back([&baking, &baked, first] {
+                for (std::size_t i = first; i < baked.size(); i += kWorkers) {
+                    baked[i].emplace(baking.passage(i / kPassages, i % kPassages));
+                }
+            });
+        }
+    }
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        LibraryFigure figure;
+        figure.name = figures[i].name;
+        figure.beats = figures[i].beats;
+        figure.move = ways[i].move;
+        figure.turns_half = ways[i].half_turns % 2 != 0;
+        for (std::size_t n = 0; n < kPassages; ++n) {
+            figure.passages.push_back(std::move(*baked[i * kPassages + n]));
+        }
+        content.figures.push_back(std::move(figure));
+    }
+    content.stage = stage_of(content.figures.front());
+    return content;
+}
+
+FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t number) noexcept {
+    constexpr auto kPassages = static_cast<std::uint64_t>(DanceLibrary::Content::kPassages);
+    const CounterRandom random(seed, kWaysStream);
+    FigureChoice choice;
+    choice.figure = figure;
+    choice.body = random.below(4 * number, kPassages);
+    choice.arms[0] = random.below(4 * number + 1, kPassages);
+    // Another one.
+    choice.arms[1] = (choice.arms[0] + 1 + random.below(4 * number + 2, kPassages - 1)) % kPassages;
+    choice.arms_share = static_cast<float>(random.uniform(4 * number + 3));
+    return choice;
+}
+
+Pose pose_of(const DanceLibrary::Content& content,
+             const FigureChoice& choice,
+             double beat) noexcept {
+    const LibraryFigure& figure = content.figures[choice.figure];
+    Pose pose = content.rest;
+    figure.passages[choice.body].at(beat, pose);
+    // Mixed as turns away from the arms as learnt: straight between two passages the shorter way
+    // round may change from one moment to the next.
+    Pose learnt = pose;
+    Pose first = pose;
+    Pose second = pose;
+    figure.passages.front().arms_at(beat, learnt);
+    figure.passages[choice.arms[0]].arms_at(beat, first);
+    figure.passages[choice.arms[1]].arms_at(beat, second);
+    for (std::size_t i = FigurePassage::kBones.size() - FigurePassage::kArmBones;
+         i < FigurePassage::kBones.size();
+         ++i) {
+        const Bone bone = FigurePassage::kBones[i];
+        const glm::quat back = glm::conjugate(learnt.rotation(bone));
+        const auto turn = [&](const Pose& varied) {
+            const glm::quat away = back * varied.rotation(bone);
+            return away.w < 0.0F ? -away : away;
+        };
+        const float share = choice.arms_share;
+        pose.rotation(bone) = learnt.rotation(bone) *
+                              glm::normalize(turn(first) * (1.0F - share) + turn(second) * share);
+    }
+    return pose;
+}
+
+}  // namespace raks::motion

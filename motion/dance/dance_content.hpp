@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/beats.hpp"
+#include "base/expected.hpp"
+#include "motion/dance/choreography.hpp"
+#include "motion/dance/figure_passage.hpp"
+#include "motion/dancer.hpp"
+
+namespace raks::motion {
+
+/// One figure in all the ways in which it can be danced.
+struct LibraryFigure {
+    std::string name;
+    int beats = 8;
+    FloorMove move;  ///< from its start to its end
+    bool turns_half = false;
+    std::vector<FigurePassage> passages;
+};
+
+/// What the dancer reads of a library.
+struct DanceLibrary::Content {
+    /// Ways to dance each figure: two repeats then share legs and torso one time in eight, and
+    /// never the arms, which are mixed from two of them.
+    static constexpr int kPassages = 8;
+
+    std::vector<LibraryFigure> figures;
+    Choreography choreography;
+    Bpm learnt_tempo{120.0};  ///< mean of the figures
+    FloorMove stage;  ///< from the frame in which a figure starts: it faces the audience, centred
+    Pose rest;        ///< what no passage sets: softly bent fingers
+    Skeleton skeleton;
+};
+
+/// Errors: as DanceLibrary::build says. Threads: workers; two of its own. Real-time: no.
+[[nodiscard]] Expected<DanceLibrary::Content> make_content(std::span<const FigureModel> figures,
+                                                           const Skeleton& skeleton,
+                                                           const FigureGrammar* grammar);
+
+/// How one figure is danced this time.
+struct FigureChoice {
+    std::size_t figure = 0;
+    std::size_t body = 0;               ///< passage of legs and torso
+    std::array<std::size_t, 2> arms{};  ///< passages that the arms are mixed from
+    float arms_share = 0.0F;            ///< of the second
+};
+
+/// The ways of number `number`. Threads: any. Real-time: yes.
+[[nodiscard]] FigureChoice choose_ways(std::size_t figure,
+                                       std::uint64_t seed,
+                                       std::uint64_t number) noexcept;
+
+/// The pose at a beat of a figure so danced, in the frame of its start.
+/// Threads: any. Real-time: yes.
+[[nodiscard]] Pose pose_of(const DanceLibrary::Content& content,
+                           const FigureChoice& choice,
+                           double beat) noexcept;
+
+}  // namespace raks::motion

@@ -1,0 +1,118 @@
+#include "motion/dance/figure_sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/dance/leg_ik.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr double kMargin = FigurePassage::kMargin;
+
+/// From 0 to 1 with no speed and acceleration at either end.
+float smootherstep(double t) noexcept {
+    t = std::clamp(t, 0.0, 1.0);
+    return static_cast<float>(t * t * t * (10.0 + t * (-15.0 + t * 6.0)));
+}
+
+/// Between two poses, feet by their places in the world: rotations averaged down a leg would carry
+/// a foot that both have planted off its place.
+Pose average(const Skeleton& skeleton, const Pose& from, const Pose& to, float share) noexcept {
+    Pose pose = interpolate(from, to, share);
+    const WorldPose a = world_pose(skeleton, from);
+    const WorldPose b = world_pose(skeleton, to);
+    for (const Side side : kSides) {
+        const Bone foot = on_side(Bone::left_foot, side);
+        solve_leg(skeleton,
+                  side,
+                  {glm::mix(a.position(foot), b.position(foot), share),
+                   glm::slerp(a.rotation(foot), b.rotation(foot), share)},
+                  pose);
+    }
+    return pose;
+}
+
+}  // namespace
+
+FloorMove floor_of(const DanceLibrary::Content& content, bool is_turned) noexcept {
+    if (is_turned) {
+        for (const LibraryFigure& figure : content.figures) {
+            if (figure.turns_half) {
+                return content.stage * figure.move;
+            }
+        }
+    }
+    return content.stage;
+}
+
+void FigureSequence::start(const DanceLibrary::Content& content,
+                           std::uint64_t seed,
+                           bool stands_turned) noexcept {
+    content_ = &content;
+    seed_ = seed;
+    before_.reset();
+    next_.reset();
+    current_ = {choose_ways(0, seed, number_), 0.0, stands_turned};
+}
+
+double FigureSequence::end_of(const Danced& danced) const noexcept {
+    return danced.start + content_->figures[danced.choice.figure].beats;
+}
+
+bool FigureSequence::turned_after(const Danced& danced) const noexcept {
+    return danced.is_turned != content_->figures[danced.choice.figure].turns_half;
+}
+
+void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexcept {
+    const double end = end_of(current_);
+    if (!next_ && phase.count() >= end - kDecided) {
+        const std::size_t figure =
+            content_->choreography.next(current_.choice.figure, energy, wish, seed_, number_ + 1);
+        next_ = {choose_ways(figure, seed_, number_ + 1), end, turned_after(current_)};
+        wish.is_another = false;
+        wish.figure.reset();
+    }
+    if (next_ && phase.count() >= end) {
+        before_ = current_;
+        current_ = *next_;
+        next_.reset();
+        ++number_;
+    }
+}
+
+void FigureSequence::jump(Beats phase) noexcept {
+    const double beats = figure().beats;
+    const double since = phase.count() - current_.start;
+    current_.start += beats * std::floor(since / beats);
+    before_.reset();
+    next_.reset();
+}
+
+Pose FigureSequence::pose_of(const Danced& danced, double phase) const noexcept {
+    const Pose pose = motion::pose_of(*content_, danced.choice, phase - danced.start);
+    return floor_of(*content_, danced.is_turned)(pose);
+}
+
+Pose FigureSequence::joined(const Danced& before,
+                            const Danced& after,
+                            double phase) const noexcept {
+    const float share = smootherstep((phase - after.start + kMargin) / (2.0 * kMargin));
+    return average(content_->skeleton, pose_of(before, phase), pose_of(after, phase), share);
+}
+
+Pose FigureSequence::at(Beats phase) const noexcept {
+    const double at = phase.count();
+    if (before_ && at < current_.start + kMargin) {
+        return joined(*before_, current_, at);
+    }
+    if (next_ && at > next_->start + kMargin) {
+        return pose_of(*next_, at);
+    }
+    if (next_ && at > next_->start - kMargin) {
+        return joined(current_, *next_, at);
+    }
+    return pose_of(current_, at);
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "base/beats.hpp"
+#include "motion/dance/dance_content.hpp"
+
+namespace raks::motion {
+
+/// A dance as a row of figures over one continuous phase: the one that is danced, the one before
+/// and, from kDecided beats before its end, the one that comes. Over FigurePassage::kMargin beats
+/// on either side of a change both are danced and averaged (Ofli 2008, 5), the feet by their
+/// places. Threads: one. Real-time: yes.
+class FigureSequence {
+ public:
+    static constexpr double kDecided = 2.0;  ///< beats
+
+    /// Begins with the library's first figure, its count 1 at phase 0. `stands_at`: what an earlier
+    /// dance left the dancer at.
+    void start(const DanceLibrary::Content& content,
+               std::uint64_t seed,
+               bool stands_turned) noexcept;
+
+    /// The phase went on to here: goes over into the next figure, chooses what follows.
+    void advance(Beats phase, double energy, FigureWish& wish) noexcept;
+    /// The phase was set anew: the same figure, from another of its beats.
+    void jump(Beats phase) noexcept;
+
+    /// The pose at a phase up to kDecided after the last advance, in the world.
+    [[nodiscard]] Pose at(Beats phase) const noexcept;
+
+    [[nodiscard]] const LibraryFigure& figure() const noexcept {
+        return content_->figures[current_.choice.figure];
+    }
+    /// Beats since its count 1.
+    [[nodiscard]] double beat(Beats phase) const noexcept { return phase.count() - current_.start; }
+    /// Whether the figure that is danced began half a turn away from the first.
+    [[nodiscard]] bool is_turned() const noexcept { return current_.is_turned; }
+    /// How many figures were begun before this one.
+    [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
+
+ private:
+    struct Danced {
+        FigureChoice choice;
+        double start = 0.0;  // phase of its count 1
+        bool is_turned = false;
+    };
+    [[nodiscard]] double end_of(const Danced& danced) const noexcept;
+    [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
+    [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
+    [[nodiscard]] Pose joined(const Danced& before,
+                              const Danced& after,
+                              double phase) const noexcept;
+
+    const DanceLibrary::Content* content_ = nullptr;
+    std::uint64_t seed_ = 0;
+    std::uint64_t number_ = 0;
+    std::optional<Danced> before_;
+    Danced current_;
+    std::optional<Danced> next_;
+};
+
+/// From where a figure starts to the stage, for a dancer who stands turned or not.
+[[nodiscard]] FloorMove floor_of(const DanceLibrary::Content& content, bool is_turned) noexcept;
+
+}  // namespace raks::motion

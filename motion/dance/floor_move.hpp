@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cmath>
+
+#include "motion/skeleton/pose.hpp"
+
+#include <glm/vec2.hpp>
+
+namespace raks::motion {
+
+/// A rigid move on the floor: turn by `heading` about the origin (positive from +z to +x), then
+/// shift by `offset` (x left, y forward: the floor's x and z). Threads: any. Real-time: yes.
+struct FloorMove {
+    double heading = 0.0;  ///< radians
+    glm::dvec2 offset{0.0, 0.0};
+
+    [[nodiscard]] glm::dvec2 turned(const glm::dvec2& place) const noexcept {
+        const double c = std::cos(heading);
+        const double s = std::sin(heading);
+        return {c * place.x + s * place.y, c * place.y - s * place.x};
+    }
+    [[nodiscard]] glm::dvec2 operator()(const glm::dvec2& place) const noexcept {
+        return turned(place) + offset;
+    }
+    [[nodiscard]] Pose operator()(Pose pose) const noexcept {
+        const glm::dvec2 place = (*this)(glm::dvec2(pose.hips_position.x, pose.hips_position.z));
+        pose.hips_position.x = static_cast<float>(place.x);
+        pose.hips_position.z = static_cast<float>(place.y);
+        const auto half = static_cast<float>(0.5 * heading);
+        pose.rotation(Bone::hips) =
+            glm::quat(std::cos(half), 0.0F, std::sin(half), 0.0F) * pose.rotation(Bone::hips);
+        return pose;
+    }
+};
+
+/// First `second`, then `first`.
+[[nodiscard]] inline FloorMove operator*(const FloorMove& first, const FloorMove& second) noexcept {
+    return {first.heading + second.heading, first(second.offset)};
+}
+
+[[nodiscard]] inline FloorMove inverse(const FloorMove& move) noexcept {
+    FloorMove result{-move.heading, {}};
+    result.offset = -result.turned(move.offset);
+    return result;
+}
+
+}  // namespace raks::motion

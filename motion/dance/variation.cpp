@@ -1,0 +1,98 @@
+#include "motion/dance/variation.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "motion/dance/closed_curve.hpp"
+
+namespace raks::motion {
+namespace {
+
+// Shares of the variance by harmonic of the figure, the constant first: with these the distance of
+// two repeats is people's own and the jerk rises by a few per cent only.
+constexpr std::array<double, 5> kHarmonics = {0.25, 0.3, 0.2, 0.15, 0.1};
+// Of the states' deviation. Their variance holds also what moves within a slice and what differs
+// between people's takes (stance, hold).
+constexpr double kTorso = 0.8;
+constexpr double kUpper = 1.1;
+constexpr double kFarthest = 1.8;  // deviations
+constexpr double kVelocity = 0.2;  // of the hips, or the legs would not reach their steps
+constexpr double kHeight = 0.15;   // it differs between takes, not between repeats
+
+double amount_of(Part part, std::size_t feature) {
+    if (part != Part::torso) {
+        return kUpper;
+    }
+    if (feature <= static_cast<std::size_t>(RootFeature::yaw_rate)) {
+        return kVelocity;
+    }
+    return feature == static_cast<std::size_t>(RootFeature::height) ? kHeight : kTorso;
+}
+
+/// Lower triangle of the correlation of the part's features.
+Eigen::MatrixXd correlation_root(const PartModel& part) {
+    const auto size = static_cast<Eigen::Index>(part.dimension());
+    Eigen::MatrixXd correlation(size, size);
+    const auto covariance = [&](Eigen::Index i, Eigen::Index j) {
+        return part.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    };
+    for (Eigen::Index i = 0; i < size; ++i) {
+        for (Eigen::Index j = 0; j < size; ++j) {
+            correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+        }
+    }
+    return correlation.llt().matrixL();
+}
+
+/// The states' deviation of one feature over the phase, without their steps.
+std::vector<double> deviation_of(const PartModel& part, std::size_t feature, std::size_t samples) {
+    std::vector<double> deviation(samples);
+    for (std::size_t i = 0; i < samples; ++i) {
+        deviation[i] = std::sqrt(part.states[part.state_at(i, samples)].variance[feature]);
+    }
+    const double slice = static_cast<double>(samples) / static_cast<double>(part.states.size());
+    return smoothed(deviation, slice);
+}
+
+}  // namespace
+
+void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& track) {
+    const std::size_t samples = track.rows();
+    const std::size_t size = part.dimension();
+    const Eigen::MatrixXd root = correlation_root(part);
+    // Two coefficients (cosine, sine) a harmonic and feature, correlated over the features.
+    std::array<std::array<Eigen::VectorXd, 2>, kHarmonics.size()> coefficients;
+    std::uint64_t draw = 0;
+    for (auto& pair : coefficients) {
+        for (Eigen::VectorXd& one : pair) {
+            Eigen::VectorXd white(static_cast<Eigen::Index>(size));
+            for (double& value : white) {
+                value = random.normal(draw++);
+            }
+            one = root * white;
+        }
+    }
+    for (std::size_t feature = 0; feature < size; ++feature) {
+        const std::vector<double> deviation = deviation_of(part, feature, samples);
+        const double amount = amount_of(part.part, feature);
+        for (std::size_t i = 0; i < samples; ++i) {
+            double curve = 0.0;
+            for (std::size_t h = 0; h < kHarmonics.size(); ++h) {
+                const double angle =
+                    2.0 * M_PI * static_cast<double>(h * i) / static_cast<double>(samples);
+                const auto at = static_cast<Eigen::Index>(feature);
+                curve += std::sqrt(kHarmonics[h]) * (coefficients[h][0][at] * std::cos(angle) +
+                                                     coefficients[h][1][at] * std::sin(angle));
+            }
+            // No repeat is far out: people's are not, and joints would turn over.
+            track.row(i)[feature] +=
+                amount * deviation[i] * kFarthest * std::tanh(curve / kFarthest);
+        }
+    }
+}
+
+}  // namespace raks::motion

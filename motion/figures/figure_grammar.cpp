@@ -1,0 +1,176 @@
+#include "motion/figures/figure_grammar.hpp"
+
+#include <toml++/toml.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/file.hpp"
+#include "base/suggest.hpp"
+
+namespace raks::motion {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kFormat = "raks-dance";
+constexpr std::int64_t kVersion = 1;
+constexpr double kLargestWeight = 1e6;
+
+/// Reads one grammar; the first fault ends it.
+class GrammarReader {
+ public:
+    explicit GrammarReader(const std::string& name) : name_(name) {}
+
+    Expected<FigureGrammar> read(const toml::table& root) {
+        if (auto ok = check_keys(root, {"format", "version", "dance", "figure"}); !ok) {
+            return fail(std::move(ok.error()));
+        }
+        if (root["format"].value<std::string>() != std::string(kFormat)) {
+            return fail(fmt::format("{}: format must be \"{}\"", name_, kFormat));
+        }
+        const auto version = root["version"].value<std::int64_t>();
+        if (!version || *version < 1 || *version > kVersion) {
+            return fail(
+                fmt::format("{}: version must be a number up to {}; is Raks older than the file?",
+                            name_,
+                            kVersion));
+        }
+        FigureGrammar grammar;
+        grammar.dance = root["dance"].value_or(std::string());
+        const toml::array* const figures = root["figure"].as_array();
+        if (grammar.dance.empty() || figures == nullptr || figures->empty()) {
+            return fail(name_ + ": needs dance = \"...\" and at least one [[figure]]");
+        }
+        for (const toml::node& node : *figures) {
+            if (auto ok = read_figure(node, grammar); !ok) {
+                return fail(std::move(ok.error()));
+            }
+        }
+        for (std::size_t i = 0; i < grammar.rules.size(); ++i) {
+            if (auto ok = read_followers(*(*figures)[i].as_table(), grammar, i); !ok) {
+                return fail(std::move(ok.error()));
+            }
+        }
+        return grammar;
+    }
+
+ private:
+    [[nodiscard]] std::string where(const toml::node& node) const {
+        return fmt::format("{}: line {}", name_, node.source().begin.line);
+    }
+
+    Expected<void> check_keys(const toml::table& table,
+                              const std::vector<std::string_view>& known) const {
+        for (const auto& entry : table) {
+            if (std::find(known.begin(), known.end(), entry.first.str()) == known.end()) {
+                return fail(where(entry.second) + ": " +
+                            unknown_name("key", entry.first.str(), known));
+            }
+        }
+        return {};
+    }
+
+    Expected<void> read_figure(const toml::node& node, FigureGrammar& grammar) const {
+        const toml::table* const table = node.as_table();
+        if (table == nullptr) {
+            return fail(where(node) + ": a figure must be a [[figure]] table");
+        }
+        if (auto ok = check_keys(*table, {"name", "energy", "after"}); !ok) {
+            return ok;
+        }
+        FigureGrammar::Rule rule;
+        rule.figure = (*table)["name"].value_or(std::string());
+        if (rule.figure.empty()) {
+            return fail(where(node) + ": a figure needs a name");
+        }
+        const bool is_known =
+            std::any_of(grammar.rules.begin(), grammar.rules.end(), [&](const auto& other) {
+                return other.figure == rule.figure;
+            });
+        if (is_known) {
+            return fail(fmt::format("{}: figure \"{}\" is there twice", where(node), rule.figure));
+        }
+        rule.energy = (*table)["energy"].value_or(table->contains("energy") ? -1.0 : 0.5);
+        if (!(rule.energy >= 0.0 && rule.energy <= 1.0)) {
+            return fail(where(node) + ": energy must be a number from 0 to 1");
+        }
+        grammar.rules.push_back(std::move(rule));
+        return {};
+    }
+
+    Expected<void> read_followers(const toml::table& table,
+                                  FigureGrammar& grammar,
+                                  std::size_t index) const {
+        std::vector<std::string_view> names;
+        for (const FigureGrammar::Rule& rule : grammar.rules) {
+            names.push_back(rule.figure);
+        }
+        std::vector<double>& after = grammar.rules[index].after;
+        after.assign(names.size(), 0.0);
+        const toml::table* const weights = table["after"].as_table();
+        double sum = 0.0;
+        if (weights != nullptr) {
+            for (const auto& entry : *weights) {
+                const auto at = std::find(names.begin(), names.end(), entry.first.str());
+                if (at == names.end()) {
+                    return fail(where(entry.second) + ": " +
+                                unknown_name("figure", entry.first.str(), names));
+                }
+                const double weight = entry.second.value<double>().value_or(-1.0);
+                if (!(weight >= 0.0 && weight <= kLargestWeight)) {
+                    return fail(fmt::format("{}: the weight of \"{}\" must be a number >= 0",
+                                            where(entry.second),
+                                            entry.first.str()));
+                }
+                after[static_cast<std::size_t>(at - names.begin())] = weight;
+                sum += weight;
+            }
+        }
+        if (!(sum > 0.0)) {
+            return fail(fmt::format("{}: nothing comes after \"{}\"; give it after = {{ ... }}",
+                                    where(table),
+                                    names[index]));
+        }
+        return {};
+    }
+
+    const std::string& name_;
+};
+
+}  // namespace
+
+FigureGrammar FigureGrammar::uniform(const std::vector<std::string>& figures) {
+    FigureGrammar grammar;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        Rule rule;
+        rule.figure = figures[i];
+        rule.after.assign(figures.size(), 1.0);
+        if (figures.size() > 1) {
+            rule.after[i] = 0.0;
+        }
+        grammar.rules.push_back(std::move(rule));
+    }
+    return grammar;
+}
+
+Expected<FigureGrammar> parse_grammar(std::string_view text, const std::string& name) {
+    try {
+        const toml::table root = toml::parse(text);
+        return GrammarReader(name).read(root);
+    } catch (const toml::parse_error& error) {
+        return fail(
+            fmt::format("{}: line {}: {}", name, error.source().begin.line, error.description()));
+    }
+}
+
+Expected<FigureGrammar> load_grammar(const fs::path& path) {
+    auto text = read_file(path);
+    if (!text) {
+        return fail(std::move(text.error()));
+    }
+    return parse_grammar(*text, path.string());
+}
+
+}  // namespace raks::motion
