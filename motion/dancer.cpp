@@ -26,8 +26,18 @@ constexpr std::size_t kQueuedCommands = 16;
 
 }  // namespace
 
+struct DanceLibrary::Content : DanceContent {};
+
 DanceLibrary::DanceLibrary(std::unique_ptr<const Content> content) : content_(std::move(content)) {}
 DanceLibrary::~DanceLibrary() = default;
+
+std::vector<std::string_view> DanceLibrary::figure_names() const {
+    std::vector<std::string_view> names;
+    for (const LibraryFigure& figure : content_->figures) {
+        names.emplace_back(figure.name);
+    }
+    return names;
+}
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
     std::span<const FigureModel> figures, const Skeleton& skeleton, const FigureGrammar* grammar) {
@@ -39,7 +49,7 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
         return fail(std::move(content.error()));
     }
     return std::shared_ptr<const DanceLibrary>(
-        new DanceLibrary(std::make_unique<const Content>(std::move(*content))));
+        new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }
 
 struct Dancer::State {

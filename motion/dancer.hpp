@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
@@ -32,6 +34,8 @@ class DanceLibrary {
         const Skeleton& skeleton,
         const FigureGrammar* grammar = nullptr);
     ~DanceLibrary();
+    /// In the order of `figures`; as long as the library lives.
+    [[nodiscard]] std::vector<std::string_view> figure_names() const;
     DanceLibrary(const DanceLibrary&) = delete;
     DanceLibrary& operator=(const DanceLibrary&) = delete;
 

@@ -264,8 +264,9 @@ class Parser {
     }
 
     void add_sheet() {
-        auto [app, a] = add(app_, "sheet", "draw the basic step as a pose sheet", sheet);
+        auto [app, a] = add(app_, "sheet", "draw a figure as a pose sheet", sheet);
         app->add_option("-o,--out", a->output, "X.png")->required();
+        app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
         app->add_option("--bpm", a->bpm, "tempo danced to")->check(CLI::Range(50.0, 230.0));
         app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
         app->add_option("--view", a->settings.view, "skin or stick");

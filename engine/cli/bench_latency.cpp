@@ -259,6 +259,8 @@ Expected<BenchReport> bench_latency(double seconds) {
         return fail(graph.error());
     }
     auto loop = recorder ? (*recorder)->close_loop() : fail(recorder.error());
+    // One figure, whose learnt landings are compared with.
+    (*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0);
     const auto watched = watch(**graph, kLeadIn + seconds);
     if (!watched) {
         return fail(watched.error());

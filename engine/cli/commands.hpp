@@ -118,9 +118,10 @@ struct TrainFigureArguments {
 struct SheetArguments {
     engine::Settings settings;
     Path output;         ///< .png
+    std::string figure;  ///< of the dance; empty: its first
     double bpm = 180.0;  ///< [50, 230]
 };
-/// Pose sheet of the basic step, every 1/8 of the figure, from the front and the side.
+/// Pose sheet of a figure, every 1/8 of the figure, from the front and the side.
 [[nodiscard]] ExitCode sheet(const SheetArguments& arguments);
 
 struct SynthArguments {

@@ -1,9 +1,12 @@
 #include "engine/cli/commands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <vector>
 
+#include "base/suggest.hpp"
 #include "engine/dance_files.hpp"
 #include "engine/picture.hpp"
 #include "motion/dancer.hpp"
@@ -38,7 +41,9 @@ MusicState steady_music(HopIndex hop, Bpm tempo) {
 }
 
 /// One figure from count 1 on, a pose every 1/8 beat.
-Expected<std::vector<motion::Pose>> poses_of_a_figure(const engine::Settings& settings, Bpm tempo) {
+Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments) {
+    const engine::Settings& settings = arguments.settings;
+    const Bpm tempo(arguments.bpm);
     const auto library = engine::load_dance(engine::dance_to_load(settings));
     if (!library) {
         return fail(library.error());
@@ -49,6 +54,15 @@ Expected<std::vector<motion::Pose>> poses_of_a_figure(const engine::Settings& se
         !prepared) {
         return fail(prepared.error());
     }
+    const std::vector<std::string_view> names = (*library)->figure_names();
+    const auto figure = std::find(names.begin(), names.end(), arguments.figure);
+    if (figure == names.end() && !arguments.figure.empty()) {
+        return fail(unknown_name("figure", arguments.figure, names));
+    }
+    const auto index = arguments.figure.empty() ? 0 : figure - names.begin();
+    using Kind = motion::DancerCommand::Kind;
+    dancer.command({Kind::select_figure, {}, static_cast<double>(index)});
+    dancer.command({Kind::lock_figure, {}, 1.0});
     const auto track = std::make_unique<motion::PoseTrack>();
     std::vector<motion::Pose> poses;
     for (HopIndex hop = 0; poses.size() < kPoses; ++hop) {
@@ -72,7 +86,7 @@ ExitCode sheet(const SheetArguments& arguments) {
     if (!look) {
         return fail(look.error());
     }
-    const auto poses = poses_of_a_figure(arguments.settings, Bpm(arguments.bpm));
+    const auto poses = poses_of_a_figure(arguments);
     if (!poses) {
         return fail(poses.error());
     }

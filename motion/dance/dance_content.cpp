@@ -111,10 +111,10 @@ struct Baking {
 
 }  // namespace
 
-Expected<DanceLibrary::Content> make_content(std::span<const FigureModel> figures,
+Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                                              const Skeleton& skeleton,
                                              const FigureGrammar* grammar) {
-    DanceLibrary::Content content;
+    DanceContent content;
     content.skeleton = skeleton;
     relax_hands(content.rest);
     std::vector<FigureTracks> tracks;
@@ -139,7 +139,7 @@ Expected<DanceLibrary::Content> make_content(std::span<const FigureModel> figure
     const StartPlaces places = common_places(figures, tracks, ways, skeleton);
 
     const Baking baking{figures, tracks, ways, places, skeleton};
-    constexpr std::size_t kPassages = DanceLibrary::Content::kPassages;
+    constexpr std::size_t kPassages = DanceContent::kPassages;
     std::vector<std::optional<FigurePassage>> baked(figures.size() * kPassages);
     {
         std::vector<std::jthread> workers;
@@ -167,7 +167,7 @@ Expected<DanceLibrary::Content> make_content(std::span<const FigureModel> figure
 }
 
 FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t number) noexcept {
-    constexpr auto kPassages = static_cast<std::uint64_t>(DanceLibrary::Content::kPassages);
+    constexpr auto kPassages = static_cast<std::uint64_t>(DanceContent::kPassages);
     const CounterRandom random(seed, kWaysStream);
     FigureChoice choice;
     choice.figure = figure;
@@ -179,7 +179,7 @@ FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t n
     return choice;
 }
 
-Pose pose_of(const DanceLibrary::Content& content,
+Pose pose_of(const DanceContent& content,
              const FigureChoice& choice,
              double beat) noexcept {
     const LibraryFigure& figure = content.figures[choice.figure];

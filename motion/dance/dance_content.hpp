@@ -9,7 +9,6 @@
 #include "base/expected.hpp"
 #include "motion/dance/choreography.hpp"
 #include "motion/dance/figure_passage.hpp"
-#include "motion/dancer.hpp"
 
 namespace raks::motion {
 
@@ -23,7 +22,7 @@ struct LibraryFigure {
 };
 
 /// What the dancer reads of a library.
-struct DanceLibrary::Content {
+struct DanceContent {
     /// Ways to dance each figure: two repeats then share legs and torso one time in eight, and
     /// never the arms, which are mixed from two of them.
     static constexpr int kPassages = 8;
@@ -37,7 +36,7 @@ struct DanceLibrary::Content {
 };
 
 /// Errors: as DanceLibrary::build says. Threads: workers; two of its own. Real-time: no.
-[[nodiscard]] Expected<DanceLibrary::Content> make_content(std::span<const FigureModel> figures,
+[[nodiscard]] Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                                                            const Skeleton& skeleton,
                                                            const FigureGrammar* grammar);
 
@@ -56,7 +55,7 @@ struct FigureChoice {
 
 /// The pose at a beat of a figure so danced, in the frame of its start.
 /// Threads: any. Real-time: yes.
-[[nodiscard]] Pose pose_of(const DanceLibrary::Content& content,
+[[nodiscard]] Pose pose_of(const DanceContent& content,
                            const FigureChoice& choice,
                            double beat) noexcept;
 

@@ -35,7 +35,7 @@ Pose average(const Skeleton& skeleton, const Pose& from, const Pose& to, float s
 
 }  // namespace
 
-FloorMove floor_of(const DanceLibrary::Content& content, bool is_turned) noexcept {
+FloorMove floor_of(const DanceContent& content, bool is_turned) noexcept {
     if (is_turned) {
         for (const LibraryFigure& figure : content.figures) {
             if (figure.turns_half) {
@@ -46,7 +46,7 @@ FloorMove floor_of(const DanceLibrary::Content& content, bool is_turned) noexcep
     return content.stage;
 }
 
-void FigureSequence::start(const DanceLibrary::Content& content,
+void FigureSequence::start(const DanceContent& content,
                            std::uint64_t seed,
                            bool stands_turned) noexcept {
     content_ = &content;

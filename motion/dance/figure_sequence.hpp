@@ -19,7 +19,7 @@ class FigureSequence {
 
     /// Begins with the library's first figure, its count 1 at phase 0. `stands_at`: what an earlier
     /// dance left the dancer at.
-    void start(const DanceLibrary::Content& content,
+    void start(const DanceContent& content,
                std::uint64_t seed,
                bool stands_turned) noexcept;
 
@@ -54,7 +54,7 @@ class FigureSequence {
                               const Danced& after,
                               double phase) const noexcept;
 
-    const DanceLibrary::Content* content_ = nullptr;
+    const DanceContent* content_ = nullptr;
     std::uint64_t seed_ = 0;
     std::uint64_t number_ = 0;
     std::optional<Danced> before_;
@@ -63,6 +63,6 @@ class FigureSequence {
 };
 
 /// From where a figure starts to the stage, for a dancer who stands turned or not.
-[[nodiscard]] FloorMove floor_of(const DanceLibrary::Content& content, bool is_turned) noexcept;
+[[nodiscard]] FloorMove floor_of(const DanceContent& content, bool is_turned) noexcept;
 
 }  // namespace raks::motion

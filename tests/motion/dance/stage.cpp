@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "motion/figures/figure_grammar.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 #include <glm/geometric.hpp>
@@ -18,6 +19,40 @@ const FigureModel& basic_step() {
         return *loaded;
     }();
     return model;
+}
+
+namespace {
+
+const FigureGrammar& salsa_grammar() {
+    static const FigureGrammar grammar = [] {
+        auto loaded = load_grammar(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa.toml");
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        return *loaded;
+    }();
+    return grammar;
+}
+
+}  // namespace
+
+const std::vector<FigureModel>& salsa_figures() {
+    static const std::vector<FigureModel> figures = [] {
+        std::vector<FigureModel> models;
+        for (const FigureGrammar::Rule& rule : salsa_grammar().rules) {
+            auto loaded = load_figure(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_" +
+                                      rule.figure + "_lead.json");
+            EXPECT_TRUE(loaded) << loaded.error().message;
+            models.push_back(*loaded);
+        }
+        return models;
+    }();
+    return figures;
+}
+
+std::shared_ptr<const DanceLibrary> salsa_library() {
+    static const auto library =
+        DanceLibrary::build(salsa_figures(), mannequin_skeleton(), &salsa_grammar());
+    EXPECT_TRUE(library) << library.error().message;
+    return *library;
 }
 
 std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model) {

@@ -1,6 +1,7 @@
 // The models that ship: they load, they are the basic step, and the clips give them again.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -23,9 +24,9 @@ fs::path shared_mocap() {
     return root / "data" / "mocap";
 }
 
-fs::path model_path(DanceRole role) {
-    return kModels /
-           (role == DanceRole::lead ? "salsa_basic_lead.json" : "salsa_basic_follow.json");
+fs::path model_path(DanceRole role, const std::string& figure = "basic") {
+    const std::string name(kRoleNames[static_cast<std::size_t>(role)]);
+    return kModels / ("salsa_" + figure + "_" + name + ".json");
 }
 
 class ShippedFigure : public ::testing::TestWithParam<DanceRole> {};
@@ -67,6 +68,19 @@ TEST_P(ShippedFigure, lands_late_on_three_and_seven_as_people_do) {
     EXPECT_NEAR(median(1 - one, 7), 0.36, 0.15);
 }
 
+TEST_P(ShippedFigure, half_turns_are_half_turns) {
+    // Cross-body: both end half a turn further; the follow's travelling turn has a full one more.
+    const auto turn_of = [](const std::string& figure) {
+        const Expected<FigureModel> model = load_figure(model_path(GetParam(), figure));
+        EXPECT_TRUE(model) << model.error().message;
+        return model->net_turn / M_PI;
+    };
+    EXPECT_NEAR(std::abs(turn_of("cross_body_lead")), 1.0, 0.25);
+    const bool is_lead = GetParam() == DanceRole::lead;
+    EXPECT_NEAR(std::abs(turn_of("inplace_turn")), is_lead ? 0.0 : 2.0, 0.25);
+    EXPECT_NEAR(std::abs(turn_of("travelling_turn")), is_lead ? 1.0 : 3.0, 0.25);
+}
+
 TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
     const fs::path mocap = shared_mocap();
     const fs::path archive = mocap / "salsa" / "salsa.tar.xz";
@@ -92,10 +106,15 @@ TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
     plan.frames_per_second = 60.0;
     plan.metres_per_unit = is_lead ? 1.267 : 1.17;
     plan.attribution = cmu_attribution();
-    const Expected<FigureTrainingReport> report = train_figure(plan);
+    for (const char* const figure :
+         {"basic", "cross_body_lead", "inplace_turn", "travelling_turn"}) {
+        plan.figure = figure;
+        const Expected<FigureTrainingReport> report = train_figure(plan);
+        ASSERT_TRUE(report) << report.error().message;
+        EXPECT_EQ(figure_text(report->model), read_file(model_path(GetParam(), figure)).value())
+            << figure;
+    }
     fs::remove_all(folder);
-    ASSERT_TRUE(report) << report.error().message;
-    EXPECT_EQ(figure_text(report->model), read_file(model_path(GetParam())).value());
 }
 
 }  // namespace

@@ -1,0 +1,95 @@
+// The grammar's file: what is written there is read, and every fault is told in one line.
+#include "motion/figures/figure_grammar.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/random.hpp"
+
+namespace raks::motion {
+namespace {
+
+const std::string kGood = R"(format = "raks-dance"
+version = 1
+dance = "salsa"
+[[figure]]
+name = "basic"
+energy = 0.2
+after = { turn = 3, basic = 1 }
+[[figure]]
+name = "turn"
+after = { basic = 1.5 }
+)";
+
+std::string replaced(const std::string& what, const std::string& with) {
+    std::string text = kGood;
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), with);
+}
+
+TEST(FigureGrammar, reads_figures_energies_and_weights) {
+    const auto grammar = parse_grammar(kGood, "x.toml");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    EXPECT_EQ(grammar->dance, "salsa");
+    ASSERT_EQ(grammar->rules.size(), 2U);
+    EXPECT_EQ(grammar->rules[0].figure, "basic");
+    EXPECT_EQ(grammar->rules[0].energy, 0.2);
+    EXPECT_EQ(grammar->rules[0].after, (std::vector<double>{1.0, 3.0}));
+    EXPECT_EQ(grammar->rules[1].energy, 0.5);
+    EXPECT_EQ(grammar->rules[1].after, (std::vector<double>{1.5, 0.0}));
+}
+
+TEST(FigureGrammar, the_shipped_one_is_read) {
+    const auto grammar = load_grammar(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa.toml");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    EXPECT_EQ(grammar->rules.size(), 4U);
+}
+
+TEST(FigureGrammar, tells_what_is_wrong_and_where) {
+    const struct {
+        std::string text;
+        const char* expected;
+    } cases[] = {{"", "format must be"},
+                 {"[[", "line 1"},
+                 {replaced("raks-dance", "raks-danse"), "format must be \"raks-dance\""},
+                 {replaced("version = 1", "version = 2"), "version"},
+                 {replaced("dance = \"salsa\"", ""), "needs dance"},
+                 {replaced("energy", "enegry"), "did you mean \"energy\"?"},
+                 {replaced("turn = 3", "tunr = 3"), "did you mean \"turn\"?"},
+                 {replaced("name = \"turn\"", "name = \"basic\""), "twice"},
+                 {replaced("name = \"turn\"", ""), "needs a name"},
+                 {replaced("energy = 0.2", "energy = 2"), "from 0 to 1"},
+                 {replaced("energy = 0.2", "energy = nan"), "from 0 to 1"},
+                 {replaced("turn = 3", "turn = -3"), "must be a number >= 0"},
+                 {replaced("turn = 3", "turn = \"x\""), "must be a number >= 0"},
+                 {replaced("basic = 1.5", "basic = 0"), "nothing comes after"},
+                 {replaced("after = { basic = 1.5 }", ""), "nothing comes after"}};
+    for (const auto& c : cases) {
+        const auto grammar = parse_grammar(c.text, "x.toml");
+        ASSERT_FALSE(grammar) << c.text;
+        const std::string& message = grammar.error().message;
+        EXPECT_NE(message.find(c.expected), std::string::npos) << message;
+        EXPECT_EQ(message.find("x.toml"), 0U) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+}
+
+TEST(FigureGrammar, survives_every_cut_and_flipped_bytes) {
+    for (std::size_t length = 0; length < kGood.size(); ++length) {
+        const auto grammar = parse_grammar(kGood.substr(0, length), "x.toml");
+        EXPECT_TRUE(grammar || grammar.error().message.find('\n') == std::string::npos);
+    }
+    const CounterRandom random(4);
+    for (std::uint64_t i = 0; i < 500; ++i) {
+        std::string text = kGood;
+        for (std::uint64_t flip = 0; flip < 3; ++flip) {
+            text[random.below(6 * i + 2 * flip, text.size())] =
+                static_cast<char>(random.below(6 * i + 2 * flip + 1, 256));
+        }
+        const auto grammar = parse_grammar(text, "x.toml");
+        EXPECT_TRUE(grammar || grammar.error().message.find('\n') == std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace raks::motion
