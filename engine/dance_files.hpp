@@ -6,7 +6,8 @@
 
 #include "base/expected.hpp"
 #include "engine/settings.hpp"
-#include "motion/dancer.hpp"
+#include "motion/ensemble.hpp"
+#include "motion/figures/figure_model.hpp"
 
 namespace raks::engine {
 
@@ -22,6 +23,10 @@ namespace raks::engine {
 /// Reads the trained figures of a dance from models/trained and solves them for the built-in
 /// mannequin. Errors: an unknown dance, a model file that is missing or bad.
 [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
-    const std::string& dance);
+    const std::string& dance, motion::DanceRole role = motion::DanceRole::lead);
+
+/// Who dances, by the settings: dance, formation and seed. Errors: as load_dance, an unknown
+/// formation.
+[[nodiscard]] Expected<std::vector<motion::EnsembleMember>> load_dancers(const Settings& settings);
 
 }  // namespace raks::engine

@@ -80,12 +80,12 @@ LiveGraph::~LiveGraph() {
 
 Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     pose_lead_ = config.pose_lead;
-    motion::Dancer dancer;
-    if (auto prepared = dancer.prepare(config.library, motion::mannequin_skeleton(), config.seed);
-        !prepared) {
-        return fail(prepared.error());
+    motion::Ensemble dancers;
+    if (auto ok = dancers.prepare(config.members, motion::mannequin_skeleton()); !ok) {
+        return ok;
     }
-    motion_ = std::make_unique<MotionThread>(std::move(dancer), analysis_->states(), config.record);
+    motion_ =
+        std::make_unique<MotionThread>(std::move(dancers), analysis_->states(), config.record);
     return {};
 }
 

@@ -20,11 +20,10 @@ namespace raks::engine {
 
 /// What `play` and `live` share.
 struct LiveGraphConfig {
-    std::shared_ptr<const motion::DanceLibrary> library;
-    std::uint64_t seed = 1;
-    Nanos latency_offset{};                   ///< the user's, added to what the device reports
-    Nanos pose_lead{};                        ///< pictures show this much ahead
-    EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop, if given
+    std::vector<motion::EnsembleMember> members;  ///< who dances
+    Nanos latency_offset{};                       ///< the user's, added to what the device reports
+    Nanos pose_lead{};                            ///< pictures show this much ahead
+    EventQueue<DancedHop>* record = nullptr;      ///< gets every danced hop, if given
 };
 
 /// Counters for the overlay and the benchmarks.

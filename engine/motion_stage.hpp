@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -7,20 +8,25 @@
 #include "base/channels/event_queue.hpp"
 #include "base/channels/latest_value.hpp"
 #include "base/music_state.hpp"
-#include "motion/dancer.hpp"
+#include "motion/ensemble.hpp"
 #include "motion/skeleton/pose_track.hpp"
 
 namespace raks::engine {
 
 /// What is published after each wake-up: all that drawing needs, taken at one hop.
 struct StageState {
-    motion::PoseTrack track;
+    std::array<motion::PoseTrack, motion::Ensemble::kMost> tracks;  ///< one a dancer
+    std::size_t dancers = 1;
     MusicState music;
-    motion::DancerStatus dancer;
+    motion::DancerStatus dancer;       ///< of the first
     std::int64_t published_at_ns = 0;  ///< CLOCK_MONOTONIC
+
+    /// The first dancer's.
+    [[nodiscard]] const motion::PoseTrack& track() const noexcept { return tracks[0]; }
 };
 
-/// One hop as danced, for tests and benchmarks that need every hop and not only the newest.
+/// One hop as danced by the first, for tests and benchmarks that need every hop and not only the
+/// newest.
 struct DancedHop {
     HopIndex hop = 0;
     motion::Pose pose;
@@ -31,7 +37,7 @@ struct DancedHop {
 class MotionStage {
  public:
     /// `states` must outlive this. `record`, if given, gets every danced hop (drops when full).
-    MotionStage(motion::Dancer dancer,
+    MotionStage(motion::Ensemble dancers,
                 EventQueue<MusicState>& states,
                 EventQueue<DancedHop>* record = nullptr);
 
@@ -50,7 +56,7 @@ class MotionStage {
     }
 
  private:
-    motion::Dancer dancer_;
+    motion::Ensemble dancers_;
     EventQueue<MusicState>& states_;
     EventQueue<DancedHop>* record_;
     EventQueue<motion::DancerCommand> commands_;

@@ -14,7 +14,7 @@ namespace raks::engine {
 class MotionThread {
  public:
     /// `states` must outlive this. `record`, if given, gets every danced hop (drops when full).
-    MotionThread(motion::Dancer dancer,
+    MotionThread(motion::Ensemble dancers,
                  EventQueue<MusicState>& states,
                  EventQueue<DancedHop>* record = nullptr);
     ~MotionThread();

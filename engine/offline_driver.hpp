@@ -7,7 +7,7 @@
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "base/time.hpp"
-#include "motion/dancer.hpp"
+#include "motion/ensemble.hpp"
 #include "motion/skeleton/pose_track.hpp"
 
 namespace raks::engine {
@@ -15,7 +15,8 @@ namespace raks::engine {
 /// What exists after one hop, for whoever records or draws it.
 struct PerformedHop {
     const MusicState& music;
-    const motion::PoseTrack& track;
+    const motion::PoseTrack& track;             ///< of the first dancer
+    std::span<const motion::PoseTrack> tracks;  ///< of all
     const motion::DancerStatus& dancer;
 };
 
@@ -37,9 +38,14 @@ class OfflineDriver {
         ~Sink() = default;
     };
 
-    /// Errors: a sample rate out of range, a library that does not fit the skeleton.
+    /// Errors: a sample rate out of range, no dancer, a library that is missing.
     [[nodiscard]] static Expected<OfflineDriver> create(
-        SampleRate rate, std::shared_ptr<const motion::DanceLibrary> library, std::uint64_t seed);
+        SampleRate rate, std::span<const motion::EnsembleMember> members);
+    /// One dancer alone.
+    [[nodiscard]] static Expected<OfflineDriver> create(
+        SampleRate rate,
+        const std::shared_ptr<const motion::DanceLibrary>& library,
+        std::uint64_t seed);
 
     /// Takes the next samples; calls the sink once for each hop that is complete.
     void feed(std::span<const float> mono, Sink& sink);
@@ -48,15 +54,15 @@ class OfflineDriver {
     void finish(Sink& sink);
 
     void command(const audio::AnalyzerCommand& command) { analyzer_.command(command); }
-    void command(const motion::DancerCommand& command) { dancer_.command(command); }
+    void command(const motion::DancerCommand& command) { dancers_.command(command); }
 
  private:
-    OfflineDriver(SampleRate rate, audio::MusicAnalyzer analyzer, motion::Dancer dancer);
+    OfflineDriver(SampleRate rate, audio::MusicAnalyzer analyzer, motion::Ensemble dancers);
 
     SampleRate rate_;
     audio::MusicAnalyzer analyzer_;
-    motion::Dancer dancer_;
-    std::unique_ptr<motion::PoseTrack> track_;
+    motion::Ensemble dancers_;
+    std::vector<motion::PoseTrack> tracks_;
     std::int64_t samples_fed_ = 0;
 };
 

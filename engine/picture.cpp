@@ -1,6 +1,11 @@
 #include "engine/picture.hpp"
 
 namespace raks::engine {
+namespace {
+
+constexpr float kWideFormation = 1.35F;  // three side by side, seen whole
+
+}  // namespace
 
 Expected<Look> read_look(const Settings& settings) {
     Look look;
@@ -14,6 +19,9 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(camera.error());
     }
     look.scene.camera = *camera;
+    if (settings.formation != "solo" && settings.formation != "couple") {
+        look.scene.camera.zoom(kWideFormation);
+    }
     const auto size = parse_size(settings.size);
     if (!size) {
         return fail(size.error());

@@ -35,7 +35,7 @@ struct Key {
     std::string_view help;
 };
 
-const std::array<Key, 15> kKeys = {{
+const std::array<Key, 16> kKeys = {{
     {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
     {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
     {"audio",
@@ -52,6 +52,7 @@ const std::array<Key, 15> kKeys = {{
      0,
      0,
      "danced when nothing is recognised"},
+    {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
     {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
     {"dance",
      "pose_lead_ms",

@@ -21,6 +21,7 @@ struct Settings {
     // [dance]
     std::string dance = "auto";            ///< a genre's name, or auto: as recognised
     std::string fallback_dance = "salsa";  ///< danced when nothing is recognised
+    std::string formation = "solo";        ///< solo, couple, unison, canon or free
     std::int64_t seed = 1;                 ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;             ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]

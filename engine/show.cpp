@@ -40,7 +40,7 @@ void Show::draw(const ShownMoment& shown,
         return;  // a minimized window
     }
     scene_.rings = render::beat_rings(shown.music.grid, shown.moment);
-    renderer_.draw(scene_, shown.pose, target);
+    renderer_.draw(scene_, shown.poses, target);
     describe_moment(shown, info);
     overlay_.draw(info, overlay_view_, target, content_scale);
 }

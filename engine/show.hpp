@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "base/expected.hpp"
@@ -17,8 +18,8 @@ namespace raks::engine {
 struct ShownMoment {
     const MusicState& music;
     const motion::DancerStatus& dancer;
-    const motion::Pose& pose;
-    StreamTime moment;  ///< what is seen and heard then
+    std::span<const motion::Pose> poses;  ///< one a dancer
+    StreamTime moment;                    ///< what is seen and heard then
 };
 
 /// Draws pictures of the dance: stage, dancer and overlay. The same for a window and for a video.

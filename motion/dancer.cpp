@@ -52,10 +52,23 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }
 
+namespace {
+
+/// Where this dancer's figures start.
+FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
+    FloorMove stage = part.is_in_couple ? content.couple : content.stage;
+    stage.offset.x += part.aside;
+    return stage;
+}
+
+}  // namespace
+
 struct Dancer::State {
     std::shared_ptr<const DanceLibrary> library;
     Skeleton skeleton;
-    std::uint64_t seed = 0;
+    DancerPart part;
+    FloorMove stage;  // from where a figure starts
+    int bars_to_wait = 0;
     FigureSequence sequence;
     FigureWish wish;
     MusicEnergy energy;
@@ -63,6 +76,7 @@ struct Dancer::State {
 
     bool is_dancing = false;
     bool is_held = false;
+    bool was_downbeat = false;  // at the last hop that might have begun
     int hops_sure = 0;
     int hops_unsure = 0;
     DancePhase phase;
@@ -93,6 +107,7 @@ void Dancer::State::reset() noexcept {
     wish = FigureWish();
     energy.reset();
     stands_turned = false;
+    bars_to_wait = part.bars_late;
     is_dancing = is_held = false;
     hops_sure = hops_unsure = 0;
     phase = DancePhase();
@@ -141,7 +156,7 @@ Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
         return sequence.at(phase.phase_after(ahead));
     }
     // Where the dance ended, turned as it ended.
-    const FloorMove from_start = floor_of(content(), stands_turned);
+    const FloorMove from_start = floor_of(content(), stage, stands_turned);
     const FloorMove to_start = inverse(content().stage);
     return (from_start * to_start)(idle_pose(skeleton, time + ahead));
 }
@@ -188,12 +203,16 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     }
     const Beats now = music.grid.beats_at(music.time);
     const double since_downbeat = music.grid.bar_position(now);
-    if (since_downbeat < kDownbeatWindow) {
+    const bool is_downbeat = since_downbeat < kDownbeatWindow;
+    if (is_downbeat && !was_downbeat && bars_to_wait > 0) {
+        --bars_to_wait;
+    } else if (is_downbeat && !was_downbeat) {
         is_dancing = true;
         phase.start(music.grid, now - Beats(since_downbeat), content().learnt_tempo, music.time);
-        sequence.start(content(), seed, stands_turned);
+        sequence.start(content(), stage, part, stands_turned);
         change(music.time);
     }
+    was_downbeat = is_downbeat;
 }
 
 Dancer::Dancer() : state_(std::make_unique<State>()) {}
@@ -203,16 +222,25 @@ Dancer& Dancer::operator=(Dancer&&) noexcept = default;
 
 Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
                                const Skeleton& skeleton,
-                               std::uint64_t seed) {
+                               const DancerPart& part) {
     if (!library) {
         return fail("the dancer has no dance: a library is missing");
     }
     state_ = std::make_unique<State>();
     state_->library = std::move(library);
     state_->skeleton = skeleton;
-    state_->seed = seed;
+    state_->part = part;
+    state_->stage = stage_of(state_->content(), part);
     state_->reset();
     return {};
+}
+
+Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
+                               const Skeleton& skeleton,
+                               std::uint64_t seed) {
+    DancerPart part;
+    part.seed = part.ways = seed;
+    return prepare(std::move(library), skeleton, part);
 }
 
 void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NONBLOCKING {

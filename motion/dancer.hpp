@@ -12,6 +12,7 @@
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
 #include "base/time.hpp"
+#include "motion/dance/dancer_part.hpp"
 #include "motion/skeleton/pose_track.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -91,6 +92,10 @@ class Dancer {
     Dancer& operator=(Dancer&&) noexcept;
 
     /// Stands ready at the stage's centre. Errors: no library. Real-time: no (allocates).
+    [[nodiscard]] Expected<void> prepare(std::shared_ptr<const DanceLibrary> library,
+                                         const Skeleton& skeleton,
+                                         const DancerPart& part);
+    /// Alone: figures and ways from one seed.
     [[nodiscard]] Expected<void> prepare(std::shared_ptr<const DanceLibrary> library,
                                          const Skeleton& skeleton,
                                          std::uint64_t seed);

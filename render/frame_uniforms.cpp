@@ -89,7 +89,7 @@ glm::vec3 display_colour(glm::vec3 linear) noexcept {
 }
 
 FrameView frame_view(const Scene& scene,
-                     const motion::WorldPose& dancer,
+                     std::span<const motion::WorldPose> dancers,
                      const FrameTarget& target) noexcept {
     FrameView view;
     FrameUniforms& u = view.uniforms;
@@ -103,11 +103,21 @@ FrameView frame_view(const Scene& scene,
     set_materials(u, *scene.theme, scene.view);
     set_stage(u, scene);
 
-    const auto blobs = shadow_blobs(dancer, lights.key);
-    std::transform(blobs.begin(), blobs.end(), u.blobs.begin(), [](const ShadowBlob& blob) {
-        return glm::vec4(blob.x, blob.z, 1.0F / (blob.radius * blob.radius), blob.strength);
-    });
-    view.clip_from_light = light_clip_from_world(dancer.position(motion::Bone::hips), lights.key);
+    auto next = u.blobs.begin();
+    glm::vec3 centre{};
+    for (const motion::WorldPose& dancer : dancers) {
+        const auto blobs = shadow_blobs(dancer, lights.key);
+        next = std::transform(blobs.begin(), blobs.end(), next, [](const ShadowBlob& blob) {
+            return glm::vec4(blob.x, blob.z, 1.0F / (blob.radius * blob.radius), blob.strength);
+        });
+        centre += dancer.position(motion::Bone::hips) / static_cast<float>(dancers.size());
+    }
+    u.counts.x = static_cast<float>(next - u.blobs.begin());
+    float spread = 0.0F;
+    for (const motion::WorldPose& dancer : dancers) {
+        spread = std::max(spread, glm::distance(dancer.position(motion::Bone::hips), centre));
+    }
+    view.clip_from_light = light_clip_from_world(centre, spread, lights.key);
     const glm::mat4 half_up = glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)),
                                          glm::vec3(0.5F));  // [-1,1] to [0,1]
     u.shadow_from_world = half_up * view.clip_from_light;

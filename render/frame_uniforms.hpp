@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "motion/skeleton/skeleton.hpp"
 #include "render/gl/frame_target.hpp"
@@ -35,19 +36,21 @@ struct FrameUniforms {
     glm::vec4 floor_sky_tint{};
     glm::vec4 display_ring{};
     std::array<glm::vec4, 4> rings{};
-    std::array<glm::vec4, 11> blobs{};
+    std::array<glm::vec4, 44> blobs{};  // eleven a dancer
     glm::vec4 picture{};
     glm::vec4 tone{};
+    glm::vec4 counts{};
 };
-static_assert(sizeof(FrameUniforms) == (8 + 9 + 7 + 8 + 4 + 11 + 2) * sizeof(glm::vec4));
+static_assert(sizeof(FrameUniforms) == (8 + 9 + 7 + 8 + 4 + 44 + 3) * sizeof(glm::vec4));
 
 /// The block for one picture and, beside it, the shadow map's projection.
 struct FrameView {
     FrameUniforms uniforms;
     glm::mat4 clip_from_light{};
 };
+/// `dancers`: one to four.
 [[nodiscard]] FrameView frame_view(const Scene& scene,
-                                   const motion::WorldPose& dancer,
+                                   std::span<const motion::WorldPose> dancers,
                                    const FrameTarget& target) noexcept;
 
 /// A linear colour as shown (gamma 2.2).

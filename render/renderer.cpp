@@ -7,6 +7,8 @@
 #include "render/gl/shadow_map.hpp"
 #include "render/stage_painter.hpp"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -85,8 +87,10 @@ struct Renderer::Parts {
     gl::Buffer frame;
 
     void upload(const FrameUniforms& uniforms) const noexcept;
-    void draw_shadow_map(const glm::mat4& clip_from_light) const noexcept;
-    void draw_bodies(const Scene& scene) const noexcept;
+    void draw_shadow_map(std::span<const motion::Pose> poses,
+                         View view,
+                         const glm::mat4& clip_from_light) noexcept;
+    void draw_body(const Scene& scene) const noexcept;
     void draw_stage(const Scene& scene) const noexcept;
 };
 
@@ -96,17 +100,22 @@ void Renderer::Parts::upload(const FrameUniforms& uniforms) const noexcept {
     glBindBufferBase(GL_UNIFORM_BUFFER, gl::kFrameBinding, frame.name());
 }
 
-void Renderer::Parts::draw_shadow_map(const glm::mat4& clip_from_light) const noexcept {
+void Renderer::Parts::draw_shadow_map(std::span<const motion::Pose> poses,
+                                      View view,
+                                      const glm::mat4& clip_from_light) noexcept {
     if (shadow_map) {
         glDisable(GL_CULL_FACE);
         glDisable(GL_SCISSOR_TEST);
         shadow_map->begin();
-        body.draw_depth(clip_from_light);
+        for (const motion::Pose& pose : poses) {
+            body.set_pose(pose, view);
+            body.draw_depth(clip_from_light);
+        }
         shadow_map->end();
     }
 }
 
-void Renderer::Parts::draw_bodies(const Scene& scene) const noexcept {
+void Renderer::Parts::draw_body(const Scene& scene) const noexcept {
     body.draw(scene.theme->dress, BodyPainter::Image::upright);
     if (quality == Quality::high && scene.backdrop == Backdrop::stage) {
         glFrontFace(GL_CW);
@@ -174,18 +183,30 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target) {
-    if (target.width < 1 || target.height < 1) {
+    draw(scene, std::span(&pose, 1), target);
+}
+
+void Renderer::draw(const Scene& scene,
+                    std::span<const motion::Pose> poses,
+                    const FrameTarget& target) {
+    if (target.width < 1 || target.height < 1 || poses.empty()) {
         return;
     }
-    const motion::WorldPose dancer = motion::world_pose(parts_->skeleton, pose);
-    const FrameView view = frame_view(scene, dancer, target);
+    poses = poses.first(std::min(poses.size(), kMostDancers));
+    std::array<motion::WorldPose, kMostDancers> dancers;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        dancers[i] = motion::world_pose(parts_->skeleton, poses[i]);
+    }
+    const FrameView view = frame_view(scene, std::span(dancers).first(poses.size()), target);
     parts_->upload(view.uniforms);
-    parts_->body.set_pose(pose, scene.view);
-    parts_->draw_shadow_map(view.clip_from_light);
+    parts_->draw_shadow_map(poses, scene.view, view.clip_from_light);
 
     const DrawingState state(target);
     clear(scene);
-    parts_->draw_bodies(scene);
+    for (const motion::Pose& pose : poses) {
+        parts_->body.set_pose(pose, scene.view);
+        parts_->draw_body(scene);
+    }
     parts_->draw_stage(scene);
 }
 

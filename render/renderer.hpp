@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "base/expected.hpp"
@@ -23,10 +25,10 @@ struct RendererConfig {
     Quality quality = Quality::automatic;
 };
 
-/// Draws one avatar on its stage with OpenGL 3.3 core: works in whatever context is current when it
-/// is created (window or off-screen) and must be used and destroyed with that one current.
-/// The same pose, scene and size give the same pixels on the same machine.
-/// Threads: the context's. Real-time: no (draw() itself allocates nothing; the driver may).
+/// Draws an avatar, or several alike, on its stage with OpenGL 3.3 core: works in whatever context
+/// is current when it is created (window or off-screen) and must be used and destroyed with that
+/// one current. The same pose, scene and size give the same pixels on the same machine. Threads:
+/// the context's. Real-time: no (draw() itself allocates nothing; the driver may).
 class Renderer {
  public:
     /// Uploads the avatar and compiles the shaders. The avatar may be destroyed afterwards.
@@ -42,6 +44,9 @@ class Renderer {
     /// without area (a minimized window) draws nothing. Leaves `target` bound and depth test,
     /// blending, face culling and scissor off.
     void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);
+    /// Several dancers, kMostDancers at most; more are left out.
+    void draw(const Scene& scene, std::span<const motion::Pose> poses, const FrameTarget& target);
+    static constexpr std::size_t kMostDancers = 4;
 
     /// Quality::fast or Quality::high: what `automatic` became.
     [[nodiscard]] Quality quality() const noexcept;

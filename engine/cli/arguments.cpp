@@ -28,6 +28,8 @@ constexpr const char* kExamples =
 /// The options of DESIGN 6 that play, live and render share.
 void add_picture_options(CLI::App& app, engine::Settings& settings) {
     app.add_option("--dance", settings.dance, "the dance to keep to, or auto");
+    app.add_option(
+        "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
     app.add_option("--seed", settings.seed, "same seed, same dance");
     app.add_option("--theme", settings.theme, "stage, workshop_dark or studio_light");
     app.add_option("--camera", settings.camera, "wide, portrait, front or side");

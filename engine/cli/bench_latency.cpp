@@ -55,15 +55,15 @@ Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
         const engine::StageState& stage = graph.stage();
         const HostTime now = HostClock::now();
         const engine::ClockLine clock = graph.analysis().clock();
-        if (stage.track.is_empty() || !clock.is_running) {
+        if (stage.track().is_empty() || !clock.is_running) {
             continue;
         }
         const StreamTime moment = graph.moment_at(now);
         watched.late_ms.push_back(1e3 * to_seconds(now - due));
         watched.music_age_ms.push_back(
             1e3 * to_seconds(graph.analysis().taken_until() - stage.music.time));
-        watched.pose_age_ms.push_back(1e3 *
-                                      to_seconds(time_of_hop(stage.track.newest_final()) - moment));
+        watched.pose_age_ms.push_back(
+            1e3 * to_seconds(time_of_hop(stage.track().newest_final()) - moment));
         watched.bpm.push_back(stage.music.grid.tempo.bpm());
         watched.grids.push_back(stage.music.grid);
         watched.pictures.push_back({now,
@@ -71,7 +71,7 @@ Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
                                     clock,
                                     stage.dancer.is_dancing,
                                     stage.dancer.octave,
-                                    stage.track.at(moment)});
+                                    stage.track().at(moment)});
     }
     return watched;
 }
@@ -251,7 +251,7 @@ Expected<BenchReport> bench_latency(double seconds) {
     if (!library || !player) {
         return fail(!library ? library.error() : player.error());
     }
-    config.library = *library;
+    config.members = motion::members_of(motion::Formation::solo, *library, nullptr, 1);
     (*player)->wait_until_ready(4096);
     auto recorder = recorder_for(system, output, kLeadIn + seconds + 5.0);
     auto graph = engine::LiveGraph::play(std::move(*player), output, config);

@@ -138,9 +138,9 @@ ExitCode play(const PlayArguments& arguments) {
     if (!output) {
         return fail(output.error().message + " (--no-sound dances without a loudspeaker)");
     }
-    auto library = engine::load_dance(engine::dance_to_load(arguments.settings));
-    if (!library) {
-        return fail(library.error());
+    auto members = engine::load_dancers(arguments.settings);
+    if (!members) {
+        return fail(members.error());
     }
     auto loop = StageLoop::create(arguments.settings,
                                   {arguments.is_headless, arguments.is_fullscreen, std::nullopt});
@@ -148,8 +148,7 @@ ExitCode play(const PlayArguments& arguments) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
-    config.library = *library;
-    config.seed = static_cast<std::uint64_t>(arguments.settings.seed);
+    config.members = *members;
     config.latency_offset = nanos_from_seconds(arguments.settings.latency_offset_ms * 1e-3);
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     bool has_lost_device = false;

@@ -40,7 +40,7 @@ class Film final : public engine::OfflineDriver::Sink {
 
     void on_hop(const engine::PerformedHop& hop) override {
         last_.emplace(Last{hop.music, hop.dancer});
-        track_ = &hop.track;
+        tracks_ = hop.tracks;
         while (!fault_ && next_moment() + lead_ <= time_of_hop(hop.track.newest_final())) {
             draw();
         }
@@ -71,9 +71,11 @@ class Film final : public engine::OfflineDriver::Sink {
         render::OverlayState info;
         info.source = source_;
         info.position = start_seconds_ + to_seconds(moment);
-        show_.draw({last_->music, last_->dancer, track_->at(moment + lead_), moment},
-                   info,
-                   target_.frame());
+        poses_.clear();
+        for (const motion::PoseTrack& track : tracks_) {
+            poses_.push_back(track.at(moment + lead_));
+        }
+        show_.draw({last_->music, last_->dancer, poses_, moment}, info, target_.frame());
         auto done = target_.read_rgba(rgba_);
         if (done) {
             done = writer_.add_picture(rgba_);
@@ -94,7 +96,8 @@ class Film final : public engine::OfflineDriver::Sink {
     std::vector<std::uint8_t> rgba_;
     std::int64_t next_ = 0;
     std::optional<Last> last_;
-    const motion::PoseTrack* track_ = nullptr;
+    std::span<const motion::PoseTrack> tracks_;
+    std::vector<motion::Pose> poses_;
     std::optional<Error> fault_;
 };
 
@@ -144,12 +147,11 @@ ExitCode render(const RenderArguments& given) {
     if (!look) {
         return fail(look.error());
     }
-    const auto library = engine::load_dance(engine::dance_to_load(arguments.settings));
-    if (!library) {
-        return fail(library.error());
+    const auto members = engine::load_dancers(arguments.settings);
+    if (!members) {
+        return fail(members.error());
     }
-    auto driver = engine::OfflineDriver::create(
-        source->rate(), *library, static_cast<std::uint64_t>(arguments.settings.seed));
+    auto driver = engine::OfflineDriver::create(source->rate(), *members);
     if (!driver) {
         return fail(std::move(driver.error()).in(arguments.input.string()));
     }

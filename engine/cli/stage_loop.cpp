@@ -273,8 +273,11 @@ void StageLoop::draw(engine::LiveGraph& graph,
     if (now < message_until_) {
         info.message = message_;
     }
-    const motion::Pose pose = stage.track.at(moment);
-    show_->draw({stage.music, stage.dancer, pose, moment},
+    std::array<motion::Pose, motion::Ensemble::kMost> poses;
+    for (std::size_t i = 0; i < stage.dancers; ++i) {
+        poses[i] = stage.tracks[i].at(moment);
+    }
+    show_->draw({stage.music, stage.dancer, std::span(poses).first(stage.dancers), moment},
                 info,
                 window_->frame(),
                 window_->content_scale());

@@ -15,9 +15,12 @@ constexpr std::size_t kWorkers = 2;
 constexpr std::uint64_t kPassageStream = 100;
 constexpr std::uint64_t kWaysStream = 2;
 
-/// Ways that close: figures that end turned by an odd number of half turns all turn about the mean
-/// of their points, so that two of them lead back; the others come back by themselves.
-std::vector<FigureWay> closed_ways(std::span<const FigureModel> figures, const Skeleton& skeleton) {
+/// Ways that close: figures that end turned by an odd number of half turns all turn about one
+/// point, so that two of them lead back; the others come back by themselves. The point is the
+/// grammar's, or the mean of the figures' own.
+std::vector<FigureWay> closed_ways(std::span<const FigureModel> figures,
+                                   const Skeleton& skeleton,
+                                   const FigureGrammar* grammar) {
     std::vector<FigureWay> ways;
     glm::dvec2 sum{0.0, 0.0};
     double odd = 0.0;
@@ -27,17 +30,32 @@ std::vector<FigureWay> closed_ways(std::span<const FigureModel> figures, const S
         if (way.half_turns % 2 != 0) {
             const double scale =
                 static_cast<double>(skeleton.hips_height()) / model.source_hips_height;
-            sum += model.net_displacement * scale;
+            sum += 0.5 * model.net_displacement * scale;
             odd += 1.0;
         }
         ways.push_back(way);
     }
+    const FigureGrammar::Place* const place =
+        grammar != nullptr ? grammar->place_of(figures.front().role) : nullptr;
+    const glm::dvec2 point = place != nullptr ? place->turn_point : sum / std::max(1.0, odd);
     for (FigureWay& way : ways) {
         if (way.half_turns % 2 != 0) {
-            way.move = {M_PI, sum / odd};
+            way.move = {M_PI, 2.0 * point};
         }
     }
     return ways;
+}
+
+/// One of a couple: its turn point in the middle of the stage.
+FloorMove couple_of(std::span<const FigureModel> figures, const FigureGrammar* grammar) {
+    const FigureGrammar::Place* const place =
+        grammar != nullptr ? grammar->place_of(figures.front().role) : nullptr;
+    FloorMove move;
+    if (place != nullptr) {
+        move.heading = place->heading;
+        move.offset = -move.turned(place->turn_point);
+    }
+    return move;
 }
 
 /// One place a foot for the starts of all figures: their mean.
@@ -112,8 +130,8 @@ struct Baking {
 }  // namespace
 
 Expected<DanceContent> make_content(std::span<const FigureModel> figures,
-                                             const Skeleton& skeleton,
-                                             const FigureGrammar* grammar) {
+                                    const Skeleton& skeleton,
+                                    const FigureGrammar* grammar) {
     DanceContent content;
     content.skeleton = skeleton;
     relax_hands(content.rest);
@@ -135,7 +153,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     }
     content.choreography =
         Choreography(grammar != nullptr ? *grammar : FigureGrammar::uniform(names));
-    const std::vector<FigureWay> ways = closed_ways(figures, skeleton);
+    const std::vector<FigureWay> ways = closed_ways(figures, skeleton, grammar);
     const StartPlaces places = common_places(figures, tracks, ways, skeleton);
 
     const Baking baking{figures, tracks, ways, places, skeleton};
@@ -163,6 +181,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
         content.figures.push_back(std::move(figure));
     }
     content.stage = stage_of(content.figures.front());
+    content.couple = couple_of(figures, grammar);
     return content;
 }
 
@@ -179,9 +198,7 @@ FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t n
     return choice;
 }
 
-Pose pose_of(const DanceContent& content,
-             const FigureChoice& choice,
-             double beat) noexcept {
+Pose pose_of(const DanceContent& content, const FigureChoice& choice, double beat) noexcept {
     const LibraryFigure& figure = content.figures[choice.figure];
     Pose pose = content.rest;
     figure.passages[choice.body].at(beat, pose);

@@ -30,6 +30,7 @@ struct DanceContent {
     std::vector<LibraryFigure> figures;
     Choreography choreography;
     Bpm learnt_tempo{120.0};  ///< mean of the figures
+    FloorMove couple;         ///< the same, for one of a couple about the stage's centre
     FloorMove stage;  ///< from the frame in which a figure starts: it faces the audience, centred
     Pose rest;        ///< what no passage sets: softly bent fingers
     Skeleton skeleton;
@@ -37,8 +38,8 @@ struct DanceContent {
 
 /// Errors: as DanceLibrary::build says. Threads: workers; two of its own. Real-time: no.
 [[nodiscard]] Expected<DanceContent> make_content(std::span<const FigureModel> figures,
-                                                           const Skeleton& skeleton,
-                                                           const FigureGrammar* grammar);
+                                                  const Skeleton& skeleton,
+                                                  const FigureGrammar* grammar);
 
 /// How one figure is danced this time.
 struct FigureChoice {

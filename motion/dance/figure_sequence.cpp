@@ -35,25 +35,27 @@ Pose average(const Skeleton& skeleton, const Pose& from, const Pose& to, float s
 
 }  // namespace
 
-FloorMove floor_of(const DanceContent& content, bool is_turned) noexcept {
+FloorMove floor_of(const DanceContent& content, const FloorMove& stage, bool is_turned) noexcept {
     if (is_turned) {
         for (const LibraryFigure& figure : content.figures) {
             if (figure.turns_half) {
-                return content.stage * figure.move;
+                return stage * figure.move;
             }
         }
     }
-    return content.stage;
+    return stage;
 }
 
 void FigureSequence::start(const DanceContent& content,
-                           std::uint64_t seed,
+                           const FloorMove& stage,
+                           const DancerPart& part,
                            bool stands_turned) noexcept {
     content_ = &content;
-    seed_ = seed;
+    stage_ = stage;
+    part_ = part;
     before_.reset();
     next_.reset();
-    current_ = {choose_ways(0, seed, number_), 0.0, stands_turned};
+    current_ = {choose_ways(0, part.ways, number_), 0.0, stands_turned};
 }
 
 double FigureSequence::end_of(const Danced& danced) const noexcept {
@@ -67,9 +69,9 @@ bool FigureSequence::turned_after(const Danced& danced) const noexcept {
 void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexcept {
     const double end = end_of(current_);
     if (!next_ && phase.count() >= end - kDecided) {
-        const std::size_t figure =
-            content_->choreography.next(current_.choice.figure, energy, wish, seed_, number_ + 1);
-        next_ = {choose_ways(figure, seed_, number_ + 1), end, turned_after(current_)};
+        const std::size_t figure = content_->choreography.next(
+            current_.choice.figure, energy, wish, part_.seed, number_ + 1);
+        next_ = {choose_ways(figure, part_.ways, number_ + 1), end, turned_after(current_)};
         wish.is_another = false;
         wish.figure.reset();
     }
@@ -91,7 +93,7 @@ void FigureSequence::jump(Beats phase) noexcept {
 
 Pose FigureSequence::pose_of(const Danced& danced, double phase) const noexcept {
     const Pose pose = motion::pose_of(*content_, danced.choice, phase - danced.start);
-    return floor_of(*content_, danced.is_turned)(pose);
+    return floor_of(*content_, stage_, danced.is_turned)(pose);
 }
 
 Pose FigureSequence::joined(const Danced& before,

@@ -6,6 +6,7 @@
 
 #include "base/beats.hpp"
 #include "motion/dance/dance_content.hpp"
+#include "motion/dance/dancer_part.hpp"
 
 namespace raks::motion {
 
@@ -17,10 +18,11 @@ class FigureSequence {
  public:
     static constexpr double kDecided = 2.0;  ///< beats
 
-    /// Begins with the library's first figure, its count 1 at phase 0. `stands_at`: what an earlier
-    /// dance left the dancer at.
+    /// Begins with the library's first figure, its count 1 at phase 0. `stands_turned`: an
+    /// earlier dance left the dancer half a turn away.
     void start(const DanceContent& content,
-               std::uint64_t seed,
+               const FloorMove& stage,
+               const DancerPart& part,
                bool stands_turned) noexcept;
 
     /// The phase went on to here: goes over into the next figure, chooses what follows.
@@ -55,14 +57,17 @@ class FigureSequence {
                               double phase) const noexcept;
 
     const DanceContent* content_ = nullptr;
-    std::uint64_t seed_ = 0;
+    FloorMove stage_;
+    DancerPart part_;
     std::uint64_t number_ = 0;
     std::optional<Danced> before_;
     Danced current_;
     std::optional<Danced> next_;
 };
 
-/// From where a figure starts to the stage, for a dancer who stands turned or not.
-[[nodiscard]] FloorMove floor_of(const DanceContent& content, bool is_turned) noexcept;
+/// From where a figure starts to the world, for a dancer who stands turned or not.
+[[nodiscard]] FloorMove floor_of(const DanceContent& content,
+                                 const FloorMove& stage,
+                                 bool is_turned) noexcept;
 
 }  // namespace raks::motion

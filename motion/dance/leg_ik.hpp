@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motion/dance/limb_ik.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -10,9 +11,6 @@ struct FootTarget {
     glm::vec3 ankle{};
     glm::quat rotation{kNoRotation};  ///< of the foot bone, in the world
 };
-
-/// Longest reach of a leg that keeps the knee from locking, as a share of its length.
-inline constexpr float kLongestReach = 0.997F;
 
 /// Turns thigh, shin and foot of one side so that the ankle reaches the target (as far as the leg
 /// does) and the foot has its rotation. The knee keeps its direction about the line from hip to

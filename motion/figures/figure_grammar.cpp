@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/file.hpp"
 #include "base/suggest.hpp"
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kFormat = "raks-dance";
 constexpr std::int64_t kVersion = 1;
 constexpr double kLargestWeight = 1e6;
+constexpr double kFarthest = 10.0;  // metres
 
 /// Reads one grammar; the first fault ends it.
 class GrammarReader {
@@ -24,7 +26,8 @@ class GrammarReader {
     explicit GrammarReader(const std::string& name) : name_(name) {}
 
     Expected<FigureGrammar> read(const toml::table& root) {
-        if (auto ok = check_keys(root, {"format", "version", "dance", "figure"}); !ok) {
+        if (auto ok = check_keys(root, {"format", "version", "dance", "lead", "follow", "figure"});
+            !ok) {
             return fail(std::move(ok.error()));
         }
         if (root["format"].value<std::string>() != std::string(kFormat)) {
@@ -42,6 +45,11 @@ class GrammarReader {
         const toml::array* const figures = root["figure"].as_array();
         if (grammar.dance.empty() || figures == nullptr || figures->empty()) {
             return fail(name_ + ": needs dance = \"...\" and at least one [[figure]]");
+        }
+        for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
+            if (auto ok = read_place(root, role, grammar); !ok) {
+                return fail(std::move(ok.error()));
+            }
         }
         for (const toml::node& node : *figures) {
             if (auto ok = read_figure(node, grammar); !ok) {
@@ -69,6 +77,43 @@ class GrammarReader {
                             unknown_name("key", entry.first.str(), known));
             }
         }
+        return {};
+    }
+
+    Expected<void> read_place(const toml::table& root,
+                              DanceRole role,
+                              FigureGrammar& grammar) const {
+        const std::string_view name = kRoleNames[static_cast<std::size_t>(role)];
+        const toml::node* const node = root.get(name);
+        if (node == nullptr) {
+            return {};
+        }
+        const toml::table* const table = node->as_table();
+        if (table == nullptr) {
+            return fail(fmt::format("{}: {} must be a table", where(*node), name));
+        }
+        if (auto ok = check_keys(*table, {"turn_point", "heading"}); !ok) {
+            return ok;
+        }
+        const auto number = [&](const toml::node_view<const toml::node>& value) {
+            return value.value<double>().value_or(kLargestWeight);
+        };
+        const auto point = (*table)["turn_point"];
+        FigureGrammar::Place place;
+        place.role = role;
+        place.turn_point = {number(point[0]), number(point[1])};
+        const double degrees = table->contains("heading") ? number((*table)["heading"]) : 0.0;
+        place.heading = degrees * M_PI / 180.0;
+        if (!(std::abs(place.turn_point.x) <= kFarthest &&
+              std::abs(place.turn_point.y) <= kFarthest && std::abs(degrees) <= 360.0)) {
+            return fail(
+                fmt::format("{}: {} needs turn_point = [left, forward], each up to {} m, "
+                            "and a heading of up to 360 degrees",
+                            where(*node),
+                            name,
+                            kFarthest));
+        }
+        grammar.places.push_back(place);
         return {};
     }
 
@@ -140,6 +185,12 @@ class GrammarReader {
 };
 
 }  // namespace
+
+const FigureGrammar::Place* FigureGrammar::place_of(DanceRole role) const noexcept {
+    const auto place = std::find_if(
+        places.begin(), places.end(), [role](const Place& one) { return one.role == role; });
+    return place != places.end() ? &*place : nullptr;
+}
 
 FigureGrammar FigureGrammar::uniform(const std::vector<std::string>& figures) {
     FigureGrammar grammar;

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/figures/figure_model.hpp"
+
+#include <glm/vec2.hpp>
 
 namespace raks::motion {
 
@@ -16,15 +19,28 @@ struct FigureGrammar {
         double energy = 0.5;        ///< [0, 1]: 0 for the quietest music, 1 for the loudest
         std::vector<double> after;  ///< by figure: weight that it comes after this one, >= 0
     };
+    /// Where one of a couple stands.
+    struct Place {
+        DanceRole role = DanceRole::lead;
+        /// About which its half-turn figures turn, seen from where they start: left, forward;
+        /// metres. The same point on the floor for both.
+        glm::dvec2 turn_point{0.0, 0.0};
+        double heading = 0.0;  ///< on the stage, where figures start; radians
+    };
     std::string dance;
-    std::vector<Rule> rules;  ///< by figure; the dance begins with the first
+    std::vector<Place> places;  ///< by role; none: each about its own
+    std::vector<Rule> rules;    ///< by figure; the dance begins with the first
+
+    /// Null: the dance has none for this role.
+    [[nodiscard]] const Place* place_of(DanceRole role) const noexcept;
 
     /// Every figure after every other alike, none after itself unless it is alone.
     [[nodiscard]] static FigureGrammar uniform(const std::vector<std::string>& figures);
 };
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, and one [[figure]]
-/// each with name, energy and `after` = { figure = weight, ... }. Errors, one line: not readable,
+/// each with name, energy and `after` = { figure = weight, ... }; for couples [lead] and [follow]
+/// with turn_point = [left, forward] and heading in degrees. Errors, one line: not readable,
 /// not TOML, another format, a newer version, unknown keys and figures (the nearest is named), two
 /// figures of one name, weights that are negative or no numbers, a figure that nothing follows.
 /// Threads: workers. Real-time: no.

@@ -23,6 +23,11 @@ void PoseTrack::set_predicted(int ahead, const Pose& pose) noexcept {
     predicted_ = std::max(predicted_, ahead);
 }
 
+void PoseTrack::replace(HopIndex hop, const Pose& pose) noexcept {
+    RAKS_ASSERT(!is_empty() && hop >= oldest_final() && hop <= newest());
+    poses_[static_cast<std::size_t>(hop) % kSlots] = pose;
+}
+
 HopIndex PoseTrack::oldest_final() const noexcept {
     return std::max(first_, newest_final_ - kFinalPoses + 1);
 }

@@ -32,6 +32,9 @@ class PoseTrack {
     /// order. Real-time: yes.
     void set_predicted(int ahead, const Pose& pose) noexcept;
 
+    /// Puts another pose in the place of one that is there, final or predicted. Real-time: yes.
+    void replace(HopIndex hop, const Pose& pose) noexcept;
+
     [[nodiscard]] bool is_empty() const noexcept { return newest_final_ < 0; }
     /// Hop of the newest final pose; -1 when empty.
     [[nodiscard]] HopIndex newest_final() const noexcept { return newest_final_; }

@@ -67,12 +67,12 @@ std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world
     return blobs;
 }
 
-glm::mat4 light_clip_from_world(glm::vec3 hips, glm::vec3 key) noexcept {
-    constexpr float kHalfSide = 1.25F;
+glm::mat4 light_clip_from_world(glm::vec3 hips, float spread, glm::vec3 key) noexcept {
+    const float half_side = 1.25F + spread;
     constexpr float kDepth = 3.0F;  // in front of and behind the middle
     const glm::vec3 middle{hips.x, 0.85F, hips.z};
     const glm::mat4 view = glm::lookAt(middle + kDepth * key, middle, glm::vec3(0.0F, 1.0F, 0.0F));
-    return glm::ortho(-kHalfSide, kHalfSide, -kHalfSide, kHalfSide, 0.0F, 2.0F * kDepth) * view;
+    return glm::ortho(-half_side, half_side, -half_side, half_side, 0.0F, 2.0F * kDepth) * view;
 }
 
 }  // namespace raks::render

@@ -33,7 +33,8 @@ inline constexpr std::size_t kShadowBlobs = 11;
 [[nodiscard]] std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world,
                                                                 glm::vec3 key) noexcept;
 
-/// Orthographic view from the key light around the dancer, 2.5 x 2.5 m, to clip space.
-[[nodiscard]] glm::mat4 light_clip_from_world(glm::vec3 hips, glm::vec3 key) noexcept;
+/// Orthographic view from the key light around the dancers, 1.25 m and `spread` (how far the hips
+/// of the outermost are from the middle of all) to each side, to clip space.
+[[nodiscard]] glm::mat4 light_clip_from_world(glm::vec3 hips, float spread, glm::vec3 key) noexcept;
 
 }  // namespace raks::render

@@ -22,10 +22,11 @@ layout(std140) uniform Frame {
     vec4 floor_sky_tint;      // ambient share
     vec4 display_ring;        // a: how far a ring covers the floor (0: it only adds light)
     vec4 rings[4];            // radius, brightness, half width of the line, strength of its glow
-    vec4 blobs[11];           // x, z, 1 / radius^2, strength
+    vec4 blobs[44];           // x, z, 1 / radius^2, strength
     vec4 picture;             // x, y, width, height in pixels
     vec4 tone;                // exposure; 1 on the stage, 0 on a transparent backdrop; phase of the
                               // dither; pixels of 0.04 m at 1 m distance
+    vec4 counts;              // of the blobs
 };
 
 const float kFadeStart = 1.6;  // metres from the middle of the floor: there it begins to fade
@@ -61,7 +62,7 @@ vec2 backdrop_place(vec2 ndc) {
 // Light that the soft blobs under the joints leave, [0.15, 1].
 float blob_shadow(vec2 at) {
     float left = 1.0;
-    for (int i = 0; i < 11; ++i) {
+    for (int i = 0; i < int(counts.x); ++i) {
         vec2 d = at - blobs[i].xy;
         left *= 1.0 - blobs[i].w * exp(-dot(d, d) * blobs[i].z);
     }

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 
 #include "motion/figures/figure_grammar.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -34,25 +37,32 @@ const FigureGrammar& salsa_grammar() {
 
 }  // namespace
 
-const std::vector<FigureModel>& salsa_figures() {
-    static const std::vector<FigureModel> figures = [] {
+const std::vector<FigureModel>& salsa_figures(DanceRole role) {
+    static const auto load = [](std::string_view name) {
         std::vector<FigureModel> models;
         for (const FigureGrammar::Rule& rule : salsa_grammar().rules) {
             auto loaded = load_figure(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_" +
-                                      rule.figure + "_lead.json");
+                                      rule.figure + "_" + std::string(name) + ".json");
             EXPECT_TRUE(loaded) << loaded.error().message;
             models.push_back(*loaded);
         }
         return models;
-    }();
-    return figures;
+    };
+    static const std::array<std::vector<FigureModel>, 2> figures = {load(kRoleNames[0]),
+                                                                    load(kRoleNames[1])};
+    return figures[static_cast<std::size_t>(role)];
 }
 
-std::shared_ptr<const DanceLibrary> salsa_library() {
-    static const auto library =
-        DanceLibrary::build(salsa_figures(), mannequin_skeleton(), &salsa_grammar());
-    EXPECT_TRUE(library) << library.error().message;
-    return *library;
+std::shared_ptr<const DanceLibrary> salsa_library(DanceRole role) {
+    static std::array<std::shared_ptr<const DanceLibrary>, 2> libraries;
+    auto& library = libraries[static_cast<std::size_t>(role)];
+    if (!library) {
+        auto built =
+            DanceLibrary::build(salsa_figures(role), mannequin_skeleton(), &salsa_grammar());
+        EXPECT_TRUE(built) << built.error().message;
+        library = *built;
+    }
+    return library;
 }
 
 std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model) {

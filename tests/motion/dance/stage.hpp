@@ -14,11 +14,11 @@ namespace raks::motion::test {
 
 /// The shipped basic step of the lead.
 const FigureModel& basic_step();
-/// The shipped figures of the lead, in the order of the shipped grammar.
-const std::vector<FigureModel>& salsa_figures();
+/// The shipped figures of a role, in the order of the shipped grammar.
+const std::vector<FigureModel>& salsa_figures(DanceRole role = DanceRole::lead);
 std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model);
 /// Salsa with its grammar.
-std::shared_ptr<const DanceLibrary> salsa_library();
+std::shared_ptr<const DanceLibrary> salsa_library(DanceRole role = DanceRole::lead);
 
 /// One state of known music: sure, loud, in bars of four, on this grid.
 MusicState sure_state(HopIndex hop, const BeatGrid& grid);

@@ -237,7 +237,7 @@ TEST(StageLight, shadow_map_holds_the_whole_dancer) {
         Camera camera;
         camera.orbit(0.5F * static_cast<float>(i), 0.0F);
         const glm::mat4 clip_from_world =
-            light_clip_from_world(pose.hips_position, light_directions(camera).key);
+            light_clip_from_world(pose.hips_position, 0.0F, light_directions(camera).key);
         for (const glm::vec3& joint : world.positions) {
             const glm::vec4 clip = clip_from_world * glm::vec4(joint, 1.0F);
             EXPECT_LT(std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}), 1.0F);

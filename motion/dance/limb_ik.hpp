@@ -1,0 +1,34 @@
+#pragma once
+
+#include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::motion {
+
+/// Longest reach of a limb that keeps its knee or elbow from locking, as a share of its length.
+inline constexpr float kLongestReach = 0.997F;
+
+/// Two bones in a row and what hangs on them: thigh, shin and foot, or arm, forearm and hand.
+struct Limb {
+    Bone upper = Bone::left_upper_leg;
+    Bone lower = Bone::left_lower_leg;
+    Bone end = Bone::left_foot;
+    glm::vec3 root{};               ///< joint of the upper bone in the world
+    glm::quat parent{kNoRotation};  ///< rotation in the world of the bone that it hangs on
+    glm::vec3 ahead{};              ///< where the middle joint goes from a straight limb, world
+};
+
+/// Turns both bones so that the end's joint reaches `target` in the world, as far as they do; the
+/// middle joint keeps its direction about the line from root to end. Returns the lower bone's
+/// rotation in the world then. Threads: any. Real-time: yes.
+glm::quat solve_limb(const Skeleton& skeleton,
+                     const Limb& limb,
+                     const glm::vec3& target,
+                     Pose& pose) noexcept;
+
+/// Brings hands together that hold one another: the lead's left and the follow's right meet halfway
+/// when they are near, and let go, softly, the further apart they are.
+/// Threads: any. Real-time: yes.
+void join_hands(const Skeleton& skeleton, Pose& lead, Pose& follow) noexcept;
+
+}  // namespace raks::motion

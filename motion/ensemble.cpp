@@ -1,0 +1,101 @@
+#include "motion/ensemble.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "motion/dance/limb_ik.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr std::size_t kSideBySide = 3;
+constexpr double kApart = 1.3;  // metres between two who dance side by side
+constexpr int kCanonBars = 2;   // a figure of eight counts
+
+/// Ways of member i: others than its neighbours', from the same seed the same.
+std::uint64_t ways_of(std::uint64_t seed, std::size_t member) {
+    return seed + 1000 * static_cast<std::uint64_t>(member);
+}
+
+}  // namespace
+
+Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members,
+                                 const Skeleton& skeleton) {
+    if (members.empty() || members.size() > kMost) {
+        return fail("an ensemble has 1 to " + std::to_string(kMost) + " dancers");
+    }
+    std::vector<Dancer> dancers(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        if (auto ok = dancers[i].prepare(members[i].library, skeleton, members[i].part); !ok) {
+            return ok;
+        }
+    }
+    dancers_ = std::move(dancers);
+    skeleton_ = skeleton;
+    holds_hands_ = members.size() == 2 && members[0].part.is_in_couple;
+    return {};
+}
+
+void Ensemble::advance(const MusicState& state,
+                       std::span<PoseTrack> tracks) noexcept RAKS_NONBLOCKING {
+    for (std::size_t i = 0; i < std::min(dancers_.size(), tracks.size()); ++i) {
+        dancers_[i].advance(state, tracks[i]);
+    }
+    if (!holds_hands_ || tracks.size() < 2 || tracks[0].is_empty()) {
+        return;
+    }
+    for (HopIndex hop = tracks[0].newest_final(); hop <= tracks[0].newest(); ++hop) {
+        Pose lead = tracks[0].at_hop(hop);
+        Pose follow = tracks[1].at_hop(hop);
+        join_hands(skeleton_, lead, follow);
+        tracks[0].replace(hop, lead);
+        tracks[1].replace(hop, follow);
+    }
+}
+
+void Ensemble::command(const DancerCommand& command) noexcept RAKS_NONBLOCKING {
+    for (Dancer& dancer : dancers_) {
+        dancer.command(command);
+    }
+}
+
+void Ensemble::reset() noexcept RAKS_NONBLOCKING {
+    for (Dancer& dancer : dancers_) {
+        dancer.reset();
+    }
+}
+
+DancerStatus Ensemble::status() const noexcept {
+    return dancers_.empty() ? DancerStatus{} : dancers_.front().status();
+}
+
+std::vector<EnsembleMember> members_of(Formation formation,
+                                       const std::shared_ptr<const DanceLibrary>& lead,
+                                       const std::shared_ptr<const DanceLibrary>& follow,
+                                       std::uint64_t seed) {
+    DancerPart part;
+    part.seed = part.ways = seed;
+    if (formation == Formation::solo) {
+        return {{lead, part}};
+    }
+    std::vector<EnsembleMember> members;
+    if (formation == Formation::couple) {
+        part.is_in_couple = true;
+        for (const auto& library : {lead, follow}) {
+            part.ways = ways_of(seed, members.size());
+            members.push_back({library, part});
+        }
+        return members;
+    }
+    for (std::size_t i = 0; i < kSideBySide; ++i) {
+        // The first in the middle, then to either side.
+        part.aside = i == 0 ? 0.0 : i == 1 ? -kApart : kApart;
+        part.bars_late = formation == Formation::canon ? kCanonBars * static_cast<int>(i) : 0;
+        part.ways = ways_of(seed, i);
+        part.seed = formation == Formation::free ? part.ways : seed;
+        members.push_back({lead, part});
+    }
+    return members;
+}
+
+}  // namespace raks::motion

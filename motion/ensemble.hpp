@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "motion/dancer.hpp"
+
+namespace raks::motion {
+
+/// One of several who dance to the same music.
+struct EnsembleMember {
+    std::shared_ptr<const DanceLibrary> library;
+    DancerPart part;
+};
+
+/// Several dancers, each on a track of its own: a couple, or some side by side.
+/// Threads: one owner; prepare elsewhere before.
+class Ensemble {
+ public:
+    static constexpr std::size_t kMost = 4;
+
+    Ensemble() = default;
+    /// Of one who is prepared.
+    Ensemble(Dancer dancer) { dancers_.push_back(std::move(dancer)); }
+
+    /// Errors: none or more than kMost members; as Dancer::prepare says. Real-time: no.
+    [[nodiscard]] Expected<void> prepare(std::span<const EnsembleMember> members,
+                                         const Skeleton& skeleton);
+
+    /// One hop for all: member i appends to tracks[i]. Real-time: yes.
+    void advance(const MusicState& state, std::span<PoseTrack> tracks) noexcept RAKS_NONBLOCKING;
+    /// To all. Real-time: yes.
+    void command(const DancerCommand& command) noexcept RAKS_NONBLOCKING;
+    void reset() noexcept RAKS_NONBLOCKING;
+
+    [[nodiscard]] std::size_t size() const noexcept { return dancers_.size(); }
+    /// Of the first.
+    [[nodiscard]] DancerStatus status() const noexcept;
+
+ private:
+    Skeleton skeleton_;
+    std::vector<Dancer> dancers_;
+    bool holds_hands_ = false;  // the first two are a couple
+};
+
+/// How several stand and follow one another.
+enum class Formation {
+    solo,
+    couple,  ///< lead and follow, facing, the same figures
+    unison,  ///< three, the same figures at the same time
+    canon,   ///< three, each two bars after the one before
+    free,    ///< three, each with figures of its own
+};
+inline constexpr std::array<std::string_view, 5> kFormationNames = {
+    "solo", "couple", "unison", "canon", "free"};
+
+/// The members of a formation. `lead`, `follow`: the two parts of the dance; couples need both.
+[[nodiscard]] std::vector<EnsembleMember> members_of(
+    Formation formation,
+    const std::shared_ptr<const DanceLibrary>& lead,
+    const std::shared_ptr<const DanceLibrary>& follow,
+    std::uint64_t seed);
+
+}  // namespace raks::motion
