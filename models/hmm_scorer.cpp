@@ -5,17 +5,23 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "models/whitening.hpp"
 
 namespace raks::models {
 namespace {
 
 constexpr double kLogTwoPi = 1.8378770664093454836;
+constexpr double kNegligible = -40.0;   // 1 + exp(of less) is 1 in doubles
+constexpr double kUnderflow = -745.14;  // exp(of less) is 0 in doubles
 
 double log_or_impossible(double chance) noexcept {
     return chance > 0.0 ? std::log(chance) : kImpossible;
 }
 
-/// ln sum over arcs of exp(value at the other end + arc), in two passes.
+double exp_or_zero(double log) noexcept { return log < kUnderflow ? 0.0 : std::exp(log); }
+
+/// ln sum over arcs of exp(value at the other end + arc), in two passes. Most sums are of two
+/// values far apart: what cannot change the sum is not computed.
 template <typename Value>
 double log_sum_over(std::span<const HmmScorer::Arc> arcs, const Value& value) noexcept {
     double best = kImpossible;
@@ -27,9 +33,10 @@ double log_sum_over(std::span<const HmmScorer::Arc> arcs, const Value& value) no
     }
     double sum = 0.0;
     for (const HmmScorer::Arc& arc : arcs) {
-        sum += std::exp(value(arc.state) + arc.log_chance - best);
+        const double below = value(arc.state) + arc.log_chance - best;
+        sum += below == 0.0 ? 1.0 : below < kNegligible ? 0.0 : std::exp(below);
     }
-    return best + std::log(sum);
+    return sum == 1.0 ? best : best + std::log(sum);
 }
 
 std::span<const double> row_of(const Frames& frames, Eigen::Index t) noexcept {
@@ -175,19 +182,14 @@ double HmmScorer::log_component(std::span<const double> frame,
                                 std::size_t component) const noexcept {
     const double* mean = means_.data() + component * dimension_;
     const Whitening& whitening = whitenings_[components_[component].whitening];
-    const double* coefficient = whitening.values.data();
     double distance = 0.0;
-    for (std::size_t i = 0; i < dimension_; ++i) {
-        double white = 0.0;
-        if (whitening.is_triangle) {
-            for (std::size_t j = 0; j <= i; ++j) {
-                white += coefficient[j] * (frame[j] - mean[j]);
-            }
-            coefficient += i + 1;
-        } else {
-            white = coefficient[i] * (frame[i] - mean[i]);
+    if (whitening.is_triangle) {
+        distance = squared_distance(whitening.values.data(), frame, mean);
+    } else {
+        for (std::size_t i = 0; i < dimension_; ++i) {
+            const double white = whitening.values[i] * (frame[i] - mean[i]);
+            distance += white * white;
         }
-        distance += white * white;
     }
     return components_[component].log_scale - 0.5 * distance;
 }
@@ -221,10 +223,38 @@ void HmmScorer::log_emissions(std::span<const double> frame, std::span<double> o
 
 Frames HmmScorer::log_emissions(const Frames& frames) const {
     Frames result(frames.rows(), static_cast<Eigen::Index>(states()));
-    for (Eigen::Index t = 0; t < frames.rows(); ++t) {
+    const Eigen::Index in_blocks = whitenings_[0].is_triangle ? take_blocks(frames, result) : 0;
+    for (Eigen::Index t = in_blocks; t < frames.rows(); ++t) {
         log_emissions(row_of(frames, t), row_of(result, t));
     }
     return result;
+}
+
+Eigen::Index HmmScorer::take_blocks(const Frames& frames, Frames& out) const {
+    constexpr Eigen::Index kBlock = kFrameBlock;
+    std::vector<FeatureBlock> centred(dimension_);
+    FeatureBlock distances;
+    Eigen::Index first = 0;
+    for (; first + kBlock <= frames.rows(); first += kBlock) {
+        for (std::size_t n = 0; n < states(); ++n) {  // mixtures are for diagonal only
+            const double* const mean = means_.data() + n * dimension_;
+            for (std::size_t i = 0; i < dimension_; ++i) {
+                for (Eigen::Index b = 0; b < kBlock; ++b) {
+                    centred[i].frames[static_cast<std::size_t>(b)] =
+                        frames(first + b, static_cast<Eigen::Index>(i)) - mean[i];
+                }
+            }
+            squared_distances(whitenings_[components_[n].whitening].values.data(),
+                              centred.data(),
+                              dimension_,
+                              distances);
+            for (Eigen::Index b = 0; b < kBlock; ++b) {
+                out(first + b, static_cast<Eigen::Index>(n)) =
+                    components_[n].log_scale - 0.5 * distances.frames[static_cast<std::size_t>(b)];
+            }
+        }
+    }
+    return first;
 }
 
 double log_likelihood(const HmmScorer& scorer, const Frames& frames) {
@@ -293,7 +323,7 @@ ForwardBackward forward_backward(const HmmScorer& scorer, const Frames& log_emis
     }
     for (Eigen::Index t = 0; t < alpha.rows(); ++t) {
         for (Eigen::Index i = 0; i < n; ++i) {
-            result.posteriors(t, i) = std::exp(alpha(t, i) + beta(t, i) - result.log_likelihood);
+            result.posteriors(t, i) = exp_or_zero(alpha(t, i) + beta(t, i) - result.log_likelihood);
         }
     }
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -301,8 +331,8 @@ ForwardBackward forward_backward(const HmmScorer& scorer, const Frames& log_emis
             const Eigen::Index j = static_cast<Eigen::Index>(arc.state);
             double count = 0.0;
             for (Eigen::Index t = 0; t + 1 < alpha.rows(); ++t) {
-                count += std::exp(alpha(t, i) + arc.log_chance + log_emissions(t + 1, j) +
-                                  beta(t + 1, j) - result.log_likelihood);
+                count += exp_or_zero(alpha(t, i) + arc.log_chance + log_emissions(t + 1, j) +
+                                     beta(t + 1, j) - result.log_likelihood);
             }
             result.transitions(i, j) = count;
         }

@@ -37,7 +37,7 @@ class HmmScorer {
     void log_components(std::span<const double> frame,
                         std::size_t state,
                         std::span<double> out) const noexcept;
-    /// T x N. Real-time: no.
+    /// T x N, the same bits as one by one. Real-time: no.
     [[nodiscard]] Frames log_emissions(const Frames& frames) const;
 
     [[nodiscard]] std::span<const double> log_initial() const noexcept { return log_initial_; }
@@ -62,6 +62,8 @@ class HmmScorer {
         std::vector<double> values;
     };
 
+    /// Emissions of as many whole blocks of frames as there are; returns how many frames.
+    Eigen::Index take_blocks(const Frames& frames, Frames& out) const;
     [[nodiscard]] double log_component(std::span<const double> frame,
                                        std::size_t component) const noexcept;
     void take_topology(const GaussianHmm& model);

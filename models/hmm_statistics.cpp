@@ -10,10 +10,31 @@ bool is_matrix_type(CovarianceType type) noexcept {
     return type == CovarianceType::full || type == CovarianceType::tied;
 }
 
+/// Frames [first, first + count) of a sequence.
+struct Stretch {
+    Eigen::Index first = 0;
+    Eigen::Index count = 0;
+};
+
+/// Where a state may be: outside, all its posteriors are under what a sum over the frames could
+/// keep in doubles. In a left-to-right model that is most of the sequence.
+Stretch occupied(const Frames& posteriors, Eigen::Index state) {
+    constexpr double kLeastPosterior = 1e-18;
+    Eigen::Index first = 0;
+    Eigen::Index end = posteriors.rows();
+    while (first < end && posteriors(first, state) < kLeastPosterior) {
+        ++first;
+    }
+    while (end > first && posteriors(end - 1, state) < kLeastPosterior) {
+        --end;
+    }
+    return {first, end - first};
+}
+
 /// gamma of each component of one state: T x K (Rabiner 1989, eq. 54).
 Frames component_posteriors(const HmmScorer& scorer,
-                            const Frames& frames,
-                            const Frames& posteriors,
+                            const Eigen::Ref<const Frames>& frames,
+                            const Eigen::Ref<const Frames>& posteriors,
                             std::size_t state) {
     const Eigen::Index k = static_cast<Eigen::Index>(scorer.mixtures());
     Frames result(frames.rows(), k);
@@ -24,7 +45,7 @@ Frames component_posteriors(const HmmScorer& scorer,
             result.row(t).setConstant(gamma);
             continue;
         }
-        scorer.log_components({frames.data() + t * frames.cols(), scorer.dimension()}, state, logs);
+        scorer.log_components({frames.row(t).data(), scorer.dimension()}, state, logs);
         const double total = log_sum(logs);
         for (Eigen::Index c = 0; c < k; ++c) {
             result(t, c) = gamma * std::exp(logs[static_cast<std::size_t>(c)] - total);
@@ -133,8 +154,18 @@ void HmmStatistics::add(const GaussianHmm& model,
                         const Frames& frames,
                         double weight) {
     const ForwardBackward expected = forward_backward(scorer, scorer.log_emissions(frames));
-    if (std::isfinite(expected.log_likelihood)) {
-        add_aligned(model, scorer, frames, expected, weight);
+    if (!std::isfinite(expected.log_likelihood)) {
+        return;
+    }
+    add_counts(expected, weight);
+    for (Eigen::Index n = 0; n < model.states(); ++n) {
+        const Stretch stretch = occupied(expected.posteriors, n);
+        add_moments(model,
+                    scorer,
+                    frames.middleRows(stretch.first, stretch.count),
+                    expected.posteriors.middleRows(stretch.first, stretch.count),
+                    n,
+                    weight);
     }
 }
 
@@ -143,27 +174,42 @@ void HmmStatistics::add_aligned(const GaussianHmm& model,
                                 const Frames& frames,
                                 const ForwardBackward& expected,
                                 double weight) {
+    add_counts(expected, weight);
+    // Over the whole sequence, zeros and all: the order of summing is in the bits of figures that
+    // were learnt by alignment.
+    for (Eigen::Index n = 0; n < model.states(); ++n) {
+        add_moments(model, scorer, frames, expected.posteriors, n, weight);
+    }
+}
+
+void HmmStatistics::add_counts(const ForwardBackward& expected, double weight) {
     log_likelihood += weight * expected.log_likelihood;
     ++used;
     initial += weight * expected.posteriors.row(0).transpose();
-    exits += weight * expected.posteriors.row(frames.rows() - 1).transpose();
+    exits += weight * expected.posteriors.row(expected.posteriors.rows() - 1).transpose();
     transitions += weight * expected.transitions;
-    for (Eigen::Index n = 0; n < model.states(); ++n) {
-        const Frames gammas =
-            component_posteriors(scorer, frames, expected.posteriors, static_cast<std::size_t>(n));
-        for (Eigen::Index k = 0; k < model.mixtures(); ++k) {
-            const Eigen::Index c = n * model.mixtures() + k;
-            const Eigen::VectorXd gamma = weight * gammas.col(k);
-            const Frames centred = frames.rowwise() - model.means.row(c);
-            const Frames weighted = centred.array().colwise() * gamma.array();
-            occupancy[c] += gamma.sum();
-            first.row(c) += weighted.colwise().sum();
-            Eigen::MatrixXd& moment = second[static_cast<std::size_t>(c)];
-            if (is_matrix_type(model.covariance_type)) {
-                moment.noalias() += weighted.transpose() * centred;
-            } else {
-                moment.col(0) += weighted.cwiseProduct(centred).colwise().sum().transpose();
-            }
+}
+
+void HmmStatistics::add_moments(const GaussianHmm& model,
+                                const HmmScorer& scorer,
+                                const Eigen::Ref<const Frames>& frames,
+                                const Eigen::Ref<const Frames>& posteriors,
+                                Eigen::Index state,
+                                double weight) {
+    const Frames gammas =
+        component_posteriors(scorer, frames, posteriors, static_cast<std::size_t>(state));
+    for (Eigen::Index k = 0; k < model.mixtures(); ++k) {
+        const Eigen::Index c = state * model.mixtures() + k;
+        const Eigen::VectorXd gamma = weight * gammas.col(k);
+        const Frames centred = frames.rowwise() - model.means.row(c);
+        const Frames weighted = centred.array().colwise() * gamma.array();
+        occupancy[c] += gamma.sum();
+        first.row(c) += weighted.colwise().sum();
+        Eigen::MatrixXd& moment = second[static_cast<std::size_t>(c)];
+        if (is_matrix_type(model.covariance_type)) {
+            moment.noalias() += weighted.transpose() * centred;
+        } else {
+            moment.col(0) += weighted.cwiseProduct(centred).colwise().sum().transpose();
         }
     }
 }

@@ -36,6 +36,16 @@ struct HmmStatistics {
                      const ForwardBackward& expected,
                      double weight);
     void merge(const HmmStatistics& other);
+
+ private:
+    void add_counts(const ForwardBackward& expected, double weight);
+    /// Moments of one state's components over a stretch of frames and its posteriors.
+    void add_moments(const GaussianHmm& model,
+                     const HmmScorer& scorer,
+                     const Eigen::Ref<const Frames>& frames,
+                     const Eigen::Ref<const Frames>& posteriors,
+                     Eigen::Index state,
+                     double weight);
 };
 
 /// M-step. `floor`: D, what is kept under every variance (BaumWelchOptions::variance_floor).

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "audio/math/fast_exp.hpp"
-#include "audio/math/simd_clones.hpp"
+#include "base/simd_clones.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {

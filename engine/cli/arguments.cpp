@@ -286,9 +286,9 @@ class Parser {
 
     void add_bench() {
         auto [app, a] = add(app_, "bench", "measure this machine", bench);
-        app->add_option("what", a->what, "latency, analysis, motion or render")
+        app->add_option("what", a->what, "latency, analysis, motion, render or train")
             ->required()
-            ->check(CLI::IsMember({"latency", "analysis", "motion", "render"}));
+            ->check(CLI::IsMember({"latency", "analysis", "motion", "render", "train"}));
         app->add_flag("--json", a->as_json, "one JSON document");
         app->add_option("--duration", a->seconds, "seconds of music")
             ->check(CLI::Range(5.0, 3600.0));

@@ -217,6 +217,7 @@ ExitCode bench(const BenchArguments& arguments) {
     auto report = arguments.what == "analysis" ? bench_analysis(arguments.seconds)
                   : arguments.what == "motion" ? bench_motion(arguments.seconds)
                   : arguments.what == "render" ? bench_render()
+                  : arguments.what == "train"  ? bench_train()
                                                : bench_latency(arguments.seconds);
     if (!report) {
         return fail(report.error());

@@ -135,7 +135,7 @@ struct SynthArguments {
 [[nodiscard]] ExitCode synth(const SynthArguments& arguments);
 
 struct BenchArguments {
-    std::string what;  ///< latency, analysis, motion or render
+    std::string what;  ///< latency, analysis, motion, render or train
     bool as_json = false;
     double seconds = 20.0;
 };

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "audio/math/gates.hpp"
-#include "audio/math/simd_clones.hpp"
 #include "base/assert.hpp"
+#include "base/simd_clones.hpp"
 
 namespace raks::audio {
 namespace {
