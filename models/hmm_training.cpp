@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
+#include "base/parallel.hpp"
 #include "models/hmm_statistics.hpp"
 
 namespace raks::models {
@@ -84,23 +83,9 @@ HmmStatistics expectations(const GaussianHmm& model,
                            int threads) {
     const std::size_t chunks = (set.sequences.size() + kChunk - 1) / kChunk;
     std::vector<HmmStatistics> results(chunks);
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        // relaxed: only a ticket; the results are published by join().
-        for (std::size_t c = next.fetch_add(1, std::memory_order_relaxed); c < chunks;
-             c = next.fetch_add(1, std::memory_order_relaxed)) {
-            results[c] = chunk_statistics(model, scorer, set, c);
-        }
-    };
-    std::vector<std::thread> workers;
-    const std::size_t wanted = static_cast<std::size_t>(std::clamp(threads, 1, 256));
-    for (std::size_t i = 1; i < std::min(wanted, chunks); ++i) {
-        workers.emplace_back(work);
-    }
-    work();
-    for (std::thread& worker : workers) {
-        worker.join();
-    }
+    run_parallel(chunks, threads, [&](std::size_t c) {
+        results[c] = chunk_statistics(model, scorer, set, c);
+    });
     HmmStatistics sum = HmmStatistics::zero(model);
     for (const HmmStatistics& result : results) {
         sum.merge(result);

@@ -256,6 +256,8 @@ class Parser {
             ->check(CLI::IsMember({"cmu"}));
         app->add_option("-o,--out", a->output, "X.json")->required();
 
+        add_train_report(*train);
+
         // A program of its own reads what follows: it needs libraries that dancing does not.
         CLI::App* beats = train->add_subcommand("beats", "learn to hear beats from MIDI files");
         beats->prefix_command();
@@ -263,6 +265,38 @@ class Parser {
         beats->callback([this, beats] {
             run_ = [arguments = beats->remaining()] { return train_beats(arguments); };
         });
+    }
+
+    void add_train_report(CLI::App& train) {
+        auto [app, a] = add(train, "report", "show how figures are learnt", train_report);
+        app->add_option("clips", a->clips, "BVH files, or a folder of them")->required();
+        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")
+            ->required();
+        app->add_option("--counts", a->counts, "TSV: when each count falls");
+        app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
+        app->add_option("--figure", a->figures, "one or several; several are also told apart");
+        app->add_option("--dance", a->dance, "the dance that they belong to");
+        app->add_option("--role", a->role, "lead, follow or both")
+            ->check(CLI::IsMember({"lead", "follow", "both"}));
+        app->add_option("--split", a->split, "learn only from labels of this split");
+        app->add_option("--test-split", a->test_split, "tell figures apart in this split, too");
+        app->add_option("--min-confidence", a->min_confidence, "learn only from labels as sure")
+            ->check(CLI::Range(0.0, 1.0));
+        app->add_option("--test-confidence", a->test_confidence, "the same of --test-split")
+            ->check(CLI::Range(0.0, 1.0));
+        app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
+            ->check(CLI::Range(1.0, 1000.0));
+        app->add_option("--scale", a->scales, "metres per unit of the file: lead's, follow's")
+            ->expected(1, 2)
+            ->check(CLI::Range(1e-4, 10.0));
+        app->add_option("--most-states", a->most_states, "tried: from 2 to this")
+            ->check(CLI::Range(2, 64));
+        app->add_option("--states", a->states, "of the models that tell figures apart")
+            ->check(CLI::Range(2, 64));
+        app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(CLI::Range(0, 100));
+        app->add_option("--threads", a->threads, "0: all cores; the page is the same for any")
+            ->check(CLI::Range(0, 256));
+        app->add_option("-o,--out", a->output, "X.html")->required();
     }
 
     void add_sheet() {

@@ -112,6 +112,30 @@ struct TrainFigureArguments {
 };
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
 
+struct TrainReportArguments {
+    std::vector<Path> clips;  ///< BVH files, or one folder of them
+    Path labels;              ///< TSV
+    Path counts;              ///< TSV; empty: counts lie evenly between a label's start and end
+    Path faults;              ///< TSV of capture faults; empty: none
+    std::vector<std::string> figures = {"basic"};  ///< two or more are also told apart
+    std::string dance = "salsa";
+    std::string role = "lead";  ///< lead, follow or both
+    std::string split;          ///< to learn from; empty: all labels
+    std::string test_split;     ///< to tell figures apart in; empty: only with takes left out
+    double min_confidence = 0.7;
+    double test_confidence = 0.6;
+    double fps = 0.0;            ///< 0: the file's
+    std::vector<double> scales;  ///< metres per unit, the follow's last; empty: guessed
+    int most_states = 19;
+    int states = 14;     ///< of the models that tell figures apart
+    int iterations = 6;  ///< of Baum-Welch
+    int threads = 0;     ///< 0: all cores
+    Path output;         ///< .html
+};
+/// Writes a page about how figures were learnt: how many states they need, what the states mean,
+/// and how well figures are told apart by them.
+[[nodiscard]] ExitCode train_report(const TrainReportArguments& arguments);
+
 /// Becomes the program raks-train-beats, with these arguments; returns only when that is missing.
 [[nodiscard]] ExitCode train_beats(const std::vector<std::string>& arguments);
 

@@ -59,6 +59,20 @@ void take_hmm(const models::GaussianHmm& hmm, PartModel& part) {
     }
 }
 
+Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
+                                              int states,
+                                              int iterations,
+                                              double covariance_floor) {
+    const models::BaumWelchOptions options{
+        .iterations = iterations, .tolerance = 0.0, .variance_floor = covariance_floor};
+    const Expected<models::GaussianHmm> start =
+        models::sliced_start(states, models::CovarianceType::tied, set, options);
+    if (!start) {
+        return fail(start.error());
+    }
+    return models::baum_welch(*start, set, options);
+}
+
 models::Frames frames_of(const FeatureTrack& track, std::size_t first, std::size_t count) {
     models::Frames frames(static_cast<Eigen::Index>(count),
                           static_cast<Eigen::Index>(track.columns));

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/expected.hpp"
 #include "models/gaussian_hmm.hpp"
+#include "models/hmm_training.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/motion_features.hpp"
 
@@ -19,6 +21,13 @@ inline constexpr std::array<std::string_view, 2> kSideNames = {"left", "right"};
 
 /// Initial, transition, exit, state means and covariance of a tied model into the part.
 void take_hmm(const models::GaussianHmm& hmm, PartModel& part);
+
+/// A left-to-right HMM with a tied covariance: states on equal slices of the sequences, then
+/// `iterations` of Baum-Welch. `covariance_floor`: FigureTrainingOptions.
+[[nodiscard]] Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
+                                                            int states,
+                                                            int iterations,
+                                                            double covariance_floor);
 
 [[nodiscard]] Eigen::MatrixXd matrix_of(const std::vector<std::vector<double>>& rows);
 

@@ -11,6 +11,7 @@
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/foot_statistics.hpp"
 #include "motion/figures/phase_warp.hpp"
+#include "motion/figures/repeat_features.hpp"
 #include "motion/figures/trajectory_statistics.hpp"
 
 namespace raks::motion {
@@ -121,74 +122,12 @@ Expected<void> check_repeat(const FigureRepeat& repeat,
     return {};
 }
 
-Expected<void> check_all(std::span<const TrainingClip> clips,
-                         std::span<const FigureRepeat> repeats,
-                         const FigureTrainingOptions& options) {
-    if (auto ok = check_options(options); !ok) {
-        return ok;
-    }
-    if (repeats.empty()) {
-        return fail("no repeats to learn from; check figure, role, split and confidence");
-    }
-    for (const TrainingClip& clip : clips) {
-        if (auto ok = check_clip(clip); !ok) {
-            return ok;
-        }
-    }
-    for (const FigureRepeat& repeat : repeats) {
-        if (auto ok = check_repeat(repeat, clips, options.beats); !ok) {
-            return ok;
-        }
-    }
-    return {};
-}
-
-/// Every repeat on the phase axis.
-std::vector<std::vector<Pose>> phased_repeats(std::span<const TrainingClip> clips,
-                                              std::span<const FigureRepeat> repeats,
-                                              int samples_per_beat,
-                                              double low_pass_hz) {
-    std::vector<std::vector<Pose>> conditioned(clips.size());
-    std::vector<std::vector<Pose>> result;
-    for (const FigureRepeat& repeat : repeats) {
-        const TrainingClip& clip = clips[repeat.clip];
-        std::vector<Pose>& poses = conditioned[repeat.clip];
-        if (poses.empty()) {
-            poses = clip.poses;
-            bridge_faults(poses, clip.faults);
-            poses = filtered(poses, low_pass_taps(low_pass_hz, clip.frames_per_second));
-        }
-        result.push_back(poses_on_phase(poses, repeat.beat_frames, samples_per_beat));
-    }
-    return result;
-}
-
 std::vector<double> weights_of(std::span<const FigureRepeat> repeats) {
     std::vector<double> weights;
     for (const FigureRepeat& repeat : repeats) {
         weights.push_back(repeat.weight);
     }
     return weights;
-}
-
-/// The joints of a part with their mean rotations over all repeats.
-PartModel mean_joints(Part which,
-                      std::span<const std::vector<Pose>> repeats,
-                      std::span<const double> weights) {
-    PartModel part;
-    part.part = which;
-    for (const Bone bone : default_joints(which)) {
-        std::vector<glm::dquat> rotations;
-        std::vector<double> each;
-        for (std::size_t r = 0; r < repeats.size(); ++r) {
-            for (const Pose& pose : repeats[r]) {
-                rotations.emplace_back(pose.rotation(bone));
-                each.push_back(weights[r]);
-            }
-        }
-        part.joints.push_back({bone, mean_rotation(rotations, each)});
-    }
-    return part;
 }
 
 /// Learns one part from its features, one track a repeat (samples -1 .. T + 1). Returns the mean
@@ -203,15 +142,8 @@ Expected<double> learn_part(std::span<const FeatureTrack> tracks,
     for (const FeatureTrack& track : tracks) {
         set.sequences.push_back(frames_of(track, 1, samples));
     }
-    const models::BaumWelchOptions training{.iterations = options.baum_welch_iterations,
-                                            .tolerance = 0.0,
-                                            .variance_floor = options.covariance_floor};
-    const Expected<models::GaussianHmm> start =
-        models::sliced_start(options.states, models::CovarianceType::tied, set, training);
-    if (!start) {
-        return fail(start.error());
-    }
-    const Expected<models::TrainingResult> trained = models::baum_welch(*start, set, training);
+    const Expected<models::TrainingResult> trained =
+        learn_states(set, options.states, options.baum_welch_iterations, options.covariance_floor);
     if (!trained) {
         return fail(trained.error());
     }
@@ -277,6 +209,28 @@ std::vector<Bone> default_joints(Part part) {
     return {};
 }
 
+Expected<void> check_training(std::span<const TrainingClip> clips,
+                              std::span<const FigureRepeat> repeats,
+                              const FigureTrainingOptions& options) {
+    if (auto ok = check_options(options); !ok) {
+        return ok;
+    }
+    if (repeats.empty()) {
+        return fail("no repeats to learn from; check figure, role, split and confidence");
+    }
+    for (const TrainingClip& clip : clips) {
+        if (auto ok = check_clip(clip); !ok) {
+            return ok;
+        }
+    }
+    for (const FigureRepeat& repeat : repeats) {
+        if (auto ok = check_repeat(repeat, clips, options.beats); !ok) {
+            return ok;
+        }
+    }
+    return {};
+}
+
 std::vector<Pose> poses_on_phase(std::span<const Pose> poses,
                                  std::span<const double> beat_frames,
                                  int samples_per_beat) {
@@ -299,7 +253,7 @@ std::vector<Pose> poses_on_phase(std::span<const Pose> poses,
 Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
                                             std::span<const FigureRepeat> repeats,
                                             const FigureTrainingOptions& options) {
-    if (auto ok = check_all(clips, repeats, options); !ok) {
+    if (auto ok = check_training(clips, repeats, options); !ok) {
         return fail(std::move(ok.error()));
     }
     FigureTrainingResult result;

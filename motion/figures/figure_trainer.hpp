@@ -59,8 +59,14 @@ struct FigureTrainingResult {
     std::array<double, 3> log_likelihood{};
 };
 
-/// Errors: no repeats; a repeat outside its clip, with beats that do not rise, or under 4 frames a
-/// beat; motion that is not finite or beyond 1 km; options out of range.
+/// Everything that training relies on. Errors: no repeats; a repeat outside its clip, with beats
+/// that do not rise, or under 4 frames a beat; motion that is not finite or beyond 1 km; options
+/// out of range.
+[[nodiscard]] Expected<void> check_training(std::span<const TrainingClip> clips,
+                                            std::span<const FigureRepeat> repeats,
+                                            const FigureTrainingOptions& options);
+
+/// Errors: those of check_training.
 [[nodiscard]] Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
                                                           std::span<const FigureRepeat> repeats,
                                                           const FigureTrainingOptions& options);
