@@ -6,6 +6,8 @@
 #include "audio/io/audio_file.hpp"
 #include "audio/synth/music_generator.hpp"
 #include "base/file.hpp"
+#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/skeleton.hpp"
 #include "tests/end_to_end/program.hpp"
 
 namespace raks::test {
@@ -82,6 +84,9 @@ TEST_F(BadInput, wrong_usage_is_exit_code_2) {
     expect_one_line({"play", music, "--seed", "-1"}, 2, "seed");
     expect_one_line({"dance", music, "-o", path("x.bvh"), "--fps", "1e9"}, 2, "fps");
     expect_one_line({"render", music, "-o", path("x.mp4"), "--theme", "stgae"}, 2, "stage");
+    expect_one_line({"bench", "hearing"}, 2, "hearing");
+    expect_one_line({"train", "report", music, "--labels", music, "--role", "boss"}, 2, "boss");
+    expect_one_line({"train", "report", music, "--most-states", "1"}, 2, "most-states");
     EXPECT_EQ(files(), std::vector<std::string>{"music.wav"});
 }
 
@@ -178,6 +183,83 @@ TEST_F(BadInput, training_refuses_bad_motion_and_leaves_no_model) {
                         c.part);
     }
     EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
+}
+
+/// Someone who stands still for 200 frames.
+std::vector<motion::Pose> standing() {
+    motion::Pose pose;
+    pose.hips_position = motion::mannequin_skeleton().offsets[0];
+    return std::vector<motion::Pose>(200, pose);
+}
+
+TEST_F(BadInput, training_refuses_bad_labels_in_one_line) {
+    ASSERT_TRUE(
+        motion::write_bvh(folder_ / "clip.bvh", motion::mannequin_skeleton(), standing(), 60.0));
+    const std::string header = "take\trole\tstart\tend\tfigure\tbeats\n";
+    const struct {
+        const char* rows;
+        const char* part;
+    } cases[] = {
+        {"", "no basic of the lead"},
+        {"clip\tlead\t100\t300\tbasic\t8\n", "line 2: end is 300, clip has 200 frames"},
+        {"clip\tlead\t-5\t150\tbasic\t8\n", "line 2: start is -5"},
+        {"clip\tlead\t10\t150\tbasic\t8\nclip\tlead\t140\t199\tbasic\t8\n",
+         "line 3: clip 140-199 overlaps line 2 (10-150)"},
+        {"clip\tlead\t10\t11\tbasic\t8\n", "line 2: 1 frames for 8 beats"},
+        {"clip\tlead\t10\t150\tbasic\t0\n", "line 2: beats is 0"},
+        {"other\tlead\t10\t150\tbasic\t8\n", "no clip named other.bvh"},
+    };
+    for (const auto& c : cases) {
+        write("labels.tsv", header + c.rows);
+        for (const char* command : {"figure", "report"}) {
+            expect_one_line({"train",
+                             command,
+                             path("clip.bvh"),
+                             "--labels",
+                             path("labels.tsv"),
+                             "-o",
+                             path("out")},
+                            1,
+                            c.part);
+        }
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
+}
+
+TEST_F(BadInput, one_repetition_of_standing_still_is_learnt_but_cannot_be_judged) {
+    ASSERT_TRUE(
+        motion::write_bvh(folder_ / "clip.bvh", motion::mannequin_skeleton(), standing(), 60.0));
+    write("labels.tsv", "take\trole\tstart\tend\tfigure\tbeats\nclip\tlead\t10\t150\tbasic\t8\n");
+    const auto arguments = [this](const char* command) {
+        return std::vector<std::string>{"train",
+                                        command,
+                                        path("clip.bvh"),
+                                        "--labels",
+                                        path("labels.tsv"),
+                                        "--scale",
+                                        "1",
+                                        "-o",
+                                        path("out")};
+    };
+    // No joint moves: the floor under the variances keeps the covariances positive definite.
+    const ProcessResult learnt = run(arguments("figure"));
+    EXPECT_EQ(learnt.exit_code, 0) << learnt.err;
+    std::filesystem::remove(folder_ / "out");
+    expect_one_line(arguments("report"), 1, "1 repeat of one take only");
+    EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
+}
+
+TEST_F(BadInput, motion_beyond_all_measure_is_refused) {
+    std::vector<motion::Pose> poses = standing();
+    poses[77].hips_position.x = 1e30F;
+    ASSERT_TRUE(motion::write_bvh(folder_ / "clip.bvh", motion::mannequin_skeleton(), poses, 60.0));
+    write("labels.tsv", "take\trole\tstart\tend\tfigure\tbeats\nclip\tlead\t10\t150\tbasic\t8\n");
+    for (const char* command : {"figure", "report"}) {
+        expect_one_line(
+            {"train", command, path("clip.bvh"), "--labels", path("labels.tsv"), "-o", path("out")},
+            1,
+            "frame 7");
+    }
 }
 
 TEST_F(BadInput, a_model_of_another_version_or_with_nan_is_refused) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "audio/synth/music_generator.hpp"
 #include "base/file.hpp"
 #include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/skeleton.hpp"
 #include "tests/end_to_end/program.hpp"
 
 namespace raks::test {
@@ -184,6 +186,52 @@ TEST_F(Commands, bench_latency_writes_its_document_with_the_tempo_that_plays) {
     for (const char* name : {"loop_latency_ms", "picture_lead_ms", "landing_mean_ms"}) {
         EXPECT_FALSE(document.contains(name)) << name;
     }
+}
+
+TEST_F(Commands, bench_train_writes_its_document) {
+    const ProcessResult result = run({"bench", "train", "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto document = nlohmann::json::parse(result.out);
+    EXPECT_EQ(document["bench"], "train");
+    EXPECT_GT(document["training_cpu_s"].get<double>(), 0.0);
+    EXPECT_GT(document["scoring_cpu_us_a_frame"].get<double>(), 0.0);
+}
+
+TEST_F(Commands, train_report_writes_one_page_of_every_figure) {
+    // Two takes of someone who sways from side to side.
+    std::string labels = "take\trole\tstart\tend\tfigure\tbeats\n";
+    for (const char* take : {"a", "b"}) {
+        std::vector<motion::Pose> poses;
+        for (int i = 0; i < 401; ++i) {
+            motion::Pose pose;
+            pose.hips_position = motion::mannequin_skeleton().offsets[0];
+            pose.hips_position.x += 0.1F * std::sin(0.0314159F * static_cast<float>(i));
+            poses.push_back(pose);
+        }
+        ASSERT_TRUE(motion::write_bvh(
+            path(std::string(take) + ".bvh"), motion::mannequin_skeleton(), poses, 60.0));
+        labels += fmt::format("{0}\tlead\t0\t200\tsway\t8\n{0}\tlead\t200\t400\tsway\t8\n", take);
+    }
+    ASSERT_TRUE(write_file(path("labels.tsv"), labels));
+    const ProcessResult result = run({"train",
+                                      "report",
+                                      path("a.bvh"),
+                                      path("b.bvh"),
+                                      "--labels",
+                                      path("labels.tsv"),
+                                      "--figure",
+                                      "sway",
+                                      "--scale",
+                                      "1",
+                                      "--most-states",
+                                      "4",
+                                      "-o",
+                                      path("report.html")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out.rfind("sway of the lead, 4 repeats: states", 0), 0U) << result.out;
+    const std::string page = read_file(path("report.html")).value();
+    EXPECT_NE(page.find("How long states last"), std::string::npos);
+    EXPECT_EQ(page.find("nan"), std::string::npos);
 }
 
 TEST_F(Commands, play_without_window_and_sound_runs_to_the_files_end) {

@@ -122,6 +122,8 @@ TEST(FigureFile, refuses_bad_files_in_one_line) {
          "x.json: parts[0].joints[1].bone is \"tail\", which is unknown; train the figure again"},
         {replaced("\"variance\": [", "\"variance\": [-"),
          "x.json: parts[0].states[0].variance[0] is -"},
+        {replaced("\"covariance\": [\n    [", "\"covariance\": [\n    [-"),
+         "x.json: parts[0].covariance is not positive definite"},
         {replaced("\"delta_mean\": [", "\"delta_mean\": [null,"),
          "x.json: parts[0].states[0].delta_mean[0] is no number; train the figure again"},
         {replaced("\"net_turn\"", "\"net_tern\""),
