@@ -20,6 +20,7 @@ namespace raks::cli {
 namespace {
 
 using AnalyzerKind = audio::AnalyzerCommand::Kind;
+using DancerKind = motion::DancerCommand::Kind;
 
 constexpr Nanos kMessageTime = std::chrono::seconds(4);
 constexpr Nanos kHeadlessNap = std::chrono::milliseconds(20);
@@ -152,7 +153,7 @@ void StageLoop::handle_events(engine::LiveGraph& graph) {
     for (const render::WindowEvent& event : window_->poll_events()) {
         if (const auto* key = std::get_if<render::KeyEvent>(&event)) {
             if (const auto action = render::action_of(*key)) {
-                act(*action, graph);
+                act(*action, *key, graph);
             }
         } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
             move_camera(*drag);
@@ -171,7 +172,7 @@ void StageLoop::move_camera(const render::MouseDragEvent& drag) {
     }
 }
 
-void StageLoop::act(render::Action action, engine::LiveGraph& graph) {
+void StageLoop::act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph) {
     using render::Action;
     engine::Playback* playback = graph.playback();
     const auto seek_by = [&](double seconds) {
@@ -220,6 +221,17 @@ void StageLoop::act(render::Action action, engine::LiveGraph& graph) {
             break;
         case Action::double_tempo:
             graph.command(AnalyzerKind::double_tempo);
+            break;
+        case Action::next_figure:
+            graph.command(DancerKind::next_figure);
+            break;
+        case Action::select_figure:
+            graph.command(DancerKind::select_figure, render::figure_of(key.key));
+            break;
+        case Action::keep_figure:
+            keeps_figure_ = !keeps_figure_;
+            graph.command(DancerKind::lock_figure, keeps_figure_ ? 1.0 : 0.0);
+            say(keeps_figure_ ? "keeping to this figure (K lets go)" : "figures as they come");
             break;
         case Action::toggle_figure_view:
             show_->toggle_view();

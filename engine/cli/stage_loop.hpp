@@ -44,7 +44,7 @@ class StageLoop {
         : settings_(settings), options_(options) {}
 
     void handle_events(engine::LiveGraph& graph);
-    void act(render::Action action, engine::LiveGraph& graph);
+    void act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph);
     void move_camera(const render::MouseDragEvent& drag);
     void draw(engine::LiveGraph& graph, const std::string& source, std::optional<double> duration);
     void wait(engine::LiveGraph& graph);
@@ -58,6 +58,7 @@ class StageLoop {
     std::optional<engine::Show> show_;
     std::optional<StageEnd> wish_;
     bool wants_screenshot_ = false;
+    bool keeps_figure_ = false;
     std::string message_;
     HostTime message_until_{};
     HostTime last_picture_{};

@@ -23,6 +23,8 @@ std::string_view title_of(ActionGroup group) {
             return "PLAYING";
         case ActionGroup::tempo:
             return "TEMPO";
+        case ActionGroup::dance:
+            return "DANCE";
         case ActionGroup::view:
             return "VIEW";
         case ActionGroup::window:
@@ -32,7 +34,9 @@ std::string_view title_of(ActionGroup group) {
 }
 
 /// Groups of the left column; the others are on the right.
-constexpr bool is_left(ActionGroup group) { return group == ActionGroup::playing; }
+constexpr bool is_left(ActionGroup group) {
+    return group == ActionGroup::playing || group == ActionGroup::tempo;
+}
 
 /// A key as a small cap; returns its width.
 float draw_cap(const Pen& pen, std::string_view name, float x, float y) {

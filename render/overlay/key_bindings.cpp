@@ -18,6 +18,12 @@ constexpr std::array kBindings = {
     KeyBinding{key_of(U't'), false, Action::tap_tempo, "T"},
     KeyBinding{key_of(U'['), false, Action::half_tempo, "["},
     KeyBinding{key_of(U']'), false, Action::double_tempo, "]"},
+    KeyBinding{key_of(U'g'), false, Action::next_figure, "G"},
+    KeyBinding{key_of(U'1'), false, Action::select_figure, "1"},
+    KeyBinding{key_of(U'2'), false, Action::select_figure, "2"},
+    KeyBinding{key_of(U'3'), false, Action::select_figure, "3"},
+    KeyBinding{key_of(U'4'), false, Action::select_figure, "4"},
+    KeyBinding{key_of(U'k'), false, Action::keep_figure, "K"},
     KeyBinding{key_of(U's'), false, Action::toggle_figure_view, "S"},
     KeyBinding{key_of(U'c'), false, Action::reset_camera, "C"},
     KeyBinding{Key::home, false, Action::reset_camera, "Home"},
@@ -45,6 +51,9 @@ constexpr std::array<ActionHelp, kActionCount> kHelp = {{
     {Action::tap_tempo, ActionGroup::tempo, "tap the tempo"},
     {Action::half_tempo, ActionGroup::tempo, "half tempo"},
     {Action::double_tempo, ActionGroup::tempo, "double tempo"},
+    {Action::next_figure, ActionGroup::dance, "another figure"},
+    {Action::select_figure, ActionGroup::dance, "a figure"},
+    {Action::keep_figure, ActionGroup::dance, "keep to the figure"},
     {Action::toggle_figure_view, ActionGroup::view, "stick figure, avatar"},
     {Action::reset_camera, ActionGroup::view, "reset the camera"},
     {Action::toggle_overlay, ActionGroup::view, "hide, show this overlay"},
@@ -66,6 +75,8 @@ constexpr bool is_repeatable(Action action) {
 std::span<const KeyBinding> key_bindings() noexcept { return kBindings; }
 
 std::span<const ActionHelp> action_help() noexcept { return kHelp; }
+
+int figure_of(Key key) noexcept { return static_cast<int>(key) - static_cast<int>(key_of(U'1')); }
 
 std::optional<Action> action_of(const KeyEvent& event) noexcept {
     if (event.has_control) {

@@ -21,6 +21,9 @@ enum class Action : std::uint8_t {
     tap_tempo,
     half_tempo,
     double_tempo,
+    next_figure,         ///< another one after this
+    select_figure,       ///< the one of the key's number, after this
+    keep_figure,         ///< this one again and again, or as the grammar says
     toggle_figure_view,  ///< stick figure or skinned avatar
     reset_camera,
     toggle_overlay,
@@ -29,7 +32,7 @@ enum class Action : std::uint8_t {
     toggle_help,
     quit,
 };
-inline constexpr int kActionCount = 18;
+inline constexpr int kActionCount = 21;
 
 inline constexpr double kSeekSeconds = 5.0;
 inline constexpr double kSeekFarSeconds = 30.0;
@@ -43,7 +46,7 @@ struct KeyBinding {
 };
 
 /// The groups of the help panel, top to bottom.
-enum class ActionGroup : std::uint8_t { playing, tempo, view, window };
+enum class ActionGroup : std::uint8_t { playing, tempo, dance, view, window };
 
 struct ActionHelp {
     Action action;
@@ -56,6 +59,9 @@ struct ActionHelp {
 [[nodiscard]] std::span<const KeyBinding> key_bindings() noexcept;
 /// What each action does, in the order of the help panel; every action once.
 [[nodiscard]] std::span<const ActionHelp> action_help() noexcept;
+
+/// 0 for "1", 1 for "2": which figure a key of Action::select_figure means.
+[[nodiscard]] int figure_of(Key key) noexcept;
 
 /// The action that a key asks for. Keys with Control held belong to others. Held keys repeat
 /// seeking and volume only.

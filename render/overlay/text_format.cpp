@@ -28,6 +28,7 @@ std::string capitalized(std::string_view word) {
     if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
         text.front() = static_cast<char>(text.front() - 'a' + 'A');
     }
+    std::replace(text.begin(), text.end(), '_', ' ');
     return text;
 }
 

@@ -11,7 +11,7 @@ namespace raks::render {
 /// One line of clean text: control characters become spaces.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// First letter of an ASCII word in upper case: "salsa" -> "Salsa".
+/// A name for people: "cross_body_lead" -> "Cross body lead" (ASCII).
 [[nodiscard]] std::string capitalized(std::string_view word);
 
 /// Where a level lies on a meter from -60 dBFS to 0 dBFS, [0, 1]. NaN is 0.

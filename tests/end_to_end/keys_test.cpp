@@ -164,6 +164,14 @@ TEST_F(Keys, q_and_escape_quit_within_2_seconds) {
     }
 }
 
+TEST_F(Keys, k_keeps_to_the_figure_and_lets_go) {
+    start("--no-overlay");
+    press({"k"});
+    EXPECT_TRUE(raks_->wait_for_output("keeping to this figure"));
+    press({"k"});
+    EXPECT_TRUE(raks_->wait_for_output("figures as they come"));
+}
+
 /// Live in a window, in silence: the tempo is what the keys make of it.
 class TempoKeys : public WindowTest {
  protected:

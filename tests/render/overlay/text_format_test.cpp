@@ -25,6 +25,7 @@ TEST(TextFormat, a_name_stays_on_one_line) {
 
 TEST(TextFormat, labels_begin_with_a_capital) {
     EXPECT_EQ(capitalized("salsa"), "Salsa");
+    EXPECT_EQ(capitalized("cross_body_lead"), "Cross body lead");
     EXPECT_EQ(capitalized(""), "");
     EXPECT_EQ(capitalized("\xC3\xA9toile"), "\xC3\xA9toile");
 }
