@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
+
+#include "motion/evaluate/place_series.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -13,39 +16,22 @@ constexpr double kContactSpeed = 0.25;   // m/s
 constexpr double kContactHeight = 0.05;  // metres
 constexpr std::size_t kContactFrames = 4;
 
-using Places = std::vector<glm::dvec3>;
-
-// Binomial filter 1-4-6-4-1, ends repeated.
-Places smoothed(const Places& places) {
-    constexpr std::array<double, 5> kTaps = {1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
-    const auto last = static_cast<std::ptrdiff_t>(places.size()) - 1;
-    Places result(places.size(), glm::dvec3(0.0));
-    for (std::ptrdiff_t i = 0; i <= last; ++i) {
-        for (std::ptrdiff_t k = 0; k < 5; ++k) {
-            const std::ptrdiff_t at = std::clamp<std::ptrdiff_t>(i + k - 2, 0, last);
-            result[static_cast<std::size_t>(i)] +=
-                kTaps[static_cast<std::size_t>(k)] * places[static_cast<std::size_t>(at)];
-        }
-    }
-    return result;
-}
-
-// Central differences, one-sided at the ends; m/s.
-std::vector<double> speeds(const Places& places, double frames_per_second) {
-    std::vector<double> result(places.size(), 0.0);
-    for (std::size_t i = 0; places.size() > 1 && i < places.size(); ++i) {
-        const std::size_t before = i > 0 ? i - 1 : 0;
-        const std::size_t after = std::min(i + 1, places.size() - 1);
-        result[i] = glm::length(places[after] - places[before]) * frames_per_second /
-                    static_cast<double>(after - before);
-    }
-    return result;
-}
-
 double mean(const std::vector<double>& values) {
     return values.empty() ? 0.0
                           : std::accumulate(values.begin(), values.end(), 0.0) /
                                 static_cast<double>(values.size());
+}
+
+// A third difference from frame f on sees f to f + 3, and the filter two more to each side.
+bool has_sound_neighbours(const MetricFrames& frames, std::size_t f, std::size_t count) {
+    const std::size_t first = f >= 2 ? f - 2 : 0;
+    const std::size_t last = std::min(f + 5, count - 1);
+    for (std::size_t i = first; i <= last; ++i) {
+        if (!frames.is_counted(i)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // Largest distance over the floor from where the toe came down.
@@ -84,47 +70,55 @@ double percentile(std::vector<double> values, double share) {
     return values[below] + (at - std::floor(at)) * (values[above] - values[below]);
 }
 
-JerkReport jerk_of(const BodyTrack& track) {
+JerkReport jerk_of(const BodyTrack& track, const MetricFrames& frames) {
     if (track.frames() < 4) {
         return {};
     }
     const double cube = std::pow(track.frames_per_second, 3.0);
     std::vector<double> jerks;
     jerks.reserve(track.frames() * kBodyBones.size());
-    double squares = 0.0;
     for (std::size_t j = 0; j < kBodyBones.size(); ++j) {
-        Places places(track.frames());
-        for (std::size_t f = 0; f < track.frames(); ++f) {
-            places[f] = track.joints[f][j];
-        }
-        places = smoothed(places);
+        const Places places = smoothed(joint_places(track, j));
         for (std::size_t f = 0; f + 3 < places.size(); ++f) {
+            if (!has_sound_neighbours(frames, f, places.size())) {
+                continue;
+            }
             const glm::dvec3 third =
                 places[f + 3] - 3.0 * places[f + 2] + 3.0 * places[f + 1] - places[f];
-            jerks.push_back(cube * glm::length(third));
-            squares += jerks.back() * jerks.back();
+            jerks.push_back(cube * glm::length(third) / std::pow(frames.pace_at(f + 1), 3.0));
         }
     }
+    return jerk_of_samples(std::move(jerks));
+}
+
+JerkReport jerk_of_samples(std::vector<double> samples) {
     JerkReport report;
-    report.rms = std::sqrt(squares / static_cast<double>(jerks.size()));
-    report.highest = *std::max_element(jerks.begin(), jerks.end());
-    report.p999 = percentile(std::move(jerks), 0.999);
+    if (samples.empty()) {
+        return report;
+    }
+    double squares = 0.0;
+    for (const double jerk : samples) {
+        squares += jerk * jerk;
+    }
+    report.rms = std::sqrt(squares / static_cast<double>(samples.size()));
+    report.highest = *std::max_element(samples.begin(), samples.end());
+    report.p999 = percentile(samples, 0.999);
+    report.samples = std::move(samples);
     return report;
 }
 
-ContactReport contacts_of(const BodyTrack& track, std::optional<double> floor_height) {
+ContactReport contacts_of(const BodyTrack& track,
+                          std::optional<double> floor_height,
+                          const MetricFrames& frames) {
     ContactReport report;
     if (track.frames() < 2) {
         return report;
     }
     std::vector<double> toe_speeds;
+    std::size_t measured = 0;
     double lowest = 1e300;
     for (const Side side : kSides) {
-        Places toe(track.frames());
-        for (std::size_t f = 0; f < track.frames(); ++f) {
-            toe[f] = track.feet[f][static_cast<std::size_t>(side)].toe_tip;
-        }
-        toe = smoothed(toe);
+        const Places toe = smoothed(toe_places(track, side));
         std::vector<double> heights(toe.size());
         std::transform(toe.begin(), toe.end(), heights.begin(), [](const glm::dvec3& place) {
             return place.y;
@@ -133,15 +127,22 @@ ContactReport contacts_of(const BodyTrack& track, std::optional<double> floor_he
         const std::vector<double> speed = speeds(toe, track.frames_per_second);
         std::vector<bool> touches(toe.size());
         for (std::size_t f = 0; f < toe.size(); ++f) {
+            if (!frames.is_counted(f)) {
+                continue;
+            }
+            ++measured;
             touches[f] = speed[f] < kContactSpeed && heights[f] - floor < kContactHeight;
             lowest = std::min(lowest, heights[f] - floor);
             if (touches[f]) {
-                toe_speeds.push_back(speed[f]);
+                toe_speeds.push_back(speed[f] / frames.pace_at(f));
             }
         }
         add_slips(toe, touches, report.slips);
     }
-    report.share = static_cast<double>(toe_speeds.size()) / static_cast<double>(2 * track.frames());
+    if (measured == 0) {
+        return report;
+    }
+    report.share = static_cast<double>(toe_speeds.size()) / static_cast<double>(measured);
     report.slip_median = percentile(report.slips, 0.5);
     report.slip_p90 = percentile(report.slips, 0.9);
     report.slip_p95 = percentile(report.slips, 0.95);

@@ -10,17 +10,37 @@
 /// 1-4-6-4-1 over frames first, so figures belong to a frame rate: compare at 60 a second.
 namespace raks::motion {
 
+/// What of a track is measured, and against which tempo. Empty vectors: all of it, as it is.
+struct MetricFrames {
+    /// By frame: belongs to the dance. False for idling and where the capture is wrong; what a
+    /// metric would compute from such a frame is left out.
+    std::vector<bool> counted;
+    /// By frame: tempo danced / tempo learnt, > 0. Speeds are divided by it and jerks by its cube:
+    /// the same figure danced faster moves faster, and is no less smooth.
+    std::vector<double> pace;
+
+    [[nodiscard]] bool is_counted(std::size_t frame) const noexcept {
+        return counted.empty() || counted[frame];
+    }
+    [[nodiscard]] double pace_at(std::size_t frame) const noexcept {
+        return pace.empty() ? 1.0 : pace[frame];
+    }
+};
+
 /// Third difference of the 19 joints' places; m/s^3.
 struct JerkReport {
     double rms = 0.0;
     double p999 = 0.0;  ///< 99.9th percentile over joints and frames
     double highest = 0.0;
+    std::vector<double> samples;  ///< joint by joint, for pooling over takes
 };
 /// Zero for less than 4 frames. Threads: workers. Real-time: no.
-[[nodiscard]] JerkReport jerk_of(const BodyTrack& track);
+[[nodiscard]] JerkReport jerk_of(const BodyTrack& track, const MetricFrames& frames = {});
+/// Of samples gathered from several tracks.
+[[nodiscard]] JerkReport jerk_of_samples(std::vector<double> samples);
 
 /// Contact: toe tip slower than 0.25 m/s and lower than 5 cm over the floor; a contact counts from
-/// 4 frames on.
+/// 4 frames on. The speed that decides is the one seen, whatever the pace.
 struct ContactReport {
     double share = 0.0;         ///< of the time in contact, mean of both feet
     std::vector<double> slips;  ///< metres: how far a toe tip moves over the floor in one contact
@@ -34,7 +54,8 @@ struct ContactReport {
 /// `floor_height`: of the floor, metres; none: each foot's own 5th percentile of toe height, for
 /// captured motion. Threads: workers. Real-time: no.
 [[nodiscard]] ContactReport contacts_of(const BodyTrack& track,
-                                        std::optional<double> floor_height = std::nullopt);
+                                        std::optional<double> floor_height = std::nullopt,
+                                        const MetricFrames& frames = {});
 
 /// The value below which `share` of the values lie, interpolated between neighbours as numpy does;
 /// 0 when empty.

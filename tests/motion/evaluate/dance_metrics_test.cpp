@@ -3,18 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "motion/evaluate/landing_error.hpp"
-#include "motion/skeleton/bvh.hpp"
 
 namespace raks::motion {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kRate = 60.0;
 
@@ -133,41 +126,6 @@ TEST(LandingErrors, count_steps_that_are_missing_or_not_expected) {
     EXPECT_EQ(report.landings.size(), 1U);
     EXPECT_EQ(report.missing, 3U);
     EXPECT_EQ(report.unexpected, 1U);
-}
-
-class ReferenceMetrics : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(PlainCuts, ReferenceMetrics, ::testing::Values("60", "61"));
-
-TEST_P(ReferenceMetrics, equal_those_of_the_reference_program) {
-    const char* const given = std::getenv("RAKS_SHARED");  // NOLINT(concurrency-mt-unsafe)
-    const fs::path shared =
-        given != nullptr ? fs::path(given) : fs::path(RAKS_SOURCE_DIR) / "../shared";
-    const std::string name = std::string(GetParam()) + "_03_973_1679";
-    const fs::path file = shared / "data" / "mocap" / "salsa" / (name + ".bvh");
-    if (!fs::exists(file)) {
-        GTEST_SKIP() << "no clip at " << file;
-    }
-    std::ifstream stream(shared / "data" / "mocap" / ("metrics_" + name + ".json"));
-    const nlohmann::json expected = nlohmann::json::parse(stream);
-    const auto clip = read_bvh(file, {.frames_per_second = kRate});
-    ASSERT_TRUE(clip) << clip.error().message;
-    const auto track = body_track(*clip, std::string(GetParam()) == "60" ? 1.267 : 1.17);
-    ASSERT_TRUE(track) << track.error().message;
-    const auto near = [](double value, double reference) {
-        EXPECT_NEAR(value, reference, 1e-6 * std::abs(reference));
-    };
-    const JerkReport jerk = jerk_of(*track);
-    near(jerk.rms, expected["jerk_rms"]);
-    near(jerk.p999, expected["jerk_p999"]);
-    const ContactReport contact = contacts_of(*track);
-    const nlohmann::json& reference = expected["contact"];
-    EXPECT_EQ(contact.slips.size(), reference["count"].get<std::size_t>());
-    near(contact.share, reference["share"]);
-    near(contact.slip_median, reference["slip_median"]);
-    near(contact.slip_p95, reference["slip_p95"]);
-    near(contact.toe_speed_mean, reference["toe_speed_mean"]);
-    near(contact.toe_speed_p95, reference["toe_speed_p95"]);
-    near(-contact.lowest_toe, reference["toe_lowest_below_floor"]);
 }
 
 }  // namespace

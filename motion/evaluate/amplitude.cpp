@@ -1,0 +1,76 @@
+#include "motion/evaluate/amplitude.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "motion/evaluate/place_series.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr std::size_t kHips = 0;  // in kBodyBones
+
+double widest(const Places& places) {
+    double widest = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            widest =
+                std::max(widest, std::hypot(places[i].x - places[k].x, places[i].z - places[k].z));
+        }
+    }
+    return widest;
+}
+
+Places counted_places(const Places& places,
+                      std::size_t first,
+                      std::size_t last,
+                      const MetricFrames& frames) {
+    Places counted;
+    for (std::size_t f = first; f < last; ++f) {
+        if (frames.is_counted(f)) {
+            counted.push_back(places[f]);
+        }
+    }
+    return counted;
+}
+
+double peak_speed(const BodyTrack& track,
+                  Side side,
+                  std::size_t first,
+                  std::size_t last,
+                  const MetricFrames& frames) {
+    const auto speed = speeds(smoothed(toe_places(track, side)), track.frames_per_second);
+    double highest = 0.0;
+    for (std::size_t f = first; f < last; ++f) {
+        if (frames.is_counted(f)) {
+            highest = std::max(highest, speed[f] / frames.pace_at(f));
+        }
+    }
+    return highest;
+}
+
+}  // namespace
+
+Amplitude amplitude_of(const BodyTrack& track,
+                       std::size_t first,
+                       std::size_t last,
+                       const MetricFrames& frames) {
+    Amplitude amplitude;
+    amplitude.hips_travel = widest(counted_places(joint_places(track, kHips), first, last, frames));
+    for (const Side side : kSides) {
+        amplitude.toe_travel =
+            std::max(amplitude.toe_travel,
+                     widest(counted_places(toe_places(track, side), first, last, frames)));
+        amplitude.peak_toe_speed =
+            std::max(amplitude.peak_toe_speed, peak_speed(track, side, first, last, frames));
+    }
+    return amplitude;
+}
+
+double peak_toe_speed(const BodyTrack& track, const MetricFrames& frames) {
+    return std::max(peak_speed(track, Side::left, 0, track.frames(), frames),
+                    peak_speed(track, Side::right, 0, track.frames(), frames));
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,118 @@
+#include "motion/evaluate/beat_alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion {
+namespace {
+
+constexpr double kKernelFrames = 3.0;
+constexpr double kSmoothingFrames = 5.0;   // Bailando
+constexpr std::size_t kMinimumOrder = 10;  // FACT: frames to each side
+
+// Summed speed of all joints from each frame to the next, metres a frame.
+std::vector<double> summed_speeds(const BodyTrack& track) {
+    std::vector<double> sums;
+    for (std::size_t f = 0; f + 1 < track.frames(); ++f) {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < kBodyBones.size(); ++j) {
+            sum += glm::length(track.joints[f + 1][j] - track.joints[f][j]);
+        }
+        sums.push_back(sum);
+    }
+    return sums;
+}
+
+// scipy.ndimage.gaussian_filter1d: cut at 4 sigma, ends reflected with the last value repeated.
+std::vector<double> gaussian_smoothed(const std::vector<double>& values, double sigma) {
+    const auto reach = static_cast<std::ptrdiff_t>(4.0 * sigma + 0.5);
+    std::vector<double> taps;
+    double sum = 0.0;
+    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
+        taps.push_back(std::exp(-0.5 * std::pow(static_cast<double>(k) / sigma, 2.0)));
+        sum += taps.back();
+    }
+    const auto count = static_cast<std::ptrdiff_t>(values.size());
+    const auto reflected = [&](std::ptrdiff_t i) {
+        const std::ptrdiff_t period = 2 * count;
+        const std::ptrdiff_t place = ((i % period) + period) % period;
+        return values[static_cast<std::size_t>(place < count ? place : period - 1 - place)];
+    };
+    std::vector<double> result(values.size(), 0.0);
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
+            result[static_cast<std::size_t>(i)] +=
+                taps[static_cast<std::size_t>(k + reach)] / sum * reflected(i + k);
+        }
+    }
+    return result;
+}
+
+// Places lower than all of `order` neighbours to each side; beyond an end its value stands, so
+// that the ends themselves are none (scipy.signal.argrelextrema, mode "clip").
+std::vector<double> minima(const std::vector<double>& values, std::size_t order) {
+    std::vector<double> found;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        bool is_lowest = true;
+        for (std::size_t d = 1; d <= order && is_lowest; ++d) {
+            const double before = values[i >= d ? i - d : 0];
+            const double after = values[std::min(i + d, values.size() - 1)];
+            is_lowest = values[i] < before && values[i] < after;
+        }
+        if (is_lowest) {
+            found.push_back(static_cast<double>(i));
+        }
+    }
+    return found;
+}
+
+std::vector<double> beats_in_frames(const BodyTrack& track, std::span<const double> beat_times) {
+    std::vector<double> frames;
+    for (const double time : beat_times) {
+        const double frame = time * track.frames_per_second;
+        if (frame >= 0.0 && frame < static_cast<double>(track.frames())) {
+            frames.push_back(frame);
+        }
+    }
+    return frames;
+}
+
+// Mean score of each of `beats` to the nearest of `others`.
+double mean_score(const std::vector<double>& beats, const std::vector<double>& others) {
+    if (beats.empty() || others.empty()) {
+        return 0.0;
+    }
+    double sum = 0.0;
+    for (const double beat : beats) {
+        double nearest = std::abs(others.front() - beat);
+        for (const double other : others) {
+            nearest = std::min(nearest, std::abs(other - beat));
+        }
+        sum += std::exp(-nearest * nearest / (2.0 * kKernelFrames * kKernelFrames));
+    }
+    return sum / static_cast<double>(beats.size());
+}
+
+}  // namespace
+
+double motion_beat_alignment(const BodyTrack& track, std::span<const double> beat_times) {
+    // The speed into a frame: the first has none and stands still.
+    std::vector<double> speed = summed_speeds(track);
+    speed.insert(speed.begin(), 0.0);
+    return mean_score(minima(speed, kMinimumOrder), beats_in_frames(track, beat_times));
+}
+
+double music_beat_alignment(const BodyTrack& track, std::span<const double> beat_times) {
+    std::vector<double> speed = summed_speeds(track);
+    for (double& value : speed) {
+        value /= static_cast<double>(kBodyBones.size());
+    }
+    return mean_score(beats_in_frames(track, beat_times),
+                      minima(gaussian_smoothed(speed, kSmoothingFrames), 1));
+}
+
+}  // namespace raks::motion

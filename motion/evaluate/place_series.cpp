@@ -1,0 +1,51 @@
+#include "motion/evaluate/place_series.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion {
+
+Places smoothed(const Places& places) {
+    constexpr std::array<double, 5> kTaps = {1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
+    const auto last = static_cast<std::ptrdiff_t>(places.size()) - 1;
+    Places result(places.size(), glm::dvec3(0.0));
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+        for (std::ptrdiff_t k = 0; k < 5; ++k) {
+            const std::ptrdiff_t at = std::clamp<std::ptrdiff_t>(i + k - 2, 0, last);
+            result[static_cast<std::size_t>(i)] +=
+                kTaps[static_cast<std::size_t>(k)] * places[static_cast<std::size_t>(at)];
+        }
+    }
+    return result;
+}
+
+std::vector<double> speeds(const Places& places, double frames_per_second) {
+    std::vector<double> result(places.size(), 0.0);
+    for (std::size_t i = 0; places.size() > 1 && i < places.size(); ++i) {
+        const std::size_t before = i > 0 ? i - 1 : 0;
+        const std::size_t after = std::min(i + 1, places.size() - 1);
+        result[i] = glm::length(places[after] - places[before]) * frames_per_second /
+                    static_cast<double>(after - before);
+    }
+    return result;
+}
+
+Places joint_places(const BodyTrack& track, std::size_t joint) {
+    Places places(track.frames());
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        places[f] = track.joints[f][joint];
+    }
+    return places;
+}
+
+Places toe_places(const BodyTrack& track, Side side) {
+    Places places(track.frames());
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        places[f] = track.feet[f][static_cast<std::size_t>(side)].toe_tip;
+    }
+    return places;
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,68 @@
+#include "motion/evaluate/amplitude.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/motion/evaluate/small_track.hpp"
+
+namespace raks::motion {
+namespace {
+
+/// Hips go to and fro over 0.5 m once in 2 s, the left toe over 0.8 m, the right one rests.
+BodyTrack rocking() {
+    BodyTrack track = test::resting_track(240);
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        const double swing = std::sin(M_PI * static_cast<double>(f) / 60.0);
+        track.joints[f].fill({0.15 * swing, 1.0, 0.2 * swing});
+        track.feet[f][0].toe_tip = {0.4 * swing, 0.0, 0.0};
+    }
+    return track;
+}
+
+TEST(Amplitude, is_the_widest_way_and_the_fastest_toe) {
+    const Amplitude amplitude = amplitude_of(rocking(), 0, 120);
+    EXPECT_NEAR(amplitude.hips_travel, 0.5, 1e-12);
+    EXPECT_NEAR(amplitude.toe_travel, 0.8, 1e-12);
+    EXPECT_NEAR(amplitude.peak_toe_speed, 0.4 * M_PI, 0.005) << "0.3 % is the filter's";
+}
+
+TEST(Amplitude, of_a_part_is_what_is_seen_there) {
+    EXPECT_NEAR(amplitude_of(rocking(), 0, 31).hips_travel, 0.25, 1e-12);
+    EXPECT_EQ(amplitude_of(rocking(), 5, 5).hips_travel, 0.0);
+}
+
+TEST(Amplitude, divides_speeds_by_the_pace_and_leaves_faults_out) {
+    MetricFrames frames;
+    frames.pace.assign(240, 2.0);
+    EXPECT_NEAR(peak_toe_speed(rocking(), frames), 0.2 * M_PI, 0.0025);
+    frames.pace.clear();
+    BodyTrack faulty = rocking();
+    faulty.feet[100][0].toe_tip.x += 3.0;
+    EXPECT_GT(peak_toe_speed(faulty), 10.0);
+    frames.counted.assign(240, true);
+    for (std::size_t f = 96; f <= 104; ++f) {
+        frames.counted[f] = false;
+    }
+    EXPECT_NEAR(peak_toe_speed(faulty, frames), 0.4 * M_PI, 0.005);
+    EXPECT_NEAR(amplitude_of(faulty, 0, 240, frames).toe_travel, 0.8, 1e-12);
+}
+
+TEST(Jerk, leaves_out_what_is_not_counted_and_scales_with_the_pace) {
+    BodyTrack track = rocking();
+    const JerkReport whole = jerk_of(track);
+    MetricFrames frames;
+    frames.pace.assign(240, 2.0);
+    EXPECT_NEAR(jerk_of(track, frames).rms, whole.rms / 8.0, 1e-9);
+    frames.pace.clear();
+    frames.counted.assign(240, true);
+    frames.counted[100] = false;
+    for (auto& joint : track.joints[100]) {
+        joint.y += 1.0;
+    }
+    EXPECT_GT(jerk_of(track).highest, 1e4);
+    EXPECT_EQ(jerk_of(track, frames).highest, whole.highest);
+}
+
+}  // namespace
+}  // namespace raks::motion
