@@ -204,7 +204,7 @@ class Parser {
     }
 
     void add_eval() {
-        CLI::App* eval = app_.add_subcommand("eval", "measure against annotated recordings");
+        CLI::App* eval = app_.add_subcommand("eval", "measure beats and dance");
         eval->require_subcommand(1);
         auto [app, a] = add(*eval, "beats", "score the beat tracker", eval_beats);
         app->add_option("folder", a->corpus, "index.tsv, NAME.beats, NAME.ogg")->required();
@@ -219,6 +219,30 @@ class Parser {
                         a->left_out,
                         "folder of CLASS.json: networks that were trained without that class");
         add_beat_option(*app, a->methods);
+        add_eval_dance(*eval);
+    }
+
+    void add_eval_dance(CLI::App& eval) {
+        auto [app, a] = add(eval, "dance", "measure the dancer on generated music", eval_dance);
+        app->add_flag("--json", a->as_json, "one JSON document");
+        app->add_option("--role", a->role, "lead or follow")
+            ->check(CLI::IsMember({"lead", "follow"}));
+        app->add_option("--dance", a->settings.dance, "the dance to measure");
+        app->add_option("--seed", a->settings.seed, "same seed, same dance");
+        app->add_option("--trial", a->trials, "only this one, such as salsa-180")
+            ->allow_extra_args(false);
+        auto* clips = app->add_option("--clips", a->clips, "folder of people's clips, TAKE.bvh");
+        auto* labels =
+            app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+        clips->needs(labels);
+        labels->needs(clips);
+        app->add_option("--counts", a->counts, "TSV: when each count falls")->needs(clips);
+        app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong")
+            ->needs(clips);
+        app->add_option("--fps", a->fps, "frames a second of the clips, when they are wrong")
+            ->check(CLI::Range(1.0, 1000.0));
+        app->add_option("--scale", a->scale, "metres per unit of the clips")
+            ->check(CLI::Range(1e-4, 10.0));
     }
 
     void add_dance() {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -126,16 +127,24 @@ Expected<BenchReport> bench_motion(double seconds) {
     CollectStates collect(seconds);
     analyzer->process(music->samples, collect);
     const auto track = std::make_unique<motion::PoseTrack>();
+    constexpr HopIndex kHopsAFigure = 400;  // asks for another one so often: joins cost most
+    std::set<std::string> figures;
     constexpr double kPoses = 1.0 + motion::PoseTrack::kPredictedPoses;
     std::vector<double> pose_us;
     const double start = thread_cpu_seconds();
     for (const MusicState& state : collect.states) {
+        if (state.hop % kHopsAFigure == 0) {
+            dancer.command({.time = state.time});
+            figures.insert(dancer.status().figure.data());
+        }
         const HostTime hop_start = HostClock::now();
         dancer.advance(state, *track);
         pose_us.push_back(microseconds_since(hop_start) / kPoses);
     }
     const double cpu = thread_cpu_seconds() - start;
+    figures.erase("");  // standing
     BenchReport report;
+    report.values.emplace_back("figures_danced", static_cast<double>(figures.size()));
     report.values.emplace_back("cpu_us_a_pose",
                                1e6 * cpu / (kPoses * static_cast<double>(collect.states.size())));
     report.spreads.emplace_back("wall_us_a_pose", spread_of(pose_us));

@@ -85,6 +85,21 @@ struct EvalBeatsArguments {
 /// Scores our trackers, and others', against annotated excerpts.
 [[nodiscard]] ExitCode eval_beats(const EvalBeatsArguments& arguments);
 
+struct EvalDanceArguments {
+    engine::Settings settings;
+    std::string role = "lead";
+    std::vector<std::string> trials;  ///< by name; empty: all
+    Path clips;                       ///< folder of people's clips, TAKE.bvh; empty: none
+    Path labels;                      ///< TSV; needed with clips
+    Path counts;                      ///< TSV; empty: counts lie evenly in a label, no BAS
+    Path faults;                      ///< TSV of capture faults; empty: none
+    double fps = 0.0;                 ///< of the clips; 0: the files'
+    double scale = 1.0;               ///< metres per unit of the clips
+    bool as_json = false;
+};
+/// Measures the dancer, from generated music to poses, beside people's clips.
+[[nodiscard]] ExitCode eval_dance(const EvalDanceArguments& arguments);
+
 struct DanceArguments {
     engine::Settings settings;
     Path input;

@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "engine/cli/text_table.hpp"
+
 #include <fmt/format.h>
 
 namespace raks::cli {
@@ -16,34 +18,6 @@ constexpr std::array kByClass = {BeatMeasure::f,
                                  BeatMeasure::aml_total,
                                  BeatMeasure::prediction_f,
                                  BeatMeasure::downbeat_f};
-
-using Row = std::vector<std::string>;
-
-/// Columns as wide as their widest cell, the first aligned left.
-std::string table(const std::vector<Row>& rows) {
-    std::vector<std::size_t> widths(rows.front().size(), 3);
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widths[i] = std::max(widths[i], row[i].size());
-        }
-    }
-    std::string text;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        for (std::size_t i = 0; i < widths.size(); ++i) {
-            text += i == 0 ? fmt::format("| {:<{}} ", rows[r][i], widths[i])
-                           : fmt::format("| {:>{}} ", rows[r][i], widths[i]);
-        }
-        text += "|\n";
-        if (r == 0) {
-            for (std::size_t i = 0; i < widths.size(); ++i) {
-                text += i == 0 ? "|" + std::string(widths[i] + 2, '-')
-                               : "|" + std::string(widths[i] + 1, '-') + ":";
-            }
-            text += "|\n";
-        }
-    }
-    return text;
-}
 
 std::string cell(BeatMeasure measure, const std::optional<double>& value) {
     if (!value) {
@@ -75,7 +49,7 @@ std::string one_tracker_by_class(const BeatReport& report) {
         Row& row = rows.emplace_back(Row{group.name, std::to_string(group.excerpts.size())});
         append_scores(row, summary_of(report.trackers.front(), group));
     }
-    return table(rows);
+    return text_table(rows);
 }
 
 std::string trackers_over_all(const BeatReport& report) {
@@ -85,7 +59,7 @@ std::string trackers_over_all(const BeatReport& report) {
     for (const ScoredTracker& tracker : report.trackers) {
         append_scores(rows.emplace_back(Row{tracker.name}), summary_of(tracker, all));
     }
-    return table(rows);
+    return text_table(rows);
 }
 
 std::string trackers_by_class(const BeatReport& report, BeatMeasure measure) {
@@ -104,7 +78,7 @@ std::string trackers_by_class(const BeatReport& report, BeatMeasure measure) {
             rows.push_back(std::move(row));
         }
     }
-    return rows.size() > 1 ? "\n" + table(rows) : std::string();
+    return rows.size() > 1 ? "\n" + text_table(rows) : std::string();
 }
 
 std::string by_excerpt(const BeatReport& report, const ScoredTracker& tracker) {
@@ -114,7 +88,7 @@ std::string by_excerpt(const BeatReport& report, const ScoredTracker& tracker) {
         Row& row = rows.emplace_back(Row{report.excerpts[i].name, report.excerpts[i].category});
         append_scores(row, summary_of(tracker, {report.excerpts[i].name, {i}}));
     }
-    return "\n" + table(rows);
+    return "\n" + text_table(rows);
 }
 
 }  // namespace

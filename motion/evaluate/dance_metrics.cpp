@@ -143,13 +143,18 @@ ContactReport contacts_of(const BodyTrack& track,
         return report;
     }
     report.share = static_cast<double>(toe_speeds.size()) / static_cast<double>(measured);
+    report.lowest_toe = lowest;
+    report.toe_speeds = std::move(toe_speeds);
+    summarize(report);
+    return report;
+}
+
+void summarize(ContactReport& report) {
     report.slip_median = percentile(report.slips, 0.5);
     report.slip_p90 = percentile(report.slips, 0.9);
     report.slip_p95 = percentile(report.slips, 0.95);
-    report.toe_speed_mean = mean(toe_speeds);
-    report.toe_speed_p95 = percentile(toe_speeds, 0.95);
-    report.lowest_toe = lowest;
-    return report;
+    report.toe_speed_mean = mean(report.toe_speeds);
+    report.toe_speed_p95 = percentile(report.toe_speeds, 0.95);
 }
 
 }  // namespace raks::motion

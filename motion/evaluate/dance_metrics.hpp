@@ -44,6 +44,7 @@ struct JerkReport {
 struct ContactReport {
     double share = 0.0;         ///< of the time in contact, mean of both feet
     std::vector<double> slips;  ///< metres: how far a toe tip moves over the floor in one contact
+    std::vector<double> toe_speeds;  ///< in contact, by frame and foot; m/s
     double slip_median = 0.0;
     double slip_p90 = 0.0;
     double slip_p95 = 0.0;
@@ -56,6 +57,9 @@ struct ContactReport {
 [[nodiscard]] ContactReport contacts_of(const BodyTrack& track,
                                         std::optional<double> floor_height = std::nullopt,
                                         const MetricFrames& frames = {});
+
+/// Fills in what follows from `slips` and `toe_speeds`: for contacts of several dances.
+void summarize(ContactReport& report);
 
 /// The value below which `share` of the values lie, interpolated between neighbours as numpy does;
 /// 0 when empty.

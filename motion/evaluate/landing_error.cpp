@@ -18,23 +18,6 @@ double beat_at(std::span<const double> count_times, std::size_t k) {
     return count_times[first + 1] - count_times[first];
 }
 
-void summarize(LandingReport& report) {
-    if (report.landings.empty()) {
-        return;
-    }
-    const auto n = static_cast<double>(report.landings.size());
-    double squares = 0.0;
-    for (const Landing& landing : report.landings) {
-        report.mean += landing.error / n;
-        report.within_80_ms += std::abs(landing.error) <= kNear ? 1.0 / n : 0.0;
-    }
-    for (const Landing& landing : report.landings) {
-        const double deviation = landing.error - report.mean;
-        squares += deviation * deviation / n;
-    }
-    report.deviation = std::sqrt(squares);
-}
-
 /// Times of the landings in [from, to), seconds.
 std::vector<double> landings_between(std::span<const double> moments,
                                      double frames_per_second,
@@ -52,38 +35,67 @@ std::vector<double> landings_between(std::span<const double> moments,
 
 }  // namespace
 
+void summarize(LandingReport& report) {
+    report.mean = report.deviation = report.within_80_ms = 0.0;
+    if (report.landings.empty()) {
+        return;
+    }
+    const auto n = static_cast<double>(report.landings.size());
+    double squares = 0.0;
+    for (const Landing& landing : report.landings) {
+        report.mean += landing.error / n;
+        report.within_80_ms += std::abs(landing.error) <= kNear ? 1.0 / n : 0.0;
+    }
+    for (const Landing& landing : report.landings) {
+        const double deviation = landing.error - report.mean;
+        squares += deviation * deviation / n;
+    }
+    report.deviation = std::sqrt(squares);
+}
+
 LandingReport landing_errors(const BodyTrack& track,
                              const FigureModel& figure,
                              std::span<const double> count_times,
                              int least_repeats) {
+    if (count_times.size() < 2) {
+        return {};
+    }
+    std::vector<HeardCount> counts;
+    for (std::size_t k = 0; k < count_times.size(); ++k) {
+        const std::size_t count = k % static_cast<std::size_t>(figure.beats);
+        counts.push_back({&figure, count, count_times[k], beat_at(count_times, k)});
+    }
+    return landing_errors(track, counts, least_repeats);
+}
+
+LandingReport landing_errors(const BodyTrack& track,
+                             std::span<const HeardCount> counts,
+                             int least_repeats) {
     LandingReport report;
-    if (count_times.size() < 2 || track.frames() < 2) {
+    if (track.frames() < 2) {
         return report;
     }
     const double end = static_cast<double>(track.frames() - 1) / track.frames_per_second;
-    const auto beats = static_cast<std::size_t>(figure.beats);
     for (const Side side : kSides) {
-        const auto& offsets = figure.landings[static_cast<std::size_t>(side)];
         const std::vector<double> moments = landings(track.feet, side, track.frames_per_second);
-        for (std::size_t k = 0; k < count_times.size(); ++k) {
-            const double beat = beat_at(count_times, k);
-            const double from = count_times[k] + kEarliest * beat;
-            if (from < kNearEnd || count_times[k] > end - kNearEnd) {
+        for (const HeardCount& heard : counts) {
+            const double from = heard.time + kEarliest * heard.beat;
+            if (from < kNearEnd || heard.time > end - kNearEnd) {
                 continue;
             }
-            const std::size_t count = k % beats;
-            const bool is_expected = offsets[count].repeats >= least_repeats;
+            const LandingOffset& offset =
+                heard.figure->landings[static_cast<std::size_t>(side)][heard.count];
             const std::vector<double> found =
-                landings_between(moments, track.frames_per_second, from, from + beat);
-            if (!is_expected) {
+                landings_between(moments, track.frames_per_second, from, from + heard.beat);
+            if (offset.repeats < least_repeats) {
                 report.unexpected += found.size();
             } else if (found.empty()) {
                 ++report.missing;
             } else {
                 report.unexpected += found.size() - 1;
-                const double error =
-                    found[0] - count_times[k] - offsets[count].median.count() * beat;
-                report.landings.push_back({side, static_cast<int>(count) + 1, found[0], error});
+                const double error = found[0] - heard.time - offset.median.count() * heard.beat;
+                report.landings.push_back(
+                    {side, static_cast<int>(heard.count) + 1, found[0], error});
             }
         }
     }

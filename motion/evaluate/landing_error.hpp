@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,17 @@ struct LandingReport {
     double within_80_ms = 0.0;      ///< share
 };
 
+/// Fills in what follows from `landings`: for those of several dances.
+void summarize(LandingReport& report);
+
+/// One count of a figure as it sounded.
+struct HeardCount {
+    const FigureModel* figure = nullptr;  ///< danced then; never null
+    std::size_t count = 0;                ///< from 0, < figure->beats
+    double time = 0.0;                    ///< seconds from the track's first frame
+    double beat = 0.0;                    ///< seconds to the next count
+};
+
 /// Where each foot comes down (foot_events.hpp: speed under 0.30 m/s after a step over 0.60, 8 Hz)
 /// against the counts of the music and the figure's learnt offset for that foot and count.
 ///
@@ -37,6 +49,11 @@ struct LandingReport {
 [[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
                                            const FigureModel& figure,
                                            std::span<const double> count_times,
+                                           int least_repeats = 3);
+
+/// The same where the figure, or the tempo, changes on the way: each count with its own figure.
+[[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
+                                           std::span<const HeardCount> counts,
                                            int least_repeats = 3);
 
 }  // namespace raks::motion

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/suggest.hpp"
+#include "engine/cli/commands.hpp"
+#include "engine/cli/eval_dance_report.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/signals.hpp"
+#include "engine/dance_files.hpp"
+#include "engine/trained_figures.hpp"
+
+namespace raks::cli {
+namespace {
+
+using Figures = std::vector<motion::FigureModel>;
+
+/// All trials, or those named.
+Expected<std::vector<engine::DanceTrial>> chosen_trials(const std::vector<std::string>& names) {
+    std::vector<engine::DanceTrial> all = engine::standard_trials();
+    if (names.empty()) {
+        return all;
+    }
+    std::vector<std::string_view> known;
+    for (const engine::DanceTrial& trial : all) {
+        known.push_back(trial.name);
+    }
+    std::vector<engine::DanceTrial> chosen;
+    for (const std::string& name : names) {
+        const auto found = std::find_if(
+            all.begin(), all.end(), [&](const auto& trial) { return trial.name == name; });
+        if (found == all.end()) {
+            return fail(unknown_name("trial", name, known));
+        }
+        chosen.push_back(*found);
+    }
+    return chosen;
+}
+
+/// The lead dances what `raks play` does; a follow has the figures learnt from follows.
+Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const std::string& dance,
+                                                                 motion::DanceRole role,
+                                                                 const Figures& figures) {
+    if (role == motion::DanceRole::lead) {
+        return engine::load_dance(dance);
+    }
+    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton());
+}
+
+Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
+                                               motion::DanceRole role,
+                                               const Figures& figures) {
+    if (arguments.clips.empty()) {
+        return std::vector<MeasuredDance>{};
+    }
+    motion::CapturedDancePlan plan;
+    plan.folder = arguments.clips;
+    plan.labels = arguments.labels;
+    plan.role = role;
+    plan.metres_per_unit = arguments.scale;
+    if (!arguments.counts.empty()) {
+        plan.counts = arguments.counts;
+    }
+    if (!arguments.faults.empty()) {
+        plan.faults = arguments.faults;
+    }
+    if (arguments.fps > 0.0) {
+        plan.frames_per_second = arguments.fps;
+    }
+    const auto takes = motion::measure_captured(plan, figures);
+    if (!takes) {
+        return fail(takes.error());
+    }
+    return as_rows(*takes);
+}
+
+}  // namespace
+
+ExitCode eval_dance(const EvalDanceArguments& arguments) {
+    const auto trials = chosen_trials(arguments.trials);
+    if (!trials) {
+        return fail(trials.error());
+    }
+    DanceReport report;
+    report.dance = engine::dance_to_load(arguments.settings);
+    report.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
+    report.seed = arguments.settings.seed;
+    const auto figures = engine::trained_figures(report.dance, report.role);
+    if (!figures) {
+        return fail(figures.error());
+    }
+    const auto library = library_of(report.dance, report.role, *figures);
+    if (!library) {
+        return fail(library.error());
+    }
+    // Clips before trials: a fault there should not cost a minute.
+    auto people = people_of(arguments, report.role, *figures);
+    if (!people) {
+        return fail(people.error());
+    }
+    report.people = std::move(*people);
+    {
+        ProgressLine progress("dancing");
+        for (const engine::DanceTrial& trial : *trials) {
+            if (stop_signal()) {
+                return kExitDone;  // half a table would mislead
+            }
+            progress.show(trial.name);
+            auto result = engine::run_trial(
+                trial, *library, *figures, static_cast<std::uint64_t>(report.seed));
+            if (!result) {
+                return fail(std::move(result.error()).in(trial.name));
+            }
+            report.trials.push_back({trial.name, trial.kind, std::move(*result)});
+        }
+    }
+    const std::string text = arguments.as_json ? to_json(report) : to_text(report);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::cli

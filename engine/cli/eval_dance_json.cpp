@@ -1,0 +1,111 @@
+#include <cmath>
+
+#include "engine/cli/eval_dance_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace raks::cli {
+namespace {
+
+using engine::TrialKind;
+using Json = nlohmann::ordered_json;
+
+const char* name_of(TrialKind kind) {
+    switch (kind) {
+        case TrialKind::steady:
+            return "steady";
+        case TrialKind::ramp:
+            return "ramp";
+        case TrialKind::breaks:
+            return "breaks";
+    }
+    return "";
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json optional_number(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json figures_of(std::span<const MeasuredDance> dances) {
+    Json figures = Json::array();
+    for (const FigureSummary& figure : figure_summaries(dances)) {
+        figures.push_back({{"figure", figure.figure},
+                           {"repeats", figure.repeats},
+                           {"hips_travel", figure.hips_travel},
+                           {"toe_travel", figure.toe_travel},
+                           {"peak_toe_speed", figure.peak_toe_speed},
+                           {"repeat_distance",
+                            {{"median", optional_number(figure.distance_median)},
+                             {"p10", optional_number(figure.distance_p10)},
+                             {"p90", optional_number(figure.distance_p90)}}}});
+    }
+    return figures;
+}
+
+Json values_of(const MeasuredDance& dance) {
+    Json values = Json::object();
+    for (const DanceQuantity& quantity : dance_quantities()) {
+        values[std::string(quantity.id)] = optional_number(quantity.value(dance));
+    }
+    return values;
+}
+
+/// Names of what lies outside its bound, or is missing where a bound asks for it.
+Json outside_of(const MeasuredDance& dance, motion::DanceRole role) {
+    Json outside = Json::array();
+    for (const DanceQuantity& quantity : dance_quantities()) {
+        const auto bound = quantity.bound(*dance.kind, role);
+        const auto value = quantity.value(dance);
+        if (bound && !(value && bound->holds(*value))) {
+            outside.push_back(std::string(quantity.id));
+        }
+    }
+    return outside;
+}
+
+Json bounds_of(TrialKind kind, motion::DanceRole role) {
+    Json bounds = Json::object();
+    for (const DanceQuantity& quantity : dance_quantities()) {
+        if (const auto bound = quantity.bound(kind, role)) {
+            bounds[std::string(quantity.id)] = {finite(bound->lowest), finite(bound->highest)};
+        }
+    }
+    return bounds;
+}
+
+}  // namespace
+
+std::string to_json(const DanceReport& report) {
+    Json document = {{"format", "raks-eval-dance"},
+                     {"version", 1},
+                     {"dance", report.dance},
+                     {"role", motion::kRoleNames[static_cast<std::size_t>(report.role)]},
+                     {"seed", report.seed}};
+    auto& bounds = document["bounds"] = Json::object();
+    for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {
+        bounds[name_of(kind)] = bounds_of(kind, report.role);
+    }
+    auto& trials = document["trials"] = Json::array();
+    for (const MeasuredDance& trial : report.trials) {
+        trials.push_back({{"name", trial.name},
+                          {"kind", name_of(*trial.kind)},
+                          {"values", values_of(trial)},
+                          {"outside", outside_of(trial, report.role)},
+                          {"figures", figures_of(std::span(&trial, 1))}});
+    }
+    document["figures"] = figures_of(report.trials);
+    if (!report.people.empty()) {
+        auto& takes = document["people"]["takes"] = Json::array();
+        for (const MeasuredDance& take : report.people) {
+            takes.push_back({{"name", take.name}, {"values", values_of(take)}});
+        }
+        document["people"]["all"] = values_of(all_people(report.people));
+        document["people"]["figures"] = figures_of(report.people);
+    }
+    // A take's name need not be UTF-8; what is not is shown as the replacement character.
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace raks::cli

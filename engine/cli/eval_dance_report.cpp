@@ -1,0 +1,219 @@
+#include "engine/cli/eval_dance_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/cli/text_table.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::cli {
+namespace {
+
+using engine::TrialKind;
+using Topic = DanceQuantity::Topic;
+
+struct TopicTitle {
+    Topic topic;
+    std::string_view title;
+};
+constexpr std::array<TopicTitle, 4> kTopics = {
+    {{Topic::landing,
+      "Landing against the beats heard, less the learnt offsets (mean and sd: steady music; within "
+      "80 ms: ramps)"},
+     {Topic::feet, "Feet (contact: toe under 0.25 m/s and 5 cm)"},
+     {Topic::smoothness, "Smoothness (m/s^3 at 60 a second, 1-4-6-4-1; by pace)"},
+     {Topic::others, "What papers report (no bounds: people dancing salsa score low)"}}};
+
+std::string number(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
+
+std::string bound_cell(const std::optional<Bound>& bound, int digits) {
+    if (!bound) {
+        return "";
+    }
+    if (std::isinf(bound->lowest)) {
+        return "<= " + number(bound->highest, digits);
+    }
+    if (std::isinf(bound->highest)) {
+        return ">= " + number(bound->lowest, digits);
+    }
+    return number(bound->lowest, digits) + ".." + number(bound->highest, digits);
+}
+
+std::string value_cell(const DanceQuantity& quantity,
+                       const MeasuredDance& dance,
+                       motion::DanceRole role) {
+    const auto value = quantity.value(dance);
+    if (!value) {
+        return "-";
+    }
+    const auto bound = dance.kind ? quantity.bound(*dance.kind, role) : std::nullopt;
+    return number(*value, quantity.digits) + (bound && !bound->holds(*value) ? "!" : "");
+}
+
+/// The bound of the first kind that has one: each quantity is judged alike wherever it is.
+std::optional<Bound> any_bound(const DanceQuantity& quantity, motion::DanceRole role) {
+    for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {
+        if (const auto bound = quantity.bound(kind, role)) {
+            return bound;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Dances as rows, one table a topic.
+std::string table_of(std::span<const MeasuredDance* const> dances,
+                     motion::DanceRole role,
+                     const TopicTitle& topic) {
+    std::vector<Row> rows = {{"trial"}, {"bound"}};
+    for (const MeasuredDance* dance : dances) {
+        rows.push_back({dance->name});
+    }
+    for (const DanceQuantity& quantity : dance_quantities()) {
+        if (quantity.topic != topic.topic) {
+            continue;
+        }
+        rows[0].emplace_back(quantity.title);
+        rows[1].push_back(bound_cell(any_bound(quantity, role), quantity.digits));
+        for (std::size_t i = 0; i < dances.size(); ++i) {
+            rows[i + 2].push_back(value_cell(quantity, *dances[i], role));
+        }
+    }
+    return fmt::format("{}\n\n{}\n", topic.title, text_table(rows));
+}
+
+double median_of(const std::vector<motion::Amplitude>& amplitudes,
+                 double motion::Amplitude::*member) {
+    std::vector<double> values;
+    for (const motion::Amplitude& amplitude : amplitudes) {
+        values.push_back(amplitude.*member);
+    }
+    return motion::percentile(std::move(values), 0.5);
+}
+
+void append_figures(std::vector<Row>& rows,
+                    const char* who,
+                    std::span<const MeasuredDance> dances) {
+    for (const FigureSummary& figure : figure_summaries(dances)) {
+        const auto centimetres = [](const std::optional<double>& value) {
+            return value ? number(1e2 * *value, 1) : "-";
+        };
+        rows.push_back({fmt::format("{}: {}", who, figure.figure),
+                        std::to_string(figure.repeats),
+                        number(figure.hips_travel, 2),
+                        number(figure.toe_travel, 2),
+                        number(figure.peak_toe_speed, 2),
+                        centimetres(figure.distance_median),
+                        centimetres(figure.distance_p10),
+                        centimetres(figure.distance_p90)});
+    }
+}
+
+std::string figures_table(const DanceReport& report) {
+    std::vector<Row> rows = {{"figure",
+                              "repeats",
+                              "hips travel m",
+                              "toe travel m",
+                              "peak toe m/s",
+                              "between repeats cm",
+                              "p10",
+                              "p90"}};
+    append_figures(rows, "Raks", report.trials);
+    append_figures(rows, "people", report.people);
+    return "Figures (medians; speed by pace)\n\n" + text_table(rows) + "\n";
+}
+
+std::string verdict(const DanceReport& report) {
+    std::size_t bounded = 0;
+    std::size_t outside = 0;
+    for (const MeasuredDance& trial : report.trials) {
+        for (const DanceQuantity& quantity : dance_quantities()) {
+            const auto bound = quantity.bound(*trial.kind, report.role);
+            const auto value = quantity.value(trial);
+            if (bound) {
+                ++bounded;
+                outside += value && bound->holds(*value) ? 0U : 1U;
+            }
+        }
+    }
+    return fmt::format(
+        "{} of {} values that have a bound are within it\n", bounded - outside, bounded);
+}
+
+}  // namespace
+
+std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes) {
+    std::vector<MeasuredDance> rows;
+    for (const motion::CapturedDance& take : takes) {
+        MeasuredDance& row = rows.emplace_back(MeasuredDance{take.take, std::nullopt, {}});
+        row.result.landing = take.landing;
+        row.result.measures = take.measures;
+        row.result.highest_jerk = take.measures.jerk.highest;
+        row.result.lowest_sole = take.measures.contacts.lowest_toe;
+    }
+    return rows;
+}
+
+MeasuredDance all_people(std::span<const MeasuredDance> takes) {
+    MeasuredDance all{"people", std::nullopt, {}};
+    std::vector<motion::DanceMeasures> measures;
+    motion::LandingReport& landing = all.result.landing;
+    for (const MeasuredDance& take : takes) {
+        measures.push_back(take.result.measures);
+        const motion::LandingReport& one = take.result.landing;
+        landing.landings.insert(landing.landings.end(), one.landings.begin(), one.landings.end());
+        landing.missing += one.missing;
+        landing.unexpected += one.unexpected;
+    }
+    motion::summarize(landing);
+    all.result.measures = motion::pooled(measures);
+    all.result.highest_jerk = all.result.measures.jerk.highest;
+    all.result.lowest_sole = all.result.measures.contacts.lowest_toe;
+    return all;
+}
+
+std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dances) {
+    std::vector<motion::DanceMeasures> measures;
+    for (const MeasuredDance& dance : dances) {
+        measures.push_back({});
+        measures.back().figures = dance.result.measures.figures;
+    }
+    std::vector<FigureSummary> summaries;
+    for (const motion::FigureMeasures& figure : motion::pooled(measures).figures) {
+        FigureSummary& summary = summaries.emplace_back();
+        summary.figure = figure.figure;
+        summary.repeats = figure.amplitudes.size();
+        summary.hips_travel = median_of(figure.amplitudes, &motion::Amplitude::hips_travel);
+        summary.toe_travel = median_of(figure.amplitudes, &motion::Amplitude::toe_travel);
+        summary.peak_toe_speed = median_of(figure.amplitudes, &motion::Amplitude::peak_toe_speed);
+        const std::vector<double> distances = motion::repeat_distances(figure.shapes);
+        if (!distances.empty()) {
+            summary.distance_median = motion::percentile(distances, 0.5);
+            summary.distance_p10 = motion::percentile(distances, 0.1);
+            summary.distance_p90 = motion::percentile(distances, 0.9);
+        }
+    }
+    return summaries;
+}
+
+std::string to_text(const DanceReport& report) {
+    std::string text = fmt::format("{}, {}, seed {}\n\n",
+                                   report.dance,
+                                   motion::kRoleNames[static_cast<std::size_t>(report.role)],
+                                   report.seed);
+    std::vector<const MeasuredDance*> rows;
+    for (const MeasuredDance& trial : report.trials) {
+        rows.push_back(&trial);
+    }
+    std::optional<MeasuredDance> people;
+    if (!report.people.empty()) {
+        rows.push_back(&people.emplace(all_people(report.people)));
+    }
+    for (const TopicTitle& topic : kTopics) {
+        text += table_of(rows, report.role, topic);
+    }
+    return text + figures_table(report) + verdict(report);
+}
+
+}  // namespace raks::cli

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/dance_trial.hpp"
+#include "motion/evaluate/captured_dance.hpp"
+
+namespace raks::cli {
+
+/// A dance that was measured: of the dancer, or of people.
+struct MeasuredDance {
+    std::string name;
+    std::optional<engine::TrialKind> kind;  ///< none: people
+    engine::TrialResult result;
+};
+
+struct DanceReport {
+    std::string dance;
+    motion::DanceRole role = motion::DanceRole::lead;
+    std::int64_t seed = 1;
+    std::vector<MeasuredDance> trials;
+    std::vector<MeasuredDance> people;  ///< by take, empty without clips
+};
+
+/// Captured takes as rows of the report. What only a dancer has (pace, re-anchors) stays empty.
+[[nodiscard]] std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes);
+/// All takes as one, samples pooled. At least one.
+[[nodiscard]] MeasuredDance all_people(std::span<const MeasuredDance> takes);
+
+/// [lowest, highest] that a quantity may have.
+struct Bound {
+    double lowest = -std::numeric_limits<double>::infinity();
+    double highest = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool holds(double value) const noexcept {
+        return value >= lowest && value <= highest;
+    }
+};
+
+/// One column of the report.
+struct DanceQuantity {
+    enum class Topic : std::uint8_t { landing, feet, smoothness, others };
+    Topic topic;
+    std::string_view id;     ///< in JSON: "landing_mean_ms"
+    std::string_view title;  ///< of the column: "mean ms"
+    int digits;
+    /// Nothing where the dance has none.
+    std::optional<double> (*value)(const MeasuredDance& dance);
+    /// Of a trial; nothing: only reported.
+    std::optional<Bound> (*bound)(engine::TrialKind kind, motion::DanceRole role);
+};
+[[nodiscard]] std::span<const DanceQuantity> dance_quantities() noexcept;
+
+/// One figure over several dances.
+struct FigureSummary {
+    std::string figure;
+    std::size_t repeats = 0;
+    double hips_travel = 0.0;     ///< median; metres
+    double toe_travel = 0.0;      ///< median; metres
+    double peak_toe_speed = 0.0;  ///< median; m/s
+    /// Between repeats, metres; nothing with less than two.
+    std::optional<double> distance_median, distance_p10, distance_p90;
+};
+[[nodiscard]] std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dances);
+
+/// Tables in Markdown, a topic each: bounds, trials (what is out of bounds marked by "!"), people.
+[[nodiscard]] std::string to_text(const DanceReport& report);
+
+/// One document: format "raks-eval-dance", version 1.
+[[nodiscard]] std::string to_json(const DanceReport& report);
+
+}  // namespace raks::cli
