@@ -1,7 +1,5 @@
 #include "render/body_painter.hpp"
 
-#include "render/scene/stick_figure.hpp"
-
 #include <cstddef>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -32,10 +30,9 @@ gl::Mesh skin_mesh(const Avatar& avatar) {
             avatar.indices};
 }
 
-/// The stick figure in the avatar's vertex form, so that one vertex shader serves both: masks
+/// A stick figure in the avatar's vertex form, so that one vertex shader serves both: masks
 /// "suit" and "stripe" carry the shares of the left's and the right's colour.
-gl::Mesh stick_mesh(const motion::Skeleton& skeleton) {
-    const Shape<StickVertex> stick = stick_figure(skeleton);
+gl::Mesh stick_mesh(const Shape<StickVertex>& stick) {
     const auto snorm16 = [](float x) { return static_cast<std::int16_t>(x * 32767.0F); };
     std::vector<AvatarVertex> vertices;
     vertices.reserve(stick.vertices.size());
@@ -116,11 +113,12 @@ Expected<BodyPainter> BodyPainter::create(const Avatar& avatar, Quality quality)
 BodyPainter::BodyPainter(const Avatar& avatar, Programs programs)
     : joints_(without_mesh(avatar)),
       skin_(skin_mesh(avatar)),
-      stick_(stick_mesh(avatar.skeleton)),
+      stick_(stick_mesh(stick_figure(avatar.skeleton))),
       programs_(std::move(programs)) {}
 
 void BodyPainter::set_pose(const motion::Pose& pose, View view) noexcept {
     view_ = view;
+    figure_.reset();
     std::array<glm::mat4, kPaletteSize> world_from_joint{};
     if (view == View::skin) {
         skinning_palette(joints_, pose, world_from_joint);
@@ -135,6 +133,14 @@ void BodyPainter::set_pose(const motion::Pose& pose, View view) noexcept {
     upload_bones(world_from_joint);
 }
 
+void BodyPainter::set_figure(const Shape<StickVertex>& in_world) {
+    view_ = View::stick;
+    figure_.emplace(stick_mesh(in_world));
+    std::array<glm::mat4, kPaletteSize> world_from_joint{};
+    world_from_joint.fill(glm::mat4(1.0F));
+    upload_bones(world_from_joint);
+}
+
 void BodyPainter::upload_bones(std::span<const glm::mat4, kPaletteSize> world_from_joint) noexcept {
     std::array<glm::mat3x4, kPaletteSize> rows{};  // three rows a joint, as skin.glsl reads them
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -145,7 +151,12 @@ void BodyPainter::upload_bones(std::span<const glm::mat4, kPaletteSize> world_fr
     glBufferData(GL_UNIFORM_BUFFER, sizeof(rows), rows.data(), GL_STREAM_DRAW);
 }
 
-const gl::Mesh& BodyPainter::mesh() const noexcept { return view_ == View::skin ? skin_ : stick_; }
+const gl::Mesh& BodyPainter::mesh() const noexcept {
+    if (figure_) {
+        return *figure_;
+    }
+    return view_ == View::skin ? skin_ : stick_;
+}
 
 void BodyPainter::draw(Dress dress, Image image) const noexcept {
     const gl::Program& skin_program =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "base/expected.hpp"
@@ -8,6 +9,7 @@
 #include "render/gl/mesh.hpp"
 #include "render/gl/program.hpp"
 #include "render/renderer.hpp"
+#include "render/scene/stick_figure.hpp"
 
 #include <glm/mat4x4.hpp>
 
@@ -22,6 +24,9 @@ class BodyPainter {
 
     /// Takes the posture for what is drawn until the next call.
     void set_pose(const motion::Pose& pose, View view) noexcept;
+
+    /// Takes a figure that stands in the world already, of bone 0 alone, in place of the avatar.
+    void set_figure(const Shape<StickVertex>& in_world);
 
     /// Body, or its image in the floor.
     enum class Image { upright, mirrored };
@@ -45,6 +50,7 @@ class BodyPainter {
     Avatar joints_;  // without its vertices and triangles
     gl::Mesh skin_;
     gl::Mesh stick_;
+    std::optional<gl::Mesh> figure_;  // shown instead, where there is one
     gl::Buffer bones_;
     Programs programs_;
     View view_ = View::skin;

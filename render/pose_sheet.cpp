@@ -48,16 +48,16 @@ FrameTarget tile(const FrameTarget& sheet,
     return place;
 }
 
-}  // namespace
-
-std::vector<Camera> PoseSheetConfig::default_cameras() {
-    return {tile_camera("front"), tile_camera("side")};
+glm::vec3 hips_of(const motion::Pose& pose) { return pose.hips_position; }
+glm::vec3 hips_of(const ClipFigure& figure) {
+    return figure.landmarks.position(motion::Bone::hips);
 }
 
-Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
-                                    const Scene& scene,
-                                    std::span<const motion::Pose> poses,
-                                    const PoseSheetConfig& config) {
+template <typename Body>
+Expected<PoseSheet> draw_sheet(Renderer& renderer,
+                               const Scene& scene,
+                               std::span<const Body> poses,
+                               const PoseSheetConfig& config) {
     if (Expected<void> valid = validate(config, poses.size()); !valid) {
         return fail(std::move(valid.error()));
     }
@@ -80,7 +80,7 @@ Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
     for (std::size_t i = 0; i < poses.size(); ++i) {
         for (std::size_t view = 0; view < config.cameras.size(); ++view) {
             tile_scene.camera = config.cameras[view];
-            tile_scene.camera.pan_to(poses[i].hips_position);
+            tile_scene.camera.pan_to(hips_of(poses[i]));
             const std::size_t row = i / columns * config.cameras.size() + view;
             renderer.draw(tile_scene, poses[i], tile(target->frame(), config, row, i % columns));
         }
@@ -91,6 +91,26 @@ Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
         return fail(std::move(read.error()));
     }
     return sheet;
+}
+
+}  // namespace
+
+std::vector<Camera> PoseSheetConfig::default_cameras() {
+    return {tile_camera("front"), tile_camera("side")};
+}
+
+Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
+                                    const Scene& scene,
+                                    std::span<const motion::Pose> poses,
+                                    const PoseSheetConfig& config) {
+    return draw_sheet(renderer, scene, poses, config);
+}
+
+Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
+                                    const Scene& scene,
+                                    std::span<const ClipFigure> figures,
+                                    const PoseSheetConfig& config) {
+    return draw_sheet(renderer, scene, figures, config);
 }
 
 }  // namespace raks::render

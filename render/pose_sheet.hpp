@@ -39,4 +39,10 @@ struct PoseSheet {
                                                   std::span<const motion::Pose> poses,
                                                   const PoseSheetConfig& config = {});
 
+/// The same of a recorded body's frames.
+[[nodiscard]] Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
+                                                  const Scene& scene,
+                                                  std::span<const ClipFigure> figures,
+                                                  const PoseSheetConfig& config = {});
+
 }  // namespace raks::render

@@ -87,9 +87,16 @@ struct Renderer::Parts {
     gl::Buffer frame;
 
     void upload(const FrameUniforms& uniforms) const noexcept;
-    void draw_shadow_map(std::span<const motion::Pose> poses,
-                         View view,
-                         const glm::mat4& clip_from_light) noexcept;
+    /// `take_body(i)` hands body i, which stands at bodies[i], to the painter.
+    template <typename TakeBody>
+    void draw(const Scene& scene,
+              std::span<const motion::WorldPose> bodies,
+              const FrameTarget& target,
+              const TakeBody& take_body);
+    template <typename TakeBody>
+    void draw_shadow_map(std::size_t bodies,
+                         const TakeBody& take_body,
+                         const glm::mat4& clip_from_light);
     void draw_body(const Scene& scene) const noexcept;
     void draw_stage(const Scene& scene) const noexcept;
 };
@@ -100,15 +107,34 @@ void Renderer::Parts::upload(const FrameUniforms& uniforms) const noexcept {
     glBindBufferBase(GL_UNIFORM_BUFFER, gl::kFrameBinding, frame.name());
 }
 
-void Renderer::Parts::draw_shadow_map(std::span<const motion::Pose> poses,
-                                      View view,
-                                      const glm::mat4& clip_from_light) noexcept {
+template <typename TakeBody>
+void Renderer::Parts::draw(const Scene& scene,
+                           std::span<const motion::WorldPose> bodies,
+                           const FrameTarget& target,
+                           const TakeBody& take_body) {
+    const FrameView view = frame_view(scene, bodies, target);
+    upload(view.uniforms);
+    draw_shadow_map(bodies.size(), take_body, view.clip_from_light);
+
+    const DrawingState state(target);
+    clear(scene);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        take_body(i);
+        draw_body(scene);
+    }
+    draw_stage(scene);
+}
+
+template <typename TakeBody>
+void Renderer::Parts::draw_shadow_map(std::size_t bodies,
+                                      const TakeBody& take_body,
+                                      const glm::mat4& clip_from_light) {
     if (shadow_map) {
         glDisable(GL_CULL_FACE);
         glDisable(GL_SCISSOR_TEST);
         shadow_map->begin();
-        for (const motion::Pose& pose : poses) {
-            body.set_pose(pose, view);
+        for (std::size_t i = 0; i < bodies; ++i) {
+            take_body(i);
             body.draw_depth(clip_from_light);
         }
         shadow_map->end();
@@ -197,17 +223,21 @@ void Renderer::draw(const Scene& scene,
     for (std::size_t i = 0; i < poses.size(); ++i) {
         dancers[i] = motion::world_pose(parts_->skeleton, poses[i]);
     }
-    const FrameView view = frame_view(scene, std::span(dancers).first(poses.size()), target);
-    parts_->upload(view.uniforms);
-    parts_->draw_shadow_map(poses, scene.view, view.clip_from_light);
+    parts_->draw(scene,
+                 std::span<const motion::WorldPose>(dancers).first(poses.size()),
+                 target,
+                 [&](std::size_t i) { parts_->body.set_pose(poses[i], scene.view); });
+}
 
-    const DrawingState state(target);
-    clear(scene);
-    for (const motion::Pose& pose : poses) {
-        parts_->body.set_pose(pose, scene.view);
-        parts_->draw_body(scene);
+void Renderer::draw(const Scene& scene, const ClipFigure& figure, const FrameTarget& target) {
+    if (target.width < 1 || target.height < 1) {
+        return;
     }
-    parts_->draw_stage(scene);
+    Scene as_sticks = scene;
+    as_sticks.view = View::stick;
+    parts_->draw(as_sticks, std::span(&figure.landmarks, 1), target, [&](std::size_t) {
+        parts_->body.set_figure(figure.shape);
+    });
 }
 
 Quality Renderer::quality() const noexcept { return parts_->quality; }

@@ -109,6 +109,7 @@ class Parser {
         add_dance();
         add_train();
         add_sheet();
+        add_stick();
         add_synth();
         add_bench();
         add_config();
@@ -330,6 +331,26 @@ class Parser {
         app->add_option("--bpm", a->bpm, "tempo danced to")->check(CLI::Range(50.0, 230.0));
         app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
         app->add_option("--view", a->settings.view, "skin or stick");
+        app->add_option("--quality", a->settings.quality, "auto, fast or high");
+    }
+
+    void add_stick() {
+        auto [app, a] = add(app_, "stick", "play a motion clip as a stick figure", stick);
+        app->add_option("file", a->input, "X.bvh")->required();
+        app->add_option("-o,--out", a->output, "X.png: front and side views, no window");
+        app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
+            ->check(CLI::Range(1.0, 1000.0));
+        app->add_option("--scale", a->scale, "metres per unit of the file")
+            ->check(CLI::Range(1e-4, 10.0));
+        app->add_option_function<std::int64_t>(
+               "--frame",
+               [arguments = a](const std::int64_t& frame) {
+                   arguments->frame = static_cast<std::size_t>(frame);
+               },
+               "stand at this frame; with -o draw it alone")
+            ->check(CLI::NonNegativeNumber);
+        app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
+        app->add_option("--size", a->settings.size, "of the window, such as 1280x720");
         app->add_option("--quality", a->settings.quality, "auto, fast or high");
     }
 

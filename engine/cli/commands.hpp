@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -162,6 +163,17 @@ struct SheetArguments {
 };
 /// Pose sheet of a figure, every 1/8 of the figure, from the front and the side.
 [[nodiscard]] ExitCode sheet(const SheetArguments& arguments);
+
+struct StickArguments {
+    engine::Settings settings;
+    Path input;                        ///< .bvh
+    Path output;                       ///< .png: front and side views; empty: a window
+    double fps = 0.0;                  ///< frames a second of the clip; 0: the file's
+    double scale = 0.0;                ///< metres per unit; 0: guessed
+    std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
+};
+/// Plays a motion clip's own skeleton as a stick figure; without a display draws a sheet.
+[[nodiscard]] ExitCode stick(const StickArguments& arguments);
 
 struct SynthArguments {
     std::string style = "salsa";

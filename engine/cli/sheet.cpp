@@ -7,13 +7,9 @@
 #include <vector>
 
 #include "base/suggest.hpp"
+#include "engine/cli/sheet_file.hpp"
 #include "engine/dance_files.hpp"
-#include "engine/picture.hpp"
 #include "motion/dancer.hpp"
-#include "render/avatar/avatar.hpp"
-#include "render/gl/offscreen_context.hpp"
-#include "render/pose_sheet.hpp"
-#include "render/video/png.hpp"
 
 namespace raks::cli {
 namespace {
@@ -90,25 +86,11 @@ ExitCode sheet(const SheetArguments& arguments) {
     if (!poses) {
         return fail(poses.error());
     }
-    const auto context = render::OffscreenContext::create();
-    if (!context) {
-        return fail(context.error());
-    }
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look->quality});
-    if (!renderer) {
-        return fail(renderer.error());
-    }
     render::PoseSheetConfig config;
     config.columns = kColumns;
     config.tile_width = kTileWidth;
     config.tile_height = kTileHeight;
-    const auto picture = render::draw_pose_sheet(*renderer, look->scene, *poses, config);
-    if (!picture) {
-        return fail(picture.error());
-    }
-    if (auto written =
-            render::write_png(arguments.output, picture->width, picture->height, picture->rgba);
-        !written) {
+    if (auto written = write_sheet(arguments.output, *look, *poses, config); !written) {
         return fail(written.error());
     }
     return kExitDone;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/cli/camera_moves.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/signals.hpp"
 #include "render/overlay/key_bindings.hpp"
@@ -25,9 +26,6 @@ using DancerKind = motion::DancerCommand::Kind;
 constexpr Nanos kMessageTime = std::chrono::seconds(4);
 constexpr Nanos kHeadlessNap = std::chrono::milliseconds(20);
 constexpr float kVolumeStep = 0.05F;
-constexpr float kOrbitPerPixel = 0.008F;  // radians
-constexpr float kPanPerPixel = 0.002F;    // metres
-constexpr float kZoomPerStep = 0.9F;
 constexpr double kFpsShare = 0.05;
 
 void nap(Nanos span) {
@@ -156,19 +154,10 @@ void StageLoop::handle_events(engine::LiveGraph& graph) {
                 act(*action, *key, graph);
             }
         } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
-            move_camera(*drag);
+            move_camera(show_->scene().camera, *drag);
         } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
-            show_->scene().camera.zoom(std::pow(kZoomPerStep, scroll->dy));
+            move_camera(show_->scene().camera, *scroll);
         }
-    }
-}
-
-void StageLoop::move_camera(const render::MouseDragEvent& drag) {
-    render::Camera& camera = show_->scene().camera;
-    if (drag.button == render::MouseButton::left && !drag.has_shift) {
-        camera.orbit(-drag.dx * kOrbitPerPixel, drag.dy * kOrbitPerPixel);
-    } else {
-        camera.pan(-drag.dx * kPanPerPixel, drag.dy * kPanPerPixel);
     }
 }
 

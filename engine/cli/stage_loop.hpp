@@ -45,7 +45,6 @@ class StageLoop {
 
     void handle_events(engine::LiveGraph& graph);
     void act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph);
-    void move_camera(const render::MouseDragEvent& drag);
     void draw(engine::LiveGraph& graph, const std::string& source, std::optional<double> duration);
     void wait(engine::LiveGraph& graph);
     void save_screenshot();

@@ -1,36 +1,25 @@
 #include "render/scene/stick_figure.hpp"
 
-#include <cmath>
+#include "render/scene/stick_builder.hpp"
+
 #include <cstddef>
-#include <glm/ext/scalar_constants.hpp>
-#include <glm/geometric.hpp>
-#include <initializer_list>
-#include <utility>
 
 namespace raks::render {
 namespace {
 
 using motion::Bone;
 
-// Metres; sizes from the prototype (rendering notes 3).
-constexpr float kJointRadius = 0.026F;
-constexpr float kEndRadius = 0.022F;  // hands, feet, clavicles
-constexpr float kFingerRadius = 0.0075F;
-constexpr float kBoneRadius = 0.0135F;
-constexpr float kFingerBoneRadius = 0.0052F;
-constexpr float kTaper = 0.8F;  // a bone's far end against its near one
-constexpr glm::vec3 kHeadRadii{0.073F, 0.099F, 0.088F};
-constexpr glm::vec3 kHeadMiddle{0.0F, 0.095F, 0.012F};
-constexpr float kNoseRadius = 0.014F;
-constexpr float kBoneTint = 0.16F;  // of the side's colour on a bone; joints have all of it
+constexpr float kEndRadius = 0.022F;  // metres; hands, feet, clavicles
 
-enum class Part { middle, left, right };
-
-Part part_of(Bone bone) noexcept {
+StickPart part_of(Bone bone) noexcept {
     if (bone < Bone::left_upper_leg) {
-        return Part::middle;
+        return StickPart::middle;
     }
-    return bone < Bone::right_upper_leg ? Part::left : Part::right;
+    return bone < Bone::right_upper_leg ? StickPart::left : StickPart::right;
+}
+
+StickBuilder builder_for(Shape<StickVertex>& shape, Bone bone) {
+    return {shape, static_cast<std::uint8_t>(bone), part_of(bone)};
 }
 
 bool is_finger(Bone bone) noexcept {
@@ -56,127 +45,39 @@ float joint_radius(Bone bone) noexcept {
         case Bone::head:
             return kEndRadius;
         default:
-            return is_finger(bone) ? kFingerRadius : kJointRadius;
+            return is_finger(bone) ? kStickFingerRadius : kStickJointRadius;
     }
 }
 
-/// Adds parts of one bone, in its frame and colour.
-class Builder {
- public:
-    Builder(Shape<StickVertex>& shape, Bone bone) : shape_(shape), bone_(bone) {}
-
-    /// `tint`: share of the side's colour.
-    void set_tint(float tint) noexcept {
-        const auto share = static_cast<std::uint8_t>(std::lround(255.0F * tint));
-        left_ = part_of(bone_) == Part::left ? share : std::uint8_t{0};
-        right_ = part_of(bone_) == Part::right ? share : std::uint8_t{0};
-    }
-
-    void add_ellipsoid(glm::vec3 middle, glm::vec3 radii, std::size_t rows, std::size_t columns) {
-        const std::size_t first = shape_.vertices.size();
-        for (std::size_t row = 0; row <= rows; ++row) {
-            const float polar = glm::pi<float>() * ratio(row, rows);
-            for (std::size_t column = 0; column <= columns; ++column) {
-                const float around = 2.0F * glm::pi<float>() * ratio(column, columns);
-                const glm::vec3 unit{std::sin(polar) * std::cos(around),
-                                     std::cos(polar),
-                                     -std::sin(polar) * std::sin(around)};
-                add_vertex(middle + radii * unit, glm::normalize(unit / radii));
-            }
-        }
-        connect(first, rows, columns);
-    }
-
-    /// A cone without caps from one joint to another; spheres close it.
-    void add_cone(glm::vec3 from, glm::vec3 to, float from_radius, float to_radius) {
-        constexpr std::size_t kSides = 12;
-        const float length = glm::length(to - from);
-        if (length < 1e-4F) {
-            return;
-        }
-        const glm::vec3 axis = (to - from) / length;
-        const glm::vec3 other =
-            std::abs(axis.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
-        const glm::vec3 u = glm::normalize(glm::cross(axis, other));
-        const glm::vec3 v = glm::cross(axis, u);
-        const float slope = (from_radius - to_radius) / length;
-        const std::size_t first = shape_.vertices.size();
-        for (const auto& [centre, radius] :
-             {std::pair{to, to_radius}, std::pair{from, from_radius}}) {
-            for (std::size_t side = 0; side <= kSides; ++side) {
-                const float angle = 2.0F * glm::pi<float>() * ratio(side, kSides);
-                const glm::vec3 out = std::cos(angle) * u + std::sin(angle) * v;
-                add_vertex(centre + radius * out, glm::normalize(out + slope * axis));
-            }
-        }
-        connect(first, 1, kSides);
-    }
-
- private:
-    static float ratio(std::size_t i, std::size_t count) noexcept {
-        return static_cast<float>(i) / static_cast<float>(count);
-    }
-
-    void add_vertex(glm::vec3 position, glm::vec3 normal) {
-        shape_.vertices.push_back({.position = position,
-                                   .normal = normal,
-                                   .bone = static_cast<std::uint8_t>(bone_),
-                                   .left = left_,
-                                   .right = right_,
-                                   .occlusion = 230});
-    }
-
-    void connect(std::size_t first, std::size_t rows, std::size_t columns) {
-        for (std::size_t row = 0; row < rows; ++row) {
-            for (std::size_t column = 0; column < columns; ++column) {
-                const std::size_t a = first + row * (columns + 1) + column;
-                const std::size_t b = a + columns + 1;
-                for (const std::size_t corner : {a, b, b + 1, a, b + 1, a + 1}) {
-                    shape_.indices.push_back(static_cast<std::uint16_t>(corner));
-                }
-            }
-        }
-    }
-
-    Shape<StickVertex>& shape_;
-    Bone bone_;
-    std::uint8_t left_ = 0;
-    std::uint8_t right_ = 0;
-};
-
 void add_joint(Shape<StickVertex>& shape, Bone bone) {
-    Builder builder(shape, bone);
+    StickBuilder builder = builder_for(shape, bone);
     builder.set_tint(1.0F);
     const float radius = joint_radius(bone);
-    const bool is_small = radius == kFingerRadius;
+    const bool is_small = radius == kStickFingerRadius;
     builder.add_ellipsoid(glm::vec3(0.0F), glm::vec3(radius), is_small ? 6 : 10, is_small ? 8 : 18);
 }
 
 /// From a bone's joint to `end` in its frame, with a sphere there when nothing follows.
 enum class End { joint, free };
 void add_bone(Shape<StickVertex>& shape, Bone bone, glm::vec3 end, Bone colour_of, End kind) {
-    Builder builder(shape, bone);
-    builder.set_tint(part_of(colour_of) == Part::middle ? 0.0F : kBoneTint);
-    const float radius = is_finger(colour_of) ? kFingerBoneRadius : kBoneRadius;
-    builder.add_cone(glm::vec3(0.0F), end, radius, kTaper * radius);
+    StickBuilder builder = builder_for(shape, bone);
+    builder.set_tint(part_of(colour_of) == StickPart::middle ? 0.0F : kStickBoneTint);
+    const float radius = is_finger(colour_of) ? kStickFingerBoneRadius : kStickBoneRadius;
+    builder.add_cone(glm::vec3(0.0F), end, radius, kStickTaper * radius);
     if (kind == End::free) {
-        builder.add_ellipsoid(end, glm::vec3(kTaper * radius), 6, 10);
+        builder.add_ellipsoid(end, glm::vec3(kStickTaper * radius), 6, 10);
     }
 }
 
-void add_head(Shape<StickVertex>& shape) {
-    Builder builder(shape, Bone::head);
-    builder.add_ellipsoid(kHeadMiddle, kHeadRadii, 18, 28);
-    const glm::vec3 nose = kHeadMiddle + glm::vec3(0.0F, -0.008F, kHeadRadii.z);
-    builder.add_ellipsoid(nose, glm::vec3(kNoseRadius), 8, 12);
-}
+void add_head(Shape<StickVertex>& shape) { builder_for(shape, Bone::head).add_head(); }
 
 void add_foot(Shape<StickVertex>& shape, const motion::Skeleton& skeleton, motion::Side side) {
     const float sign = side == motion::Side::left ? 1.0F : -1.0F;
     const glm::vec3 mirror{sign, 1.0F, 1.0F};
     const Bone foot = motion::on_side(Bone::left_foot, side);
     const Bone toes = motion::on_side(Bone::left_toes, side);
-    const glm::vec3 lifted{0.0F, kTaper * kBoneRadius, 0.0F};  // stands on the floor, not in it
+    const glm::vec3 lifted{
+        0.0F, kStickTaper * kStickBoneRadius, 0.0F};  // stands on the floor, not in it
     add_bone(shape, foot, mirror * (skeleton.heel + lifted), foot, End::free);
     const glm::vec3 tip = mirror * (skeleton.toe_tip + lifted);
     add_bone(shape, toes, tip - skeleton.offsets[motion::index_of(toes)], toes, End::free);

@@ -49,5 +49,26 @@ TEST_F(WindowTest, ends_when_told_by_a_signal) {
     EXPECT_EQ(result.exit_code, 143);
 }
 
+TEST_F(WindowTest, plays_a_clip_and_goes_to_the_frame_asked_for) {
+    const std::string clip = std::string(RAKS_SOURCE_DIR) + "/tests/data/bvh/odd/plain.bvh";
+    CapturedProcess raks(in_window({"stick", clip, "--frame", "3"}));
+    ASSERT_TRUE(raks.wait_for_output("--scale"));
+    const std::string third = still_picture();
+    EXPECT_GT(difference(third, std::string(third.size(), '\0')), 10.0) << "not black";
+    press({"Right"});
+    EXPECT_TRUE(shows([&](const auto& now) { return now != third; }));
+    const std::string fourth = still_picture();
+    press({"9", "Return"});
+    EXPECT_TRUE(shows([&](const auto& now) { return now != fourth && now != third; }));
+    press({"3", "Return"});
+    EXPECT_TRUE(shows([&](const auto& now) { return now == third; })) << "the same frame again";
+    press({"space"});
+    EXPECT_TRUE(shows([&](const auto& now) { return now != third; })) << "it plays";
+    press({"q"});
+    const ProcessResult result = raks.wait(milliseconds(4'000));
+    EXPECT_FALSE(result.timed_out);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 }  // namespace
 }  // namespace raks::test

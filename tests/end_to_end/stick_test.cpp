@@ -1,0 +1,111 @@
+// raks stick without a display: sheets of clips, and what it refuses.
+#include <gtest/gtest.h>
+
+#include "base/file.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Stick : public ProgramTest {
+ protected:
+    [[nodiscard]] static std::string clip(const std::string& name) {
+        return (fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "bvh" / name).string();
+    }
+    [[nodiscard]] std::string picture(const std::string& name) const {
+        return read_file(folder_ / name).value_or("");
+    }
+};
+
+TEST_F(Stick, draws_front_and_side_of_the_whole_clip) {
+    const ProcessResult result =
+        run({"stick", clip("odd/plain.bvh"), "-o", path("sheet.png"), "--scale", "0.01"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.out,
+              path("sheet.png") + ": front and side of frames 0 1 2 3 4 5 6 7 8 9 10 11\n");
+    EXPECT_EQ(picture("sheet.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Stick, draws_one_frame_large_at_the_size_asked_for) {
+    const auto frame = [&](const char* name, const char* scale, const char* number) {
+        const ProcessResult result = run({"stick",
+                                          clip("odd/plain.bvh"),
+                                          "-o",
+                                          path(name),
+                                          "--frame",
+                                          number,
+                                          "--scale",
+                                          scale});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return picture(name);
+    };
+    const std::string first = frame("first.png", "0.01", "0");
+    EXPECT_FALSE(first.empty());
+    EXPECT_TRUE(frame("again.png", "0.01", "0") == first);
+    EXPECT_FALSE(frame("large.png", "0.02", "0") == first);
+    EXPECT_FALSE(frame("later.png", "0.01", "5") == first);
+}
+
+TEST_F(Stick, draws_a_sheet_where_there_is_no_display) {
+    ProcessPlan here = plan({"stick", clip("odd/plain.bvh"), "--frame", "3"});
+    here.folder = folder_;
+    const ProcessResult result = run_process(here);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "plain.png: front and side of frames 3\n");
+    EXPECT_NE(result.err.find("no display"), std::string::npos) << result.err;
+    EXPECT_FALSE(picture("plain.png").empty());
+}
+
+TEST_F(Stick, refuses_in_one_line_what_is_no_clip) {
+    ASSERT_TRUE(write_file(folder_ / "clip.fbx", "FBX"));
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{path("none.bvh")}, "none.bvh"},
+        {{path("clip.fbx")}, "cannot read this kind of motion; known: .bvh"},
+        {{clip("odd/plain.bvh"), "--frame", "12"}, "has no frame 12, its last is 11"},
+        {{clip("odd/plain.bvh"), "-o", path("x.jpg")}, "cannot write this kind of picture"},
+        {{clip("bad/frame_time_zero.bvh")}, "give the rate with --fps"},
+    };
+    for (const auto& [arguments, part] : cases) {
+        std::vector<std::string> command = {"stick"};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        const ProcessResult result = run(command);
+        EXPECT_EQ(result.exit_code, 1) << part;
+        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    }
+    for (const auto& wrong :
+         std::vector<std::vector<std::string>>{{"stick"},
+                                               {"stick", clip("odd/plain.bvh"), "--fps", "0"},
+                                               {"stick", clip("odd/plain.bvh"), "--scale", "-1"},
+                                               {"stick", clip("odd/plain.bvh"), "--frame", "-1"}}) {
+        EXPECT_EQ(run(wrong).exit_code, 2) << wrong.back();
+    }
+}
+
+TEST_F(Stick, refuses_every_bad_file_in_one_line) {
+    for (const auto& entry : fs::directory_iterator(clip("bad"))) {
+        const ProcessResult result =
+            run({"stick", entry.path().string(), "-o", path("never.png"), "--frame", "0"});
+        EXPECT_EQ(result.exit_code, 1) << entry.path();
+        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "never.png"));
+}
+
+TEST_F(Stick, draws_what_is_odd_whether_humanoid_or_not) {
+    for (const char* name : {"six_channels", "two_roots", "one_frame", "two_joints", "names"}) {
+        const ProcessResult result = run({"stick",
+                                          clip(std::string("odd/") + name + ".bvh"),
+                                          "-o",
+                                          path("odd.png"),
+                                          "--frame",
+                                          "0"});
+        EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
+    }
+}
+
+}  // namespace
+}  // namespace raks::test
