@@ -1,4 +1,7 @@
 #include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
 
 #include "engine/cli/eval_dance_report.hpp"
 
@@ -52,6 +55,26 @@ Json values_of(const MeasuredDance& dance) {
     return values;
 }
 
+/// Landings of each figure, foot and count by themselves: where a mean comes from.
+Json landings_of(const motion::LandingReport& report) {
+    std::map<std::tuple<std::string, motion::Side, int>, motion::LandingReport> groups;
+    for (const motion::Landing& landing : report.landings) {
+        groups[{landing.figure->name, landing.side, landing.count}].landings.push_back(landing);
+    }
+    Json landings = Json::array();
+    for (auto& [key, group] : groups) {
+        const auto& [figure, side, count] = key;
+        motion::summarize(group);
+        landings.push_back({{"figure", figure},
+                            {"foot", side == motion::Side::left ? "left" : "right"},
+                            {"count", count},
+                            {"landings", group.landings.size()},
+                            {"mean_ms", 1e3 * group.mean},
+                            {"deviation_ms", 1e3 * group.deviation}});
+    }
+    return landings;
+}
+
 /// Names of what lies outside its bound, or is missing where a bound asks for it.
 Json outside_of(const MeasuredDance& dance, motion::DanceRole role) {
     Json outside = Json::array();
@@ -93,6 +116,7 @@ std::string to_json(const DanceReport& report) {
                           {"kind", name_of(*trial.kind)},
                           {"values", values_of(trial)},
                           {"outside", outside_of(trial, report.role)},
+                          {"landings", landings_of(trial.result.landing)},
                           {"figures", figures_of(std::span(&trial, 1))}});
     }
     document["figures"] = figures_of(report.trials);

@@ -95,7 +95,7 @@ LandingReport landing_errors(const BodyTrack& track,
                 report.unexpected += found.size() - 1;
                 const double error = found[0] - heard.time - offset.median.count() * heard.beat;
                 report.landings.push_back(
-                    {side, static_cast<int>(heard.count) + 1, found[0], error});
+                    {side, static_cast<int>(heard.count) + 1, found[0], error, heard.figure});
             }
         }
     }

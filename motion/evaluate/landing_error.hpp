@@ -15,6 +15,7 @@ struct Landing {
     int count = 1;       ///< of the figure, 1..beats
     double time = 0.0;   ///< seconds from the track's first frame
     double error = 0.0;  ///< seconds after count + learnt offset; early is negative
+    const FigureModel* figure = nullptr;  ///< never null in a report
 };
 
 /// Landings against the music: DESIGN 5's measure of synchrony.
