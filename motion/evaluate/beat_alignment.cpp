@@ -29,7 +29,7 @@ std::vector<double> summed_speeds(const BodyTrack& track) {
 
 // scipy.ndimage.gaussian_filter1d: cut at 4 sigma, ends reflected with the last value repeated.
 std::vector<double> gaussian_smoothed(const std::vector<double>& values, double sigma) {
-    const auto reach = static_cast<std::ptrdiff_t>(4.0 * sigma + 0.5);
+    const auto reach = static_cast<std::ptrdiff_t>(std::lround(4.0 * sigma));
     std::vector<double> taps;
     double sum = 0.0;
     for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
