@@ -24,6 +24,7 @@ Expected<std::vector<engine::DanceTrial>> chosen_trials(const std::vector<std::s
         return all;
     }
     std::vector<std::string_view> known;
+    known.reserve(all.size());
     for (const engine::DanceTrial& trial : all) {
         known.push_back(trial.name);
     }

@@ -86,10 +86,30 @@ std::string table_of(std::span<const MeasuredDance* const> dances,
 double median_of(const std::vector<motion::Amplitude>& amplitudes,
                  double motion::Amplitude::*member) {
     std::vector<double> values;
+    values.reserve(amplitudes.size());
     for (const motion::Amplitude& amplitude : amplitudes) {
         values.push_back(amplitude.*member);
     }
     return motion::percentile(std::move(values), 0.5);
+}
+
+/// Between repeats of one figure. Of people all pairs; of trials those within one trial: the seed
+/// is the same in all of them, and so is what it draws.
+std::vector<double> distances_of(const motion::FigureMeasures& all,
+                                 std::span<const MeasuredDance> dances) {
+    if (dances.empty() || !dances.front().kind) {
+        return motion::repeat_distances(all.shapes);
+    }
+    std::vector<double> distances;
+    for (const MeasuredDance& dance : dances) {
+        for (const motion::FigureMeasures& figure : dance.result.measures.figures) {
+            if (figure.figure == all.figure) {
+                const auto within = motion::repeat_distances(figure.shapes);
+                distances.insert(distances.end(), within.begin(), within.end());
+            }
+        }
+    }
+    return distances;
 }
 
 void append_figures(std::vector<Row>& rows,
@@ -187,7 +207,7 @@ std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dance
         summary.hips_travel = median_of(figure.amplitudes, &motion::Amplitude::hips_travel);
         summary.toe_travel = median_of(figure.amplitudes, &motion::Amplitude::toe_travel);
         summary.peak_toe_speed = median_of(figure.amplitudes, &motion::Amplitude::peak_toe_speed);
-        const std::vector<double> distances = motion::repeat_distances(figure.shapes);
+        const std::vector<double> distances = distances_of(figure, dances);
         if (!distances.empty()) {
             summary.distance_median = motion::percentile(distances, 0.5);
             summary.distance_p10 = motion::percentile(distances, 0.1);

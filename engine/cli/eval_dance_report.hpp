@@ -64,7 +64,8 @@ struct FigureSummary {
     double hips_travel = 0.0;     ///< median; metres
     double toe_travel = 0.0;      ///< median; metres
     double peak_toe_speed = 0.0;  ///< median; m/s
-    /// Between repeats, metres; nothing with less than two.
+    /// Between repeats, metres: of people any two, of trials two of one trial (the seed is the same
+    /// in all). Nothing with less than two.
     std::optional<double> distance_median, distance_p10, distance_p90;
 };
 [[nodiscard]] std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dances);

@@ -91,6 +91,7 @@ Expected<void> write_frames(const Path& output,
         camera = framed(camera, figures);
     }
     std::vector<render::ClipFigure> bodies;
+    bodies.reserve(frames.size());
     for (const std::size_t frame : frames) {
         bodies.push_back(figures.at(frame));
     }

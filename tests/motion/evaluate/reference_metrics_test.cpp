@@ -45,7 +45,8 @@ class ReferenceMetrics : public ::testing::TestWithParam<Cut> {};
 INSTANTIATE_TEST_SUITE_P(PlainCuts,
                          ReferenceMetrics,
                          ::testing::Values(Cut{"60_03_973_1679", 1.267},
-                                           Cut{"61_03_973_1679", 1.17}));
+                                           Cut{"61_03_973_1679", 1.17}),
+                         [](const auto& cut) { return std::string(cut.param.name); });
 
 TEST_P(ReferenceMetrics, equal_those_of_the_reference_program) {
     const fs::path folder = test::shared_data() / "mocap";
