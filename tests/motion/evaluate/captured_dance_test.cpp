@@ -18,7 +18,8 @@ class CapturedClips : public ::testing::Test {
  protected:
     void SetUp() override {
         clips_ = test::shared_data() / "mocap" / "salsa";
-        folder_ = fs::path(::testing::TempDir()) / "captured_dance";
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(::testing::TempDir()) / (std::string("CapturedClips.") + info->name());
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }
