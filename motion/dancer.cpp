@@ -23,6 +23,11 @@ constexpr int kHopsToStart = 60;         // of sure music before the first step
 constexpr int kHopsToStop = 150;         // of no music before settling
 constexpr double kDownbeatWindow = 0.5;  // beats: how late after a downbeat one may still start
 constexpr std::size_t kQueuedCommands = 16;
+// Seconds; with 0 the mean landing was this late, and later by this per unit of pace
+// (`raks eval dance`, paces 0.74 to 1.41).
+constexpr double kLandingLead = 0.008;
+constexpr double kLandingLeadByPace = 0.035;
+constexpr double kPaceShare = 0.01;  // a hop
 
 }  // namespace
 
@@ -54,6 +59,14 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
 
 namespace {
 
+/// How far ahead of the phase the pose is. The last slowing of a step takes the same share of a
+/// beat at any tempo, so the moment at which a foot is seen to have landed comes the later the
+/// faster the dance is for its learnt tempo.
+Nanos landing_lead(double pace) noexcept {
+    return nanos_from_seconds(kLandingLead +
+                              kLandingLeadByPace * (std::clamp(pace, 0.6, 1.6) - 1.0));
+}
+
 /// Where this dancer's figures start.
 FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
     FloorMove stage = part.is_in_couple ? content.couple : content.stage;
@@ -80,6 +93,7 @@ struct Dancer::State {
     int hops_sure = 0;
     int hops_unsure = 0;
     DancePhase phase;
+    double pace = 1.0;  // of the learnt tempo, over the last second
     std::uint32_t reanchors = 0;
 
     Inertialization smoothing;
@@ -111,6 +125,7 @@ void Dancer::State::reset() noexcept {
     is_dancing = is_held = false;
     hops_sure = hops_unsure = 0;
     phase = DancePhase();
+    pace = 1.0;
     reanchors = 0;
     smoothing.clear();
     shown = shown_before = idle_pose(skeleton, StreamTime{});
@@ -153,7 +168,7 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
 /// The pose without smoothing, `ahead` of the hop at `time`.
 Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
     if (is_dancing) {
-        return sequence.at(phase.phase_after(ahead));
+        return sequence.at(phase.phase_after(ahead + landing_lead(pace)));
     }
     // Where the dance ended, turned as it ended.
     const FloorMove from_start = floor_of(content(), stage, stands_turned);
@@ -183,6 +198,8 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     hops_unsure = is_unsure ? hops_unsure + 1 : 0;
     energy.advance(music);
     if (is_dancing) {
+        const double now = phase.rate() / content().learnt_tempo.beats_per_second();
+        pace += kPaceShare * (now - pace);
         const bool has_reanchored = phase.advance(music.grid, content().learnt_tempo, music.time);
         if (has_reanchored) {
             sequence.jump(phase.phase());
@@ -210,6 +227,7 @@ void Dancer::State::decide(const MusicState& music) noexcept {
         is_dancing = true;
         phase.start(music.grid, now - Beats(since_downbeat), content().learnt_tempo, music.time);
         sequence.start(content(), stage, part, stands_turned);
+        pace = phase.rate() / content().learnt_tempo.beats_per_second();
         change(music.time);
     }
     was_downbeat = is_downbeat;

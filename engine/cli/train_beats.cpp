@@ -59,6 +59,8 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(10, 1'000'000));
     app.add_option("--rate", options.network.rate, "of learning, at its highest")
         ->check(CLI::Range(1e-5, 0.1));
+    app.add_option("--cuts", options.network.cut_chance, "chance that a chunk has two pieces")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_option("--seed", options.network.seed, "of weights and batches");
     app.add_option("--threads", options.network.threads)->check(CLI::Range(1, 64));
     app.add_option("-o,--out", options.output, "X.json")->required();

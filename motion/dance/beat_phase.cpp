@@ -10,7 +10,8 @@ constexpr double kMostCorrection = 0.2;  // of the rate
 constexpr double kGain = 2.5;            // of the error, a second
 constexpr double kApart = 1.0;           // beats
 constexpr int kApartHops = 100;
-constexpr double kPauseCount = 3.0;  // counts 4 and 8: no step lands there
+constexpr double kPauseCount = 7.0;  // count 8: no step lands there, and figures end
+constexpr double kMostSlew = 0.025;  // of the rate, a hop
 constexpr double kKeepLow = 0.62;
 constexpr double kKeepHigh = 1.6;
 
@@ -60,10 +61,12 @@ bool DancePhase::advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now)
     const double error = (wanted(grid, now) - phase_).count() - music_rate * hop;
     const double correction =
         std::clamp(kGain * error, -kMostCorrection * music_rate, kMostCorrection * music_rate);
-    rate_ = music_rate + correction;
+    // Another octave does not change the pace at once: that would be a blow to every limb.
+    const double slew = kMostSlew * music_rate;
+    rate_ += std::clamp(music_rate + correction - rate_, -slew, slew);
     hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;
-    const double in_four = phase_.count() - 4.0 * std::floor(phase_.count() / 4.0);
-    if (hops_apart_ > kApartHops && in_four >= kPauseCount) {
+    const double in_eight = phase_.count() - 8.0 * std::floor(phase_.count() / 8.0);
+    if (hops_apart_ > kApartHops && in_eight >= kPauseCount) {
         hops_apart_ = 0;
         phase_ = std::max(Beats(0.0), wanted(grid, now));
         rate_ = music_rate;

@@ -13,8 +13,8 @@ namespace {
 // Poses between the model's samples: then a pose every few ms needs no more than a straight line.
 constexpr int kFiner = 2;
 // Danced beyond both ends while the feet are planted, so that those know what comes.
-constexpr int kAround = 2;       // beats
-constexpr float kAside = 0.04F;  // metres, deviation of a step's place between repeats
+constexpr int kAround = 2;        // beats
+constexpr float kAside = 0.035F;  // metres, deviation of a step's place between repeats
 
 /// One figure and `kAround` beats of itself before and after, feet free.
 struct Stretch {

@@ -24,11 +24,12 @@ Pose average(const Skeleton& skeleton, const Pose& from, const Pose& to, float s
     const WorldPose b = world_pose(skeleton, to);
     for (const Side side : kSides) {
         const Bone foot = on_side(Bone::left_foot, side);
-        solve_leg(skeleton,
-                  side,
-                  {glm::mix(a.position(foot), b.position(foot), share),
-                   glm::slerp(a.rotation(foot), b.rotation(foot), share)},
-                  pose);
+        FootTarget target{glm::mix(a.position(foot), b.position(foot), share),
+                          glm::slerp(a.rotation(foot), b.rotation(foot), share)};
+        const float standing = -lowest_of_sole(
+            skeleton, side, target.rotation, pose.rotation(on_side(Bone::left_toes, side)));
+        target.ankle.y = std::max(target.ankle.y, standing);
+        solve_leg(skeleton, side, target, pose);
     }
     return pose;
 }
@@ -84,9 +85,11 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
 }
 
 void FigureSequence::jump(Beats phase) noexcept {
+    const bool is_turned = turned_after(current_);
+    ++number_;
+    current_ = {choose_ways(0, part_.ways, number_), 0.0, is_turned};
     const double beats = figure().beats;
-    const double since = phase.count() - current_.start;
-    current_.start += beats * std::floor(since / beats);
+    current_.start = beats * std::floor(phase.count() / beats);
     before_.reset();
     next_.reset();
 }

@@ -27,7 +27,8 @@ class FigureSequence {
 
     /// The phase went on to here: goes over into the next figure, chooses what follows.
     void advance(Beats phase, double energy, FigureWish& wish) noexcept;
-    /// The phase was set anew: the same figure, from another of its beats.
+    /// The phase was set anew as a figure ended: the first figure, which hardly turns and travels,
+    /// from the beat of it that this is.
     void jump(Beats phase) noexcept;
 
     /// The pose at a phase up to kDecided after the last advance, in the world.

@@ -2,9 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "motion/dance/closed_curve.hpp"
@@ -17,11 +19,12 @@ namespace {
 constexpr std::array<double, 5> kHarmonics = {0.25, 0.3, 0.2, 0.15, 0.1};
 // Of the states' deviation. Their variance holds also what moves within a slice and what differs
 // between people's takes (stance, hold).
-constexpr double kTorso = 0.8;
-constexpr double kUpper = 1.1;
-constexpr double kFarthest = 1.8;  // deviations
-constexpr double kVelocity = 0.2;  // of the hips, or the legs would not reach their steps
-constexpr double kHeight = 0.15;   // it differs between takes, not between repeats
+constexpr double kTorso = 0.95;
+constexpr double kUpper = 1.3;
+constexpr double kFarthest = 1.8;      // deviations
+constexpr double kFarthestTurn = 1.0;  // radians of a joint
+constexpr double kVelocity = 0.2;      // of the hips, or the legs would not reach their steps
+constexpr double kHeight = 0.15;       // it differs between takes, not between repeats
 
 double amount_of(Part part, std::size_t feature) {
     if (part != Part::torso) {
@@ -58,9 +61,29 @@ std::vector<double> deviation_of(const PartModel& part, std::size_t feature, std
     return smoothed(deviation, slice);
 }
 
+/// Holds every joint near its learnt rotation, softly: further round, an arm could as well be mixed
+/// the other way.
+void hold_joints(const PartModel& part, const FeatureTrack& learnt, FeatureTrack& track) {
+    const std::size_t first = part.part == Part::torso ? kRootFeatures : 0;
+    for (std::size_t i = 0; i < track.rows(); ++i) {
+        for (std::size_t at = first; at + 2 < track.columns; at += 3) {
+            const std::span<double> values = track.row(i).subspan(at, 3);
+            const std::span<const double> from = learnt.row(i).subspan(at, 3);
+            const double apart =
+                std::hypot(values[0] - from[0], values[1] - from[1], values[2] - from[2]);
+            const double share = kFarthestTurn * std::tanh(apart / kFarthestTurn) /
+                                 std::max(apart, kFarthestTurn * 1e-6);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                values[axis] = from[axis] + share * (values[axis] - from[axis]);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& track) {
+    const FeatureTrack learnt = track;
     const std::size_t samples = track.rows();
     const std::size_t size = part.dimension();
     const Eigen::MatrixXd root = correlation_root(part);
@@ -93,6 +116,7 @@ void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& trac
                 amount * deviation[i] * kFarthest * std::tanh(curve / kFarthest);
         }
     }
+    hold_joints(part, learnt, track);
 }
 
 }  // namespace raks::motion

@@ -163,7 +163,7 @@ Expected<void> check_head(const FigureModel& model) {
                   {"net_displacement[1]", model.net_displacement.y, -100.0, 100.0},
                   {"net_turn", model.net_turn, -100.0, 100.0},
                   {"source_hips_height", model.source_hips_height, 0.1, 10.0},
-                  {"peak_toe_speed", model.peak_toe_speed, 1e-3, 100.0}};
+                  {"peak_toe_speed", model.peak_toe_speed, 0.0, 100.0}};
     for (const auto& range : ranges) {
         if (!(range.value >= range.lowest && range.value <= range.highest)) {
             return fail(fmt::format("{} is {}, must lie in [{}, {}]",

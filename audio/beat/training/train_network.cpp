@@ -105,8 +105,8 @@ class NetworkTrainer {
         const std::size_t chunks = shape.chunks / kShards;
         share(kShards, [&](std::size_t shard) {
             Dice dice(plan_.seed, 1000 + static_cast<std::uint64_t>(step) * kShards + shard);
-            const TrainingBatch batch =
-                draw_batch(training_, chunks, shape.hops, network_.lookahead(), dice);
+            const TrainingBatch batch = draw_batch(
+                training_, chunks, shape.hops, network_.lookahead(), plan_.cut_chance, dice);
             gradients[shard].assign(network_.parameters().size(), 0.0F);
             losses[shard] = gradients_[shard].accumulate(network_, batch, gradients[shard]);
         });

@@ -12,9 +12,10 @@ namespace raks::audio {
 struct NetworkPlan {
     std::size_t units = 64;
     std::size_t layers = 2;
-    int lookahead = 2;   ///< hops of 10 ms
-    int steps = 4000;    ///< of batches of 24 chunks of 10 s; then 1/7 as many of 16 of 20 s
-    double rate = 5e-3;  ///< of Adam at its highest; warm-up of 30 steps, then a cosine to 0
+    int lookahead = 2;         ///< hops of 10 ms
+    int steps = 4000;          ///< of batches of 24 chunks of 10 s; then 1/7 as many of 16 of 20 s
+    double rate = 5e-3;        ///< of Adam at its highest; warm-up of 30 steps, then a cosine to 0
+    double cut_chance = 0.33;  ///< that another piece begins within a chunk; [0, 1]
     std::uint64_t seed = 1;
     std::shared_ptr<const BeatNetwork> start;  ///< weights to go on from; its units, layers and
                                                ///< lookahead count. None: drawn by the seed

@@ -20,8 +20,7 @@ constexpr float kWarmUpWeight = 0.2F;
 constexpr float kDownbeatWeight = 2.0F;
 constexpr float kHalfWeight = 0.7F;
 
-// In one chunk of three another piece begins, as on a stage.
-constexpr double kCutChance = 0.33;
+// Where in a chunk another piece may begin.
 constexpr double kEarliestCut = 0.25;  // of the chunk
 constexpr double kLatestCut = 0.6;
 
@@ -198,16 +197,21 @@ TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
                          std::size_t chunks,
                          std::size_t hops,
                          int lookahead,
+                         double cut_chance,
                          Dice& dice) {
     BatchWriter writer(chunks, hops, lookahead);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        const double length = static_cast<double>(hops);
-        const std::size_t cut =
-            dice.chance(kCutChance)
-                ? static_cast<std::size_t>(dice.uniform(kEarliestCut * length, kLatestCut * length))
-                : hops;
+        std::vector<Span> spans = {{0, hops}};
+        if (cut_chance > 0.0) {
+            const double length = static_cast<double>(hops);
+            const std::size_t cut = dice.chance(cut_chance)
+                                        ? static_cast<std::size_t>(dice.uniform(
+                                              kEarliestCut * length, kLatestCut * length))
+                                        : hops;
+            spans = {{0, cut}, {cut, hops}};  // the second is empty where nothing is cut
+        }
         NetworkInput input;
-        for (const Span& span : {Span{0, cut}, Span{cut, hops}}) {
+        for (const Span& span : spans) {
             const TrainingExcerpt& excerpt =
                 *dice.pick(std::span<const TrainingExcerpt* const>(from));
             const Hearing hearing = draw_hearing(excerpt, span.end - span.begin, dice);

@@ -10,11 +10,12 @@
 namespace raks::audio {
 
 /// `chunks` stretches of `hops` hops from excerpts drawn from `from` (not empty), as heard through
-/// drawn augmentations; some go over into another excerpt.
+/// drawn augmentations. With `cut_chance` a chunk goes over into another excerpt, as on a stage.
 [[nodiscard]] TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
                                        std::size_t chunks,
                                        std::size_t hops,
                                        int lookahead,
+                                       double cut_chance,
                                        Dice& dice);
 
 /// The first `hops` hops of `excerpts`, as they are.
