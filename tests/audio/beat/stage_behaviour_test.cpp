@@ -133,7 +133,8 @@ TEST(Stage, follows_ramps_of_3_percent_a_second) {
     }
 }
 
-TEST(Stage, finds_the_next_song_within_4_seconds) {
+TEST(Stage, finds_the_next_song_within_3_seconds) {
+    std::vector<double> times;
     struct Song {
         Style style;
         double bpm;
@@ -152,9 +153,12 @@ TEST(Stage, finds_the_next_song_within_4_seconds) {
         for (ReferenceBeat& beat : beats) {
             beat.time += nanos_from_seconds(kCut);
         }
-        EXPECT_LE(time_to_lock(listen_to(mono), beats, kCut), 4.0)
-            << name_of(first.style) << " to " << name_of(second.style);
+        times.push_back(time_to_lock(listen_to(mono), beats, kCut));
+        EXPECT_LE(times.back(), 4.0) << name_of(first.style) << " to " << name_of(second.style);
     }
+    // Drums at 96 to maqsum at 118 take 3.6 s.
+    EXPECT_GE(std::count_if(times.begin(), times.end(), [](double time) { return time <= 3.0; }),
+              3);
 }
 
 TEST(Stage, does_not_flip_between_octaves) {
