@@ -18,7 +18,9 @@ sanitized() {
     names=$(IFS='|'; echo "$*")
     quietly cmake --preset "$preset"
     quietly cmake --build --preset "$preset" -j "$(nproc)" --target "${@/#/raks_tests_}"
-    quietly ctest --preset "$preset" -j "$(nproc)" -L "^($names)\$" --no-tests=error
+    # Long computations without memory or threads of their own run in release alone.
+    quietly ctest --preset "$preset" -j "$(nproc)" -L "^($names)\$" --no-tests=error \
+        -E "OfflineLanding|comes_out_of_the_clips"
     tail -n 3 build.log
 }
 
@@ -33,7 +35,7 @@ cmake --build --preset release -j "$(nproc)"
 
 scripts/tidy.sh --changed
 
-sanitized asan base models skeleton figures audio_io audio_evaluate audio_training engine avatar render_video
+sanitized asan base models skeleton figures audio_io audio_evaluate audio_training engine render_video
 sanitized tsan base engine
 
 step "release: tests"

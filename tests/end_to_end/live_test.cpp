@@ -202,7 +202,7 @@ TEST_F(LiveOnJack, works_at_every_rate_that_a_server_has) {
         CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
         ASSERT_TRUE(player.wait_for_output("playing")) << rate;
         CapturedProcess listener(
-            with_jack({"live", "--headless", "--device", "raks", "--duration", "10"}));
+            with_jack({"live", "--headless", "--device", "raks", "--duration", "7"}));
         const ProcessResult heard = listener.wait();
         EXPECT_EQ(heard.exit_code, 0) << rate << heard.err;
         EXPECT_NEAR(tempo_in(heard.err), 128.0, 2.0) << rate << heard.err;
@@ -216,11 +216,11 @@ TEST_F(LiveOnJack, play_plays_files_of_every_rate_and_channel_count) {
     } cases[] = {{8'000, 1}, {192'000, 2}, {48'000, 8}};
     for (const auto& c : cases) {
         const std::string file = path("drums" + std::to_string(c.channels) + ".wav");
-        write_drums(file, 10.0, c.rate, c.channels);
+        write_drums(file, 6.0, c.rate, c.channels);
         CapturedProcess player(with_jack({"play", file, "--headless"}));
         ASSERT_TRUE(player.wait_for_output("playing")) << c.rate;
         CapturedProcess listener(
-            with_jack({"live", "--headless", "--device", "raks", "--duration", "5"}));
+            with_jack({"live", "--headless", "--device", "raks", "--duration", "3"}));
         const ProcessResult heard = listener.wait();
         EXPECT_GT(level_in(heard.err), -50.0) << c.rate << heard.err;
         const ProcessResult played = player.wait();
