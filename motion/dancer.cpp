@@ -29,6 +29,21 @@ constexpr double kLandingLead = 0.008;
 constexpr double kLandingLeadByPace = 0.035;
 constexpr double kPaceShare = 0.01;  // a hop
 
+/// How far ahead of the phase the pose is. The last slowing of a step takes the same share of a
+/// beat at any tempo, so the moment at which a foot is seen to have landed comes the later the
+/// faster the dance is for its learnt tempo.
+Nanos landing_lead(double pace) noexcept {
+    return nanos_from_seconds(kLandingLead +
+                              kLandingLeadByPace * (std::clamp(pace, 0.6, 1.6) - 1.0));
+}
+
+/// Where this dancer's figures start.
+FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
+    FloorMove stage = part.is_in_couple ? content.couple : content.stage;
+    stage.offset.x += part.aside;
+    return stage;
+}
+
 }  // namespace
 
 struct DanceLibrary::Content : DanceContent {};
@@ -56,25 +71,6 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
     return std::shared_ptr<const DanceLibrary>(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }
-
-namespace {
-
-/// How far ahead of the phase the pose is. The last slowing of a step takes the same share of a
-/// beat at any tempo, so the moment at which a foot is seen to have landed comes the later the
-/// faster the dance is for its learnt tempo.
-Nanos landing_lead(double pace) noexcept {
-    return nanos_from_seconds(kLandingLead +
-                              kLandingLeadByPace * (std::clamp(pace, 0.6, 1.6) - 1.0));
-}
-
-/// Where this dancer's figures start.
-FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
-    FloorMove stage = part.is_in_couple ? content.couple : content.stage;
-    stage.offset.x += part.aside;
-    return stage;
-}
-
-}  // namespace
 
 struct Dancer::State {
     std::shared_ptr<const DanceLibrary> library;
@@ -207,6 +203,7 @@ void Dancer::State::decide(const MusicState& music) noexcept {
         sequence.advance(phase.phase(), energy.value(), wish);
         if (is_held || hops_unsure > kHopsToStop) {
             is_dancing = false;
+            bars_to_wait = part.bars_late;
             stands_turned = sequence.is_turned();
             change(music.time);
         } else if (has_reanchored) {
@@ -216,6 +213,7 @@ void Dancer::State::decide(const MusicState& music) noexcept {
         return;
     }
     if (is_held || hops_sure < kHopsToStart) {
+        was_downbeat = false;
         return;
     }
     const Beats now = music.grid.beats_at(music.time);

@@ -109,17 +109,21 @@ struct DanceArguments {
 };
 [[nodiscard]] ExitCode dance(const DanceArguments& arguments);
 
-struct TrainFigureArguments {
+/// Labelled motion to learn from.
+struct LabelledClips {
     std::vector<Path> clips;  ///< BVH files, or one folder of them
     Path labels;              ///< TSV
     Path counts;              ///< TSV; empty: counts lie evenly between a label's start and end
     Path faults;              ///< TSV of capture faults; empty: none
+    std::string split;        ///< empty: all labels
+    double min_confidence = 0.9;
+    double fps = 0.0;  ///< 0: the file's
+};
+
+struct TrainFigureArguments : LabelledClips {
     std::string figure = "basic";
     std::string dance = "salsa";
     std::string role = "lead";
-    std::string split;  ///< empty: all labels
-    double min_confidence = 0.9;
-    double fps = 0.0;    ///< 0: the file's
     double scale = 0.0;  ///< metres per unit; 0: guessed
     int states = 16;
     int iterations = 0;
@@ -128,19 +132,14 @@ struct TrainFigureArguments {
 };
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
 
-struct TrainReportArguments {
-    std::vector<Path> clips;  ///< BVH files, or one folder of them
-    Path labels;              ///< TSV
-    Path counts;              ///< TSV; empty: counts lie evenly between a label's start and end
-    Path faults;              ///< TSV of capture faults; empty: none
+struct TrainReportArguments : LabelledClips {
+    TrainReportArguments() { min_confidence = 0.7; }
+
     std::vector<std::string> figures = {"basic"};  ///< two or more are also told apart
     std::string dance = "salsa";
     std::string role = "lead";  ///< lead, follow or both
-    std::string split;          ///< to learn from; empty: all labels
     std::string test_split;     ///< to tell figures apart in; empty: only with takes left out
-    double min_confidence = 0.7;
     double test_confidence = 0.6;
-    double fps = 0.0;            ///< 0: the file's
     std::vector<double> scales;  ///< metres per unit, the follow's last; empty: guessed
     int most_states = 19;
     int states = 14;     ///< of the models that tell figures apart

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cli/labelled_clips.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/training_plan.hpp"
 
@@ -16,24 +17,11 @@
 namespace raks::cli {
 namespace {
 
-motion::FigureTrainingPlan plan_of(const TrainFigureArguments& arguments) {
-    motion::FigureTrainingPlan plan;
-    plan.clips = arguments.clips;
-    plan.labels = arguments.labels;
-    if (!arguments.counts.empty()) {
-        plan.counts = arguments.counts;
-    }
-    if (!arguments.faults.empty()) {
-        plan.faults = arguments.faults;
-    }
+motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
+    motion::FigureTrainingPlan plan = plan_of(arguments);
     plan.figure = arguments.figure;
     plan.dance = arguments.dance;
     plan.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
-    plan.split = arguments.split;
-    plan.min_confidence = arguments.min_confidence;
-    if (arguments.fps > 0.0) {
-        plan.frames_per_second = arguments.fps;
-    }
     if (arguments.scale > 0.0) {
         plan.metres_per_unit = arguments.scale;
     }
@@ -47,8 +35,26 @@ motion::FigureTrainingPlan plan_of(const TrainFigureArguments& arguments) {
 
 }  // namespace
 
+motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
+    motion::FigureTrainingPlan plan;
+    plan.clips = clips.clips;
+    plan.labels = clips.labels;
+    if (!clips.counts.empty()) {
+        plan.counts = clips.counts;
+    }
+    if (!clips.faults.empty()) {
+        plan.faults = clips.faults;
+    }
+    plan.split = clips.split;
+    plan.min_confidence = clips.min_confidence;
+    if (clips.fps > 0.0) {
+        plan.frames_per_second = clips.fps;
+    }
+    return plan;
+}
+
 ExitCode train_figure(const TrainFigureArguments& arguments) {
-    const auto report = motion::train_figure(plan_of(arguments));
+    const auto report = motion::train_figure(figure_plan(arguments));
     if (!report) {
         return fail(report.error());
     }

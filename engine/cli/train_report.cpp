@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "engine/cli/commands.hpp"
+#include "engine/cli/labelled_clips.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/report_page.hpp"
 #include "motion/figures/classifier_evaluation.hpp"
@@ -22,22 +23,9 @@ namespace {
 
 using motion::DanceRole;
 
-motion::FigureTrainingPlan plan_of(const TrainReportArguments& arguments, DanceRole role) {
-    motion::FigureTrainingPlan plan;
-    plan.clips = arguments.clips;
-    plan.labels = arguments.labels;
-    if (!arguments.counts.empty()) {
-        plan.counts = arguments.counts;
-    }
-    if (!arguments.faults.empty()) {
-        plan.faults = arguments.faults;
-    }
+motion::FigureTrainingPlan report_plan(const TrainReportArguments& arguments, DanceRole role) {
+    motion::FigureTrainingPlan plan = plan_of(arguments);
     plan.role = role;
-    plan.split = arguments.split;
-    plan.min_confidence = arguments.min_confidence;
-    if (arguments.fps > 0.0) {
-        plan.frames_per_second = arguments.fps;
-    }
     if (!arguments.scales.empty()) {
         plan.metres_per_unit =
             role == DanceRole::lead ? arguments.scales.front() : arguments.scales.back();
@@ -120,7 +108,7 @@ class Reporter {
     Expected<motion::FigureReport> report_one(std::size_t f, motion::DancerExamples& dancer) {
         const std::string role(motion::kRoleNames[static_cast<std::size_t>(dancer.role)]);
         progress_.show(fmt::format("{} of the {}", arguments_.figures[f], role));
-        motion::FigureTrainingPlan plan = plan_of(arguments_, dancer.role);
+        motion::FigureTrainingPlan plan = report_plan(arguments_, dancer.role);
         plan.figure = arguments_.figures[f];
         const auto material = load(plan);
         if (!material) {

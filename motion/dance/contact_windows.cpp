@@ -17,8 +17,18 @@ constexpr double kLandingReach = 0.75;  // beats between a contact's start and i
 constexpr int kLandingRepeats = 3;
 constexpr double kStepBeats = 0.4;  // that a step stands which people hardly rest on
 // Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
-
 constexpr double kRestAfterLanding = 0.012;
+
+/// Beat of the figure on which a foot stands still after its landing at a count (from 0).
+double standing_beat(std::size_t count, const LandingOffset& landing) {
+    return static_cast<double>(count) + landing.median.count() + kRestAfterLanding;
+}
+
+/// Beats from `from` to `to` on a closed figure, nearest way.
+double beats_between(double from, double to, double beats) {
+    const double apart = to - from;
+    return apart - beats * std::round(apart / beats);
+}
 
 /// Shortest contact that is worth locking, in samples.
 std::ptrdiff_t shift_floor(double samples_per_beat) {
@@ -48,12 +58,6 @@ void fill(std::vector<bool>& row, const ContactWindow& window, bool value) {
     }
 }
 
-/// Beats from `from` to `to` on a closed figure, nearest way.
-double beats_between(double from, double to, double beats) {
-    const double apart = to - from;
-    return apart - beats * std::round(apart / beats);
-}
-
 /// A step that comes down where no contact is (dancers spin on it, the toe hardly rests) stands for
 /// a moment, too: else it would slide through its landing.
 std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
@@ -63,8 +67,7 @@ std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
     const double beats = static_cast<double>(samples) / samples_per_beat;
     const std::vector<ContactWindow> own = windows;
     for (std::size_t count = 0; count < landings.size(); ++count) {
-        const double landing =
-            static_cast<double>(count) + landings[count].median.count() + kRestAfterLanding;
+        const double landing = standing_beat(count, landings[count]);
         const bool is_near = std::any_of(own.begin(), own.end(), [&](const ContactWindow& window) {
             const double first = static_cast<double>(window.first) / samples_per_beat;
             const double length = static_cast<double>(window.length) / samples_per_beat;
@@ -120,11 +123,9 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
             if (landings[count].repeats < kLandingRepeats) {
                 continue;
             }
-            const double landing =
-                static_cast<double>(count) + landings[count].median.count() + kRestAfterLanding;
-            const double beats = static_cast<double>(samples) / samples_per_beat;
-            double away = landing - static_cast<double>(window.first) / samples_per_beat;
-            away -= beats * std::round(away / beats);
+            const double away = beats_between(static_cast<double>(window.first) / samples_per_beat,
+                                              standing_beat(count, landings[count]),
+                                              static_cast<double>(samples) / samples_per_beat);
             best = std::abs(away) < std::abs(best) ? away : best;
         }
         const auto shift = static_cast<std::ptrdiff_t>(std::lround(best * samples_per_beat));

@@ -63,19 +63,19 @@ StartPlaces common_places(std::span<const FigureModel> figures,
                           const std::vector<FigureTracks>& tracks,
                           const std::vector<FigureWay>& ways,
                           const Skeleton& skeleton) {
-    StartPlaces common;
-    for (const Side side : kSides) {
-        const auto s = static_cast<std::size_t>(side);
-        glm::vec2 sum{};
-        float count = 0.0F;
-        for (std::size_t i = 0; i < figures.size(); ++i) {
-            if (const auto place = learnt_places(figures[i], tracks[i], ways[i], skeleton)[s]) {
-                sum += *place;
-                count += 1.0F;
-            }
+    std::array<glm::vec2, 2> sums{};
+    std::array<float, 2> counts{};
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const StartPlaces own = learnt_places(figures[i], tracks[i], ways[i], skeleton);
+        for (std::size_t s = 0; s < own.size(); ++s) {
+            sums[s] += own[s].value_or(glm::vec2(0.0F));
+            counts[s] += own[s] ? 1.0F : 0.0F;
         }
-        if (count > 0.0F) {
-            common[s] = sum / count;
+    }
+    StartPlaces common;
+    for (std::size_t s = 0; s < common.size(); ++s) {
+        if (counts[s] > 0.0F) {
+            common[s] = sums[s] / counts[s];
         }
     }
     return common;
@@ -148,8 +148,13 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
             model.learnt_tempo.seconds_per_beat() / static_cast<double>(figures.size());
     }
     content.learnt_tempo = Bpm::from_period(seconds_per_beat);
-    if (grammar != nullptr && grammar->rules.size() != figures.size()) {
-        return fail("the grammar has another number of figures than the dance");
+    const auto is_of = [](const FigureGrammar::Rule& rule, const std::string& name) {
+        return rule.figure == name;
+    };
+    if (grammar != nullptr &&
+        !std::equal(
+            grammar->rules.begin(), grammar->rules.end(), names.begin(), names.end(), is_of)) {
+        return fail("the grammar has other figures than the dance, or in another order");
     }
     content.choreography =
         Choreography(grammar != nullptr ? *grammar : FigureGrammar::uniform(names));

@@ -176,11 +176,6 @@ void step_aside(const CounterRandom& random, Side side, std::vector<PlannedConta
     }
 }
 
-glm::quat between(const glm::quat& from, const glm::quat& to, float t) noexcept {
-    const float sign = glm::dot(from, to) < 0.0F ? -t : t;
-    return glm::normalize(from * (1.0F - t) + to * sign);
-}
-
 }  // namespace
 
 FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton) {
@@ -285,7 +280,7 @@ void FigurePassage::at(double beat, Pose& pose) const noexcept {
     const Place place = place_of(beat);
     for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
         pose.rotation(kBones[bone]) =
-            between(place.before.rotations[bone], place.after.rotations[bone], place.share);
+            interpolate(place.before.rotations[bone], place.after.rotations[bone], place.share);
     }
     pose.hips_position = glm::mix(place.before.hips, place.after.hips, place.share);
     pose.foot_contact = place.share < 0.5F ? place.before.contact : place.after.contact;
@@ -295,7 +290,7 @@ void FigurePassage::arms_at(double beat, Pose& pose) const noexcept {
     const Place place = place_of(beat);
     for (std::size_t bone = kBones.size() - kArmBones; bone < kBones.size(); ++bone) {
         pose.rotation(kBones[bone]) =
-            between(place.before.rotations[bone], place.after.rotations[bone], place.share);
+            interpolate(place.before.rotations[bone], place.after.rotations[bone], place.share);
     }
 }
 

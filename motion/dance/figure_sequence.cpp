@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/dance/easing.hpp"
 #include "motion/dance/leg_ik.hpp"
 
 namespace raks::motion {
 namespace {
 
 constexpr double kMargin = FigurePassage::kMargin;
-
-/// From 0 to 1 with no speed and acceleration at either end.
-float smootherstep(double t) noexcept {
-    t = std::clamp(t, 0.0, 1.0);
-    return static_cast<float>(t * t * t * (10.0 + t * (-15.0 + t * 6.0)));
-}
 
 /// Between two poses, feet by their places in the world: rotations averaged down a leg would carry
 /// a foot that both have planted off its place.
@@ -102,7 +97,8 @@ Pose FigureSequence::pose_of(const Danced& danced, double phase) const noexcept 
 Pose FigureSequence::joined(const Danced& before,
                             const Danced& after,
                             double phase) const noexcept {
-    const float share = smootherstep((phase - after.start + kMargin) / (2.0 * kMargin));
+    const float share =
+        smootherstep(static_cast<float>((phase - after.start + kMargin) / (2.0 * kMargin)));
     return average(content_->skeleton, pose_of(before, phase), pose_of(after, phase), share);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/dance/closed_curve.hpp"
+#include "motion/dance/easing.hpp"
 #include "motion/dance/leg_ik.hpp"
 
 #include <glm/geometric.hpp>
@@ -27,12 +28,6 @@ float soft_max(float a, float b, float softness) {
     const float apart = std::clamp(std::abs(a - b) / std::max(softness, 1e-9F), 0.0F, 1.0F);
     const float near = 1.0F - apart;
     return std::max(a, b) + softness * near * near * near / 6.0F;
-}
-
-/// From 0 to 1 with no speed and acceleration at either end.
-float smootherstep(float t) {
-    t = std::clamp(t, 0.0F, 1.0F);
-    return t * t * t * (10.0F + t * (-15.0F + t * 6.0F));
 }
 
 /// Value, speed and acceleration of a curve at one sample; per sample.

@@ -4,13 +4,15 @@
 
 namespace raks::motion {
 
+glm::quat interpolate(const glm::quat& from, const glm::quat& to, float t) noexcept {
+    const float sign = glm::dot(from, to) < 0.0F ? -t : t;
+    return glm::normalize(from * (1.0F - t) + to * sign);
+}
+
 Pose interpolate(const Pose& from, const Pose& to, float t) noexcept {
     Pose result;
     for (std::size_t i = 0; i < from.local_rotations.size(); ++i) {
-        const glm::quat& a = from.local_rotations[i];
-        const glm::quat& b = to.local_rotations[i];
-        const float sign = glm::dot(a, b) < 0.0F ? -t : t;
-        result.local_rotations[i] = glm::normalize(a * (1.0F - t) + b * sign);
+        result.local_rotations[i] = interpolate(from.local_rotations[i], to.local_rotations[i], t);
     }
     result.hips_position = from.hips_position * (1.0F - t) + to.hips_position * t;
     result.foot_contact = t < 0.5F ? from.foot_contact : to.foot_contact;

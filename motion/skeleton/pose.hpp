@@ -39,6 +39,10 @@ struct Pose {
 };
 static_assert(std::is_trivially_copyable_v<Pose>);
 
+/// Between two rotations along the shorter arc (normalized linear), `t` in [0, 1].
+/// Threads: any. Real-time: yes.
+[[nodiscard]] glm::quat interpolate(const glm::quat& from, const glm::quat& to, float t) noexcept;
+
 /// Between two poses: rotations along the shorter arc (normalized linear), position linear,
 /// contacts those of the nearer pose. `t` in [0, 1].
 /// Threads: any. Real-time: yes.

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/cli/commands.hpp"
+#include "motion/figures/training_plan.hpp"
+
+namespace raks::cli {
+
+/// What both training commands ask of these clips; the rest of the plan is theirs.
+[[nodiscard]] motion::FigureTrainingPlan plan_of(const LabelledClips& clips);
+
+}  // namespace raks::cli
