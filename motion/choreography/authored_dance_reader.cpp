@@ -1,0 +1,532 @@
+#include <array>
+
+#include "base/file.hpp"
+#include "motion/choreography/authored_dance.hpp"
+#include "motion/choreography/figure_check.hpp"
+#include "motion/choreography/toml_headers.hpp"
+#include "motion/choreography/toml_reader.hpp"
+
+namespace raks::motion {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
+constexpr NumberRange kAny{-1000.0, 1000.0};  // what a control allows is checked with its tracks
+constexpr std::size_t kMostFigures = 200;
+constexpr std::size_t kMostSteps = 512;
+constexpr std::size_t kMostKeys = 1024;
+
+struct StyleKey {
+    std::string_view name;
+    double DanceStyle::*field;
+    NumberRange range;
+};
+constexpr std::array<StyleKey, 24> kStyleKeys = {{
+    {"stance", &DanceStyle::stance, {0, 80}},
+    {"toe_out", &DanceStyle::toe_out, {-30, 60}},
+    {"knee", &DanceStyle::knee, {0, 100}},
+    {"air", &DanceStyle::air, {0.05, 4}},
+    {"weight_time", &DanceStyle::weight_time, {0.05, 4}},
+    {"over", &DanceStyle::over, {0, 1}},
+    {"sway", &DanceStyle::sway, {-15, 15}},
+    {"step_yaw", &DanceStyle::step_yaw, {-90, 90}},
+    {"iso", &DanceStyle::iso, {0, 1}},
+    {"head_follow", &DanceStyle::head_follow, {0, 1}},
+    {"lag_chest", &DanceStyle::lag_chest, {0, 1}},
+    {"lag_head", &DanceStyle::lag_head, {0, 1}},
+    {"lag_arm", &DanceStyle::lag_arm, {0, 1}},
+    {"lag_elbow", &DanceStyle::lag_elbow, {0, 1}},
+    {"lag_hand", &DanceStyle::lag_hand, {0, 1}},
+    {"drag", &DanceStyle::drag, {0, 1}},
+    {"breath", &DanceStyle::breath, {0, 5}},
+    {"vary", &DanceStyle::vary, {0, 1}},
+    {"vary_cm", &DanceStyle::vary_cm, {0, 10}},
+    {"vary_deg", &DanceStyle::vary_deg, {0, 15}},
+    {"jitter", &DanceStyle::jitter, {0, 0.2}},
+    {"asym", &DanceStyle::asym, {-0.5, 0.5}},
+    {"balance", &DanceStyle::balance, {0, 1}},
+    {"tempo_scale", &DanceStyle::tempo_scale, {0, 2}},
+}};
+
+/// Tracks as written under [body] or a figure's body, before they are checked against a figure.
+struct WrittenBody {
+    struct Entry {
+        std::string name;
+        std::vector<Track> tracks;
+        std::size_t line = 0;
+    };
+    std::vector<Entry> entries;
+
+    [[nodiscard]] const Entry* find(std::string_view name) const noexcept {
+        const auto found = std::find_if(
+            entries.begin(), entries.end(), [&](const Entry& one) { return one.name == name; });
+        return found != entries.end() ? &*found : nullptr;
+    }
+};
+
+class DanceReader {
+ public:
+    explicit DanceReader(const std::string& file) : complaints_(file) { dance_.file = file; }
+
+    Expected<AuthoredDance> read(const toml::table& root) {
+        read_head(root);
+        read_defaults(root);
+        read_figures(root);
+        if (!complaints_.is_sound()) {
+            return fail(complaints_.fault());
+        }
+        return std::move(dance_);
+    }
+
+ private:
+    void read_head(const toml::table& root) {
+        if (root["format"].value<std::string>() != std::string(AuthoredDance::kFormat)) {
+            complaints_.complain(fmt::format("format must be \"{}\"", AuthoredDance::kFormat));
+            return;
+        }
+        const auto version = root["version"].value<std::int64_t>();
+        if (!version || *version < 1 || *version > AuthoredDance::kVersion) {
+            complaints_.complain(
+                fmt::format("version must be a number up to {}; is Raks older than the file?",
+                            AuthoredDance::kVersion));
+            return;
+        }
+        complaints_.check_keys(root,
+                               Names{"format",
+                                     "version",
+                                     "dance",
+                                     "tempo",
+                                     "beats_per_bar",
+                                     "licence",
+                                     "style",
+                                     "body",
+                                     "expect",
+                                     "figure"});
+        dance_.dance = complaints_.text(root, "dance");
+        dance_.licence = complaints_.text(root, "licence");
+        if (dance_.dance.empty()) {
+            complaints_.complain("needs dance = \"...\"");
+        }
+        double beats_per_bar = dance_.beats_per_bar;
+        complaints_.read(root, "beats_per_bar", {1, 12}, beats_per_bar);
+        dance_.beats_per_bar = whole(root, "beats_per_bar", beats_per_bar);
+        read_tempo(root);
+    }
+
+    void read_tempo(const toml::table& root) {
+        const toml::node* const node = root.get("tempo");
+        if (node == nullptr) {
+            complaints_.complain("needs tempo = [slowest, written, fastest]");
+            return;
+        }
+        const auto tempo = complaints_.numbers<3>(
+            *node, "tempo", {30, 300}, "three numbers, [slowest, written, fastest]");
+        if (!(tempo[0] <= tempo[1] && tempo[1] <= tempo[2])) {
+            complaints_.complain(*node, "tempo must rise: [slowest, written, fastest]");
+            return;
+        }
+        dance_.slowest = Bpm(tempo[0]);
+        dance_.written = Bpm(tempo[1]);
+        dance_.fastest = Bpm(tempo[2]);
+    }
+
+    int whole(const toml::table& table, std::string_view key, double value) {
+        if (value != std::floor(value)) {
+            complaints_.complain(*table.get(key),
+                                 fmt::format("{} is {}, must be a whole number", key, value));
+            return 1;
+        }
+        return static_cast<int>(value);
+    }
+
+    void read_defaults(const toml::table& root) {
+        if (const toml::table* const style = table_at(root, "style")) {
+            read_style(*style, style_);
+        }
+        if (const toml::table* const body = table_at(root, "body")) {
+            read_body(*body, "", body_);
+        }
+        if (const toml::table* const expectation = table_at(root, "expect")) {
+            read_expectation(*expectation, expectation_);
+        }
+    }
+
+    const toml::table* table_at(const toml::table& table, std::string_view key) {
+        const toml::node* const node = table.get(key);
+        if (node != nullptr && !node->is_table()) {
+            complaints_.complain(*node, fmt::format("{} must be a table", key));
+        }
+        return node != nullptr ? node->as_table() : nullptr;
+    }
+
+    void read_style(const toml::table& table, DanceStyle& style) {
+        Names known;
+        for (const StyleKey& key : kStyleKeys) {
+            known.push_back(key.name);
+        }
+        complaints_.check_keys(table, known);
+        for (const StyleKey& key : kStyleKeys) {
+            complaints_.read(table, key.name, key.range, style.*key.field);
+        }
+    }
+
+    void read_expectation(const toml::table& table, FigureExpectation& expectation) {
+        complaints_.check_keys(table, Names{"hip_travel", "toe_contacts", "hand_delay", "jerk"});
+        const auto range = [&](std::string_view key, std::optional<ValueRange>& target) {
+            const toml::node* const node = table.get(key);
+            if (node == nullptr) {
+                return;
+            }
+            const auto ends = complaints_.numbers<2>(*node, key, kAny, "[least, greatest]");
+            if (ends[0] > ends[1]) {
+                complaints_.complain(*node, fmt::format("{} must rise: [least, greatest]", key));
+            }
+            target = ValueRange{ends[0], ends[1]};
+        };
+        range("hip_travel", expectation.hip_travel);
+        range("toe_contacts", expectation.toe_contacts);
+        range("hand_delay", expectation.hand_delay);
+        if (const toml::node* const node = table.get("jerk")) {
+            const auto bound =
+                complaints_.numbers<2>(*node, "jerk", {1, 1e5}, "[rms, p99.9], m/s^3");
+            expectation.jerk = JerkBound{bound[0], bound[1]};
+        }
+    }
+
+    void read_body(const toml::table& table, const std::string& path, WrittenBody& body) {
+        for (const auto& [key, node] : table) {
+            const std::string name =
+                path.empty() ? std::string(key.str()) : path + "." + std::string(key.str());
+            if (controls_named(name).count > 0) {
+                body.entries.push_back({name, read_tracks(node, name), node.source().begin.line});
+            } else if (is_prefix(name) && node.is_table()) {
+                read_body(*node.as_table(), name, body);
+            } else {
+                complaints_.complain(
+                    first_value(node, name).first,
+                    unknown_name("control", first_value(node, name).second, control_names()));
+            }
+        }
+    }
+
+    /// Down a chain of dotted names to what is written there.
+    static std::pair<const toml::node&, std::string> first_value(const toml::node& node,
+                                                                 const std::string& name) {
+        const toml::table* const table = node.as_table();
+        constexpr std::size_t kLongest = 100;
+        if (table == nullptr || table->size() != 1 || table->is_inline() ||
+            name.size() > kLongest) {
+            return {node, name};
+        }
+        const auto entry = table->begin();
+        return first_value(entry->second, name + "." + std::string(entry->first.str()));
+    }
+
+    static bool is_prefix(const std::string& name) {
+        const std::string start = name + ".";
+        const auto names = control_names();
+        return std::any_of(names.begin(), names.end(), [&](std::string_view one) {
+            return one.substr(0, start.size()) == start;
+        });
+    }
+
+    std::vector<Track> read_tracks(const toml::node& node, const std::string& name) {
+        std::vector<Track> tracks;
+        if (const toml::array* const array = node.as_array()) {
+            constexpr std::size_t kMostTracks = 8;
+            if (array->empty() || array->size() > kMostTracks) {
+                complaints_.complain(node,
+                                     fmt::format("{} needs 1 to {} tracks", name, kMostTracks));
+                return tracks;
+            }
+            for (const toml::node& one : *array) {
+                tracks.push_back(read_track(one, name));
+            }
+        } else {
+            tracks.push_back(read_track(node, name));
+        }
+        return tracks;
+    }
+
+    Track read_track(const toml::node& node, const std::string& name) {
+        Track track;
+        const toml::table* const table = node.as_table();
+        if (table == nullptr) {
+            track.rest = complaints_.number(node, name, kAny);
+            return track;
+        }
+        const bool has_keys = table->contains("keys");
+        const Names known = has_keys
+                                ? Names{"keys", "snap", "over", "lag", "vary"}
+                                : Names{"wave", "every", "peak", "rest", "skew", "lag", "vary"};
+        complaints_.check_keys(*table, known);
+        if (has_keys) {
+            read_keys(*table->get("keys"), name, track);
+        } else if (!table->contains("wave") || !table->contains("every")) {
+            complaints_.complain(node, name + " needs keys = [...], or wave and every");
+        }
+        complaints_.read(*table, "snap", {0, 0.9}, track.snap);
+        complaints_.read(*table, "over", {0, 0.5}, track.over);
+        complaints_.read(*table, "wave", kAny, track.wave);
+        complaints_.read(*table, "every", {0.125, 64}, track.every);
+        complaints_.read(*table, "peak", {-64, 64}, track.peak);
+        complaints_.read(*table, "rest", kAny, track.rest);
+        complaints_.read(*table, "skew", {-0.9, 0.9}, track.skew);
+        complaints_.read(*table, "lag", {-1, 1}, track.lag);
+        complaints_.read(*table, "vary", {0, 10}, track.vary);
+        return track;
+    }
+
+    void read_keys(const toml::node& node, const std::string& name, Track& track) {
+        const toml::array* const array = node.as_array();
+        if (array == nullptr || array->empty() || array->size() > kMostKeys) {
+            complaints_.complain(node,
+                                 fmt::format("keys of {} must be [[beat, value], ...]", name));
+            return;
+        }
+        for (const toml::node& one : *array) {
+            const auto key = complaints_.numbers<2>(one, "a key of " + name, kAny, "[beat, value]");
+            if (!track.keys.empty() && !(key[0] > track.keys.back().beat)) {
+                complaints_.complain(one,
+                                     fmt::format("beat {}: keys of {} must rise, the one before is "
+                                                 "at beat {}",
+                                                 key[0],
+                                                 name,
+                                                 track.keys.back().beat));
+            }
+            track.keys.push_back({key[0], key[1]});
+        }
+    }
+
+    void read_figures(const toml::table& root) {
+        const toml::node* const node = root.get("figure");
+        const toml::array* const figures = node != nullptr ? node->as_array() : nullptr;
+        if (figures == nullptr || figures->empty() || figures->size() > kMostFigures) {
+            complaints_.complain(
+                fmt::format("needs 1 to {} figures, each under [[figure]]", kMostFigures));
+            return;
+        }
+        for (const toml::node& one : *figures) {
+            complaints_.enter("");
+            const toml::table* const table = one.as_table();
+            if (table == nullptr) {
+                complaints_.complain(one, "a figure must be a [[figure]] table");
+                return;
+            }
+            read_figure(*table);
+            if (!complaints_.is_sound()) {
+                return;
+            }
+        }
+    }
+
+    void read_figure(const toml::table& table) {
+        AuthoredFigure figure;
+        figure.name = complaints_.text(table, "name");
+        const toml::node* const name = table.get("name");
+        figure.line = name != nullptr ? name->source().begin.line : table.source().begin.line;
+        if (figure.name.empty() || figure.name.size() > 60 || !is_plain(figure.name)) {
+            complaints_.complain(figure.line,
+                                 "a figure needs a name of a-z, 0-9 and _, at most 60 letters");
+            return;
+        }
+        if (const AuthoredFigure* const other = dance_.figure(figure.name)) {
+            complaints_.complain(
+                figure.line,
+                fmt::format(
+                    "figure \"{}\" is there twice, first in line {}", figure.name, other->line));
+            return;
+        }
+        complaints_.enter(fmt::format("figure \"{}\"", figure.name));
+        complaints_.check_keys(
+            table,
+            Names{"name", "beats", "mirror", "travel", "turn", "style", "steps", "body", "expect"});
+        read_frame(table, figure);
+        figure.style = style_;
+        figure.expectation = expectation_;
+        if (const toml::table* const style = table_at(table, "style")) {
+            read_style(*style, figure.style);
+        }
+        if (const toml::table* const expectation = table_at(table, "expect")) {
+            read_expectation(*expectation, figure.expectation);
+        }
+        read_steps(table, figure);
+        WrittenBody own;
+        if (const toml::table* const body = table_at(table, "body")) {
+            read_body(*body, "", own);
+        }
+        resolve_body(own, figure);
+        if (complaints_.is_sound()) {
+            if (const auto fault = first_fault(figure)) {
+                complaints_.complain(fault->line, fault->message);
+            }
+        }
+        dance_.figures.push_back(std::move(figure));
+    }
+
+    static bool is_plain(const std::string& name) {
+        return std::all_of(name.begin(), name.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+        });
+    }
+
+    void read_frame(const toml::table& table, AuthoredFigure& figure) {
+        double beats = figure.beats;
+        if (!table.contains("beats")) {
+            complaints_.complain(figure.line, "needs beats = ...");
+        }
+        complaints_.read(table, "beats", {1, 64}, beats);
+        figure.beats = whole(table, "beats", beats);
+        if (const toml::node* const node = table.get("mirror")) {
+            if (!node->is_boolean()) {
+                complaints_.complain(*node, "mirror must be true or false");
+            }
+            figure.is_mirrored = node->value_or(false);
+        }
+        if (const toml::node* const node = table.get("travel")) {
+            const auto place =
+                complaints_.numbers<2>(*node, "travel", {-300, 300}, "[left, forward] in cm");
+            figure.travel = {place[0], place[1]};
+        }
+        complaints_.read(table, "turn", {-720, 720}, figure.turn);
+    }
+
+    void read_steps(const toml::table& table, AuthoredFigure& figure) {
+        const toml::node* const node = table.get("steps");
+        if (node == nullptr) {
+            return;
+        }
+        const toml::array* const array = node->as_array();
+        if (array == nullptr || array->size() > kMostSteps) {
+            complaints_.complain(
+                *node, fmt::format("steps must be a list of at most {} steps", kMostSteps));
+            return;
+        }
+        for (const toml::node& one : *array) {
+            const toml::table* const step = one.as_table();
+            if (step == nullptr) {
+                complaints_.complain(one, "a step must be { foot = ..., at = ..., ... }");
+                return;
+            }
+            figure.steps.push_back(read_step(*step, figure));
+        }
+        std::stable_sort(figure.steps.begin(),
+                         figure.steps.end(),
+                         [](const FootStep& a, const FootStep& b) { return a.at < b.at; });
+    }
+
+    FootStep read_step(const toml::table& table, const AuthoredFigure& figure) {
+        complaints_.check_keys(
+            table, Names{"foot", "at", "to", "air", "lift", "on", "turn", "weight", "land"});
+        FootStep step;
+        step.line = table.source().begin.line;
+        const std::string foot = complaints_.text(table, "foot");
+        if (foot != "l" && foot != "r") {
+            complaints_.complain(table, "a step needs foot = \"l\" or \"r\"");
+        }
+        step.foot = foot == "r" ? Side::right : Side::left;
+        if (!table.contains("at")) {
+            complaints_.complain(table, "a step needs at = BEAT, when it lands");
+        }
+        complaints_.read(table, "at", {-1, static_cast<double>(figure.beats)}, step.at);
+        if (const toml::node* const node = table.get("to")) {
+            const auto to = complaints_.numbers<2>(*node, "to", {-200, 200}, "[left, forward] cm");
+            step.to = glm::dvec2(to[0], to[1]);
+        }
+        step.air = figure.style.air;
+        complaints_.read(table, "air", {0.05, 4}, step.air);
+        complaints_.read(table, "lift", {0, 80}, step.lift);
+        complaints_.read(table, "turn", {-400, 400}, step.turn);
+        complaints_.read(table, "land", {-0.5, 0.5}, step.land);
+        read_weight(table, step);
+        read_landing(table, step);
+        return step;
+    }
+
+    void read_weight(const toml::table& table, FootStep& step) {
+        constexpr double kNoChange = -1.0;
+        double weight = 1.0;
+        complaints_.read(table, "weight", {kNoChange, 1}, weight);
+        if (weight < 0.0 && weight != kNoChange) {
+            complaints_.complain(
+                *table.get("weight"),
+                fmt::format("weight is {}, must be 0 to 1, or -1 for no change", weight));
+        }
+        step.weight = weight == kNoChange ? std::nullopt : std::optional<double>(weight);
+    }
+
+    void read_landing(const toml::table& table, FootStep& step) {
+        static constexpr std::array<std::string_view, 5> kLandings = {
+            "ball", "flat", "heel", "touch", "heeltouch"};
+        const std::string on = complaints_.text(table, "on");
+        if (on.empty()) {
+            return;
+        }
+        const auto found = std::find(kLandings.begin(), kLandings.end(), on);
+        if (found == kLandings.end()) {
+            complaints_.complain(*table.get("on"), unknown_name("part of the foot", on, kLandings));
+            return;
+        }
+        step.on = static_cast<Landing>(found - kLandings.begin());
+    }
+
+    /// Figure before file, then one side before both.
+    void resolve_body(const WrittenBody& own, AuthoredFigure& figure) {
+        for (std::size_t i = 0; i < kControlCount; ++i) {
+            const ControlInfo& info = info_of(static_cast<Control>(i));
+            const WrittenBody::Entry* entry = own.find(info.name);
+            entry = entry != nullptr ? entry : own.find(info.both_name);
+            entry = entry != nullptr ? entry : body_.find(info.name);
+            entry = entry != nullptr ? entry : body_.find(info.both_name);
+            if (entry != nullptr) {
+                figure.body[i] = entry->tracks;
+                continue;
+            }
+            Track still;
+            still.rest = info.group == ControlGroup::knee ? figure.style.knee : info.rest;
+            figure.body[i] = {still};
+        }
+    }
+
+    TomlComplaints complaints_;
+    AuthoredDance dance_;
+    DanceStyle style_;
+    WrittenBody body_;
+    FigureExpectation expectation_;
+};
+
+Expected<AuthoredDance> parse(std::string_view text, const std::string& name) {
+    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
+        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
+    }
+    try {
+        const toml::table root = toml::parse(text);
+        return DanceReader(name).read(root);
+    } catch (const toml::parse_error& error) {
+        return fail(
+            fmt::format("{}: line {}: {}", name, error.source().begin.line, error.description()));
+    }
+}
+
+}  // namespace
+
+Expected<AuthoredDance> parse_authored_dance(std::string_view text, const std::string& name) {
+    auto dance = parse(text, name);
+    if (!dance) {  // names in quotes may hold anything
+        std::string& message = dance.error().message;
+        std::replace_if(
+            message.begin(), message.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
+    }
+    return dance;
+}
+
+Expected<AuthoredDance> load_authored_dance(const std::filesystem::path& path) {
+    auto text = read_file(path, kMaxBytes);
+    if (!text) {
+        return fail(std::move(text.error()));
+    }
+    return parse_authored_dance(*text, path.string());
+}
+
+}  // namespace raks::motion

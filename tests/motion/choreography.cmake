@@ -1,0 +1,3 @@
+raks_test_program(choreography
+    SOURCES choreography/authored_dance_test.cpp
+    LIBRARIES raks::motion_choreography fmt::fmt)
