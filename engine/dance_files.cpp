@@ -14,26 +14,102 @@
 namespace raks::engine {
 namespace {
 
-// models/trained/DANCE.toml is the grammar, models/trained/DANCE_FIGURE_ROLE.json the figures.
-constexpr std::array<std::string_view, 1> kDances = {"salsa"};
+using motion::DanceRole;
+using motion::Repertoire;
 
 constexpr std::string_view kAuto = "auto";
+constexpr std::string_view kKeep = "keep";
+constexpr std::string_view kStand = "stand";
 
-}  // namespace
+// models/trained/DANCE.toml is the grammar, models/trained/DANCE_FIGURE_ROLE.json the figures.
+std::filesystem::path grammar_file(std::string_view dance) {
+    return std::filesystem::path("models") / "trained" / fmt::format("{}.toml", dance);
+}
 
-std::vector<std::string> known_dances() { return {kDances.begin(), kDances.end()}; }
+Genre genre_of(const std::string& dance) {
+    const auto at = std::find(kGenreNames.begin(), kGenreNames.end(), dance);
+    return static_cast<Genre>(at - kGenreNames.begin());
+}
 
-Expected<void> check_dance(const std::string& dance) {
-    std::vector<std::string_view> known = {kAuto};
-    known.insert(known.end(), kDances.begin(), kDances.end());
-    if (std::find(known.begin(), known.end(), dance) == known.end()) {
-        return fail(unknown_name("dance", dance, known));
+Expected<void> check_name(const std::string& dance, std::vector<std::string_view> others) {
+    const std::vector<std::string> known = known_dances();
+    others.insert(others.end(), known.begin(), known.end());
+    if (std::find(others.begin(), others.end(), dance) == others.end()) {
+        return fail(unknown_name("dance", dance, others));
     }
     return {};
 }
 
+Repertoire::Otherwise otherwise_of(const Settings& settings) {
+    return settings.fallback_dance == kKeep    ? Repertoire::Otherwise::keep
+           : settings.fallback_dance == kStand ? Repertoire::Otherwise::stand
+                                               : Repertoire::Otherwise::first;
+}
+
+/// The repertoires of a formation: the lead's and, for couples, the follow's.
+struct Parts {
+    std::shared_ptr<Repertoire> lead;
+    std::shared_ptr<Repertoire> follow;
+
+    /// Nothing is added where a part is missing.
+    Expected<void> add(const std::string& dance) const {
+        auto lead_dance = load_dance(dance);
+        if (!lead_dance) {
+            return fail(std::move(lead_dance.error()));
+        }
+        if (follow) {
+            auto follow_dance = load_dance(dance, DanceRole::follow);
+            if (!follow_dance) {
+                return fail(std::move(follow_dance.error()));
+            }
+            follow->add(genre_of(dance), std::move(*follow_dance));
+        }
+        lead->add(genre_of(dance), std::move(*lead_dance));
+        return {};
+    }
+};
+
+Expected<std::shared_ptr<Repertoire>> first_of(const Settings& settings, DanceRole role) {
+    const std::string dance = dance_to_load(settings);
+    auto library = load_dance(dance, role);
+    if (!library) {
+        return fail(std::move(library.error()));
+    }
+    return std::make_shared<Repertoire>(
+        genre_of(dance), std::move(*library), otherwise_of(settings));
+}
+
+/// Whether a dance has figures for couples.
+bool is_for_couples(const std::string& dance) {
+    const auto grammar_path = data_path(grammar_file(dance));
+    const auto grammar = grammar_path ? motion::load_grammar(*grammar_path) : fail("");
+    return grammar && grammar->place_of(DanceRole::follow) != nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> known_dances() {
+    std::vector<std::string> known;
+    for (const std::string_view name : kGenreNames) {
+        if (data_path(grammar_file(name))) {
+            known.emplace_back(name);
+        }
+    }
+    return known;
+}
+
+Expected<void> check_dance(const std::string& dance) { return check_name(dance, {kAuto}); }
+
+Expected<void> check_fallback_dance(const std::string& dance) {
+    return check_name(dance, {kKeep, kStand});
+}
+
 std::string dance_to_load(const Settings& settings) {
-    return settings.dance == kAuto ? settings.fallback_dance : settings.dance;
+    if (settings.dance != kAuto) {
+        return settings.dance;
+    }
+    const bool is_dance = otherwise_of(settings) == Repertoire::Otherwise::first;
+    return is_dance ? settings.fallback_dance : known_dances().front();
 }
 
 Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::string& dance,
@@ -41,8 +117,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
     if (auto checked = check_dance(dance); !checked) {
         return fail(checked.error());
     }
-    const std::filesystem::path folder = std::filesystem::path("models") / "trained";
-    const auto grammar_path = data_path(folder / fmt::format("{}.toml", dance));
+    const auto grammar_path = data_path(grammar_file(dance));
     if (!grammar_path) {
         return fail(grammar_path.error());
     }
@@ -53,8 +128,8 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
     const std::string_view role_name = motion::kRoleNames[static_cast<std::size_t>(role)];
     std::vector<motion::FigureModel> figures;
     for (const motion::FigureGrammar::Rule& rule : grammar->rules) {
-        const auto path =
-            data_path(folder / fmt::format("{}_{}_{}.json", dance, rule.figure, role_name));
+        const auto path = data_path(grammar_file(dance).parent_path() /
+                                    fmt::format("{}_{}_{}.json", dance, rule.figure, role_name));
         if (!path) {
             return fail(path.error());
         }
@@ -67,27 +142,46 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
     return motion::DanceLibrary::build(figures, motion::mannequin_skeleton(), &*grammar);
 }
 
-Expected<std::vector<motion::EnsembleMember>> load_dancers(const Settings& settings) {
+Expected<Dancers> Dancers::load(const Settings& settings) {
     const auto name = std::find(
         motion::kFormationNames.begin(), motion::kFormationNames.end(), settings.formation);
     if (name == motion::kFormationNames.end()) {
         return fail(unknown_name("formation", settings.formation, motion::kFormationNames));
     }
     const auto formation = static_cast<motion::Formation>(name - motion::kFormationNames.begin());
-    const std::string dance = dance_to_load(settings);
-    auto lead = load_dance(dance);
-    if (!lead) {
-        return fail(std::move(lead.error()));
-    }
-    std::shared_ptr<const motion::DanceLibrary> follow;
-    if (formation == motion::Formation::couple) {
-        auto loaded = load_dance(dance, motion::DanceRole::follow);
-        if (!loaded) {
-            return fail(std::move(loaded.error()));
+    const bool is_couple = formation == motion::Formation::couple;
+    Parts parts;
+    for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
+        if (role == DanceRole::follow && !is_couple) {
+            continue;
         }
-        follow = std::move(*loaded);
+        auto repertoire = first_of(settings, role);
+        if (!repertoire) {
+            return fail(std::move(repertoire.error()));
+        }
+        (role == DanceRole::lead ? parts.lead : parts.follow) = std::move(*repertoire);
     }
-    return motion::members_of(formation, *lead, follow, static_cast<std::uint64_t>(settings.seed));
+    Dancers dancers;
+    dancers.members_ = motion::members_of(
+        formation, parts.lead, parts.follow, static_cast<std::uint64_t>(settings.seed));
+    std::vector<std::string> others;
+    for (const std::string& dance : known_dances()) {
+        const bool is_first = dance == dance_to_load(settings);
+        if (settings.dance == kAuto && !is_first && (!is_couple || is_for_couples(dance))) {
+            others.push_back(dance);
+        }
+    }
+    dancers.others_ = std::async(std::launch::async, [parts, others]() -> Expected<void> {
+        for (const std::string& dance : others) {
+            if (auto added = parts.add(dance); !added) {
+                return added;
+            }
+        }
+        return {};
+    });
+    return dancers;
 }
+
+Expected<void> Dancers::wait() { return others_.valid() ? others_.get() : Expected<void>{}; }
 
 }  // namespace raks::engine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,13 +12,16 @@
 
 namespace raks::engine {
 
-/// Dances whose trained figures come with Raks.
+/// Dances whose trained figures come with Raks, in the order of the genres.
 [[nodiscard]] std::vector<std::string> known_dances();
 
 /// Errors: `dance` is neither known nor "auto"; the nearest is named.
 [[nodiscard]] Expected<void> check_dance(const std::string& dance);
+/// Errors: `dance` is neither known nor "keep" nor "stand"; the nearest is named.
+[[nodiscard]] Expected<void> check_fallback_dance(const std::string& dance);
 
-/// What `dance` and `fallback_dance` come to: "auto" is the fallback until a dance is recognised.
+/// The dance that a show begins with: `dance`, where that is "auto" the fallback, and where that
+/// is no dance the first that is known.
 [[nodiscard]] std::string dance_to_load(const Settings& settings);
 
 /// Reads the trained figures of a dance from models/trained and solves them for the built-in
@@ -25,8 +29,24 @@ namespace raks::engine {
 [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
     const std::string& dance, motion::DanceRole role = motion::DanceRole::lead);
 
-/// Who dances, by the settings: dance, formation and seed. Errors: as load_dance, an unknown
-/// formation.
-[[nodiscard]] Expected<std::vector<motion::EnsembleMember>> load_dancers(const Settings& settings);
+/// Who dances, by the settings: dance, formation and seed. The dance that a show begins with is
+/// there at once; with `dance = "auto"` a thread of its own solves all others meanwhile, so that a
+/// show begins at once. Threads: one owner.
+class Dancers {
+ public:
+    /// Errors: as load_dance, an unknown formation.
+    [[nodiscard]] static Expected<Dancers> load(const Settings& settings);
+
+    [[nodiscard]] const std::vector<motion::EnsembleMember>& members() const noexcept {
+        return members_;
+    }
+    /// Waits until all dances are there: the same dance again needs that. Errors: a file of one of
+    /// them is bad; it is left out.
+    [[nodiscard]] Expected<void> wait();
+
+ private:
+    std::vector<motion::EnsembleMember> members_;
+    std::future<Expected<void>> others_;
+};
 
 }  // namespace raks::engine

@@ -47,7 +47,9 @@ Expected<OfflineDriver> OfflineDriver::create(
     SampleRate rate,
     const std::shared_ptr<const motion::DanceLibrary>& library,
     std::uint64_t seed) {
-    return create(rate, motion::members_of(motion::Formation::solo, library, nullptr, seed));
+    return create(rate,
+                  motion::members_of(
+                      motion::Formation::solo, motion::Repertoire::of_one(library), nullptr, seed));
 }
 
 OfflineDriver::OfflineDriver(SampleRate rate,

@@ -51,7 +51,7 @@ const std::array<Key, 16> kKeys = {{
      &Settings::fallback_dance,
      0,
      0,
-     "danced when nothing is recognised"},
+     "danced when nothing is recognised: a dance, keep (the dance that is on) or stand"},
     {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
     {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
     {"dance",

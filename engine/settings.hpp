@@ -20,7 +20,7 @@ struct Settings {
     double volume = 1.0;             ///< [0, 2]
     // [dance]
     std::string dance = "auto";            ///< a genre's name, or auto: as recognised
-    std::string fallback_dance = "salsa";  ///< danced when nothing is recognised
+    std::string fallback_dance = "salsa";  ///< when nothing is recognised; or keep, stand
     std::string formation = "solo";        ///< solo, couple, unison, canon or free
     std::int64_t seed = 1;                 ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;             ///< pictures show the pose this much ahead; [-200, 200]

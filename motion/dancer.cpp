@@ -9,19 +9,21 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/dance_content.hpp"
 #include "motion/dance/figure_sequence.hpp"
-#include "motion/dance/idle.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/leg_ik.hpp"
+#include "motion/dance/standing.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "motion/repertoire.hpp"
 
 namespace raks::motion {
 namespace {
 
 constexpr float kStartConfidence = 0.35F;
 constexpr float kStopConfidence = 0.10F;
-constexpr int kHopsToStart = 60;         // of sure music before the first step
-constexpr int kHopsToStop = 150;         // of no music before settling
-constexpr double kDownbeatWindow = 0.5;  // beats: how late after a downbeat one may still start
+constexpr int kHopsToStart = 60;            // of sure music before the first step
+constexpr int kHopsToStop = 150;            // of no music before settling
+constexpr double kDownbeatWindow = 0.5;     // beats: how late after a downbeat one may still start
+constexpr double kEarliestToSettle = 0.15;  // seconds sooner than a change of dance needs
 constexpr std::size_t kQueuedCommands = 16;
 // Seconds; with 0 the mean landing was this late, and later by this per unit of pace
 // (`raks eval dance`, paces 0.74 to 1.41).
@@ -73,15 +75,19 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
 }
 
 struct Dancer::State {
-    std::shared_ptr<const DanceLibrary> library;
+    std::shared_ptr<const Repertoire> repertoire;
     Skeleton skeleton;
     DancerPart part;
-    FloorMove stage;  // from where a figure starts
+    const DanceLibrary* dance = nullptr;  // that is danced, or was the last
+    Genre genre = Genre::unknown;         // its own
+    Genre selected = Genre::unknown;      // by command
+    FloorMove stage;                      // from where a figure starts
     int bars_to_wait = 0;
     FigureSequence sequence;
     FigureWish wish;
     MusicEnergy energy;
-    bool stands_turned = false;  // half a turn from where the first dance began
+    bool stands_turned = false;  // half a turn from where the first dance began: couples
+    Standing standing;
 
     bool is_dancing = false;
     bool is_held = false;
@@ -101,22 +107,43 @@ struct Dancer::State {
     std::array<DancerCommand, kQueuedCommands> commands{};
     std::size_t command_count = 0;
 
-    [[nodiscard]] const DanceLibrary::Content& content() const noexcept {
-        return library->content();
-    }
+    [[nodiscard]] const DanceLibrary::Content& content() const noexcept { return dance->content(); }
     void reset() noexcept;
+    void take_up(Genre other) noexcept;
+    [[nodiscard]] FloorMove place() const noexcept;
     void run_commands(StreamTime now) noexcept;
     void decide(const MusicState& music) noexcept;
+    void go_on(const MusicState& music) noexcept;
+    void start_on_downbeat(const MusicState& music) noexcept;
+    [[nodiscard]] Genre wanted(Genre heard) const noexcept;
+    [[nodiscard]] bool leaves(const MusicState& music) const noexcept;
+    void settle(StreamTime now) noexcept;
     void change(StreamTime now) noexcept;
     [[nodiscard]] Pose target(StreamTime time, Nanos ahead) const noexcept;
     [[nodiscard]] Pose smoothed(StreamTime now, Nanos ahead) const noexcept;
 };
 
-void Dancer::State::reset() noexcept {
-    sequence = FigureSequence();
+/// Another dance from its next start on.
+void Dancer::State::take_up(Genre other) noexcept {
+    genre = other;
+    dance = repertoire->of(other);
+    stage = stage_of(content(), part);
     wish = FigureWish();
+}
+
+/// Where the dancer stands while nothing is danced: alone always at the same place, towards the
+/// audience; of a couple where the dance has led.
+FloorMove Dancer::State::place() const noexcept {
+    return floor_of(content(), stage, stands_turned) * inverse(content().stage);
+}
+
+void Dancer::State::reset() noexcept {
+    selected = Genre::unknown;
+    take_up(repertoire->first());
+    sequence = FigureSequence();
     energy.reset();
     stands_turned = false;
+    standing.stand(place());
     bars_to_wait = part.bars_late;
     is_dancing = is_held = false;
     hops_sure = hops_unsure = 0;
@@ -124,7 +151,7 @@ void Dancer::State::reset() noexcept {
     pace = 1.0;
     reanchors = 0;
     smoothing.clear();
-    shown = shown_before = idle_pose(skeleton, StreamTime{});
+    shown = shown_before = standing.at(skeleton, StreamTime{});
     last_hop = -1;
     command_count = 0;
 }
@@ -150,6 +177,11 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
             case DancerCommand::Kind::lock_figure:
                 wish.is_locked = command.value != 0.0;
                 break;
+            case DancerCommand::Kind::select_dance:
+                if (command.value >= 0.0 && command.value < kGenreCount) {
+                    selected = static_cast<Genre>(command.value);
+                }
+                break;
             case DancerCommand::Kind::hold:
                 is_held = true;
                 break;
@@ -166,16 +198,18 @@ Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
     if (is_dancing) {
         return sequence.at(phase.phase_after(ahead + landing_lead(pace)));
     }
-    // Where the dance ended, turned as it ended.
-    const FloorMove from_start = floor_of(content(), stage, stands_turned);
-    const FloorMove to_start = inverse(content().stage);
-    return (from_start * to_start)(idle_pose(skeleton, time + ahead));
+    return standing.at(skeleton, time + ahead);
 }
 
 Pose Dancer::State::smoothed(StreamTime now, Nanos ahead) const noexcept {
     Pose pose = smoothing.apply(target(now, ahead), now + ahead - changed_at);
-    if (smoothing.is_active(now + ahead - changed_at)) {
+    if (!smoothing.is_active(now + ahead - changed_at)) {
+        return pose;
+    }
+    if (is_dancing) {
         lift_feet(skeleton, pose);  // hips and legs blend apart from one another
+    } else {
+        standing.plant(skeleton, now + ahead, pose);
     }
     return pose;
 }
@@ -186,6 +220,47 @@ void Dancer::State::change(StreamTime now) noexcept {
     smoothing.start(shown, shown_before, target(now, -kHop), target(now, -2 * kHop));
 }
 
+/// The dance for this music, as selected or as heard; unknown: none.
+Genre Dancer::State::wanted(Genre heard) const noexcept {
+    for (const Genre one : {selected, heard}) {
+        if (one != Genre::unknown && repertoire->of(one) != nullptr) {
+            return one;
+        }
+    }
+    switch (repertoire->otherwise()) {
+        case Repertoire::Otherwise::first:
+            return repertoire->first();
+        case Repertoire::Otherwise::keep:
+            return genre;
+        case Repertoire::Otherwise::stand:
+            break;
+    }
+    return Genre::unknown;
+}
+
+/// Whether this is the moment to leave the dance for another one, so as to stand settled on the
+/// next bar line. A bar that is shorter than settling is left at once.
+bool Dancer::State::leaves(const MusicState& music) const noexcept {
+    if (wanted(music.genre) == genre) {
+        return false;
+    }
+    const double beat = music.grid.tempo.seconds_per_beat();
+    const double bar = music.grid.beats_per_bar * beat;
+    const double left = bar - beat * music.grid.bar_position(music.grid.beats_at(music.time));
+    const double needed = to_seconds(Standing::duration(floor_frame(shown), place()));
+    return bar < needed + kEarliestToSettle ||
+           (left >= needed && left <= needed + kEarliestToSettle);
+}
+
+void Dancer::State::settle(StreamTime now) noexcept {
+    is_dancing = false;
+    was_downbeat = false;
+    bars_to_wait = part.bars_late;
+    stands_turned = part.is_in_couple && sequence.is_turned();
+    standing.settle(skeleton, shown, shown_before, floor_frame(shown), place(), now);
+    change(now);
+}
+
 /// Starts on a count 1, goes on, or settles.
 void Dancer::State::decide(const MusicState& music) noexcept {
     const bool is_sure = !music.is_silent && music.grid.confidence >= kStartConfidence;
@@ -194,38 +269,46 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     hops_unsure = is_unsure ? hops_unsure + 1 : 0;
     energy.advance(music);
     if (is_dancing) {
-        const double now = phase.rate() / content().learnt_tempo.beats_per_second();
-        pace += kPaceShare * (now - pace);
-        const bool has_reanchored = phase.advance(music.grid, content().learnt_tempo, music.time);
-        if (has_reanchored) {
-            sequence.jump(phase.phase());
-        }
-        sequence.advance(phase.phase(), energy.value(), wish);
-        if (is_held || hops_unsure > kHopsToStop) {
-            is_dancing = false;
-            bars_to_wait = part.bars_late;
-            stands_turned = sequence.is_turned();
-            change(music.time);
-        } else if (has_reanchored) {
-            ++reanchors;
-            change(music.time);
-        }
-        return;
-    }
-    if (is_held || hops_sure < kHopsToStart) {
+        go_on(music);
+    } else if (is_held || hops_sure < kHopsToStart || !standing.is_settled(music.time)) {
         was_downbeat = false;
-        return;
+    } else {
+        start_on_downbeat(music);
     }
+}
+
+void Dancer::State::go_on(const MusicState& music) noexcept {
+    const DanceMetre& metre = content().metre;
+    pace += kPaceShare * (phase.rate() / metre.learnt_tempo.beats_per_second() - pace);
+    const bool has_reanchored = phase.advance(music.grid, metre, sequence.end(), music.time);
+    if (has_reanchored) {
+        sequence.jump(phase.phase());
+    }
+    sequence.advance(phase.phase(), energy.value(), wish);
+    if (is_held || hops_unsure > kHopsToStop || leaves(music)) {
+        settle(music.time);
+    } else if (has_reanchored) {
+        ++reanchors;
+        change(music.time);
+    }
+}
+
+void Dancer::State::start_on_downbeat(const MusicState& music) noexcept {
     const Beats now = music.grid.beats_at(music.time);
     const double since_downbeat = music.grid.bar_position(now);
     const bool is_downbeat = since_downbeat < kDownbeatWindow;
+    const Genre next = wanted(music.genre);
     if (is_downbeat && !was_downbeat && bars_to_wait > 0) {
         --bars_to_wait;
-    } else if (is_downbeat && !was_downbeat) {
+    } else if (is_downbeat && !was_downbeat && next != Genre::unknown) {
+        if (next != genre) {
+            take_up(next);
+        }
+        const DanceMetre& metre = content().metre;
         is_dancing = true;
-        phase.start(music.grid, now - Beats(since_downbeat), content().learnt_tempo, music.time);
+        phase.start(music.grid, now - Beats(since_downbeat), metre, music.time);
         sequence.start(content(), stage, part, stands_turned);
-        pace = phase.rate() / content().learnt_tempo.beats_per_second();
+        pace = phase.rate() / metre.learnt_tempo.beats_per_second();
         change(music.time);
     }
     was_downbeat = is_downbeat;
@@ -236,17 +319,16 @@ Dancer::~Dancer() = default;
 Dancer::Dancer(Dancer&&) noexcept = default;
 Dancer& Dancer::operator=(Dancer&&) noexcept = default;
 
-Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
+Expected<void> Dancer::prepare(std::shared_ptr<const Repertoire> repertoire,
                                const Skeleton& skeleton,
                                const DancerPart& part) {
-    if (!library) {
-        return fail("the dancer has no dance: a library is missing");
+    if (!repertoire) {
+        return fail("the dancer has no dance: a repertoire is missing");
     }
     state_ = std::make_unique<State>();
-    state_->library = std::move(library);
+    state_->repertoire = std::move(repertoire);
     state_->skeleton = skeleton;
     state_->part = part;
-    state_->stage = stage_of(state_->content(), part);
     state_->reset();
     return {};
 }
@@ -254,15 +336,18 @@ Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
 Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
                                const Skeleton& skeleton,
                                std::uint64_t seed) {
+    if (!library) {
+        return fail("the dancer has no dance: a library is missing");
+    }
     DancerPart part;
     part.seed = part.ways = seed;
-    return prepare(std::move(library), skeleton, part);
+    return prepare(Repertoire::of_one(std::move(library)), skeleton, part);
 }
 
 void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NONBLOCKING {
     const FlushToZeroScope flush_to_zero;
     State& state = *state_;
-    if (!state.library) {
+    if (state.dance == nullptr) {
         return;
     }
     if (state.last_hop >= 0 && music.hop != state.last_hop + 1) {
@@ -287,7 +372,7 @@ void Dancer::command(const DancerCommand& command) noexcept RAKS_NONBLOCKING {
 }
 
 void Dancer::reset() noexcept RAKS_NONBLOCKING {
-    if (state_->library) {
+    if (state_->dance != nullptr) {
         state_->reset();
     }
 }
@@ -295,7 +380,7 @@ void Dancer::reset() noexcept RAKS_NONBLOCKING {
 DancerStatus Dancer::status() const noexcept {
     DancerStatus status;
     const State& state = *state_;
-    if (!state.library || !state.is_dancing) {
+    if (state.dance == nullptr || !state.is_dancing) {
         status.reanchors = state.reanchors;
         return status;
     }
@@ -303,6 +388,7 @@ DancerStatus Dancer::status() const noexcept {
     const std::size_t length = std::min(figure.name.size(), status.figure.size() - 1);
     std::memcpy(status.figure.data(), figure.name.data(), length);
     status.is_dancing = true;
+    status.dance = state.genre;
     status.number = static_cast<std::uint32_t>(state.sequence.number());
     status.phase = std::clamp(state.sequence.beat(state.phase.phase()), 0.0, figure.beats - 1e-9);
     status.count = static_cast<int>(status.phase) + 1;

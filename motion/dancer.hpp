@@ -21,6 +21,7 @@ namespace raks::motion {
 
 struct FigureGrammar;
 struct FigureModel;
+class Repertoire;
 
 /// All figures of a dance, solved into trajectories for one skeleton. Immutable: may be shared by
 /// any number of dancers and threads.
@@ -54,6 +55,7 @@ struct DancerCommand {
         next_figure,    ///< go on to another figure at the end of this one
         select_figure,  ///< figure number `value` at the end of this one
         lock_figure,    ///< `value` 1: this figure again and again; 0: as the grammar says
+        select_dance,   ///< of genre number `value`; of Genre::unknown: as the music is
         hold,           ///< settle and stand, whatever the music does
         release,        ///< dance again from the next count 1
     };
@@ -67,12 +69,13 @@ static_assert(std::is_trivially_copyable_v<DancerCommand>);
 struct DancerStatus {
     std::array<char, 32> figure{};  ///< name, zero-terminated; empty while standing
     bool is_dancing = false;
-    std::uint32_t number = 0;     ///< of the figures begun since reset()
-    int count = 0;                ///< 1..8 of the figure; 0 while standing
-    double phase = 0.0;           ///< beats of the figure danced, [0, length)
-    double octave = 1.0;          ///< dance beats per music beat: 0.5, 1 or 2
-    double rate = 0.0;            ///< dance beats per second now
-    std::uint32_t reanchors = 0;  ///< how often the phase was set anew since reset()
+    Genre dance = Genre::unknown;  ///< that is danced; unknown while standing
+    std::uint32_t number = 0;      ///< of the figures begun since reset()
+    int count = 0;                 ///< from 1, of the figure; 0 while standing
+    double phase = 0.0;            ///< beats of the figure danced, [0, length)
+    double octave = 1.0;           ///< dance beats per music beat: 0.5, 1 or 2
+    double rate = 0.0;             ///< dance beats per second now
+    std::uint32_t reanchors = 0;   ///< how often the phase was set anew since reset()
 };
 static_assert(std::is_trivially_copyable_v<DancerStatus>);
 
@@ -82,7 +85,7 @@ static_assert(std::is_trivially_copyable_v<DancerStatus>);
 ///     dancer.prepare(library, mannequin_skeleton(), seed);   // once, checks
 ///     dancer.advance(state, track);                          // every hop, in order
 ///
-/// What it appends depends on library, skeleton, seed, states and commands alone, bit for bit.
+/// What it appends depends on repertoire, skeleton, seed, states and commands alone, bit for bit.
 /// Threads: one owner; prepare elsewhere before. A moved-from dancer must be prepared again.
 class Dancer {
  public:
@@ -91,11 +94,13 @@ class Dancer {
     Dancer(Dancer&&) noexcept;
     Dancer& operator=(Dancer&&) noexcept;
 
-    /// Stands ready at the stage's centre. Errors: no library. Real-time: no (allocates).
-    [[nodiscard]] Expected<void> prepare(std::shared_ptr<const DanceLibrary> library,
+    /// Stands ready at the stage's centre. Dances what the music is: goes over at a bar line, from
+    /// a settled pose. Errors: no repertoire. Real-time: no (allocates).
+    [[nodiscard]] Expected<void> prepare(std::shared_ptr<const Repertoire> repertoire,
                                          const Skeleton& skeleton,
                                          const DancerPart& part);
-    /// Alone: figures and ways from one seed.
+    /// Alone, one dance (salsa, by name) to any music; figures and ways from one seed.
+    /// Errors: no library.
     [[nodiscard]] Expected<void> prepare(std::shared_ptr<const DanceLibrary> library,
                                          const Skeleton& skeleton,
                                          std::uint64_t seed);

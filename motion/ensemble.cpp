@@ -26,7 +26,7 @@ Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members,
     }
     std::vector<Dancer> dancers(members.size());
     for (std::size_t i = 0; i < members.size(); ++i) {
-        if (auto ok = dancers[i].prepare(members[i].library, skeleton, members[i].part); !ok) {
+        if (auto ok = dancers[i].prepare(members[i].repertoire, skeleton, members[i].part); !ok) {
             return ok;
         }
     }
@@ -70,8 +70,8 @@ DancerStatus Ensemble::status() const noexcept {
 }
 
 std::vector<EnsembleMember> members_of(Formation formation,
-                                       const std::shared_ptr<const DanceLibrary>& lead,
-                                       const std::shared_ptr<const DanceLibrary>& follow,
+                                       const std::shared_ptr<const Repertoire>& lead,
+                                       const std::shared_ptr<const Repertoire>& follow,
                                        std::uint64_t seed) {
     DancerPart part;
     part.seed = part.ways = seed;
@@ -81,9 +81,9 @@ std::vector<EnsembleMember> members_of(Formation formation,
     std::vector<EnsembleMember> members;
     if (formation == Formation::couple) {
         part.is_in_couple = true;
-        for (const auto& library : {lead, follow}) {
+        for (const auto& repertoire : {lead, follow}) {
             part.ways = ways_of(seed, members.size());
-            members.push_back({library, part});
+            members.push_back({repertoire, part});
         }
         return members;
     }

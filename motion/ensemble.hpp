@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "motion/dancer.hpp"
+#include "motion/repertoire.hpp"
 
 namespace raks::motion {
 
 /// One of several who dance to the same music.
 struct EnsembleMember {
-    std::shared_ptr<const DanceLibrary> library;
+    std::shared_ptr<const Repertoire> repertoire;
     DancerPart part;
 };
 
@@ -62,8 +63,8 @@ inline constexpr std::array<std::string_view, 5> kFormationNames = {
 /// The members of a formation. `lead`, `follow`: the two parts of the dance; couples need both.
 [[nodiscard]] std::vector<EnsembleMember> members_of(
     Formation formation,
-    const std::shared_ptr<const DanceLibrary>& lead,
-    const std::shared_ptr<const DanceLibrary>& follow,
+    const std::shared_ptr<const Repertoire>& lead,
+    const std::shared_ptr<const Repertoire>& follow,
     std::uint64_t seed);
 
 }  // namespace raks::motion

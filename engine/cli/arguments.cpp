@@ -77,10 +77,11 @@ std::string fault_of(const engine::Settings& settings) {
     if (const auto look = engine::read_look(settings); !look) {
         return look.error().message;
     }
-    for (const std::string& dance : {settings.dance, settings.fallback_dance}) {
-        if (const auto checked = engine::check_dance(dance); !checked) {
-            return checked.error().message;
-        }
+    if (const auto checked = engine::check_dance(settings.dance); !checked) {
+        return checked.error().message;
+    }
+    if (const auto checked = engine::check_fallback_dance(settings.fallback_dance); !checked) {
+        return checked.error().message;
     }
     return {};
 }

@@ -251,7 +251,8 @@ Expected<BenchReport> bench_latency(double seconds) {
     if (!library || !player) {
         return fail(!library ? library.error() : player.error());
     }
-    config.members = motion::members_of(motion::Formation::solo, *library, nullptr, 1);
+    config.members = motion::members_of(
+        motion::Formation::solo, motion::Repertoire::of_one(*library), nullptr, 1);
     (*player)->wait_until_ready(4096);
     auto recorder = recorder_for(system, output, kLeadIn + seconds + 5.0);
     auto graph = engine::LiveGraph::play(std::move(*player), output, config);

@@ -19,12 +19,14 @@ ExitCode dance(const DanceArguments& arguments) {
     if (!source) {
         return fail(source.error());
     }
-    auto library = engine::load_dance(engine::dance_to_load(arguments.settings));
-    if (!library) {
-        return fail(library.error());
+    auto dancers = engine::Dancers::load(arguments.settings);
+    if (!dancers) {
+        return fail(dancers.error());
     }
-    auto driver = engine::OfflineDriver::create(
-        source->rate(), *library, static_cast<std::uint64_t>(arguments.settings.seed));
+    if (auto all = dancers->wait(); !all) {
+        return fail(all.error());
+    }
+    auto driver = engine::OfflineDriver::create(source->rate(), dancers->members());
     if (!driver) {
         return fail(driver.error());
     }

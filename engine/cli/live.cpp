@@ -20,9 +20,9 @@ ExitCode live(const LiveArguments& arguments) {
     if (!choice) {
         return fail(choice.error());
     }
-    auto members = engine::load_dancers(arguments.settings);
-    if (!members) {
-        return fail(members.error());
+    auto dancers = engine::Dancers::load(arguments.settings);
+    if (!dancers) {
+        return fail(dancers.error());
     }
     auto loop = StageLoop::create(
         arguments.settings, {arguments.is_headless, arguments.is_fullscreen, arguments.duration});
@@ -30,7 +30,7 @@ ExitCode live(const LiveArguments& arguments) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
-    config.members = *members;
+    config.members = dancers->members();
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);
     if (!graph) {

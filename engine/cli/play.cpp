@@ -138,9 +138,9 @@ ExitCode play(const PlayArguments& arguments) {
     if (!output) {
         return fail(output.error().message + " (--no-sound dances without a loudspeaker)");
     }
-    auto members = engine::load_dancers(arguments.settings);
-    if (!members) {
-        return fail(members.error());
+    auto dancers = engine::Dancers::load(arguments.settings);
+    if (!dancers) {
+        return fail(dancers.error());
     }
     auto loop = StageLoop::create(arguments.settings,
                                   {arguments.is_headless, arguments.is_fullscreen, std::nullopt});
@@ -148,7 +148,7 @@ ExitCode play(const PlayArguments& arguments) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
-    config.members = *members;
+    config.members = dancers->members();
     config.latency_offset = nanos_from_seconds(arguments.settings.latency_offset_ms * 1e-3);
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     bool has_lost_device = false;

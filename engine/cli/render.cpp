@@ -147,11 +147,11 @@ ExitCode render(const RenderArguments& given) {
     if (!look) {
         return fail(look.error());
     }
-    const auto members = engine::load_dancers(arguments.settings);
-    if (!members) {
-        return fail(members.error());
+    const auto dancers = engine::Dancers::load(arguments.settings);
+    if (!dancers) {
+        return fail(dancers.error());
     }
-    auto driver = engine::OfflineDriver::create(source->rate(), *members);
+    auto driver = engine::OfflineDriver::create(source->rate(), dancers->members());
     if (!driver) {
         return fail(std::move(driver.error()).in(arguments.input.string()));
     }

@@ -10,15 +10,18 @@ constexpr double kMostCorrection = 0.2;  // of the rate
 constexpr double kGain = 2.5;            // of the error, a second
 constexpr double kApart = 1.0;           // beats
 constexpr int kApartHops = 100;
-constexpr double kPauseCount = 7.0;  // count 8: no step lands there, and figures end
+constexpr double kPause = 1.0;       // beats before a figure's end
 constexpr double kMostSlew = 0.025;  // of the rate, a hop
 constexpr double kKeepLow = 0.62;
 constexpr double kKeepHigh = 1.6;
 
 }  // namespace
 
-double choose_octave(Bpm music, Bpm learnt, double now) noexcept {
-    const double ratio = music.bpm() / learnt.bpm();
+double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept {
+    if (metre.beats_per_bar % 2 != 0) {
+        return 1.0;
+    }
+    const double ratio = music.bpm() / metre.learnt_tempo.bpm();
     if (now > 0.0 && ratio * now >= kKeepLow && ratio * now <= kKeepHigh) {
         return now;
     }
@@ -37,17 +40,20 @@ Beats DancePhase::wanted(const BeatGrid& grid, StreamTime now) const noexcept {
 
 void DancePhase::start(const BeatGrid& grid,
                        Beats downbeat,
-                       Bpm learnt_tempo,
+                       const DanceMetre& metre,
                        StreamTime now) noexcept {
-    octave_ = choose_octave(grid.tempo, learnt_tempo, 0.0);
+    octave_ = choose_octave(grid.tempo, metre, 0.0);
     origin_ = downbeat;
     phase_ = std::max(Beats(0.0), wanted(grid, now));
     rate_ = octave_ * grid.tempo.beats_per_second();
     hops_apart_ = 0;
 }
 
-bool DancePhase::advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now) noexcept {
-    const double octave = choose_octave(grid.tempo, learnt_tempo, octave_);
+bool DancePhase::advance(const BeatGrid& grid,
+                         const DanceMetre& metre,
+                         Beats figure_end,
+                         StreamTime now) noexcept {
+    const double octave = choose_octave(grid.tempo, metre, octave_);
     if (octave != octave_) {
         // From about where it is, but with count 1 on a downbeat again: what is missing is danced
         // off, or re-anchored when it is more than a beat.
@@ -65,8 +71,7 @@ bool DancePhase::advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now)
     const double slew = kMostSlew * music_rate;
     rate_ += std::clamp(music_rate + correction - rate_, -slew, slew);
     hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;
-    const double in_eight = phase_.count() - 8.0 * std::floor(phase_.count() / 8.0);
-    if (hops_apart_ > kApartHops && in_eight >= kPauseCount) {
+    if (hops_apart_ > kApartHops && (figure_end - phase_).count() <= kPause) {
         hops_apart_ = 0;
         phase_ = std::max(Beats(0.0), wanted(grid, now));
         rate_ = music_rate;

@@ -6,19 +6,32 @@
 
 namespace raks::motion {
 
+/// What a dance is written in.
+struct DanceMetre {
+    Bpm learnt_tempo{120.0};
+    int beats_per_bar = 4;
+};
+
 /// The dance's own continuous clock: a phase in beats of the figure that follows the music's beats
 /// at the octave that suits the figure's learnt tempo.
 ///
 /// It never runs backward: the phase's rate is the music's, corrected by at most +-20 %; an error
-/// that stays above one beat for a second is not danced off but re-anchored, on a pause (count 4 or
-/// 8). Threads: one. Real-time: yes.
+/// that stays above one beat for a second is not danced off but re-anchored, on the last beat of a
+/// figure: no step lands there. Threads: one. Real-time: yes.
 class DancePhase {
  public:
     /// Starts the figure: its count 1 falls on `downbeat`.
-    void start(const BeatGrid& grid, Beats downbeat, Bpm learnt_tempo, StreamTime now) noexcept;
+    void start(const BeatGrid& grid,
+               Beats downbeat,
+               const DanceMetre& metre,
+               StreamTime now) noexcept;
 
-    /// One hop on. True when it was re-anchored (the caller smooths the jump).
-    bool advance(const BeatGrid& grid, Bpm learnt_tempo, StreamTime now) noexcept;
+    /// One hop on; `figure_end`: the phase at which the figure ends. True when it was re-anchored
+    /// (the caller smooths the jump).
+    bool advance(const BeatGrid& grid,
+                 const DanceMetre& metre,
+                 Beats figure_end,
+                 StreamTime now) noexcept;
 
     /// Beats of the figure since count 1, >= 0, at the last advance.
     [[nodiscard]] Beats phase() const noexcept { return phase_; }
@@ -42,7 +55,8 @@ class DancePhase {
 };
 
 /// The octave whose rate, tempo x octave / learnt, lies nearest to 1; `now` is kept while its rate
-/// lies in [0.62, 1.6] (0: none yet). What is chosen lies in [0.70, 1.42] wherever one does.
-[[nodiscard]] double choose_octave(Bpm music, Bpm learnt, double now) noexcept;
+/// lies in [0.62, 1.6] (0: none yet). What is chosen lies in [0.70, 1.42] wherever one does. A
+/// dance in threes knows no octave but 1: half or twice as fast its count 1 would leave the bar's.
+[[nodiscard]] double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept;
 
 }  // namespace raks::motion

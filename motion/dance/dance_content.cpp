@@ -147,7 +147,8 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
         seconds_per_beat +=
             model.learnt_tempo.seconds_per_beat() / static_cast<double>(figures.size());
     }
-    content.learnt_tempo = Bpm::from_period(seconds_per_beat);
+    content.metre = {Bpm::from_period(seconds_per_beat),
+                     grammar != nullptr ? grammar->beats_per_bar : FigureGrammar().beats_per_bar};
     const auto is_of = [](const FigureGrammar::Rule& rule, const std::string& name) {
         return rule.figure == name;
     };

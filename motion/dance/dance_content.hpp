@@ -7,6 +7,7 @@
 
 #include "base/beats.hpp"
 #include "base/expected.hpp"
+#include "motion/dance/beat_phase.hpp"
 #include "motion/dance/choreography.hpp"
 #include "motion/dance/figure_passage.hpp"
 
@@ -29,10 +30,10 @@ struct DanceContent {
 
     std::vector<LibraryFigure> figures;
     Choreography choreography;
-    Bpm learnt_tempo{120.0};  ///< mean of the figures
-    FloorMove couple;         ///< the same, for one of a couple about the stage's centre
-    FloorMove stage;  ///< from the frame in which a figure starts: it faces the audience, centred
-    Pose rest;        ///< what no passage sets: softly bent fingers
+    DanceMetre metre;  ///< its tempo: the mean of the figures'
+    FloorMove couple;  ///< the same, for one of a couple about the stage's centre
+    FloorMove stage;   ///< from the frame in which a figure starts: it faces the audience, centred
+    Pose rest;         ///< what no passage sets: softly bent fingers
     Skeleton skeleton;
 };
 

@@ -9,8 +9,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kMargin = FigurePassage::kMargin;
-
 /// Between two poses, feet by their places in the world: rotations averaged down a leg would carry
 /// a foot that both have planted off its place.
 Pose average(const Skeleton& skeleton, const Pose& from, const Pose& to, float share) noexcept {
@@ -94,23 +92,30 @@ Pose FigureSequence::pose_of(const Danced& danced, double phase) const noexcept 
     return floor_of(*content_, stage_, danced.is_turned)(pose);
 }
 
+double FigureSequence::margin_between(const Danced& before, const Danced& after) const noexcept {
+    const int shorter = std::min(content_->figures[before.choice.figure].beats,
+                                 content_->figures[after.choice.figure].beats);
+    return std::min(FigurePassage::kMargin, 0.5 * shorter);
+}
+
 Pose FigureSequence::joined(const Danced& before,
                             const Danced& after,
                             double phase) const noexcept {
+    const double margin = margin_between(before, after);
     const float share =
-        smootherstep(static_cast<float>((phase - after.start + kMargin) / (2.0 * kMargin)));
+        smootherstep(static_cast<float>((phase - after.start + margin) / (2.0 * margin)));
     return average(content_->skeleton, pose_of(before, phase), pose_of(after, phase), share);
 }
 
 Pose FigureSequence::at(Beats phase) const noexcept {
     const double at = phase.count();
-    if (before_ && at < current_.start + kMargin) {
+    if (before_ && at < current_.start + margin_between(*before_, current_)) {
         return joined(*before_, current_, at);
     }
-    if (next_ && at > next_->start + kMargin) {
+    if (next_ && at > next_->start + margin_between(current_, *next_)) {
         return pose_of(*next_, at);
     }
-    if (next_ && at > next_->start - kMargin) {
+    if (next_ && at > next_->start - margin_between(current_, *next_)) {
         return joined(current_, *next_, at);
     }
     return pose_of(current_, at);

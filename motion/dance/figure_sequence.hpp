@@ -12,8 +12,8 @@ namespace raks::motion {
 
 /// A dance as a row of figures over one continuous phase: the one that is danced, the one before
 /// and, from kDecided beats before its end, the one that comes. Over FigurePassage::kMargin beats
-/// on either side of a change both are danced and averaged (Ofli 2008, 5), the feet by their
-/// places. Threads: one. Real-time: yes.
+/// on either side of a change (half a figure of one beat) both are danced and averaged (Ofli 2008,
+/// 5), the feet by their places. Threads: one. Real-time: yes.
 class FigureSequence {
  public:
     static constexpr double kDecided = 2.0;  ///< beats
@@ -39,6 +39,8 @@ class FigureSequence {
     }
     /// Beats since its count 1.
     [[nodiscard]] double beat(Beats phase) const noexcept { return phase.count() - current_.start; }
+    /// The phase at which it ends.
+    [[nodiscard]] Beats end() const noexcept { return Beats(end_of(current_)); }
     /// Whether the figure that is danced began half a turn away from the first.
     [[nodiscard]] bool is_turned() const noexcept { return current_.is_turned; }
     /// How many figures were begun before this one.
@@ -53,6 +55,8 @@ class FigureSequence {
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
     [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
+    /// Beats on either side of a change in which both are danced: two joins never meet.
+    [[nodiscard]] double margin_between(const Danced& before, const Danced& after) const noexcept;
     [[nodiscard]] Pose joined(const Danced& before,
                               const Danced& after,
                               double phase) const noexcept;

@@ -38,6 +38,13 @@ struct FloorMove {
     return {first.heading + second.heading, first(second.offset)};
 }
 
+/// Where a pose stands: its hips on the floor, and which way they face.
+[[nodiscard]] inline FloorMove floor_frame(const Pose& pose) noexcept {
+    const glm::vec3 ahead = pose.rotation(Bone::hips) * glm::vec3(0.0F, 0.0F, 1.0F);
+    return {std::atan2(static_cast<double>(ahead.x), static_cast<double>(ahead.z)),
+            {pose.hips_position.x, pose.hips_position.z}};
+}
+
 [[nodiscard]] inline FloorMove inverse(const FloorMove& move) noexcept {
     FloorMove result{-move.heading, {}};
     result.offset = -result.turned(move.offset);

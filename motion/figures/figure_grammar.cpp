@@ -26,7 +26,8 @@ class GrammarReader {
     explicit GrammarReader(const std::string& name) : name_(name) {}
 
     Expected<FigureGrammar> read(const toml::table& root) {
-        if (auto ok = check_keys(root, {"format", "version", "dance", "lead", "follow", "figure"});
+        if (auto ok = check_keys(
+                root, {"format", "version", "dance", "beats_per_bar", "lead", "follow", "figure"});
             !ok) {
             return fail(std::move(ok.error()));
         }
@@ -46,6 +47,12 @@ class GrammarReader {
         if (grammar.dance.empty() || figures == nullptr || figures->empty()) {
             return fail(name_ + ": needs dance = \"...\" and at least one [[figure]]");
         }
+        const auto bar = root["beats_per_bar"].value_or<std::int64_t>(
+            root.contains("beats_per_bar") ? 0 : grammar.beats_per_bar);
+        if (bar < 2 || bar > 12) {
+            return fail(name_ + ": beats_per_bar must be a number from 2 to 12");
+        }
+        grammar.beats_per_bar = static_cast<int>(bar);
         for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
             if (auto ok = read_place(root, role, grammar); !ok) {
                 return fail(std::move(ok.error()));

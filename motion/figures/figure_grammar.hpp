@@ -28,6 +28,7 @@ struct FigureGrammar {
         double heading = 0.0;  ///< on the stage, where figures start; radians
     };
     std::string dance;
+    int beats_per_bar = 4;
     std::vector<Place> places;  ///< by role; none: each about its own
     std::vector<Rule> rules;    ///< by figure; the dance begins with the first
 
@@ -38,12 +39,12 @@ struct FigureGrammar {
     [[nodiscard]] static FigureGrammar uniform(const std::vector<std::string>& figures);
 };
 
-/// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, and one [[figure]]
-/// each with name, energy and `after` = { figure = weight, ... }; for couples [lead] and [follow]
-/// with turn_point = [left, forward] and heading in degrees. Errors, one line: not readable,
-/// not TOML, another format, a newer version, unknown keys and figures (the nearest is named), two
-/// figures of one name, weights that are negative or no numbers, a figure that nothing follows.
-/// Threads: workers. Real-time: no.
+/// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
+/// 12; 4 if left out), and one [[figure]] each with name, energy and `after` = { figure = weight,
+/// ... }; for couples [lead] and [follow] with turn_point = [left, forward] and heading in degrees.
+/// Errors, one line: not readable, not TOML, another format, a newer version, unknown keys and
+/// figures (the nearest is named), two figures of one name, weights that are negative or no
+/// numbers, a figure that nothing follows. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);
 

@@ -21,8 +21,10 @@ namespace {
 constexpr double kBpm = 171.0;
 
 std::vector<EnsembleMember> salsa(Formation formation) {
-    return members_of(
-        formation, test::salsa_library(DanceRole::lead), test::salsa_library(DanceRole::follow), 3);
+    return members_of(formation,
+                      Repertoire::of_one(test::salsa_library(DanceRole::lead)),
+                      Repertoire::of_one(test::salsa_library(DanceRole::follow)),
+                      3);
 }
 
 using Tracks = std::array<PoseTrack, Ensemble::kMost>;
@@ -121,7 +123,7 @@ TEST(Ensemble, refuses_nobody_too_many_and_half_a_couple) {
     EXPECT_FALSE(ensemble.prepare({}, mannequin_skeleton()));
     const EnsembleMember one = salsa(Formation::solo).front();
     EXPECT_FALSE(ensemble.prepare(std::vector<EnsembleMember>(5, one), mannequin_skeleton()));
-    EXPECT_FALSE(ensemble.prepare(members_of(Formation::couple, one.library, nullptr, 1),
+    EXPECT_FALSE(ensemble.prepare(members_of(Formation::couple, one.repertoire, nullptr, 1),
                                   mannequin_skeleton()));
 }
 

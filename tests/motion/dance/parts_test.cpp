@@ -120,7 +120,8 @@ TEST(ContactWindows, close_short_gaps_and_drop_short_contacts) {
 TEST(DancePhase, is_monotone_and_close_to_the_music_on_a_ramp) {
     DancePhase phase;
     BeatGrid grid = test::steady_grid(150.0);
-    phase.start(grid, Beats(0.0), Bpm(166.0), StreamTime{});
+    const DanceMetre metre{Bpm(166.0), 4};
+    phase.start(grid, Beats(0.0), metre, StreamTime{});
     double last = -1.0;
     for (HopIndex hop = 1; hop < 3000; ++hop) {
         const StreamTime now = time_of_hop(hop);
@@ -129,7 +130,7 @@ TEST(DancePhase, is_monotone_and_close_to_the_music_on_a_ramp) {
         grid.anchor_beat = here;
         grid.tempo = Bpm(150.0 * std::exp(0.02 * to_seconds(now) * (hop < 1500 ? 1.0 : 0.0)) +
                          (hop < 1500 ? 0.0 : 52.0));
-        phase.advance(grid, Bpm(166.0), now);
+        phase.advance(grid, metre, Beats(last + 4.0), now);
         ASSERT_GT(phase.phase().count(), last) << hop;
         last = phase.phase().count();
         ASSERT_NEAR(last, here.count(), 0.05) << hop;
@@ -137,10 +138,12 @@ TEST(DancePhase, is_monotone_and_close_to_the_music_on_a_ramp) {
 }
 
 TEST(Octave, keeps_what_it_has_until_it_does_not_fit) {
-    EXPECT_EQ(choose_octave(Bpm(83.0), Bpm(166.0), 0.0), 2.0);
-    EXPECT_EQ(choose_octave(Bpm(166.0), Bpm(166.0), 0.0), 1.0);
-    EXPECT_EQ(choose_octave(Bpm(110.0), Bpm(166.0), 1.0), 1.0);
-    EXPECT_EQ(choose_octave(Bpm(90.0), Bpm(166.0), 1.0), 2.0);
+    const DanceMetre salsa{Bpm(166.0), 4};
+    EXPECT_EQ(choose_octave(Bpm(83.0), salsa, 0.0), 2.0);
+    EXPECT_EQ(choose_octave(Bpm(166.0), salsa, 0.0), 1.0);
+    EXPECT_EQ(choose_octave(Bpm(110.0), salsa, 1.0), 1.0);
+    EXPECT_EQ(choose_octave(Bpm(90.0), salsa, 1.0), 2.0);
+    EXPECT_EQ(choose_octave(Bpm(180.0), {Bpm(90.0), 3}, 0.0), 1.0) << "a waltz keeps its three";
 }
 
 TEST(Idle, stands_with_both_feet_on_the_floor) {

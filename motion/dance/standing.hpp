@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "base/time.hpp"
+#include "motion/dance/floor_move.hpp"
+#include "motion/dance/leg_ik.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::motion {
+
+/// Standing while there is nothing to dance to, and how a dancer comes to stand: the body goes and
+/// turns from where the dance ended to where it stands, the feet step there one after the other,
+/// none slides. Threads: one. Real-time: yes.
+class Standing {
+ public:
+    /// Stands at a place of the floor since ever.
+    void stand(const FloorMove& place) noexcept;
+
+    /// From the pose shown now (and one hop before) of a dance that ended at `from`, to `to`.
+    void settle(const Skeleton& skeleton,
+                const Pose& shown,
+                const Pose& shown_before,
+                const FloorMove& from,
+                const FloorMove& to,
+                StreamTime now) noexcept;
+
+    /// How long it takes to settle from one place to another.
+    [[nodiscard]] static Nanos duration(const FloorMove& from, const FloorMove& to) noexcept;
+    [[nodiscard]] bool is_settled(StreamTime time) const noexcept;
+
+    /// The pose then, feet as if it stood there already.
+    [[nodiscard]] Pose at(const Skeleton& skeleton, StreamTime time) const noexcept;
+    /// Sets both legs of a pose that still goes over to at() to where the feet are on their way.
+    void plant(const Skeleton& skeleton, StreamTime time, Pose& pose) const noexcept;
+
+ private:
+    struct Step {
+        Side side = Side::left;
+        FootTarget to;
+    };
+    struct Foot {
+        FootTarget from;
+        glm::vec3 speed{};  // metres a second
+    };
+    [[nodiscard]] FloorMove place(double share) const noexcept;
+    [[nodiscard]] FootTarget foot(Side side, double elapsed, bool& stands) const noexcept;
+
+    FloorMove from_;
+    FloorMove to_;
+    StreamTime since_{};
+    double seconds_ = 0.0;  // that settling takes; 0: stands
+    std::array<Foot, 2> feet_{};
+    std::array<Step, 4> steps_{};
+    std::size_t step_count_ = 0;
+};
+
+}  // namespace raks::motion

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+
+#include "base/music_state.hpp"
+#include "motion/dancer.hpp"
+
+namespace raks::motion {
+
+/// The dances that a dancer knows, one a genre, and what is danced to music of none of them. May
+/// grow while it is danced from: a dance that is added later is danced from then on.
+class Repertoire {
+ public:
+    /// What is danced while the genre is unknown, or its dance is not known.
+    enum class Otherwise {
+        first,  ///< the first dance
+        keep,   ///< what is danced already
+        stand,  ///< nothing
+    };
+
+    /// Errors are the caller's: `library` must be there. Threads: any. Real-time: no.
+    Repertoire(Genre first,
+               std::shared_ptr<const DanceLibrary> library,
+               Otherwise otherwise = Otherwise::first);
+
+    /// One dance to any music. Null stays null.
+    [[nodiscard]] static std::shared_ptr<const Repertoire> of_one(
+        std::shared_ptr<const DanceLibrary> library);
+
+    /// Adds the dance of a genre, once; it stays for as long as the repertoire lives.
+    /// Threads: one at a time. Real-time: no.
+    void add(Genre genre, std::shared_ptr<const DanceLibrary> library);
+
+    /// Null: not known (yet). Threads: any. Real-time: yes.
+    [[nodiscard]] const DanceLibrary* of(Genre genre) const noexcept;
+    [[nodiscard]] Genre first() const noexcept { return first_; }
+    [[nodiscard]] Otherwise otherwise() const noexcept { return otherwise_; }
+
+ private:
+    Genre first_;
+    Otherwise otherwise_;
+    std::array<std::shared_ptr<const DanceLibrary>, kGenreCount> owned_;
+    std::array<std::atomic<const DanceLibrary*>, kGenreCount> dances_{};
+};
+
+}  // namespace raks::motion

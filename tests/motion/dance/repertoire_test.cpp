@@ -1,0 +1,173 @@
+#include "motion/repertoire.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "motion/dance/floor_move.hpp"
+#include "tests/motion/dance/stage.hpp"
+#include "tests/support/realtime_guard.hpp"
+
+namespace raks::motion {
+namespace {
+
+using test::steady_grid;
+using test::sure_state;
+
+constexpr double kBpm = 168.0;
+constexpr double kFastestStep = 0.10;  // metres a hop
+
+/// Salsa with all its figures, and a "belly dance" of one salsa step: another library.
+std::shared_ptr<Repertoire> two_dances(Repertoire::Otherwise otherwise) {
+    auto repertoire = std::make_shared<Repertoire>(Genre::salsa, test::salsa_library(), otherwise);
+    repertoire->add(Genre::belly, test::library_of(test::basic_step()));
+    return repertoire;
+}
+
+struct Hop {
+    Pose pose;
+    DancerStatus status;
+    double bar_position = 0.0;
+};
+
+/// `genre_at`: what is heard at each hop.
+template <typename GenreAt>
+std::vector<Hop> dance_to(const std::shared_ptr<const Repertoire>& repertoire,
+                          HopIndex hops,
+                          const GenreAt& genre_at,
+                          std::vector<DancerCommand> commands = {}) {
+    Dancer dancer;
+    EXPECT_TRUE(dancer.prepare(repertoire, mannequin_skeleton(), DancerPart{}));
+    for (const DancerCommand& command : commands) {
+        dancer.command(command);
+    }
+    const auto track = std::make_unique<PoseTrack>();
+    std::vector<Hop> danced;
+    for (HopIndex hop = 0; hop < hops; ++hop) {
+        MusicState state = sure_state(hop, steady_grid(kBpm));
+        state.genre = genre_at(hop);
+        dancer.advance(state, *track);
+        danced.push_back({track->at_hop(hop),
+                          dancer.status(),
+                          state.grid.bar_position(state.grid.beats_at(state.time))});
+    }
+    return danced;
+}
+
+double largest_step(const std::vector<Hop>& danced) {
+    std::vector<Pose> poses;
+    for (const Hop& hop : danced) {
+        poses.push_back(hop.pose);
+    }
+    return test::largest_step(poses, 0, static_cast<HopIndex>(poses.size()));
+}
+
+Genre to_belly(HopIndex hop) { return hop < 1700 ? Genre::salsa : Genre::belly; }
+
+TEST(Repertoire, a_new_dance_begins_on_a_bar_line_from_a_settled_pose) {
+    const auto danced = dance_to(two_dances(Repertoire::Otherwise::first), 3500, to_belly);
+    std::size_t left = 0;
+    std::size_t begun = 0;
+    for (std::size_t hop = 1; hop < danced.size(); ++hop) {
+        if (danced[hop - 1].status.dance == Genre::salsa && !danced[hop].status.is_dancing) {
+            left = hop;
+        }
+        if (danced[hop].status.dance == Genre::belly && begun == 0) {
+            begun = hop;
+        }
+    }
+    ASSERT_GT(begun, left);
+    ASSERT_GE(left, 1700U);
+    const double bar = 4.0 * 60.0 / kBpm;
+    EXPECT_LT(static_cast<double>(begun - 1700), 100.0 * (2.0 * bar + 0.1)) << "two bars at most";
+    EXPECT_LT(danced[begun].bar_position, 0.1) << "count 1 on the bar line";
+    // Settled before: towards the audience, feet beside each other, slow.
+    const Pose& settled = danced[begun - 1].pose;
+    EXPECT_NEAR(floor_frame(settled).heading, 0.0, 0.15);
+    EXPECT_NEAR(settled.hips_position.x, 0.0F, 0.06F);
+    EXPECT_LT(glm::distance(settled.hips_position, danced[begun - 2].pose.hips_position), 0.005F);
+    EXPECT_LT(largest_step(danced), kFastestStep);
+}
+
+TEST(Repertoire, feet_step_to_where_the_dancer_settles_and_do_not_slide) {
+    const auto danced = dance_to(two_dances(Repertoire::Otherwise::first), 3500, to_belly);
+    const Skeleton& skeleton = mannequin_skeleton();
+    for (std::size_t hop = 1701; hop < danced.size(); ++hop) {
+        if (danced[hop].status.is_dancing || danced[hop - 1].status.is_dancing) {
+            continue;
+        }
+        const WorldPose now = world_pose(skeleton, danced[hop].pose);
+        const WorldPose before = world_pose(skeleton, danced[hop - 1].pose);
+        for (const Side side : kSides) {
+            const auto s = static_cast<std::size_t>(side);
+            const glm::vec3 ball = foot_point(now, side, skeleton.ball);
+            EXPECT_GT(ball.y, -0.005F);
+            if (danced[hop].pose.foot_contact[s] && danced[hop - 1].pose.foot_contact[s]) {
+                glm::vec3 slid = ball - foot_point(before, side, skeleton.ball);
+                slid.y = 0.0F;
+                EXPECT_LT(glm::length(slid), 0.012F) << "hop " << hop << " side " << s;
+            }
+        }
+    }
+}
+
+TEST(Repertoire, unknown_music_is_danced_as_the_setting_says) {
+    const auto lost = [](HopIndex hop) { return hop < 1700 ? Genre::belly : Genre::unknown; };
+    using Otherwise = Repertoire::Otherwise;
+    EXPECT_EQ(dance_to(two_dances(Otherwise::first), 3000, lost).back().status.dance, Genre::salsa);
+    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 3000, lost).back().status.dance, Genre::belly);
+    EXPECT_FALSE(dance_to(two_dances(Otherwise::stand), 3000, lost).back().status.is_dancing);
+    // A genre whose dance nobody knows is as good as unknown.
+    const auto waltz = [](HopIndex) { return Genre::waltz; };
+    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 1500, waltz).back().status.dance, Genre::salsa);
+}
+
+TEST(Repertoire, a_dance_that_is_selected_is_kept_to_until_it_is_let_go) {
+    using Kind = DancerCommand::Kind;
+    const auto salsa = [](HopIndex) { return Genre::salsa; };
+    const auto danced =
+        dance_to(two_dances(Repertoire::Otherwise::first),
+                 4000,
+                 salsa,
+                 {{Kind::select_dance, stream_time_from_seconds(10.0), 1.0},
+                  {Kind::select_dance, stream_time_from_seconds(15.0), std::nan("")},
+                  {Kind::select_dance,
+                   stream_time_from_seconds(25.0),
+                   static_cast<double>(Genre::unknown)}});
+    EXPECT_EQ(danced[900].status.dance, Genre::salsa);
+    EXPECT_EQ(danced[2400].status.dance, Genre::belly);
+    EXPECT_EQ(danced[3900].status.dance, Genre::salsa);
+}
+
+TEST(Repertoire, a_dance_added_later_is_danced_from_then_on) {
+    auto repertoire = std::make_shared<Repertoire>(Genre::salsa, test::salsa_library());
+    const auto belly = [&](HopIndex hop) {
+        if (hop == 1500) {
+            repertoire->add(Genre::belly, test::library_of(test::basic_step()));
+        }
+        return Genre::belly;
+    };
+    const auto danced = dance_to(repertoire, 2500, belly);
+    EXPECT_EQ(danced[1499].status.dance, Genre::salsa);
+    EXPECT_EQ(danced.back().status.dance, Genre::belly);
+}
+
+TEST(Repertoire, changes_of_dance_keep_the_real_time_rules) {
+    Dancer dancer;
+    ASSERT_TRUE(dancer.prepare(
+        two_dances(Repertoire::Otherwise::first), mannequin_skeleton(), DancerPart{}));
+    const auto track = std::make_unique<PoseTrack>();
+    raks::test::RealtimeScope scope;
+    for (HopIndex hop = 0; hop < 4000; ++hop) {
+        MusicState state = sure_state(hop, steady_grid(kBpm));
+        state.genre = hop / 1000 % 2 == 0 ? Genre::salsa : Genre::belly;
+        dancer.advance(state, *track);
+    }
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+}
+
+}  // namespace
+}  // namespace raks::motion
