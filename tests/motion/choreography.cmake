@@ -1,3 +1,3 @@
 raks_test_program(choreography
-    SOURCES choreography/authored_dance_test.cpp
+    SOURCES choreography/authored_dance_test.cpp choreography/figure_evaluation_test.cpp
     LIBRARIES raks::motion_choreography fmt::fmt)

@@ -1,0 +1,47 @@
+#include "motion/choreography/repeat_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/choreography/curves.hpp"
+
+namespace raks::motion {
+
+RepeatPlan plan_repeats(const AuthoredFigure& figure, const EvaluationOptions& options) {
+    constexpr double kSmallest = 0.6;
+    constexpr double kLargest = 1.15;
+    constexpr int kRepeatsAround = 2;
+    RepeatPlan plan;
+    plan.figure = &figure;
+    plan.tempo = options.tempo;
+    plan.size =
+        std::clamp(std::pow(options.written.bpm() / options.tempo.bpm(), figure.style.tempo_scale),
+                   kSmallest,
+                   kLargest);
+    plan.noise = options.noise;
+    plan.seed = options.seed;
+    plan.frames_per_second = options.frames_per_second;
+    const double beats = figure.beats;
+    const int around = static_cast<int>(std::ceil(options.margin / beats)) + kRepeatsAround;
+    plan.first_repeat = -around;
+    plan.last_repeat = options.repeats - 1 + around;
+
+    const double from = -options.margin;
+    const double to = options.repeats * beats + options.margin;
+    const double step = options.tempo.beats_per_second() / options.frames_per_second;
+    const double jitter = figure.style.jitter * options.noise;
+    constexpr double kArmJitter = 0.6;  // of their own, beside the body's
+    const double period = std::max(2.0, beats / 2.0);
+    const Spline body = wander(plan.random(Draw::clock), period, from, to);
+    const Spline arms = wander(plan.random(Draw::arm_clock), period, from, to);
+    const auto frames = static_cast<std::size_t>(std::floor((to - from) / step + 1e-9)) + 1;
+    for (std::size_t i = 0; i < frames; ++i) {
+        const double beat = from + static_cast<double>(i) * step;
+        const double own = beat + jitter * body(beat);
+        plan.beats.push_back(own);
+        plan.arm_beats.push_back(own + jitter * kArmJitter * arms(beat));
+    }
+    return plan;
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,297 @@
+// Tracks of one control over many repeats: keys through one spline, snaps, waves, noise.
+#include <algorithm>
+#include <cmath>
+
+#include "motion/choreography/curves.hpp"
+#include "motion/choreography/repeat_plan.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr double kFade = 0.25;      // beats over which a wave goes over to the next repeat's
+constexpr double kKeyNoise = 0.6;   // of vary, for keys
+constexpr double kWaveNoise = 1.2;  // and for the size of waves
+constexpr double kLeastBack = 0.2;  // beats that an overshoot takes back, at least
+constexpr double kBackShare = 1.2;  // of the move
+constexpr double kTwoPi = 2.0 * M_PI;
+
+/// One control in one repeat: whose tracks it takes, and how.
+struct Source {
+    Control control = Control::hip_x;  // where it is written
+    double sign = 1.0;
+};
+
+Source source_of(const RepeatPlan& plan, Control control, int repeat) {
+    if (!plan.is_mirrored(repeat)) {
+        return {control, 1.0};
+    }
+    return {mirrored(control), info_of(control).mirror_sign};
+}
+
+bool is_left_arm(Control control) {
+    const ControlGroup group = info_of(control).group;
+    return control < Control::right_shoulder_up &&
+           (group == ControlGroup::arm || group == ControlGroup::elbow ||
+            group == ControlGroup::hand);
+}
+
+bool follows_arm_clock(Control control) {
+    switch (info_of(control).group) {
+        case ControlGroup::arm:
+        case ControlGroup::elbow:
+        case ControlGroup::hand:
+        case ControlGroup::fist:
+        case ControlGroup::head:
+            return true;
+        default:
+            return false;
+    }
+}
+
+double group_lag(const DanceStyle& style, ControlGroup group) {
+    switch (group) {
+        case ControlGroup::chest:
+            return style.lag_chest;
+        case ControlGroup::head:
+            return style.lag_head;
+        case ControlGroup::arm:
+            return style.lag_arm;
+        case ControlGroup::elbow:
+            return style.lag_arm + style.lag_elbow;
+        case ControlGroup::hand:
+            return style.lag_arm + style.lag_elbow + style.lag_hand;
+        default:
+            return 0.0;
+    }
+}
+
+/// Noise that is added in the control's own unit.
+double wander_size(const DanceStyle& style, Control control) {
+    const ControlInfo& info = info_of(control);
+    if (control == Control::hip_y) {
+        return 0.15 * style.vary_cm;
+    }
+    if (info.unit == ControlUnit::centimetres) {
+        return 0.5 * style.vary_cm;
+    }
+    switch (info.group) {
+        case ControlGroup::arm:
+        case ControlGroup::elbow:
+            return 2.5 * style.vary_deg;
+        case ControlGroup::hand:
+            return 2.0 * style.vary_deg;
+        case ControlGroup::hip:
+            return 0.7 * style.vary_deg;
+        case ControlGroup::fist:
+            return 0.04;
+        case ControlGroup::heel:
+        case ControlGroup::knee:
+            return 0.0;
+        default:
+            return style.vary_deg;
+    }
+}
+
+/// One track position of a control ("the second track") through all repeats.
+class TrackLine {
+ public:
+    TrackLine(const RepeatPlan& plan, Control control, std::size_t slot)
+        : plan_(plan), control_(control), slot_(slot) {}
+
+    void add_to(std::vector<double>& values) const {
+        add_splines(values);
+        add_snaps(values);
+        add_waves(values);
+    }
+
+    [[nodiscard]] const Track* track_of(int repeat) const {
+        const auto& tracks = plan_.figure->tracks(source_of(plan_, control_, repeat).control);
+        return slot_ < tracks.size() ? &tracks[slot_] : nullptr;
+    }
+
+ private:
+    [[nodiscard]] double normal(int repeat, std::uint64_t which) const {
+        return plan_.random(Draw::repeat, 64 * index_of(control_) + slot_)
+            .normal(RepeatPlan::number_of(repeat, which));
+    }
+    [[nodiscard]] double vary(const Track& track) const {
+        return plan_.noise * plan_.figure->style.vary * track.vary;
+    }
+    [[nodiscard]] double arm_share() const {
+        return is_left_arm(control_) ? 1.0 - plan_.figure->style.asym : 1.0;
+    }
+    /// Beats behind.
+    [[nodiscard]] double lag(const Track& track) const {
+        return track.lag.value_or(group_lag(plan_.figure->style, info_of(control_).group));
+    }
+    [[nodiscard]] double beat_at(std::size_t frame) const {
+        return follows_arm_clock(control_) ? plan_.arm_beats[frame] : plan_.beats[frame];
+    }
+
+    /// The keys of a repeat with this repeat's noise, in beats of the whole.
+    [[nodiscard]] std::vector<TrackKey> keys_of(int repeat, const Track& track) const {
+        double mean = 0.0;
+        for (const TrackKey& key : track.keys) {
+            mean += key.value / static_cast<double>(track.keys.size());
+        }
+        const double range = track.highest() - track.lowest();
+        const double sign = source_of(plan_, control_, repeat).sign;
+        std::vector<TrackKey> keys;
+        for (std::size_t k = 0; k < track.keys.size(); ++k) {
+            const double noise = kKeyNoise * vary(track) * range * normal(repeat, k + 1);
+            const double value = mean + arm_share() * (track.keys[k].value - mean) + noise;
+            keys.push_back({track.keys[k].beat + repeat * plan_.figure->beats, sign * value});
+        }
+        return keys;
+    }
+
+    static bool is_spline(const Track* track) {
+        return track != nullptr && track->has_keys() && track->snap == 0.0;
+    }
+    static bool is_snap(const Track* track) {
+        return track != nullptr && track->has_keys() && track->snap > 0.0;
+    }
+    static bool is_wave(const Track* track) { return track != nullptr && !track->has_keys(); }
+
+    void add_splines(std::vector<double>& values) const {
+        std::vector<double> at;
+        std::vector<double> knots;
+        const Track* written = nullptr;
+        for (int repeat = plan_.first_repeat; repeat <= plan_.last_repeat; ++repeat) {
+            const Track* const track = track_of(repeat);
+            if (!is_spline(track)) {  // a mirrored repeat may have another kind: here it adds none
+                at.push_back(repeat * plan_.figure->beats);
+                knots.push_back(0.0);
+                continue;
+            }
+            written = track;
+            for (const TrackKey& key : keys_of(repeat, *track)) {
+                at.push_back(key.beat);
+                knots.push_back(key.value);
+            }
+        }
+        if (written == nullptr) {
+            return;
+        }
+        const Spline spline(std::move(at), std::move(knots));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] += spline(beat_at(i) - lag(*written));
+        }
+    }
+
+    /// Moves that add up: each keeps still, then goes, a little too far, and comes back.
+    void add_snaps(std::vector<double>& values) const {
+        struct Move {
+            double end;
+            double length;
+            double by;
+            double over;
+        };
+        std::vector<Move> moves;
+        double last_value = 0.0;
+        double last_beat = plan_.first_repeat * plan_.figure->beats - 1.0;
+        bool has_any = false;
+        for (int repeat = plan_.first_repeat; repeat <= plan_.last_repeat; ++repeat) {
+            const Track* const track = track_of(repeat);
+            std::vector<TrackKey> keys;
+            double snap = 0.5;
+            double over = 0.0;
+            if (is_snap(track)) {
+                keys = keys_of(repeat, *track);
+                snap = track->snap;
+                over = track->over;
+                has_any = true;
+            } else {
+                keys = {{static_cast<double>(repeat * plan_.figure->beats), 0.0}};
+            }
+            for (const TrackKey& key : keys) {
+                const double length = (1.0 - snap) * (key.beat - last_beat);
+                moves.push_back({key.beat, length, key.value - last_value, over});
+                last_value = key.value;
+                last_beat = key.beat;
+            }
+        }
+        if (!has_any) {
+            return;
+        }
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            for (const Move& move : moves) {
+                const double since = beat_at(i) - (move.end - move.length);
+                if (since <= 0.0) {
+                    break;  // they begin in order
+                }
+                const double back = std::max(kLeastBack, kBackShare * move.length);
+                values[i] += move.by * ((1.0 + move.over) * ease(since / move.length) -
+                                        move.over * ease((beat_at(i) - move.end) / back));
+            }
+        }
+    }
+
+    [[nodiscard]] double wave_of(int repeat, double beat) const {
+        const Track* const track = track_of(repeat);
+        if (!is_wave(track)) {
+            return 0.0;
+        }
+        const double sign = source_of(plan_, control_, repeat).sign;
+        if (track->wave == 0.0) {
+            return sign * track->rest;
+        }
+        // Counted within the figure: a wave begins anew with each repeat.
+        const double local = beat - repeat * plan_.figure->beats;
+        const double p = kTwoPi * (local - lag(*track) - track->peak) / track->every;
+        const double varied = 1.0 + kWaveNoise * vary(*track) * normal(repeat, 0);
+        return sign * (track->rest + plan_.size * arm_share() * varied * track->wave *
+                                         std::cos(p + track->skew * std::sin(p)));
+    }
+
+    /// Each repeat's own wave, one faded into the next over the first quarter of a beat.
+    void add_waves(std::vector<double>& values) const {
+        const double beats = plan_.figure->beats;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double beat = beat_at(i);
+            const int repeat = static_cast<int>(std::floor((beat + kFade / 2) / beats));
+            const double into = beat - repeat * beats + kFade / 2;
+            const double share = ease(into / kFade);
+            values[i] += share * wave_of(repeat, beat);
+            if (share < 1.0) {
+                values[i] += (1.0 - share) * wave_of(repeat - 1, beat);
+            }
+        }
+    }
+
+    const RepeatPlan& plan_;
+    Control control_;
+    std::size_t slot_;
+};
+
+void add_wander(const RepeatPlan& plan, Control control, std::vector<double>& values) {
+    const double size = plan.noise * wander_size(plan.figure->style, control);
+    if (size == 0.0) {
+        return;
+    }
+    const std::vector<Track>& tracks = plan.figure->tracks(control);
+    const double vary = tracks.empty() ? 1.0 : tracks.front().vary;
+    const double period = std::max(3.0, 0.75 * plan.figure->beats);
+    const Spline noise = wander(plan.random(Draw::track, index_of(control)),
+                                period,
+                                plan.beats.front() - 1.0,
+                                plan.beats.back() + 1.0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] += vary * size * noise(plan.beats[i]);
+    }
+}
+
+}  // namespace
+
+std::vector<double> control_values(const RepeatPlan& plan, Control control) {
+    std::vector<double> values(plan.frames(), 0.0);
+    const std::size_t slots = std::max(plan.figure->tracks(control).size(),
+                                       plan.figure->tracks(mirrored(control)).size());
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+        TrackLine(plan, control, slot).add_to(values);
+    }
+    add_wander(plan, control, values);
+    return values;
+}
+
+}  // namespace raks::motion
