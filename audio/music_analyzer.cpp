@@ -5,12 +5,16 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "audio/beat/beat_tracker.hpp"
 #include "audio/beat/paper_beat.hpp"
+#include "audio/features/cepstral_mean.hpp"
 #include "audio/features/loudness.hpp"
+#include "audio/features/mfcc_hops.hpp"
 #include "audio/features/onset.hpp"
+#include "audio/genre/genre_recognizer.hpp"
 #include "audio/resample/resampler.hpp"
 
 namespace raks::audio {
@@ -24,6 +28,8 @@ constexpr float kLowestLevel = -120.0F;
 // Silence: quieter than this for longer than a beat at 50 BPM.
 constexpr float kSilentLevel = -58.0F;
 constexpr int kSilentHops = 130;
+constexpr std::size_t kLevelsKept = 8;
+static_assert(kLevelsKept > MfccHops::kHopsBehind);
 constexpr Nanos kLongestGap = std::chrono::seconds(10);
 // Shorter gaps keep the beat: it runs on blind.
 constexpr Nanos kLongestBlindGap = std::chrono::milliseconds(200);
@@ -35,6 +41,11 @@ float level_of(std::span<const float> samples) noexcept {
     }
     const double mean = energy / static_cast<double>(samples.size());
     return std::max(kLowestLevel, static_cast<float>(10.0 * std::log10(mean + 1e-12)));
+}
+
+void leave_genre_unknown(MusicState& state) noexcept {
+    state.genre_log_probability.fill(-20.0F);
+    state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
 }
 
 }  // namespace
@@ -50,13 +61,18 @@ struct MusicAnalyzer::State {
     NetworkInput network_input;
     std::optional<BeatListener> listener;
     int lookahead = 0;  // hops
+    MfccHops mfcc_hops;
+    CepstralMean cepstral_mean;
+    std::optional<GenreRecognizer> recognizer;
+    MfccVector mfcc{};                            // of the newest hop, normalized
+    std::array<float, kLevelsKept> level_dbfs{};  // of the last hops, ring
 
     std::vector<float> clean = std::vector<float>(kChunk);
     std::vector<float> resampled = std::vector<float>(1536);  // a chunk at 8 kHz becomes 1024
     std::vector<float> window = std::vector<float>(OnsetDetector::kWindow);
     std::size_t filled = 0;  // samples in `window`
     HopIndex next_hop = 0;
-    std::int64_t lost_samples = 0;  // at kRhythmRate, to be jumped over next
+    std::int64_t lost_samples = 0;  // at kRhythmRate, to be jumped over next; even
     int quiet_hops = 0;
     bool is_discontinuity = false;
     std::uint64_t bad_samples = 0;
@@ -65,6 +81,9 @@ struct MusicAnalyzer::State {
     void clean_chunk(std::span<const float> input) noexcept;
     void take(std::span<const float> rhythm, Sink& sink) noexcept;
     void finish_hop(Sink& sink) noexcept;
+    void track(const Onset& onset, MusicState& state) noexcept;
+    void hear_mfcc(const MusicState& state) noexcept;
+    void recognize(MusicState& state) noexcept;
     void jump_gap(Sink& sink) noexcept;
 };
 
@@ -78,6 +97,13 @@ void MusicAnalyzer::State::reset() noexcept {
     if (listener) {
         listener->reset();
     }
+    mfcc_hops.reset();
+    cepstral_mean.reset();
+    if (recognizer) {
+        recognizer->reset();
+    }
+    mfcc.fill(0.0F);
+    level_dbfs.fill(kLowestLevel);
     // The first hop's window is centred on the first sample: half of it lies before the stream.
     std::fill(window.begin(), window.end(), 0.0F);
     filled = OnsetDetector::kWindow / 2;
@@ -131,22 +157,48 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     if (beat_method == BeatMethod::paper) {
         paper.advance(window, state);
     } else {
-        TrackedHop tracked;
-        tracked.hop = state.hop;
-        tracked.heard_until = state.heard_until;
-        tracked.onset_strength = onset.strength;
-        tracked.quiet_hops = quiet_hops;
-        tracked.is_silent = state.is_silent;
-        if (listener) {
-            tracked.has_evidence = true;
-            tracked.evidence_lag = lookahead;
-            tracked.evidence = listener->next(network_input.next(onsets.mel_magnitudes()));
-        }
-        tracker.advance(tracked, state);
+        track(onset, state);
     }
-    state.genre_log_probability.fill(-20.0F);
-    state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
+    hear_mfcc(state);
+    recognize(state);
     sink.on_state(state);
+}
+
+void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept {
+    TrackedHop tracked;
+    tracked.hop = state.hop;
+    tracked.heard_until = state.heard_until;
+    tracked.onset_strength = onset.strength;
+    tracked.quiet_hops = quiet_hops;
+    tracked.is_silent = state.is_silent;
+    if (listener) {
+        tracked.has_evidence = true;
+        tracked.evidence_lag = lookahead;
+        tracked.evidence = listener->next(network_input.next(onsets.mel_magnitudes()));
+    }
+    tracker.advance(tracked, state);
+}
+
+/// The vector is some hops old: whether it is silence is said by the level of then.
+void MusicAnalyzer::State::hear_mfcc(const MusicState& state) noexcept {
+    const auto place = [](HopIndex hop) { return static_cast<std::size_t>(hop) % kLevelsKept; };
+    level_dbfs[place(state.hop)] = state.level_dbfs;
+    const MfccVector* vector = mfcc_hops.next();
+    if (vector == nullptr || state.hop < MfccHops::kHopsBehind) {
+        return;
+    }
+    const bool was_silent = level_dbfs[place(state.hop - MfccHops::kHopsBehind)] < kSilentLevel;
+    mfcc = *vector;
+    cepstral_mean.normalize(was_silent ? CepstralMean::Frame::silence : CepstralMean::Frame::music,
+                            mfcc);
+}
+
+void MusicAnalyzer::State::recognize(MusicState& state) noexcept {
+    if (recognizer) {
+        recognizer->advance(mfcc, onsets.mel_magnitudes(), state);
+    } else {
+        leave_genre_unknown(state);
+    }
 }
 
 /// Stream time jumps over what was lost; the hops inside come out with the grid running on.
@@ -163,6 +215,8 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
             std::min<std::int64_t>(static_cast<std::int64_t>(window.size() - filled), left);
         std::fill_n(window.begin() + static_cast<std::ptrdiff_t>(filled), count, 0.0F);
         filled += static_cast<std::size_t>(count);
+        // Two samples of the window are one of the MFCC's; the whole gap is even.
+        mfcc_hops.push_lost(static_cast<int>((left + 1) / 2 - (left - count + 1) / 2));
         left -= count;
         if (filled == window.size()) {
             MusicState state;
@@ -170,13 +224,18 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
             state.time = time_of_hop(state.hop);
             state.heard_until = state.time;
             state.is_silent = false;
-            state.genre_log_probability.fill(-20.0F);
-            state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
+            if (recognizer) {
+                recognizer->advance_blind(state);
+            } else {
+                leave_genre_unknown(state);
+            }
             if (beat_method == BeatMethod::paper) {
                 paper.advance_blind(state);
             } else {
                 tracker.advance_blind(state.hop, state);
             }
+            mfcc_hops.next_lost();
+            level_dbfs.fill(kLowestLevel);
             sink.on_state(state);
             std::copy(window.begin() + OnsetDetector::kHop, window.end(), window.begin());
             filled -= OnsetDetector::kHop;
@@ -197,6 +256,22 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     if (auto prepared = state_->resampler.prepare(config.sample_rate, kRhythmRate); !prepared) {
         return prepared;
     }
+    GenreFeatures features;
+    features.cepstral_mean = config.cepstral_mean;
+    state_->recognizer.reset();
+    if (config.genre_model) {
+        features = config.genre_model->features;
+        auto recognizer =
+            GenreRecognizer::create(config.genre_model, {.window_seconds = config.genre_window});
+        if (!recognizer) {
+            return fail(recognizer.error());
+        }
+        state_->recognizer.emplace(std::move(*recognizer));
+    }
+    if (auto prepared = state_->mfcc_hops.prepare(config.sample_rate, features.mfcc); !prepared) {
+        return prepared;
+    }
+    state_->cepstral_mean = CepstralMean(features.cepstral_mean);
     if (auto prepared = state_->loudness.prepare(kRhythmRate); !prepared) {
         return prepared;
     }
@@ -222,6 +297,7 @@ void MusicAnalyzer::process(std::span<const float> mono, Sink& sink) noexcept RA
         state.clean_chunk(mono.first(count));
         std::span<const float> chunk = std::span(state.clean).first(count);
         mono = mono.subspan(count);
+        state.mfcc_hops.push(chunk);
         while (!chunk.empty()) {
             const auto progress = state.resampler.process(chunk, state.resampled);
             chunk = chunk.subspan(progress.taken);
@@ -242,7 +318,8 @@ void MusicAnalyzer::skip(Nanos lost) noexcept RAKS_NONBLOCKING {
         state.paper.jump();
         return;
     }
-    state.lost_samples += kRhythmRate.index_at(StreamTime(std::min(lost, kLongestGap)));
+    const std::int64_t samples = kRhythmRate.index_at(StreamTime(std::min(lost, kLongestGap)));
+    state.lost_samples += (samples + 1) / 2 * 2;
 }
 
 void MusicAnalyzer::reset() noexcept RAKS_NONBLOCKING { state_->reset(); }
@@ -250,6 +327,12 @@ void MusicAnalyzer::reset() noexcept RAKS_NONBLOCKING { state_->reset(); }
 Nanos MusicAnalyzer::delay() const noexcept {
     return state_->resampler.delay() +
            kRhythmRate.time_of(OnsetDetector::kWindow / 2).time_since_epoch();
+}
+
+const MfccVector& MusicAnalyzer::mfcc() const noexcept { return state_->mfcc; }
+
+std::span<const float> MusicAnalyzer::mel_magnitudes() const noexcept {
+    return state_->onsets.mel_magnitudes();
 }
 
 std::uint64_t MusicAnalyzer::bad_samples() const noexcept { return state_->bad_samples; }

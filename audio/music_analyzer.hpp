@@ -5,6 +5,7 @@
 #include <span>
 
 #include "audio/beat/analyzer_command.hpp"
+#include "audio/features/cepstral_mean.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
@@ -18,6 +19,7 @@ namespace raks::audio {
 enum class BeatMethod : std::uint8_t { pointer, paper };
 
 class BeatNetwork;
+struct GenreModel;
 
 struct AnalyzerConfig {
     SampleRate sample_rate{48'000};  ///< of the samples that process() gets; 8 to 192 kHz
@@ -25,9 +27,14 @@ struct AnalyzerConfig {
     /// Hears beats and bars (audio/beat/network/network_file.hpp loads the shipped one). None: the
     /// onset strength alone leads, and bars are not known.
     std::shared_ptr<const BeatNetwork> beat_network = nullptr;
+    CepstralMeanConfig cepstral_mean = {};  ///< of mfcc(); a genre model brings its own
+    /// Says which dance the music is (audio/genre/genre_file.hpp loads the shipped one). None:
+    /// always unknown.
+    std::shared_ptr<const GenreModel> genre_model = nullptr;
+    double genre_window = 5.0;  ///< seconds that the genre is judged by, 0.5 to 10
 };
 
-/// Beat, tempo, loudness and silence of a stream of mono samples, causal and in real time.
+/// Beat, tempo, genre, loudness and silence of a stream of mono samples, causal and in real time.
 ///
 ///     MusicAnalyzer analyzer;
 ///     analyzer.prepare({.sample_rate = rate});        // once, checks, allocates
@@ -52,7 +59,8 @@ class MusicAnalyzer {
     MusicAnalyzer(MusicAnalyzer&&) noexcept;
     MusicAnalyzer& operator=(MusicAnalyzer&&) noexcept;
 
-    /// Errors: a sample rate outside 8 to 192 kHz.
+    /// Errors: a sample rate outside 8 to 192 kHz; a genre model that is not valid, or a window
+    /// outside 0.5 to 10 s.
     [[nodiscard]] Expected<void> prepare(const AnalyzerConfig& config);
 
     /// Takes the next samples, nominally in [-1, 1]; NaN and infinities count as 0, louder samples
@@ -74,6 +82,14 @@ class MusicAnalyzer {
 
     /// The state of hop n is complete when the samples before time_of_hop(n) + delay() are in.
     [[nodiscard]] Nanos delay() const noexcept;
+
+    /// MFCC-39 (features/mfcc.hpp) with the running cepstral mean taken off, as of the newest hop:
+    /// of the sound MfccHops::kAge before it. All 0 until the first is known; in a gap the last one
+    /// stays. Threads: the owner.
+    [[nodiscard]] const MfccVector& mfcc() const noexcept;
+
+    /// Magnitudes of the newest hop's mel bands (OnsetDetector). Threads: the owner.
+    [[nodiscard]] std::span<const float> mel_magnitudes() const noexcept;
 
     /// Samples that were NaN or infinite, since reset().
     [[nodiscard]] std::uint64_t bad_samples() const noexcept;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "audio/beat/network/network_file.hpp"
+#include "audio/genre/genre_file.hpp"
 #include "engine/settings.hpp"
 
 namespace raks::engine {
@@ -19,6 +20,18 @@ Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
     return audio::load_network(*shipped);
 }
 
+Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(
+    const std::filesystem::path& path) {
+    if (!path.empty()) {
+        return audio::load_genre(path);
+    }
+    const auto shipped = data_path("models/trained/genres.json");
+    if (!shipped) {
+        return fail(shipped.error());
+    }
+    return audio::load_genre(*shipped);
+}
+
 Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate, audio::BeatMethod method) {
     auto network = load_beat_network();
     if (!network) {
@@ -30,10 +43,12 @@ Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate, audio::BeatMethod 
 Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
                                              audio::BeatMethod method,
                                              std::shared_ptr<const audio::BeatNetwork> network) {
+    audio::AnalyzerConfig config;
+    config.sample_rate = rate;
+    config.beat_method = method;
+    config.beat_network = std::move(network);
     audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare(
-            {.sample_rate = rate, .beat_method = method, .beat_network = std::move(network)});
-        !prepared) {
+    if (auto prepared = analyzer.prepare(config); !prepared) {
         return fail(prepared.error());
     }
     return analyzer;

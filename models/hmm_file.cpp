@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "models/hmm_json.hpp"
 #include "models/json_fields.hpp"
 #include "models/json_text.hpp"
 
@@ -69,10 +70,8 @@ CovarianceType type_of(const JsonDocument::Field& field) {
 
 }  // namespace
 
-std::string hmm_text(const GaussianHmm& model) {
+nlohmann::ordered_json hmm_json(const GaussianHmm& model) {
     Json json;
-    json["format"] = kHmmFormat;
-    json["version"] = kHmmVersion;
     json["covariance_type"] = kCovarianceNames[static_cast<std::size_t>(model.covariance_type)];
     json["initial"] = list_of(model.initial);
     json["transition"] = table_of(model.transition);
@@ -83,6 +82,27 @@ std::string hmm_text(const GaussianHmm& model) {
     for (const Eigen::MatrixXd& covariance : model.covariances) {
         json["covariances"].push_back(table_of(covariance));
     }
+    return json;
+}
+
+GaussianHmm read_hmm(const JsonDocument::Field& fields) {
+    GaussianHmm model;
+    model.covariance_type = type_of(fields["covariance_type"]);
+    model.initial = vector_of(fields["initial"]);
+    model.transition = matrix_of(fields["transition"]);
+    model.exit = vector_of(fields["exit"]);
+    model.weights = matrix_of(fields["weights"]);
+    model.means = matrix_of(fields["means"]);
+    const JsonDocument::Field covariances = fields["covariances"];
+    for (std::size_t i = 0; i < covariances.size(); ++i) {
+        model.covariances.push_back(matrix_of(covariances[i]));
+    }
+    return model;
+}
+
+std::string hmm_text(const GaussianHmm& model) {
+    Json json = {{"format", kHmmFormat}, {"version", kHmmVersion}};
+    json.update(hmm_json(model));
     return json_text(json);
 }
 
@@ -91,18 +111,7 @@ Expected<GaussianHmm> parse_hmm(std::string_view text) {
     if (!document) {
         return fail(std::move(document.error()));
     }
-    const JsonDocument::Field root = document->root();
-    GaussianHmm model;
-    model.covariance_type = type_of(root["covariance_type"]);
-    model.initial = vector_of(root["initial"]);
-    model.transition = matrix_of(root["transition"]);
-    model.exit = vector_of(root["exit"]);
-    model.weights = matrix_of(root["weights"]);
-    model.means = matrix_of(root["means"]);
-    const JsonDocument::Field covariances = root["covariances"];
-    for (std::size_t i = 0; i < covariances.size(); ++i) {
-        model.covariances.push_back(matrix_of(covariances[i]));
-    }
+    GaussianHmm model = read_hmm(document->root());
     if (auto ok = document->finish(); !ok) {
         return fail(std::move(ok.error()));
     }

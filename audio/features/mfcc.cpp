@@ -68,15 +68,19 @@ void MfccStream::finish(Sink& sink) noexcept RAKS_NONBLOCKING {
     }
 }
 
+double MfccStream::window_log_energy() const noexcept {
+    double energy = 0.0;
+    for (const float sample : window_) {
+        energy += static_cast<double>(sample) * static_cast<double>(sample);
+    }
+    return std::log(std::max(energy, 1e-30));
+}
+
 MfccStream::Static MfccStream::compute_static() noexcept {
     const float k = static_cast<float>(config_.pre_emphasis);
-    double energy = 0.0;
     emphasized_[0] = window_[0] * (1.0F - k);
-    for (std::size_t i = 0; i < window_.size(); ++i) {
-        energy += static_cast<double>(window_[i]) * static_cast<double>(window_[i]);
-        if (i > 0) {
-            emphasized_[i] = window_[i] - k * window_[i - 1];
-        }
+    for (std::size_t i = 1; i < window_.size(); ++i) {
+        emphasized_[i] = window_[i] - k * window_[i - 1];
     }
     filters_.apply(spectrum_.compute(emphasized_), bands_);
     std::array<double, kMfccStatic> cepstrum{};
@@ -90,8 +94,8 @@ MfccStream::Static MfccStream::compute_static() noexcept {
     for (std::size_t j = 1; j < cepstrum.size(); ++j) {
         result[j - 1] = static_cast<float>(cepstrum[j] * lifter_[j]);
     }
-    result.back() = static_cast<float>(
-        config_.last == MfccConfig::Last::c0 ? cepstrum[0] : std::log(std::max(energy, 1e-30)));
+    result.back() = static_cast<float>(config_.last == MfccConfig::Last::c0 ? cepstrum[0]
+                                                                            : window_log_energy());
     return result;
 }
 

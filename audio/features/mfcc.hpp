@@ -60,6 +60,7 @@ class MfccStream {
 
     void add_frame(Sink& sink) noexcept;
     [[nodiscard]] Static compute_static() noexcept;
+    [[nodiscard]] double window_log_energy() const noexcept;
     void emit(int frame, Sink& sink) noexcept;
     [[nodiscard]] const Static& static_at(int frame) const noexcept;
     [[nodiscard]] Static delta_at(int frame) const noexcept;

@@ -206,7 +206,7 @@ class Parser {
     }
 
     void add_eval() {
-        CLI::App* eval = app_.add_subcommand("eval", "measure beats and dance");
+        CLI::App* eval = app_.add_subcommand("eval", "measure beats, genre and dance");
         eval->require_subcommand(1);
         auto [app, a] = add(*eval, "beats", "score the beat tracker", eval_beats);
         app->add_option("folder", a->corpus, "index.tsv, NAME.beats, NAME.ogg")->required();
@@ -222,6 +222,19 @@ class Parser {
                         "folder of CLASS.json: networks that were trained without that class");
         add_beat_option(*app, a->methods);
         add_eval_dance(*eval);
+        add_eval_genre(*eval);
+    }
+
+    void add_eval_genre(CLI::App& eval) {
+        auto [app, a] = add(eval, "genre", "measure how dances are told apart", eval_genre);
+        app->add_option("folder", a->folder, "of music: one folder a genre")->required();
+        app->add_option("--groups", a->groups, "table of its clips: clip, genre, artist, label");
+        app->add_option("--model", a->model, "X.json instead of the one that comes with Raks");
+        app->add_option("--labels", a->labels, "only clips with one of these labels, such as AB");
+        app->add_flag(
+            "--damage", a->with_damage, "also quieter, low-passed, with noise, in a room");
+        app->add_option("--threads", a->threads)->check(CLI::Range(1, 64));
+        app->add_flag("--json", a->as_json, "one JSON document");
     }
 
     void add_eval_dance(CLI::App& eval) {
@@ -290,6 +303,12 @@ class Parser {
         beats->set_help_flag();
         beats->callback([this, beats] {
             run_ = [arguments = beats->remaining()] { return train_beats(arguments); };
+        });
+        CLI::App* genre = train->add_subcommand("genre", "learn to tell dances apart from music");
+        genre->prefix_command();
+        genre->set_help_flag();
+        genre->callback([this, genre] {
+            run_ = [arguments = genre->remaining()] { return train_genre(arguments); };
         });
     }
 

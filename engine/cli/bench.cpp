@@ -104,6 +104,9 @@ Expected<BenchReport> bench_analysis(double seconds) {
     report.values.emplace_back("cpu_us_a_hop", 1e6 * cpu / static_cast<double>(hop_us.size()));
     report.spreads.emplace_back("wall_us_a_hop", spread_of(hop_us));
     add_aubio(*music, seconds, report);
+    if (auto added = add_mfcc(*music, seconds, report); !added) {
+        return fail(added.error());
+    }
     return report;
 }
 

@@ -153,6 +153,20 @@ struct TrainReportArguments : LabelledClips {
 
 /// Becomes the program raks-train-beats, with these arguments; returns only when that is missing.
 [[nodiscard]] ExitCode train_beats(const std::vector<std::string>& arguments);
+/// The same of raks-train-genre.
+[[nodiscard]] ExitCode train_genre(const std::vector<std::string>& arguments);
+
+struct EvalGenreArguments {
+    Path folder;
+    Path groups;               ///< table of its clips; empty: one folder a genre
+    Path model;                ///< .json; empty: the one that comes with Raks
+    std::string labels;        ///< only clips whose label is one of these letters; empty: all
+    bool with_damage = false;  ///< also quieter, low-passed, with noise, in a room
+    bool as_json = false;
+    int threads = 2;
+};
+/// How well a model tells dances apart on a folder of music, by each kind of evidence.
+[[nodiscard]] ExitCode eval_genre(const EvalGenreArguments& arguments);
 
 struct SheetArguments {
     engine::Settings settings;

@@ -82,10 +82,13 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     return kExitDone;
 }
 
-ExitCode train_beats(const std::vector<std::string>& arguments) {
+namespace {
+
+/// Becomes a program that lies beside this one; returns only when it is missing.
+ExitCode become(const std::string& name, const std::vector<std::string>& arguments) {
     std::error_code problem;
     const Path self = std::filesystem::read_symlink("/proc/self/exe", problem);
-    std::string program = (self.parent_path() / "raks-train-beats").string();
+    std::string program = (self.parent_path() / name).string();
     std::vector<std::string> words = arguments;
     std::vector<char*> argv = {program.data()};
     for (std::string& word : words) {
@@ -93,7 +96,17 @@ ExitCode train_beats(const std::vector<std::string>& arguments) {
     }
     argv.push_back(nullptr);
     execv(program.c_str(), argv.data());
-    return fail({program + ": not there; build the target raks-train-beats"});
+    return fail({program + ": not there; build the target " + name});
+}
+
+}  // namespace
+
+ExitCode train_beats(const std::vector<std::string>& arguments) {
+    return become("raks-train-beats", arguments);
+}
+
+ExitCode train_genre(const std::vector<std::string>& arguments) {
+    return become("raks-train-genre", arguments);
 }
 
 }  // namespace raks::cli

@@ -1,0 +1,33 @@
+#include "audio/features/cepstral_mean.hpp"
+
+#include <algorithm>
+
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+CepstralMean::CepstralMean(const CepstralMeanConfig& config) noexcept
+    : config_(config), longest_(std::max(1.0, config.seconds * kHopsPerSecond)) {
+    reset();
+}
+
+void CepstralMean::reset() noexcept RAKS_NONBLOCKING {
+    heard_ = std::max(1.0, config_.start_weight * kHopsPerSecond);
+    std::copy(config_.start.begin(), config_.start.end(), mean_.begin());
+}
+
+void CepstralMean::normalize(Frame frame, MfccVector& vector) noexcept RAKS_NONBLOCKING {
+    if (frame == Frame::music) {
+        // A plain mean until the time constant is reached, then an exponential one.
+        heard_ = std::min(heard_ + 1.0, longest_);
+        const double share = 1.0 / heard_;
+        for (std::size_t i = 0; i < mean_.size(); ++i) {
+            mean_[i] += share * (static_cast<double>(vector[i]) - mean_[i]);
+        }
+    }
+    for (std::size_t i = 0; i < mean_.size(); ++i) {
+        vector[i] = static_cast<float>(static_cast<double>(vector[i]) - mean_[i]);
+    }
+}
+
+}  // namespace raks::audio

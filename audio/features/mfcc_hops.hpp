@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "audio/features/mfcc.hpp"
+#include "audio/resample/resampler.hpp"
+#include "base/expected.hpp"
+#include "base/realtime.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+/// MFCC-39 of a stream of any rate, one vector with each hop of the analyzer: samples go in as they
+/// come, next() hands out what belongs to one more hop. One window a hop, so that no hop costs more
+/// than another.
+///
+///     hops.push(chunk);                                   // samples at the source's rate
+///     const MfccVector* vector = hops.next();             // once a hop
+///
+/// next() of hop n takes the samples at 16 kHz before time_of_hop(n) + 10 ms. Its caller knows that
+/// they are in: samples at 16 kHz come out of the resampler up to 5 ms after the source's.
+/// Threads: one. Real-time: all but prepare.
+class MfccHops {
+ public:
+    /// How far the middle of the window of next()'s vector lies before its hop: four frames for
+    /// the derivatives, and what of the window lies before the hop.
+    static constexpr Nanos kAge = std::chrono::microseconds(47'500);
+    static constexpr int kHopsBehind = 5;  ///< the hop nearest to that middle
+
+    /// Errors: no resampler can be set up.
+    [[nodiscard]] Expected<void> prepare(SampleRate rate, const MfccConfig& config = {});
+
+    /// Samples in [-1, 1]. What waits for next() must be less than 256 ms.
+    void push(std::span<const float> mono) noexcept RAKS_NONBLOCKING;
+
+    /// The vector that became complete with this hop; nullptr in the first hops of a stream and
+    /// after a gap. Valid until the next call.
+    [[nodiscard]] const MfccVector* next() noexcept RAKS_NONBLOCKING;
+
+    /// In place of samples that were lost: so many at 16 kHz.
+    void push_lost(int samples) noexcept RAKS_NONBLOCKING;
+    /// In place of next() for a hop inside a gap: the frames start anew after it.
+    void next_lost() noexcept RAKS_NONBLOCKING;
+    void reset() noexcept RAKS_NONBLOCKING;
+
+    /// Longest time from a source sample to its place at 16 kHz.
+    [[nodiscard]] Nanos resampling_delay() const noexcept { return resampler_.delay(); }
+
+ private:
+    Resampler resampler_;
+    MfccStream stream_;
+    std::vector<float> queue_;  // resampled, waiting for their hop; 16-bit scale
+    std::size_t queued_ = 0;
+    MfccVector newest_{};
+};
+
+}  // namespace raks::audio

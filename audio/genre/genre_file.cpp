@@ -1,0 +1,256 @@
+#include "audio/genre/genre_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "base/file.hpp"
+#include "models/hmm_json.hpp"
+#include "models/json_fields.hpp"
+#include "models/json_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace raks::audio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Field = models::JsonDocument::Field;
+
+constexpr std::size_t kMaxBytes = std::size_t{32} << 20U;
+// What the numbers of this program's features mean; another definition gets another name.
+constexpr std::string_view kMfccKind = "htk-39";
+constexpr std::string_view kPatternsKind = "bar-patterns-1";
+
+/// Six digits: enough, and a file that people can read.
+double shortened(double value) {
+    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+Json list_of(std::span<const float> numbers) {
+    Json list = Json::array();
+    for (const float number : numbers) {
+        list.push_back(shortened(static_cast<double>(number)));
+    }
+    return list;
+}
+
+std::vector<float> floats_of(const Field& field) {
+    const std::vector<double> numbers = field.numbers();
+    std::vector<float> floats(numbers.size());
+    std::transform(numbers.begin(), numbers.end(), floats.begin(), [](double number) {
+        return static_cast<float>(number);
+    });
+    return floats;
+}
+
+Json features_json(const GenreFeatures& features) {
+    const MfccConfig& mfcc = features.mfcc;
+    const CepstralMeanConfig& mean = features.cepstral_mean;
+    return {{"mfcc", kMfccKind},
+            {"bands", mfcc.bands},
+            {"low_hz", mfcc.low_hz},
+            {"high_hz", mfcc.high_hz},
+            {"pre_emphasis", mfcc.pre_emphasis},
+            {"last", mfcc.last == MfccConfig::Last::c0 ? "c0" : "log_energy"},
+            {"energy", features.energy == GenreFeatures::Energy::used ? "used" : "left_out"},
+            {"mean_seconds", mean.seconds},
+            {"mean_start_weight", mean.start_weight},
+            {"mean_start", list_of(mean.start)},
+            {"patterns", kPatternsKind}};
+}
+
+/// A number that must lie in [lowest, highest].
+double bounded(const Field& field, double lowest, double highest) {
+    const double number = field.number();
+    if (!(number >= lowest && number <= highest)) {
+        field.complain(fmt::format("is {}, must be {} to {}", number, lowest, highest));
+        return lowest;
+    }
+    return number;
+}
+
+/// True for the first word, false for the second; anything else is a fault.
+bool is_first_of(const Field& field, std::string_view first, std::string_view second) {
+    const std::string word = field.text();
+    if (word != first && word != second) {
+        field.complain(fmt::format("is '{}', must be {} or {}", word, first, second));
+    }
+    return word == first;
+}
+
+void expect_kind(const Field& field, std::string_view kind) {
+    if (const std::string found = field.text(); found != kind) {
+        field.complain(
+            fmt::format("is '{}', this program hears '{}': train the model again", found, kind));
+    }
+}
+
+GenreFeatures read_features(const Field& field) {
+    expect_kind(field["mfcc"], kMfccKind);
+    expect_kind(field["patterns"], kPatternsKind);
+    GenreFeatures features;
+    features.mfcc.bands = field["bands"].whole(13, 80);
+    features.mfcc.low_hz = bounded(field["low_hz"], 0.0, 4'000.0);
+    features.mfcc.high_hz = bounded(field["high_hz"], 4'001.0, 8'000.0);
+    features.mfcc.pre_emphasis = bounded(field["pre_emphasis"], 0.0, 1.0);
+    features.mfcc.last = is_first_of(field["last"], "c0", "log_energy")
+                             ? MfccConfig::Last::c0
+                             : MfccConfig::Last::log_energy;
+    features.energy = is_first_of(field["energy"], "used", "left_out")
+                          ? GenreFeatures::Energy::used
+                          : GenreFeatures::Energy::left_out;
+    features.cepstral_mean.seconds = bounded(field["mean_seconds"], 0.1, 60.0);
+    features.cepstral_mean.start_weight = bounded(field["mean_start_weight"], 0.01, 60.0);
+    const std::vector<float> start = floats_of(field["mean_start"]);
+    if (start.size() != kMfccStatic) {
+        field["mean_start"].complain(
+            fmt::format("has {} numbers, must have {}", start.size(), kMfccStatic));
+        return features;
+    }
+    std::copy(start.begin(), start.end(), features.cepstral_mean.start.begin());
+    return features;
+}
+
+Json network_json(const PatternNetwork& network) {
+    return {{"units", network.units},
+            {"mean", list_of(network.mean)},
+            {"deviation", list_of(network.deviation)},
+            {"hidden_weights", list_of(network.hidden_weights)},
+            {"hidden_bias", list_of(network.hidden_bias)},
+            {"output_weights", list_of(network.output_weights)},
+            {"output_bias", list_of(network.output_bias)}};
+}
+
+PatternNetwork read_network(const Field& field, std::size_t classes) {
+    PatternNetwork network;
+    network.units = static_cast<std::size_t>(
+        field["units"].whole(1, static_cast<int>(PatternNetwork::kMaxUnits)));
+    network.classes = classes;
+    network.mean = floats_of(field["mean"]);
+    network.deviation = floats_of(field["deviation"]);
+    network.hidden_weights = floats_of(field["hidden_weights"]);
+    network.hidden_bias = floats_of(field["hidden_bias"]);
+    network.output_weights = floats_of(field["output_weights"]);
+    network.output_bias = floats_of(field["output_bias"]);
+    return network;
+}
+
+Genre read_genre(const Field& field) {
+    const std::string name = field.text();
+    const auto found = std::find(kGenreNames.begin(), kGenreNames.end(), name);
+    if (found == kGenreNames.end()) {
+        field.complain(
+            fmt::format("is '{}', must be salsa, belly, house, hiphop, rock or waltz", name));
+        return Genre::unknown;
+    }
+    return static_cast<Genre>(found - kGenreNames.begin());
+}
+
+void read_fusion(const Field& field, GenreModel& model) {
+    if (field.size() != model.fusion.size()) {
+        field.complain(fmt::format("has {} windows, must have {}", field.size(), model.fusion.size()));
+        return;
+    }
+    for (std::size_t i = 0; i < model.fusion.size(); ++i) {
+        const Field entry = field[i];
+        const double seconds = kGenreWindows[i] * kSegmentSeconds;
+        if (std::abs(entry["seconds"].number() - seconds) > 1e-6) {
+            entry["seconds"].complain(fmt::format("must be {}", seconds));
+        }
+        model.fusion[i] = {static_cast<float>(entry["mfcc"].number()),
+                           static_cast<float>(entry["rhythm"].number()),
+                           static_cast<float>(entry["unknown"].number())};
+    }
+}
+
+Json fusion_json(const GenreModel& model) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < model.fusion.size(); ++i) {
+        const GenreFusion& fusion = model.fusion[i];
+        list.push_back({{"seconds", kGenreWindows[i] * kSegmentSeconds},
+                        {"mfcc", shortened(static_cast<double>(fusion.mfcc))},
+                        {"rhythm", shortened(static_cast<double>(fusion.rhythm))},
+                        {"unknown", shortened(static_cast<double>(fusion.unknown))}});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string genre_text(const GenreModel& model) {
+    Json json = {{"format", kGenreFormat},
+                 {"version", kGenreVersion},
+                 {"made_with", model.made_with},
+                 {"attribution", model.attribution},
+                 {"features", features_json(model.features)}};
+    json["genres"] = Json::array();
+    json["mfcc"] = Json::array();
+    for (std::size_t i = 0; i < model.genres.size(); ++i) {
+        json["genres"].push_back(name_of(model.genres[i]));
+        json["mfcc"].push_back(models::hmm_json(model.mfcc[i]));
+    }
+    json["background"] = models::hmm_json(model.background);
+    if (model.similarity) {
+        json["similarity"] = models::hmm_json(*model.similarity);
+    }
+    json["rhythm"] = network_json(model.rhythm);
+    json["fusion"] = fusion_json(model);
+    return models::json_text(json);
+}
+
+Expected<GenreModel> parse_genre(std::string_view text) {
+    auto document = models::JsonDocument::parse(text, kGenreFormat, kGenreVersion);
+    if (!document) {
+        return fail(std::move(document.error()));
+    }
+    const Field root = document->root();
+    GenreModel model;
+    model.made_with = root["made_with"].text();
+    model.attribution = root["attribution"].text();
+    model.features = read_features(root["features"]);
+    const Field genres = root["genres"];
+    const Field mfcc = root["mfcc"];
+    for (std::size_t i = 0; i < genres.size() && i < kGenreNames.size(); ++i) {
+        model.genres.push_back(read_genre(genres[i]));
+    }
+    for (std::size_t i = 0; i < mfcc.size() && i < kGenreNames.size(); ++i) {
+        model.mfcc.push_back(models::read_hmm(mfcc[i]));
+    }
+    model.background = models::read_hmm(root["background"]);
+    if (root.has("similarity")) {
+        model.similarity = models::read_hmm(root["similarity"]);
+    }
+    model.rhythm = read_network(root["rhythm"], model.classes());
+    read_fusion(root["fusion"], model);
+    if (auto ok = document->finish(); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    if (auto ok = validate(model); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    return model;
+}
+
+Expected<std::shared_ptr<const GenreModel>> load_genre(const std::filesystem::path& path) {
+    const Expected<std::string> text = read_file(path, kMaxBytes);
+    if (!text) {
+        return fail(text.error());
+    }
+    Expected<GenreModel> model = parse_genre(*text);
+    if (!model) {
+        return fail(path.string() + ": " + model.error().message);
+    }
+    return std::make_shared<const GenreModel>(std::move(*model));
+}
+
+Expected<void> save_genre(const GenreModel& model, const std::filesystem::path& path) {
+    if (auto ok = validate(model); !ok) {
+        return fail(path.filename().string() + ": " + ok.error().message);
+    }
+    return write_file(path, genre_text(model));
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,143 @@
+#include "audio/genre/genre_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+namespace raks::audio {
+namespace {
+
+constexpr Eigen::Index kMostStates = 16;
+constexpr Eigen::Index kMostMixtures = 64;
+
+Expected<void> check_hmm(const models::GaussianHmm& hmm, int dimension, const std::string& name) {
+    if (auto valid = models::validate(hmm); !valid) {
+        return fail(name + "." + valid.error().message);
+    }
+    if (hmm.dimension() != dimension) {
+        return fail(fmt::format(
+            "{} is of {} features, the definition has {}", name, hmm.dimension(), dimension));
+    }
+    if (hmm.states() > kMostStates || hmm.mixtures() > kMostMixtures) {
+        return fail(fmt::format("{} has {} states of {} mixtures, at most {} of {} are run",
+                                name,
+                                hmm.states(),
+                                hmm.mixtures(),
+                                kMostStates,
+                                kMostMixtures));
+    }
+    if (hmm.exit.size() > 0) {
+        return fail(name + ".exit must be empty: music may end anywhere");
+    }
+    return {};
+}
+
+Expected<void> check_numbers(const std::vector<float>& numbers,
+                             std::size_t size,
+                             const std::string& name) {
+    if (numbers.size() != size) {
+        return fail(fmt::format("{} has {} numbers, must have {}", name, numbers.size(), size));
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        // Weights this large would make infinities of sums.
+        if (!(std::abs(numbers[i]) < 1e6F)) {
+            return fail(fmt::format("{}[{}] is not below 1e6", name, i));
+        }
+    }
+    return {};
+}
+
+Expected<void> check_network(const PatternNetwork& network, std::size_t classes) {
+    if (network.units < 1 || network.units > PatternNetwork::kMaxUnits) {
+        return fail(fmt::format(
+            "rhythm.units is {}, must be 1 to {}", network.units, PatternNetwork::kMaxUnits));
+    }
+    if (network.classes != classes) {
+        return fail(fmt::format(
+            "rhythm has {} classes, must have {}: the genres and none", network.classes, classes));
+    }
+    constexpr std::size_t kInputs = PatternNetwork::kInputs;
+    const auto parts = {
+        check_numbers(network.mean, kInputs, "rhythm.mean"),
+        check_numbers(network.deviation, kInputs, "rhythm.deviation"),
+        check_numbers(network.hidden_weights, network.units * kInputs, "rhythm.hidden_weights"),
+        check_numbers(network.hidden_bias, network.units, "rhythm.hidden_bias"),
+        check_numbers(network.output_weights, classes * network.units, "rhythm.output_weights"),
+        check_numbers(network.output_bias, classes, "rhythm.output_bias")};
+    for (const Expected<void>& part : parts) {
+        if (!part) {
+            return part;
+        }
+    }
+    const auto worst = std::min_element(network.deviation.begin(), network.deviation.end());
+    if (!(*worst > 0.0F)) {
+        return fail(fmt::format("rhythm.deviation[{}] is {}, must be > 0",
+                                worst - network.deviation.begin(),
+                                static_cast<double>(*worst)));
+    }
+    return {};
+}
+
+Expected<void> check_genres(const std::vector<Genre>& genres) {
+    if (genres.empty() || genres.size() >= static_cast<std::size_t>(kGenreCount)) {
+        return fail(fmt::format("genres has {} entries, must have 1 to 6", genres.size()));
+    }
+    for (std::size_t i = 0; i < genres.size(); ++i) {
+        if (genres[i] == Genre::unknown || (i > 0 && genres[i] <= genres[i - 1])) {
+            return fail(
+                fmt::format("genres[{}] is {}, must come after the one before, in the "
+                            "order salsa, belly, house, hiphop, rock, waltz",
+                            i,
+                            name_of(genres[i])));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+void GenreFeatures::select(const MfccVector& vector, std::span<double> out) const noexcept {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < vector.size(); ++i) {
+        if (energy == Energy::used || i % kMfccStatic != kMfccStatic - 1) {
+            out[at++] = static_cast<double>(vector[i]);
+        }
+    }
+}
+
+Expected<void> validate(const GenreModel& model) {
+    if (auto ok = check_genres(model.genres); !ok) {
+        return ok;
+    }
+    if (model.mfcc.size() != model.genres.size()) {
+        return fail(fmt::format(
+            "mfcc has {} models, there are {} genres", model.mfcc.size(), model.genres.size()));
+    }
+    const int dimension = model.features.dimension();
+    for (std::size_t i = 0; i < model.mfcc.size(); ++i) {
+        if (auto ok = check_hmm(model.mfcc[i], dimension, fmt::format("mfcc[{}]", i)); !ok) {
+            return ok;
+        }
+    }
+    if (auto ok = check_hmm(model.background, dimension, "background"); !ok) {
+        return ok;
+    }
+    if (model.similarity) {
+        if (auto ok = check_hmm(*model.similarity, dimension, "similarity"); !ok) {
+            return ok;
+        }
+    }
+    for (std::size_t i = 0; i < model.fusion.size(); ++i) {
+        const GenreFusion& fusion = model.fusion[i];
+        const bool is_sane = std::abs(fusion.mfcc) < 1e3F && std::abs(fusion.rhythm) < 1e3F &&
+                             std::abs(fusion.unknown) < 1e3F;
+        if (!is_sane) {
+            return fail(fmt::format("fusion[{}] has a weight that is not below 1000", i));
+        }
+    }
+    return check_network(model.rhythm, model.classes());
+}
+
+}  // namespace raks::audio

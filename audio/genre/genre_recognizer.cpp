@@ -1,0 +1,218 @@
+#include "audio/genre/genre_recognizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "audio/features/mfcc_hops.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr int kBlock = 10;  // frames: scores change every 100 ms
+constexpr int kBlocksASegment = BarPatterns::kSegmentHops / kBlock;
+constexpr float kQuiet = -58.0F;       // dBFS, of one hop
+constexpr HopIndex kFirstHop = 6;      // before, no MFCC vector is complete
+constexpr float kImprobable = -20.0F;  // ln, of genres that a model does not know
+
+}  // namespace
+
+double frame_density(std::span<const double> log_emissions) noexcept {
+    return models::log_sum(log_emissions) - std::log(static_cast<double>(log_emissions.size()));
+}
+
+bool is_genre_evidence(const MusicState& state) noexcept {
+    return state.hop >= kFirstHop && state.level_dbfs > kQuiet;
+}
+
+Expected<GenreRecognizer> GenreRecognizer::create(std::shared_ptr<const GenreModel> model,
+                                                  const GenreSettings& settings) {
+    if (auto valid = validate(*model); !valid) {
+        return fail(valid.error());
+    }
+    if (!(settings.window_seconds >= 0.5 && settings.window_seconds <= 10.0)) {
+        return fail("genre window is " + std::to_string(settings.window_seconds) +
+                    " s, must be 0.5 to 10");
+    }
+    if (settings.evidence == GenreEvidence::mfcc_similarity && !model->similarity) {
+        return fail("the genre model has no inter-genre similarity; train it with --similarity");
+    }
+    return GenreRecognizer(std::move(model), settings);
+}
+
+GenreRecognizer::GenreRecognizer(std::shared_ptr<const GenreModel> model,
+                                 const GenreSettings& settings)
+    : model_(std::move(model)), settings_(settings) {
+    const auto nearest = [&](int a, int b) {
+        const double wanted = settings_.window_seconds / kSegmentSeconds;
+        return std::abs(a - wanted) < std::abs(b - wanted);
+    };
+    window_ = static_cast<std::size_t>(
+        std::min_element(kGenreWindows.begin(), kGenreWindows.end(), nearest) -
+        kGenreWindows.begin());
+    const auto add = [&](const models::GaussianHmm& hmm) {
+        // Valid: the whole model was validated.
+        scorers_.push_back(*models::HmmScorer::create(hmm));
+        emissions_.emplace_back(scorers_.back().states());
+        sliding_.emplace_back(
+            scorers_.back(),
+            models::SlidingScore::Plan{.block = kBlock,
+                                       .blocks = BarPatterns::kSegments * kBlocksASegment});
+    };
+    std::for_each(model_->mfcc.begin(), model_->mfcc.end(), add);
+    add(model_->background);
+    if (model_->similarity && settings_.evidence == GenreEvidence::mfcc_similarity) {
+        similarity_ = *models::HmmScorer::create(*model_->similarity);
+        similarity_work_.resize(similarity_->states());
+    }
+    selected_.resize(static_cast<std::size_t>(model_->features.dimension()));
+    reset();
+}
+
+void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
+    for (models::SlidingScore& sliding : sliding_) {
+        sliding.reset();
+    }
+    patterns_.reset();
+    next_pattern_ = kGenreWindows.size();
+    rhythm_heard_.fill(false);
+    heard_ = 0;
+    log_chances_.fill(kImprobable);
+    log_chances_[model_->genres.size()] = 0.0F;
+    decision_ = challenger_ = model_->genres.size();
+    leads_for_ = 0.0;
+}
+
+Genre GenreRecognizer::genre_of(std::size_t chosen) const noexcept {
+    return chosen < model_->genres.size() ? model_->genres[chosen] : Genre::unknown;
+}
+
+void GenreRecognizer::advance(const MfccVector& mfcc,
+                              std::span<const float, BarPatterns::kMelBands> mel,
+                              MusicState& state) noexcept RAKS_NONBLOCKING {
+    if (is_genre_evidence(state)) {
+        score_frame(mfcc);
+        if (patterns_.add(mel, state.grid, state.time)) {
+            next_pattern_ = 0;
+        }
+        score_patterns();
+        ++heard_;
+        if (heard_ % kBlock == kBlock / 2) {  // not in the hop that closes blocks
+            decide(state);
+        }
+    }
+    publish(state);
+}
+
+void GenreRecognizer::advance_blind(MusicState& state) const noexcept RAKS_NONBLOCKING {
+    publish(state);
+}
+
+void GenreRecognizer::score_frame(const MfccVector& mfcc) noexcept {
+    model_->features.select(mfcc, selected_);
+    double best = models::kImpossible;
+    for (std::size_t c = 0; c < scorers_.size(); ++c) {
+        scorers_[c].log_emissions(selected_, emissions_[c]);
+        if (similarity_ && c < model_->genres.size()) {
+            best = std::max(best, frame_density(emissions_[c]));
+        }
+    }
+    if (similarity_) {
+        similarity_->log_emissions(selected_, similarity_work_);
+        if (frame_density(similarity_work_) > best) {
+            for (std::vector<double>& emissions : emissions_) {
+                std::fill(emissions.begin(), emissions.end(), 0.0);
+            }
+        }
+    }
+    for (std::size_t c = 0; c < sliding_.size(); ++c) {
+        sliding_[c].process(emissions_[c]);
+    }
+}
+
+/// One window's length a hop after each segment, so that no hop pays for all.
+void GenreRecognizer::score_patterns() noexcept {
+    if (next_pattern_ == kGenreWindows.size()) {
+        return;
+    }
+    const std::size_t window = next_pattern_++;
+    if (kGenreWindows[window] > patterns_.segments()) {
+        return;
+    }
+    std::array<float, BarPatterns::kFeatures> features{};
+    std::array<float, PatternNetwork::kInputs> inputs{};
+    patterns_.features(kGenreWindows[window], features);
+    model_->rhythm.standardize(features, kGenreWindows[window], inputs);
+    model_->rhythm.log_chances(inputs, std::span(rhythm_[window]).first(model_->classes()));
+    rhythm_heard_[window] = true;
+}
+
+GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noexcept
+    RAKS_NONBLOCKING {
+    Judgement judgement;
+    const int segments = kGenreWindows[window];
+    const int blocks = segments * kBlocksASegment;
+    const bool has_mfcc = sliding_.front().blocks_heard() >= blocks;
+    judgement.is_full = rhythm_heard_[window] && has_mfcc;
+    if (!judgement.is_full) {
+        return judgement;
+    }
+    const std::size_t classes = model_->classes();
+    const GenreFusion& fusion = model_->fusion[window];
+    const bool uses_mfcc = settings_.evidence != GenreEvidence::rhythm;
+    const bool uses_rhythm =
+        settings_.evidence == GenreEvidence::rhythm || settings_.evidence == GenreEvidence::fused;
+    const std::span<float> logs = std::span(judgement.log_chances).first(classes);
+    for (std::size_t c = 0; c < classes; ++c) {
+        const double nats = sliding_[c].score(blocks) / (blocks * kBlock);
+        logs[c] = (uses_mfcc ? fusion.mfcc * static_cast<float>(nats) : 0.0F) +
+                  (uses_rhythm ? fusion.rhythm * rhythm_[window][c] : 0.0F);
+    }
+    logs.back() += fusion.unknown;
+    normalize_logs(logs);
+    return judgement;
+}
+
+void GenreRecognizer::decide(const MusicState& state) noexcept {
+    constexpr double kStep = kBlock / kHopsPerSecond;
+    // Until the window is full, the longest that is.
+    std::size_t window = window_ + 1;
+    Judgement judgement;
+    while (window > 0 && !judgement.is_full) {
+        judgement = judge(--window);
+    }
+    if (!judgement.is_full) {
+        return;
+    }
+    const std::size_t classes = model_->classes();
+    log_chances_ = judgement.log_chances;
+    const auto chance = [&](std::size_t c) { return std::exp(log_chances_[c]); };
+    const std::size_t best = static_cast<std::size_t>(
+        std::max_element(log_chances_.begin(),
+                         log_chances_.begin() + static_cast<std::ptrdiff_t>(classes)) -
+        log_chances_.begin());
+    const bool is_unknown = best == model_->genres.size();
+    const bool is_applause = is_unknown && state.grid.confidence < settings_.least_confidence;
+    if (best == decision_ || is_applause || chance(best) < chance(decision_) + settings_.margin) {
+        leads_for_ = 0.0;
+        challenger_ = best;
+        return;
+    }
+    leads_for_ = best == challenger_ ? leads_for_ + kStep : kStep;
+    challenger_ = best;
+    if (leads_for_ >= (is_unknown ? settings_.give_up_seconds : settings_.switch_seconds)) {
+        decision_ = best;
+        leads_for_ = 0.0;
+    }
+}
+
+void GenreRecognizer::publish(MusicState& state) const noexcept {
+    state.genre_log_probability.fill(kImprobable);
+    for (std::size_t c = 0; c < model_->classes(); ++c) {
+        const auto place = static_cast<std::size_t>(genre_of(c));
+        state.genre_log_probability[place] = std::max(kImprobable, log_chances_[c]);
+    }
+    state.genre = genre_of(decision_);
+}
+
+}  // namespace raks::audio

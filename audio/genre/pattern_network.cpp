@@ -1,0 +1,52 @@
+#include "audio/genre/pattern_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/assert.hpp"
+
+namespace raks::audio {
+
+void normalize_logs(std::span<float> logs) noexcept RAKS_NONBLOCKING {
+    const float best = *std::max_element(logs.begin(), logs.end());
+    float sum = 0.0F;
+    for (const float log : logs) {
+        sum += std::exp(log - best);
+    }
+    const float all = best + std::log(sum);
+    for (float& log : logs) {
+        log -= all;
+    }
+}
+
+void PatternNetwork::standardize(std::span<const float, BarPatterns::kFeatures> features,
+                                 int segments,
+                                 std::span<float, kInputs> out) const noexcept RAKS_NONBLOCKING {
+    std::copy(features.begin(), features.end(), out.begin());
+    out.back() = std::log(static_cast<float>(segments));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        out[i] = std::clamp((out[i] - mean[i]) / deviation[i], -kFarthest, kFarthest);
+    }
+}
+
+void PatternNetwork::log_chances(std::span<const float, kInputs> inputs,
+                                 std::span<float> out) const noexcept RAKS_NONBLOCKING {
+    RAKS_ASSERT(out.size() == classes && units <= kMaxUnits);
+    std::array<float, kMaxUnits> hidden{};
+    for (std::size_t unit = 0; unit < units; ++unit) {
+        const float* const weights = hidden_weights.data() + unit * kInputs;
+        const float sum =
+            std::inner_product(inputs.begin(), inputs.end(), weights, hidden_bias[unit]);
+        hidden[unit] = std::max(0.0F, sum);
+    }
+    for (std::size_t c = 0; c < classes; ++c) {
+        out[c] = std::inner_product(hidden.begin(),
+                                    hidden.begin() + static_cast<std::ptrdiff_t>(units),
+                                    output_weights.data() + c * units,
+                                    output_bias[c]);
+    }
+    normalize_logs(out);
+}
+
+}  // namespace raks::audio

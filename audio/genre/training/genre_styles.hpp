@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "audio/beat/training/styles/rhythm_styles.hpp"
+#include "base/music_state.hpp"
+
+namespace raks::audio {
+
+/// The instruments that a band of one genre is drawn from: General MIDI programs, from 0.
+struct Palette {
+    std::vector<int> bass;
+    std::vector<int> chords;
+    std::vector<int> leads;
+    std::vector<int> kits;
+    double band_chance = 0.9;  ///< that more than drums plays
+    double lead_chance = 0.5;  ///< that a melody of the genre's own plays
+};
+[[nodiscard]] const Palette& palette_of(Genre genre);
+
+/// One rhythm of the corpus and the dance that it stands for (unknown: none of them).
+struct GenreStyle {
+    const RhythmStyle* style = nullptr;
+    Genre genre = Genre::unknown;
+    /// A family of arrangements that a model can be trained without, to see whether it holds for
+    /// what it never heard; one or two a genre.
+    enum class Use : std::uint8_t { always, held_out };
+    Use use = Use::always;
+};
+
+/// All rhythms that a genre is written from: those of the beat tracker's training, and some more.
+[[nodiscard]] std::span<const GenreStyle> genre_styles();
+
+}  // namespace raks::audio

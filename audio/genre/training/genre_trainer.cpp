@@ -1,0 +1,123 @@
+#include "audio/genre/training/genre_trainer.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace raks::audio {
+namespace {
+
+/// Deals groups to folds: in each genre the largest first, each to the fold that has least of the
+/// genre so far. A group of several genres stays together.
+std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces, int folds) {
+    std::map<Genre, std::map<std::string, int>> sizes;
+    for (const HeardPiece& piece : pieces) {
+        // Recordings and written music are dealt apart, so that each fold has its share of both.
+        sizes[piece.genre][(piece.is_recorded() ? "r " : "w ") + piece.group] += 1;
+    }
+    std::map<std::string, int> fold_of;
+    for (const auto& [genre, groups] : sizes) {
+        std::vector<std::pair<int, std::string>> order;
+        for (const auto& [group, size] : groups) {
+            order.emplace_back(-size, group);
+        }
+        std::sort(order.begin(), order.end());
+        std::map<char, std::vector<int>> load;
+        for (const auto& [negative_size, group] : order) {
+            std::vector<int>& loads =
+                load.try_emplace(group[0], static_cast<std::size_t>(folds)).first->second;
+            const auto known = fold_of.find(group);
+            const auto lightest = std::min_element(loads.begin(), loads.end()) - loads.begin();
+            const int fold = known != fold_of.end() ? known->second : static_cast<int>(lightest);
+            fold_of[group] = fold;
+            loads[static_cast<std::size_t>(fold)] -= negative_size;
+        }
+    }
+    return fold_of;
+}
+
+}  // namespace
+
+std::vector<Genre> genres_of(std::span<const HeardPiece> pieces) {
+    std::vector<Genre> genres;
+    for (int i = 0; i < static_cast<int>(Genre::unknown); ++i) {
+        const auto genre = static_cast<Genre>(i);
+        const bool occurs = std::any_of(pieces.begin(), pieces.end(), [genre](const auto& piece) {
+            return piece.genre == genre;
+        });
+        if (occurs) {
+            genres.push_back(genre);
+        }
+    }
+    return genres;
+}
+
+Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
+                                  std::span<const Genre> genres,
+                                  const GenreTrainingPlan& plan) {
+    if (genres.empty()) {
+        return fail("no piece is of a dance: nothing to learn");
+    }
+    std::vector<std::size_t> classes;
+    for (const HeardPiece* piece : pieces) {
+        classes.push_back(class_of(piece->genre, genres));
+    }
+    GenreModel model;
+    model.features = plan.features;
+    model.genres.assign(genres.begin(), genres.end());
+    auto mfcc = train_mfcc(pieces, classes, genres, plan.features, plan.mfcc);
+    if (!mfcc) {
+        return fail(mfcc.error());
+    }
+    model.mfcc = std::move(mfcc->genres);
+    model.background = std::move(mfcc->background);
+    model.similarity = std::move(mfcc->similarity);
+    model.rhythm = train_patterns(pieces, classes, genres.size() + 1, plan.patterns);
+    return model;
+}
+
+Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pieces,
+                                                  std::span<const Genre> genres,
+                                                  const GenreTrainingPlan& plan,
+                                                  const std::function<void(int, int)>& on_fold) {
+    const std::map<std::string, int> folds = deal_groups(pieces, plan.folds);
+    const auto fold_of = [&](const HeardPiece& piece) {
+        return folds.at((piece.is_recorded() ? "r " : "w ") + piece.group);
+    };
+    std::vector<WindowScore> scores;
+    for (int fold = 0; fold < plan.folds; ++fold) {
+        std::vector<const HeardPiece*> training;
+        std::vector<std::size_t> held_out;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (fold_of(pieces[i]) != fold) {
+                training.push_back(&pieces[i]);
+            } else if (pieces[i].kind != HeardPiece::Kind::altered) {
+                held_out.push_back(i);
+            }
+        }
+        auto model = train_genres(training, genres, plan);
+        if (!model) {
+            return fail(model.error());
+        }
+        std::vector<std::vector<WindowScore>> parts(held_out.size());
+        run_parallel(held_out.size(), plan.mfcc.threads, [&](std::size_t i) {
+            parts[i] = score_piece(*model, pieces[held_out[i]], held_out[i]);
+        });
+        for (std::vector<WindowScore>& part : parts) {
+            std::move(part.begin(), part.end(), std::back_inserter(scores));
+        }
+        on_fold(fold + 1, plan.folds);
+    }
+    return scores;
+}
+
+void calibrate(std::span<const WindowScore> held_out, GenreModel& model) {
+    for (std::size_t window = 0; window < kGenreWindows.size(); ++window) {
+        model.fusion[window] = fit_fusion(held_out, window, model.classes(), GenreEvidence::fused);
+    }
+}
+
+}  // namespace raks::audio

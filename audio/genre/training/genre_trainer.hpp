@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audio/genre/genre_model.hpp"
+#include "audio/genre/training/genre_scores.hpp"
+#include "audio/genre/training/heard_piece.hpp"
+#include "audio/genre/training/mfcc_trainer.hpp"
+#include "audio/genre/training/pattern_trainer.hpp"
+#include "base/expected.hpp"
+
+namespace raks::audio {
+
+struct GenreTrainingPlan {
+    GenreFeatures features;
+    MfccTrainingPlan mfcc;
+    PatternTrainingPlan patterns;
+    int folds = 5;  ///< >= 2
+};
+
+/// Genres that occur among the pieces, in order.
+[[nodiscard]] std::vector<Genre> genres_of(std::span<const HeardPiece> pieces);
+
+/// A model of all these pieces; its fusion is the default until calibrate().
+/// Errors: no genre, or one with too little sound for its model.
+[[nodiscard]] Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
+                                                std::span<const Genre> genres,
+                                                const GenreTrainingPlan& plan);
+
+/// Scores of every piece (but altered ones) by a model that heard no piece of its group: groups are
+/// dealt to folds, genre by genre. `on_fold(done, all)` is called after each.
+/// Errors: as train_genres.
+[[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
+    std::span<const HeardPiece> pieces,
+    std::span<const Genre> genres,
+    const GenreTrainingPlan& plan,
+    const std::function<void(int, int)>& on_fold);
+
+/// Fits the model's fusion to scores of pieces that it, or one like it, was not trained on.
+void calibrate(std::span<const WindowScore> held_out, GenreModel& model);
+
+}  // namespace raks::audio

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "audio/beat/training/dice.hpp"
+
+namespace raks::audio {
+
+/// What may happen to music between the record and the microphone: to learn from and to be tested
+/// with. Each changes mono samples in place.
+
+/// An exponentially decaying room: `seconds` to -60 dB, `wet` in [0, 1] of the result's amplitude.
+void add_room(int rate, double seconds, double wet, std::vector<float>& samples, Dice& dice);
+/// White noise at this signal-to-noise ratio over the whole piece.
+void add_white_noise(double ratio_db, std::vector<float>& samples, Dice& dice);
+/// Low-pass of 36 dB an octave.
+void cut_above(int rate, double hertz, std::vector<float>& samples);
+void change_gain(double db, std::vector<float>& samples);
+/// Another speed and pitch: 1.08 is 8 % faster. Linear interpolation.
+void change_speed(double ratio, std::vector<float>& samples);
+
+/// What the robustness of a model is tested with.
+enum class Damage : std::uint8_t { none, quieter_12_db, low_pass_4_khz, noise_10_db, room_600_ms };
+inline constexpr std::string_view kDamageNames[] = {
+    "clean", "-12 dB", "low-pass 4 kHz", "noise 10 dB", "room 0.6 s"};
+void damage(Damage kind, int rate, std::vector<float>& samples);
+
+}  // namespace raks::audio

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "audio/genre/training/heard_piece.hpp"
+#include "base/expected.hpp"
+
+namespace raks::audio {
+
+/// A corpus that is written, played and heard.
+struct WrittenCorpusPlan {
+    std::vector<std::filesystem::path> soundfonts;  ///< one is drawn a piece; not empty
+    enum class Families : std::uint8_t { always, held_out, all };
+    Families families = Families::all;
+    int pieces = 700;       ///< genres in turn, "none of them" among them
+    double seconds = 16.0;  ///< of each
+    std::uint64_t seed = 1;
+    int threads = 2;
+    enum class Augmentation : std::uint8_t { on, off };
+    Augmentation augmentation = Augmentation::on;
+    HearingPlan hearing;
+};
+
+/// Piece n depends on the plan and n alone: any number of threads gives the same corpus. About 0.5
+/// s of CPU each. Groups are "style/soundfont".
+/// Errors: a soundfont cannot be read.
+[[nodiscard]] Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan);
+
+}  // namespace raks::audio

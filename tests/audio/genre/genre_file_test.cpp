@@ -1,0 +1,95 @@
+#include "audio/genre/genre_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "audio/genre/genre_recognizer.hpp"
+#include "tests/audio/genre/small_genre_model.hpp"
+
+namespace raks::audio {
+namespace {
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+std::string error_of(const std::string& text) {
+    const auto model = parse_genre(text);
+    EXPECT_FALSE(model);
+    return model ? "" : model.error().message;
+}
+
+TEST(GenreFile, what_is_written_reads_back) {
+    GenreModel model = test::small_genre_model();
+    model.similarity = model.background;
+    model.features.energy = GenreFeatures::Energy::used;
+    model.features.cepstral_mean.start[3] = 1.25F;
+    model.attribution = "nobody";
+    const std::string text = genre_text(model);
+    const auto read = parse_genre(text);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(genre_text(*read), text);
+    EXPECT_EQ(read->genres, model.genres);
+    EXPECT_EQ(read->features.cepstral_mean.start[3], 1.25F);
+    EXPECT_TRUE(read->similarity);
+}
+
+TEST(GenreFile, faults_are_said_with_their_field) {
+    const std::string good = genre_text(test::small_genre_model());
+    EXPECT_EQ(error_of(replaced(good, "raks-genre", "raks-hmm")),
+              "not a raks-genre file (no \"format\": \"raks-genre\")");
+    EXPECT_EQ(error_of(replaced(good, "htk-39", "kaldi-13")),
+              "features.mfcc is 'kaldi-13', this program hears 'htk-39': train the model again");
+    EXPECT_EQ(
+        error_of(replaced(good, "bar-patterns-1", "bar-patterns-2")),
+        "features.patterns is 'bar-patterns-2', this program hears 'bar-patterns-1': train the "
+        "model again");
+    EXPECT_EQ(error_of(replaced(good, "\"salsa\"", "\"polka\"")),
+              "genres[0] is 'polka', must be salsa, belly, house, hiphop, rock or waltz");
+    EXPECT_EQ(error_of(replaced(good, "\"salsa\"", "\"waltz\"")),
+              "genres[1] is house, must come after the one before, in the order salsa, belly, "
+              "house, hiphop, rock, waltz");
+    EXPECT_EQ(error_of(replaced(good, "\"units\": 4", "\"units\": 5")),
+              "rhythm.hidden_weights has 924 numbers, must have 1155");
+    EXPECT_EQ(error_of(replaced(good, "\"seconds\": 0.5", "\"seconds\": 0.6")),
+              "fusion[0].seconds must be 0.5");
+}
+
+TEST(GenreFile, another_feature_size_is_refused) {
+    GenreModel model = test::small_genre_model();
+    model.features.energy = GenreFeatures::Energy::left_out;
+    const auto valid = validate(model);
+    ASSERT_FALSE(valid);
+    EXPECT_EQ(valid.error().message, "mfcc[0] is of 39 features, the definition has 36");
+}
+
+TEST(GenreFile, cut_and_mangled_files_are_refused_or_valid) {
+    const std::string good = genre_text(test::small_genre_model());
+    // Every 7th offset of 30,000: each field is cut somewhere.
+    for (std::size_t size = 0; size < good.size() - 3; size += 7) {
+        ASSERT_FALSE(parse_genre(std::string_view(good).substr(0, size))) << size;
+    }
+    const CounterRandom random(11);
+    for (std::uint64_t i = 0; i < 400; ++i) {
+        std::string mangled = good;
+        for (std::uint64_t k = 0; k < 3; ++k) {
+            char& byte = mangled[random.below(10 * i + 2 * k, mangled.size())];
+            byte = static_cast<char>(static_cast<unsigned char>(byte) ^
+                                     (1U << random.below(10 * i + 2 * k + 1, 8)));
+        }
+        const auto model = parse_genre(mangled);
+        if (model) {
+            EXPECT_TRUE(validate(*model));
+        } else {
+            EXPECT_FALSE(model.error().message.empty());
+            EXPECT_EQ(model.error().message.find('\n'), std::string::npos);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace raks::audio
