@@ -15,13 +15,15 @@ namespace raks::engine {
 namespace {
 
 using motion::DanceRole;
+using motion::FigureFeatures;
 using motion::Repertoire;
 
 constexpr std::string_view kAuto = "auto";
 constexpr std::string_view kKeep = "keep";
 constexpr std::string_view kStand = "stand";
 
-// models/trained/DANCE.toml is the grammar, models/trained/DANCE_FIGURE_ROLE.json the figures.
+// models/trained/DANCE.toml is the grammar, models/trained/DANCE_FIGURE_ROLE.json the figures,
+// DANCE_FIGURE_ROLE_positions.json those of positions.
 std::filesystem::path grammar_file(std::string_view dance) {
     return std::filesystem::path("models") / "trained" / fmt::format("{}.toml", dance);
 }
@@ -50,15 +52,16 @@ Repertoire::Otherwise otherwise_of(const Settings& settings) {
 struct Parts {
     std::shared_ptr<Repertoire> lead;
     std::shared_ptr<Repertoire> follow;
+    FigureFeatures features = FigureFeatures::angles;
 
     /// Nothing is added where a part is missing.
     Expected<void> add(const std::string& dance) const {
-        auto lead_dance = load_dance(dance);
+        auto lead_dance = load_dance(dance, DanceRole::lead, features);
         if (!lead_dance) {
             return fail(std::move(lead_dance.error()));
         }
         if (follow) {
-            auto follow_dance = load_dance(dance, DanceRole::follow);
+            auto follow_dance = load_dance(dance, DanceRole::follow, features);
             if (!follow_dance) {
                 return fail(std::move(follow_dance.error()));
             }
@@ -71,7 +74,7 @@ struct Parts {
 
 Expected<std::shared_ptr<Repertoire>> first_of(const Settings& settings, DanceRole role) {
     const std::string dance = dance_to_load(settings);
-    auto library = load_dance(dance, role);
+    auto library = load_dance(dance, role, features_to_load(settings));
     if (!library) {
         return fail(std::move(library.error()));
     }
@@ -112,8 +115,13 @@ std::string dance_to_load(const Settings& settings) {
     return is_dance ? settings.fallback_dance : known_dances().front();
 }
 
+FigureFeatures features_to_load(const Settings& settings) {
+    return settings.figures == "positions" ? FigureFeatures::positions : FigureFeatures::angles;
+}
+
 Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::string& dance,
-                                                                 motion::DanceRole role) {
+                                                                 motion::DanceRole role,
+                                                                 FigureFeatures features) {
     if (auto checked = check_dance(dance); !checked) {
         return fail(checked.error());
     }
@@ -128,8 +136,12 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
     const std::string_view role_name = motion::kRoleNames[static_cast<std::size_t>(role)];
     std::vector<motion::FigureModel> figures;
     for (const motion::FigureGrammar::Rule& rule : grammar->rules) {
-        const auto path = data_path(grammar_file(dance).parent_path() /
-                                    fmt::format("{}_{}_{}.json", dance, rule.figure, role_name));
+        const std::string file = fmt::format("{}_{}_{}", dance, rule.figure, role_name);
+        const std::filesystem::path folder = grammar_file(dance).parent_path();
+        const auto positions = data_path(folder / (file + "_positions.json"));
+        const auto path = features == FigureFeatures::positions && positions
+                              ? positions
+                              : data_path(folder / (file + ".json"));
         if (!path) {
             return fail(path.error());
         }
@@ -151,6 +163,7 @@ Expected<Dancers> Dancers::load(const Settings& settings) {
     const auto formation = static_cast<motion::Formation>(name - motion::kFormationNames.begin());
     const bool is_couple = formation == motion::Formation::couple;
     Parts parts;
+    parts.features = features_to_load(settings);
     for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
         if (role == DanceRole::follow && !is_couple) {
             continue;

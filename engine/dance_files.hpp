@@ -24,14 +24,20 @@ namespace raks::engine {
 /// is no dance the first that is known.
 [[nodiscard]] std::string dance_to_load(const Settings& settings);
 
-/// Reads the trained figures of a dance from models/trained and solves them for the built-in
-/// mannequin. Errors: an unknown dance, a model file that is missing or bad.
-[[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
-    const std::string& dance, motion::DanceRole role = motion::DanceRole::lead);
+/// What the settings' `figures` names.
+[[nodiscard]] motion::FigureFeatures features_to_load(const Settings& settings);
 
-/// Who dances, by the settings: dance, formation and seed. The dance that a show begins with is
-/// there at once; with `dance = "auto"` a thread of its own solves all others meanwhile, so that a
-/// show begins at once. Threads: one owner.
+/// Reads the trained figures of a dance from models/trained and solves them for the built-in
+/// mannequin; of positions where it has such, else of angles. Errors: an unknown dance, a model
+/// file that is missing or bad.
+[[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
+    const std::string& dance,
+    motion::DanceRole role = motion::DanceRole::lead,
+    motion::FigureFeatures features = motion::FigureFeatures::angles);
+
+/// Who dances, by the settings: dance, figures, formation and seed. The dance that a show begins
+/// with is there at once; with `dance = "auto"` a thread of its own solves all others meanwhile, so
+/// that a show begins at once. Threads: one owner.
 class Dancers {
  public:
     /// Errors: as load_dance, an unknown formation.

@@ -27,7 +27,9 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(size.error());
     }
     look.size = *size;
-    look.scene.view = settings.view == "stick" ? render::View::stick : render::View::skin;
+    const bool is_stick =
+        settings.view == "stick" || (settings.view == "auto" && settings.figures == "positions");
+    look.scene.view = is_stick ? render::View::stick : render::View::skin;
     look.quality = settings.quality == "fast"   ? render::Quality::fast
                    : settings.quality == "high" ? render::Quality::high
                                                 : render::Quality::automatic;

@@ -35,7 +35,7 @@ struct Key {
     std::string_view help;
 };
 
-const std::array<Key, 16> kKeys = {{
+const std::array<Key, 18> kKeys = {{
     {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
     {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
     {"audio",
@@ -52,6 +52,7 @@ const std::array<Key, 16> kKeys = {{
      0,
      0,
      "danced when nothing is recognised: a dance, keep (the dance that is on) or stand"},
+    {"dance", "figures", &Settings::figures, 0, 0, "learnt as angles or positions of the joints"},
     {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
     {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
     {"dance",
@@ -65,7 +66,12 @@ const std::array<Key, 16> kKeys = {{
     {"picture", "size", &Settings::size, 0, 0, "WIDTHxHEIGHT"},
     {"picture", "fps", &Settings::fps, 1, 240, "pictures a second"},
     {"picture", "quality", &Settings::quality, 0, 0, "auto, fast or high"},
-    {"picture", "view", &Settings::view, 0, 0, "skin or stick"},
+    {"picture",
+     "view",
+     &Settings::view,
+     0,
+     0,
+     "skin, stick, or auto: stick when danced by positions"},
     {"picture", "overlay", &Settings::overlay, 0, 0, "beat, tempo and levels over the picture"},
 }};
 
@@ -213,8 +219,12 @@ std::vector<std::string> validate(const Settings& settings) {
         faults.push_back("picture.quality is \"" + settings.quality +
                          "\", must be auto, fast or high");
     }
-    if (!is_one_of(settings.view, {"skin", "stick"})) {
-        faults.push_back("picture.view is \"" + settings.view + "\", must be skin or stick");
+    if (!is_one_of(settings.view, {"auto", "skin", "stick"})) {
+        faults.push_back("picture.view is \"" + settings.view + "\", must be auto, skin or stick");
+    }
+    if (!is_one_of(settings.figures, {"angles", "positions"})) {
+        faults.push_back("dance.figures is \"" + settings.figures +
+                         "\", must be angles or positions");
     }
     return faults;
 }

@@ -21,6 +21,7 @@ struct Settings {
     // [dance]
     std::string dance = "auto";            ///< a genre's name, or auto: as recognised
     std::string fallback_dance = "salsa";  ///< when nothing is recognised; or keep, stand
+    std::string figures = "angles";        ///< learnt as angles or positions of the joints
     std::string formation = "solo";        ///< solo, couple, unison, canon or free
     std::int64_t seed = 1;                 ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;             ///< pictures show the pose this much ahead; [-200, 200]
@@ -30,7 +31,7 @@ struct Settings {
     std::string size = "1280x720";  ///< WIDTHxHEIGHT
     double fps = 30.0;              ///< pictures a second, [1, 240]
     std::string quality = "auto";   ///< auto, fast or high
-    std::string view = "skin";      ///< skin or stick
+    std::string view = "auto";      ///< auto (stick when danced by positions), skin or stick
     bool overlay = true;
 };
 

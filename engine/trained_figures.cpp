@@ -12,18 +12,22 @@ namespace raks::engine {
 namespace fs = std::filesystem;
 
 Expected<std::vector<motion::FigureModel>> trained_figures(const std::string& dance,
-                                                           motion::DanceRole role) {
+                                                           motion::DanceRole role,
+                                                           motion::FigureFeatures features) {
     const auto folder = data_path(fs::path("models") / "trained");
     if (!folder) {
         return fail(folder.error());
     }
     const std::string role_name(motion::kRoleNames[static_cast<std::size_t>(role)]);
+    const std::string end =
+        "_" + role_name +
+        (features == motion::FigureFeatures::positions ? "_positions.json" : ".json");
     std::vector<fs::path> files;
     std::error_code error;
     for (fs::directory_iterator entry(*folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
-        if (name.starts_with(dance + "_") && name.ends_with("_" + role_name + ".json")) {
+        if (name.starts_with(dance + "_") && name.ends_with(end)) {
             files.push_back(entry->path());
         }
     }

@@ -25,9 +25,14 @@ constexpr const char* kExamples =
     "\n"
     "raks --help lists all commands.\n";
 
+void add_figures_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option("--figures", settings.figures, "learnt as angles or positions of the joints");
+}
+
 /// The options of DESIGN 6 that play, live and render share.
 void add_picture_options(CLI::App& app, engine::Settings& settings) {
     app.add_option("--dance", settings.dance, "the dance to keep to, or auto");
+    add_figures_option(app, settings);
     app.add_option(
         "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
     app.add_option("--seed", settings.seed, "same seed, same dance");
@@ -36,7 +41,7 @@ void add_picture_options(CLI::App& app, engine::Settings& settings) {
     app.add_option("--size", settings.size, "picture size, such as 1280x720");
     app.add_option("--fps", settings.fps, "pictures a second");
     app.add_option("--quality", settings.quality, "auto, fast or high");
-    app.add_option("--view", settings.view, "skin or stick");
+    app.add_option("--view", settings.view, "skin, stick or auto");
     app.add_flag("--overlay,!--no-overlay", settings.overlay, "beat, tempo and levels on top");
     app.add_option("--latency-offset",
                    settings.latency_offset_ms,
@@ -243,6 +248,7 @@ class Parser {
         app->add_option("--role", a->role, "lead or follow")
             ->check(CLI::IsMember({"lead", "follow"}));
         app->add_option("--dance", a->settings.dance, "the dance to measure");
+        add_figures_option(*app, a->settings);
         app->add_option("--seed", a->settings.seed, "same seed, same dance");
         app->add_option("--trial", a->trials, "only this one, such as salsa-180")
             ->allow_extra_args(false);
@@ -266,6 +272,7 @@ class Parser {
         app->add_option("-o,--out", a->output, "X.bvh")->required();
         app->add_option("--fps", a->fps, "poses a second")->check(CLI::Range(1.0, 240.0));
         app->add_option("--dance", a->settings.dance, "the dance to keep to, or auto");
+        add_figures_option(*app, a->settings);
         app->add_option("--seed", a->settings.seed, "same seed, same dance");
     }
 
@@ -282,6 +289,8 @@ class Parser {
         app->add_option("--dance", a->dance, "the dance that it belongs to");
         app->add_option("--role", a->role, "lead or follow")
             ->check(CLI::IsMember({"lead", "follow"}));
+        app->add_option("--features", a->features, "of the joints: angles or positions")
+            ->check(CLI::IsMember({"angles", "positions"}));
         app->add_option("--split", a->split, "only labels of this split");
         app->add_option("--min-confidence", a->min_confidence, "only labels at least so sure")
             ->check(CLI::Range(0.0, 1.0));
@@ -348,9 +357,10 @@ class Parser {
         auto [app, a] = add(app_, "sheet", "draw a figure as a pose sheet", sheet);
         app->add_option("-o,--out", a->output, "X.png")->required();
         app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
+        add_figures_option(*app, a->settings);
         app->add_option("--bpm", a->bpm, "tempo danced to")->check(CLI::Range(50.0, 230.0));
         app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
-        app->add_option("--view", a->settings.view, "skin or stick");
+        app->add_option("--view", a->settings.view, "skin, stick or auto");
         app->add_option("--quality", a->settings.quality, "auto, fast or high");
     }
 

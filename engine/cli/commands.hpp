@@ -124,7 +124,8 @@ struct TrainFigureArguments : LabelledClips {
     std::string figure = "basic";
     std::string dance = "salsa";
     std::string role = "lead";
-    double scale = 0.0;  ///< metres per unit; 0: guessed
+    std::string features = "angles";  ///< or "positions"
+    double scale = 0.0;               ///< metres per unit; 0: guessed
     int states = 16;
     int iterations = 0;
     std::string source;  ///< "cmu": the model carries CMU's acknowledgement

@@ -45,7 +45,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const std::stri
                                                                  motion::DanceRole role,
                                                                  const Figures& figures) {
     if (role == motion::DanceRole::lead) {
-        return engine::load_dance(dance);
+        return engine::load_dance(dance, role, figures.front().features);
     }
     return motion::DanceLibrary::build(figures, motion::mannequin_skeleton());
 }
@@ -88,7 +88,8 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
     report.dance = engine::dance_to_load(arguments.settings);
     report.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
     report.seed = arguments.settings.seed;
-    const auto figures = engine::trained_figures(report.dance, report.role);
+    const auto figures = engine::trained_figures(
+        report.dance, report.role, engine::features_to_load(arguments.settings));
     if (!figures) {
         return fail(figures.error());
     }

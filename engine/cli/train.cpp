@@ -22,6 +22,8 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
     plan.figure = arguments.figure;
     plan.dance = arguments.dance;
     plan.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
+    plan.features = arguments.features == "positions" ? motion::FigureFeatures::positions
+                                                      : motion::FigureFeatures::angles;
     if (arguments.scale > 0.0) {
         plan.metres_per_unit = arguments.scale;
     }
@@ -68,17 +70,18 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     for (const motion::RepeatUse& use : report->repeats) {
         used += use.left_out.empty() ? 1 : 0;
     }
-    std::fputs(
-        fmt::format("{}: {} of {} repeats; log-likelihood a sample: torso {:.1f}, upper {:.1f}, "
-                    "lower {:.1f}\n",
-                    arguments.output.string(),
-                    used,
-                    report->repeats.size(),
-                    report->log_likelihood[0],
-                    report->log_likelihood[1],
-                    report->log_likelihood[2])
-            .c_str(),
-        stdout);
+    std::string line = fmt::format("{}: {} of {} repeats; log-likelihood a sample:",
+                                   arguments.output.string(),
+                                   used,
+                                   report->repeats.size());
+    const char* separator = " ";
+    for (const motion::Part part : motion::parts_of(report->model.features)) {
+        const auto p = static_cast<std::size_t>(part);
+        line +=
+            fmt::format("{}{} {:.1f}", separator, motion::kPartNames[p], report->log_likelihood[p]);
+        separator = ", ";
+    }
+    std::puts(line.c_str());
     return kExitDone;
 }
 

@@ -5,8 +5,10 @@
 #include <thread>
 
 #include "base/random.hpp"
+#include "motion/dance/arm_directions.hpp"
 #include "motion/dance/relaxed_hands.hpp"
 #include "motion/dance/variation.hpp"
+#include "motion/figures/figure_trainer.hpp"
 
 namespace raks::motion {
 namespace {
@@ -99,6 +101,16 @@ FloorMove stage_of(const LibraryFigure& figure) {
     return stage;
 }
 
+/// Arms of varied positions keep their lengths, and stay where they can be mixed.
+void hold_arms(const FigureModel& model,
+               const PartModel& part,
+               const FeatureTrack& learnt,
+               FeatureTrack& varied) {
+    if (part.features == FigureFeatures::positions && part.part == Part::upper) {
+        restore_arms_near(learnt, part, source_body(model), varied);
+    }
+}
+
 struct Baking {
     std::span<const FigureModel> figures;
     const std::vector<FigureTracks>& tracks;
@@ -110,10 +122,12 @@ struct Baking {
     [[nodiscard]] FigurePassage passage(std::size_t figure, std::size_t n) const {
         FigureTracks varied = tracks[figure];
         const std::uint64_t stream = kPassageStream + n * (kParts.size() + 1);
-        for (const Part part : {Part::torso, Part::upper}) {
-            const auto p = static_cast<std::size_t>(part);
-            if (n > 0) {
-                vary(figures[figure].part(part), CounterRandom(figure, stream + p), varied[p]);
+        for (const PartModel& part : figures[figure].parts) {
+            const auto p = static_cast<std::size_t>(part.part);
+            // Legs step as learnt, aside; of positions they carry the hips.
+            if (n > 0 && (part.part != Part::lower || &part == &figures[figure].root_part())) {
+                vary(part, CounterRandom(figure, stream + p), varied[p]);
+                hold_arms(figures[figure], part, tracks[figure][p], varied[p]);
             }
         }
         const CounterRandom places_of_steps(figure, stream + kParts.size());

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/dance/arm_directions.hpp"
 #include "motion/dance/contact_windows.hpp"
 #include "motion/dance/trajectory.hpp"
+#include "motion/figures/figure_trainer.hpp"
 #include "motion/figures/foot_events.hpp"
 
 namespace raks::motion {
@@ -34,20 +36,15 @@ std::vector<Pose> free_poses(const FigureModel& model,
         fine[part] = upsampled(tracks[part], kFiner);
     }
     const NetMotion net{way.move.offset / scale, M_PI * way.half_turns};
-    const FeatureTrack& torso = fine[static_cast<std::size_t>(Part::torso)];
-    const std::vector<RootPlace> places = integrate_root(torso, samples_per_beat, {}, scale, net);
-    const auto rows = static_cast<std::ptrdiff_t>(torso.rows());
+    const FeatureTrack& root = root_of(model, fine);
+    const std::vector<RootPlace> places = integrate_root(root, samples_per_beat, {}, scale, net);
+    const auto rows = static_cast<std::ptrdiff_t>(root.rows());
     std::vector<Pose> poses;
     const std::ptrdiff_t around = kAround * samples_per_beat;
     for (std::ptrdiff_t i = -around; i < rows + around; ++i) {
         const FloorMove move = i < 0 ? inverse(way.move) : i >= rows ? way.move : FloorMove{};
         const auto row = static_cast<std::size_t>((i + rows) % rows);
-        Pose pose;
-        for (const Part part : kParts) {
-            const auto p = static_cast<std::size_t>(part);
-            apply_features(fine[p].row(row), model.part(part), places[row], scale, pose);
-        }
-        poses.push_back(move(pose));
+        poses.push_back(move(pose_of_features(model, fine, row, places[row], scale, skeleton)));
     }
     return poses;
 }
@@ -180,17 +177,21 @@ void step_aside(const CounterRandom& random, Side side, std::vector<PlannedConta
 
 FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton) {
     FigureTracks likely;
-    for (const Part part : kParts) {
-        likely[static_cast<std::size_t>(part)] =
-            most_likely_trajectory(model.part(part), model.samples());
+    for (const PartModel& part : model.parts) {
+        likely[static_cast<std::size_t>(part.part)] = most_likely_trajectory(part, model.samples());
     }
     const auto widened = [&](double amount) {
         FigureTracks tracks = likely;
-        for (const Part part : kParts) {
+        for (const PartModel& part : model.parts) {
             // Arms follow the hold, not the count: their speed is no measure.
-            restore_variance(model.part(part),
-                             part == Part::upper ? 1.0 : amount,
-                             tracks[static_cast<std::size_t>(part)]);
+            restore_variance(part,
+                             part.part == Part::upper ? 1.0 : amount,
+                             tracks[static_cast<std::size_t>(part.part)]);
+        }
+        if (model.features == FigureFeatures::positions) {
+            restore_arms(model.part(Part::upper),
+                         source_body(model),
+                         tracks[static_cast<std::size_t>(Part::upper)]);
         }
         return tracks;
     };

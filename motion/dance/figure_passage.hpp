@@ -7,6 +7,7 @@
 
 #include "base/beats.hpp"
 #include "base/random.hpp"
+#include "motion/dance/feature_pose.hpp"
 #include "motion/dance/floor_move.hpp"
 #include "motion/dance/foot_lock.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -24,9 +25,8 @@ struct FigureWay {
     FloorMove move;      ///< from its start to its end; identity, or half a turn
 };
 
-/// One figure's trajectories as learnt, by Part; what each passage varies. Torso and legs are
-/// widened until the toes are as fast as people's.
-using FigureTracks = std::array<FeatureTrack, 3>;
+/// A figure's trajectories as learnt; what each passage varies. Torso and legs are widened until
+/// the toes are as fast as people's.
 [[nodiscard]] FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton);
 
 /// Where both balls rest when a figure begins, in the frame of its start; by Side.

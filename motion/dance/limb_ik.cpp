@@ -11,18 +11,6 @@ namespace {
 constexpr float kTiny = 1e-6F;
 constexpr float kStraight = 0.02F;  // metres of the knee beside the leg's line
 
-/// Shortest rotation that turns direction `from` to direction `to`.
-glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept {
-    const glm::vec3 a = glm::normalize(from);
-    const glm::vec3 b = glm::normalize(to);
-    const float w = 1.0F + glm::dot(a, b);
-    if (w < kTiny) {
-        return glm::angleAxis(3.14159265F, glm::vec3(1, 0, 0));
-    }
-    const glm::vec3 axis = glm::cross(a, b);
-    return glm::normalize(glm::quat(w, axis.x, axis.y, axis.z));
-}
-
 // Hands that hold one another are no further apart by themselves; beyond the second they have let
 // go. Metres.
 constexpr float kHeld = 0.45F;
@@ -41,6 +29,17 @@ Limb arm_of(const WorldPose& world, Side side) noexcept {
 }
 
 }  // namespace
+
+glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept {
+    const glm::vec3 a = glm::normalize(from);
+    const glm::vec3 b = glm::normalize(to);
+    const float w = 1.0F + glm::dot(a, b);
+    if (w < kTiny) {
+        return glm::angleAxis(3.14159265F, glm::vec3(1, 0, 0));
+    }
+    const glm::vec3 axis = glm::cross(a, b);
+    return glm::normalize(glm::quat(w, axis.x, axis.y, axis.z));
+}
 
 glm::quat solve_limb(const Skeleton& skeleton,
                      const Limb& limb,

@@ -8,6 +8,10 @@ namespace raks::motion {
 /// Longest reach of a limb that keeps its knee or elbow from locking, as a share of its length.
 inline constexpr float kLongestReach = 0.997F;
 
+/// Shortest rotation that turns direction `from` to direction `to`, both of any length but 0.
+/// Threads: any. Real-time: yes.
+[[nodiscard]] glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept;
+
 /// Two bones in a row and what hangs on them: thigh, shin and foot, or arm, forearm and hand.
 struct Limb {
     Bone upper = Bone::left_upper_leg;

@@ -117,7 +117,10 @@ FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples) 
 
 void restore_variance(const PartModel& part, double amount, FeatureTrack& track) {
     const auto is_about_mean = [&](std::size_t feature) {
-        // Height and tilts: the only features whose mean is not zero by definition.
+        if (part.features == FigureFeatures::positions) {
+            return feature >= part.root_features();
+        }
+        // Height and tilts: the only angles whose mean is not zero by definition.
         return part.part == Part::torso &&
                feature >= static_cast<std::size_t>(RootFeature::height) && feature < kRootFeatures;
     };

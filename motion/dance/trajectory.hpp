@@ -18,9 +18,9 @@ namespace raks::motion {
 /// Restores the amplitude that averaging over repeats takes away. Within one repeat a feature
 /// varies by `global_variance`; what the repeats do not share, the states' own variance, is missing
 /// from a mean trajectory: it is scaled by sqrt(G / (G - V)), at most x 1.6 (arms differ between
-/// takes by the hold, which is no loss of amplitude). Joint rotations scale about the joint's mean,
-/// velocities about zero: a changed state changes its own slice alone. `amount` of it, 0 to 1,
-/// is done.
+/// takes by the hold, which is no loss of amplitude). Joint rotations and places scale about their
+/// mean, velocities about zero: a changed state changes its own slice alone. `amount` of it, 0 to
+/// 1, is done.
 void restore_variance(const PartModel& part, double amount, FeatureTrack& track);
 
 /// The same closed curve with `factor` times as many rows (Catmull-Rom).

@@ -21,13 +21,22 @@ constexpr std::array<double, 5> kHarmonics = {0.25, 0.3, 0.2, 0.15, 0.1};
 // between people's takes (stance, hold).
 constexpr double kTorso = 0.95;
 constexpr double kUpper = 1.3;
-constexpr double kFarthest = 1.8;      // deviations
-constexpr double kFarthestTurn = 1.0;  // radians of a joint
-constexpr double kVelocity = 0.2;      // of the hips, or the legs would not reach their steps
-constexpr double kHeight = 0.15;       // it differs between takes, not between repeats
+constexpr double kFarthest = 1.8;       // deviations
+constexpr double kFarthestTurn = 1.0;   // radians of a joint
+constexpr double kFarthestPlace = 0.2;  // metres of a joint
+constexpr double kVelocity = 0.2;       // of the hips, or the legs would not reach their steps
+constexpr double kHeight = 0.15;        // it differs between takes, not between repeats
+constexpr double kUpperPlaces = 1.2;    // bones that keep their length take some of it away
+constexpr double kLowerPlaces = 0.6;    // the hips', that legs must reach the floor from
 
-double amount_of(Part part, std::size_t feature) {
-    if (part != Part::torso) {
+double amount_of(const PartModel& part, std::size_t feature) {
+    if (part.features == FigureFeatures::positions) {
+        if (feature < part.root_features()) {
+            return kVelocity;
+        }
+        return part.part == Part::upper ? kUpperPlaces : kLowerPlaces;
+    }
+    if (part.part != Part::torso) {
         return kUpper;
     }
     if (feature <= static_cast<std::size_t>(RootFeature::yaw_rate)) {
@@ -61,18 +70,20 @@ std::vector<double> deviation_of(const PartModel& part, std::size_t feature, std
     return smoothed(deviation, slice);
 }
 
-/// Holds every joint near its learnt rotation, softly: further round, an arm could as well be mixed
-/// the other way.
+/// Holds every joint near its learnt rotation or place, softly: further round, an arm could as well
+/// be mixed the other way.
 void hold_joints(const PartModel& part, const FeatureTrack& learnt, FeatureTrack& track) {
-    const std::size_t first = part.part == Part::torso ? kRootFeatures : 0;
+    const std::size_t first = part.root_features();
+    const double farthest =
+        part.features == FigureFeatures::positions ? kFarthestPlace : kFarthestTurn;
     for (std::size_t i = 0; i < track.rows(); ++i) {
         for (std::size_t at = first; at + 2 < track.columns; at += 3) {
             const std::span<double> values = track.row(i).subspan(at, 3);
             const std::span<const double> from = learnt.row(i).subspan(at, 3);
             const double apart =
                 std::hypot(values[0] - from[0], values[1] - from[1], values[2] - from[2]);
-            const double share = kFarthestTurn * std::tanh(apart / kFarthestTurn) /
-                                 std::max(apart, kFarthestTurn * 1e-6);
+            const double share =
+                farthest * std::tanh(apart / farthest) / std::max(apart, farthest * 1e-6);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 values[axis] = from[axis] + share * (values[axis] - from[axis]);
             }
@@ -101,7 +112,7 @@ void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& trac
     }
     for (std::size_t feature = 0; feature < size; ++feature) {
         const std::vector<double> deviation = deviation_of(part, feature, samples);
-        const double amount = amount_of(part.part, feature);
+        const double amount = amount_of(part, feature);
         for (std::size_t i = 0; i < samples; ++i) {
             double curve = 0.0;
             for (std::size_t h = 0; h < kHarmonics.size(); ++h) {

@@ -30,9 +30,12 @@ Json json_of(const PartModel& part) {
     json["part"] = kPartNames[static_cast<std::size_t>(part.part)];
     json["joints"] = Json::array();
     for (const JointFeature& joint : part.joints) {
-        const glm::dquat& q = joint.mean;
-        json["joints"].push_back(
-            {{"bone", kBoneNames[index_of(joint.bone)]}, {"mean", {q.w, q.x, q.y, q.z}}});
+        Json& one = json["joints"].emplace_back();
+        one["bone"] = kBoneNames[index_of(joint.bone)];
+        if (part.features == FigureFeatures::angles) {
+            const glm::dquat& q = joint.mean;
+            one["mean"] = {q.w, q.x, q.y, q.z};
+        }
     }
     json["states"] = Json::array();
     for (const FigureState& state : part.states) {
@@ -71,9 +74,12 @@ std::size_t name_in(const Names& names, const Field& field) {
     return static_cast<std::size_t>(found - names.begin());
 }
 
-JointFeature joint_of(const Field& field) {
+JointFeature joint_of(const Field& field, FigureFeatures features) {
     JointFeature joint;
     joint.bone = static_cast<Bone>(name_in(kBoneNames, field["bone"]));
+    if (features == FigureFeatures::positions) {
+        return joint;
+    }
     const std::vector<double> q = field["mean"].numbers();
     if (q.size() == 4) {
         joint.mean = {q[0], q[1], q[2], q[3]};
@@ -92,12 +98,13 @@ FigureState state_of(const Field& field) {
             field["delta_delta_variance"].numbers()};
 }
 
-PartModel part_of(const Field& field) {
+PartModel part_of(const Field& field, FigureFeatures features) {
     PartModel part;
+    part.features = features;
     part.part = static_cast<Part>(name_in(kPartNames, field["part"]));
     const Field joints = field["joints"];
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        part.joints.push_back(joint_of(joints[j]));
+        part.joints.push_back(joint_of(joints[j], features));
     }
     const Field states = field["states"];
     for (std::size_t k = 0; k < states.size(); ++k) {
@@ -145,13 +152,17 @@ FigureModel figure_of(const Field& root) {
     model.net_turn = root["net_turn"].number();
     model.source_hips_height = root["source_hips_height"].number();
     model.peak_toe_speed = root["peak_toe_speed"].number();
+    if (root.has("features")) {
+        model.features = static_cast<FigureFeatures>(name_in(kFeaturesNames, root["features"]));
+    }
     const Field parts = root["parts"];
-    if (parts.size() != model.parts.size()) {
-        parts.complain(fmt::format("has {} entries, must have 3", parts.size()));
+    const std::size_t count = parts_of(model.features).size();
+    if (parts.size() != count) {
+        parts.complain(fmt::format("has {} entries, must have {}", parts.size(), count));
         return model;
     }
-    for (std::size_t p = 0; p < model.parts.size(); ++p) {
-        model.parts[p] = part_of(parts[p]);
+    for (std::size_t p = 0; p < count; ++p) {
+        model.parts.push_back(part_of(parts[p], model.features));
     }
     read_feet(root, model);
     return model;
@@ -166,11 +177,15 @@ Error retrain(const std::string& name, const std::string& message) {
 std::string figure_text(const FigureModel& model) {
     Json json;
     json["format"] = FigureModel::kFormat;
-    json["version"] = FigureModel::kVersion;
+    const bool is_of_angles = model.features == FigureFeatures::angles;
+    json["version"] = is_of_angles ? 1 : FigureModel::kVersion;
     json["name"] = model.name;
     json["dance"] = model.dance;
     json["role"] = kRoleNames[static_cast<std::size_t>(model.role)];
     json["attribution"] = model.attribution;
+    if (!is_of_angles) {
+        json["features"] = kFeaturesNames[static_cast<std::size_t>(model.features)];
+    }
     json["beats"] = model.beats;
     json["samples_per_beat"] = model.samples_per_beat;
     json["learnt_tempo"] = model.learnt_tempo.bpm();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +32,19 @@ enum class Part : std::uint8_t { torso, upper, lower };
 inline constexpr std::array<Part, 3> kParts = {Part::torso, Part::upper, Part::lower};
 inline constexpr std::array<std::string_view, 3> kPartNames = {"torso", "upper", "lower"};
 
+/// What the parts are made of: rotations of joints (torso, upper, lower), or their places in space
+/// (upper and lower; Ofli 2008, section 4.1: joint-position figures).
+enum class FigureFeatures : std::uint8_t { angles, positions };
+inline constexpr std::array<std::string_view, 2> kFeaturesNames = {"angles", "positions"};
+
+/// The parts of a figure, in the order of its file.
+[[nodiscard]] std::span<const Part> parts_of(FigureFeatures features) noexcept;
+
 enum class DanceRole : std::uint8_t { lead, follow };
 inline constexpr std::array<std::string_view, 2> kRoleNames = {"lead", "follow"};
 
-/// The torso's first six features, in this order; three of each spine joint follow.
+/// How the body moves as a whole, in this order. Angles: the torso's first six features; three of
+/// each spine joint follow. Positions: the first three lead the lower part.
 enum class RootFeature : std::uint8_t {
     velocity_left,     ///< heading-local +x; metres a beat
     velocity_forward,  ///< heading-local +z; metres a beat
@@ -44,12 +54,14 @@ enum class RootFeature : std::uint8_t {
     tilt_z,            ///< (The part about the vertical is zero by definition and left out.)
 };
 inline constexpr std::size_t kRootFeatures = 6;
+inline constexpr std::size_t kTravelFeatures = 3;
 
-/// A joint whose rotation is a feature: three numbers, the exponential map (axis x angle, radians,
-/// in the joint's frame) of `mean^-1 * local rotation`.
+/// A joint that is a feature, three numbers. Angles: the exponential map (axis x angle, radians, in
+/// the joint's frame) of `mean^-1 * local rotation`. Positions: its place (x left, y up, z forward)
+/// seen from the point on the floor under the hips, heading as they do; metres of the source body.
 struct JointFeature {
     Bone bone = Bone::hips;
-    glm::dquat mean{1.0, 0.0, 0.0, 0.0};  ///< unit
+    glm::dquat mean{1.0, 0.0, 0.0, 0.0};  ///< unit; angles only
 };
 
 /// What one state says of each feature: a Gaussian over value, delta and delta-delta, all of
@@ -71,7 +83,8 @@ struct FigureState {
 /// state k of N spans [k, k+1) x beats / N.
 struct PartModel {
     Part part = Part::torso;
-    std::vector<JointFeature> joints;  ///< torso: after the six root features
+    FigureFeatures features = FigureFeatures::angles;
+    std::vector<JointFeature> joints;  ///< after the root features
     std::vector<FigureState> states;   ///< N, at least 1
 
     std::vector<double> initial;                  ///< N, sums to 1
@@ -83,9 +96,16 @@ struct PartModel {
     /// what a mean trajectory is scaled to so that averaging does not shrink the dance. D, > 0.
     std::vector<double> global_variance;
 
+    /// How many of RootFeature come first.
+    [[nodiscard]] std::size_t root_features() const noexcept {
+        if (features == FigureFeatures::positions) {
+            return part == Part::lower ? kTravelFeatures : 0;
+        }
+        return part == Part::torso ? kRootFeatures : 0;
+    }
     /// D: features of one sample.
     [[nodiscard]] std::size_t dimension() const noexcept {
-        return 3 * joints.size() + (part == Part::torso ? kRootFeatures : 0);
+        return root_features() + 3 * joints.size();
     }
     /// The state of sample i of a figure of T samples, 0 <= i < T.
     [[nodiscard]] std::size_t state_at(std::size_t sample, std::size_t samples) const noexcept {
@@ -105,7 +125,7 @@ inline constexpr std::size_t kContactBins = 64;  ///< over one figure
 
 struct FigureModel {
     static constexpr std::string_view kFormat = "raks-figure";
-    static constexpr int kVersion = 1;
+    static constexpr int kVersion = 2;  ///< of positions; angles are written as version 1
 
     std::string name;   ///< "basic"
     std::string dance;  ///< "salsa", a genre label
@@ -117,7 +137,8 @@ struct FigureModel {
     Bpm learnt_tempo{120.0};    ///< mean over the repeats
     int repeats = 0;            ///< how many it was learnt from
 
-    std::array<PartModel, 3> parts;  ///< by Part
+    FigureFeatures features = FigureFeatures::angles;
+    std::vector<PartModel> parts;  ///< parts_of(features)
 
     /// From the first sample to the sample at phase `beats`: place in metres in the heading frame
     /// of the start (x left, y forward), and turn in radians.
@@ -139,9 +160,10 @@ struct FigureModel {
     /// By Side, then by count 1..beats (index 0 is count 1).
     std::array<std::vector<LandingOffset>, 2> landings;
 
-    [[nodiscard]] const PartModel& part(Part which) const noexcept {
-        return parts[static_cast<std::size_t>(which)];
-    }
+    /// A part that the figure has: positions have no torso.
+    [[nodiscard]] const PartModel& part(Part which) const noexcept;
+    /// The part that says how the body moves as a whole.
+    [[nodiscard]] const PartModel& root_part() const noexcept;
     /// T: samples of one figure.
     [[nodiscard]] std::size_t samples() const noexcept {
         return static_cast<std::size_t>(beats) * static_cast<std::size_t>(samples_per_beat);
@@ -150,7 +172,10 @@ struct FigureModel {
 
 /// The joints of each part, in the order of the features: spine, chest, neck; shoulder, upper arm,
 /// lower arm of the left, then of the right; upper leg, lower leg, foot of the left, then right.
-[[nodiscard]] std::vector<Bone> default_joints(Part part);
+/// Of positions: spine, chest, neck, head, then upper arm, lower arm and hand of both sides; upper
+/// leg, lower leg, foot and toes of both sides.
+[[nodiscard]] std::vector<Bone> default_joints(Part part,
+                                               FigureFeatures features = FigureFeatures::angles);
 
 /// Checks everything the dancer relies on. The error names the first wrong field, its value and
 /// what it must be: `parts[0].states[3].variance[0] is -0.2, must be > 0`.

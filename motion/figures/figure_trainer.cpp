@@ -161,52 +161,44 @@ Expected<double> learn_part(std::span<const FeatureTrack> tracks,
 void learn_net_motion(std::span<const std::vector<Pose>> phased,
                       std::span<const TrainingClip> clips,
                       std::span<const FigureRepeat> repeats,
+                      const Skeleton& body,
                       FigureModel& model) {
     double weight_sum = 0.0;
     double seconds_per_beat = 0.0;
-    double hips_height = 0.0;
     for (std::size_t r = 0; r < repeats.size(); ++r) {
         const FigureRepeat& repeat = repeats[r];
         const std::span<const Pose> whole = std::span(phased[r]).subspan(1, model.samples() + 2);
-        const FeatureTrack torso =
-            features_of(whole, model.part(Part::torso), model.samples_per_beat);
-        const RootPlace end = integrate_root(torso, model.samples_per_beat, {})[model.samples()];
+        const FeatureTrack root =
+            features_of(whole, model.root_part(), model.samples_per_beat, body);
+        const RootPlace end = integrate_root(root, model.samples_per_beat, {})[model.samples()];
         const double frames = repeat.beat_frames.back() - repeat.beat_frames.front();
         weight_sum += repeat.weight;
         model.net_displacement += repeat.weight * end.position;
         model.net_turn += repeat.weight * end.heading;
         seconds_per_beat +=
             repeat.weight * frames / (clips[repeat.clip].frames_per_second * model.beats);
-        hips_height += repeat.weight * clips[repeat.clip].hips_height;
     }
     model.net_displacement /= weight_sum;
     model.net_turn /= weight_sum;
     model.learnt_tempo = Bpm::from_period(seconds_per_beat / weight_sum);
-    model.source_hips_height = hips_height / weight_sum;
+}
+
+double mean_hips_height(std::span<const TrainingClip> clips,
+                        std::span<const FigureRepeat> repeats) {
+    double weight_sum = 0.0;
+    double hips_height = 0.0;
+    for (const FigureRepeat& repeat : repeats) {
+        weight_sum += repeat.weight;
+        hips_height += repeat.weight * clips[repeat.clip].hips_height;
+    }
+    return hips_height / weight_sum;
 }
 
 }  // namespace
 
-std::vector<Bone> default_joints(Part part) {
-    switch (part) {
-        case Part::torso:
-            return {Bone::spine, Bone::chest, Bone::neck};
-        case Part::upper:
-            return {Bone::left_shoulder,
-                    Bone::left_upper_arm,
-                    Bone::left_lower_arm,
-                    Bone::right_shoulder,
-                    Bone::right_upper_arm,
-                    Bone::right_lower_arm};
-        case Part::lower:
-            return {Bone::left_upper_leg,
-                    Bone::left_lower_leg,
-                    Bone::left_foot,
-                    Bone::right_upper_leg,
-                    Bone::right_lower_leg,
-                    Bone::right_foot};
-    }
-    return {};
+Skeleton source_body(const FigureModel& model) noexcept {
+    const Skeleton& built_in = mannequin_skeleton();
+    return scaled(built_in, static_cast<float>(model.source_hips_height) / built_in.hips_height());
 }
 
 Expected<void> check_training(std::span<const TrainingClip> clips,
@@ -266,25 +258,30 @@ Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
     model.samples_per_beat = options.samples_per_beat;
     model.repeats = static_cast<int>(repeats.size());
 
+    model.features = options.features;
+    model.source_hips_height = mean_hips_height(clips, repeats);
+
+    const Skeleton body = source_body(model);
     const std::vector<double> weights = weights_of(repeats);
     const std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, options.samples_per_beat, options.low_pass_hz);
-    for (const Part which : kParts) {
-        const std::size_t p = static_cast<std::size_t>(which);
-        model.parts[p] = mean_joints(which, phased, weights);
+    for (const Part which : parts_of(options.features)) {
+        PartModel& part =
+            model.parts.emplace_back(mean_joints(which, phased, weights, options.features));
         std::vector<FeatureTrack> tracks;
         tracks.reserve(phased.size());
         for (const std::vector<Pose>& poses : phased) {
-            tracks.push_back(features_of(poses, model.parts[p], options.samples_per_beat));
+            tracks.push_back(features_of(poses, part, options.samples_per_beat, body));
         }
         const Expected<double> likelihood =
-            learn_part(tracks, weights, model.samples(), options, model.parts[p]);
+            learn_part(tracks, weights, model.samples(), options, part);
+        const auto p = static_cast<std::size_t>(which);
         if (!likelihood) {
             return fail(Error(likelihood.error()).in(std::string(kPartNames[p])));
         }
         result.log_likelihood[p] = *likelihood;
     }
-    learn_net_motion(phased, clips, repeats, model);
+    learn_net_motion(phased, clips, repeats, body, model);
     learn_feet(clips, repeats, model);
     if (auto ok = validate(model); !ok) {
         return fail(std::move(ok.error()).in("the learnt figure"));
@@ -312,7 +309,8 @@ Expected<double> score_repeats(const FigureModel& model,
     double sum = 0.0;
     for (const std::vector<Pose>& poses :
          phased_repeats(clips, repeats, model.samples_per_beat, low_pass_hz)) {
-        const FeatureTrack track = features_of(poses, model.part(part), model.samples_per_beat);
+        const FeatureTrack track =
+            features_of(poses, model.part(part), model.samples_per_beat, source_body(model));
         sum += models::log_likelihood(*scorer, frames_of(track, 1, model.samples()));
     }
     return sum / static_cast<double>(repeats.size() * model.samples());

@@ -11,6 +11,7 @@
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/motion_features.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/skeleton.hpp"
 
 /// Learning one figure from its repetitions (Ofli 2008, section 4.1, with the states aligned to
 /// the beat).
@@ -39,6 +40,7 @@ struct FigureTrainingOptions {
     std::string dance;
     DanceRole role = DanceRole::lead;
     std::string attribution;
+    FigureFeatures features = FigureFeatures::angles;
     int beats = 8;
     int samples_per_beat = 24;
     int states = 16;  ///< of each part; on unseen takes legs gain 0.2 a sample from 14 to 16
@@ -55,7 +57,7 @@ struct FigureTrainingOptions {
 
 struct FigureTrainingResult {
     FigureModel model;
-    /// Mean log-likelihood per sample of the training repeats, by Part.
+    /// Mean log-likelihood per sample of the training repeats, by Part (0 for one it has not).
     std::array<double, 3> log_likelihood{};
 };
 
@@ -70,6 +72,10 @@ struct FigureTrainingResult {
 [[nodiscard]] Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
                                                           std::span<const FigureRepeat> repeats,
                                                           const FigureTrainingOptions& options);
+
+/// The built-in skeleton at the size of the body that a figure was learnt from: what its positions
+/// are the joints of.
+[[nodiscard]] Skeleton source_body(const FigureModel& model) noexcept;
 
 /// The poses of a repeat on the figure's phase axis, from one sample before count 1 to two after
 /// the end (samples + 3 poses): what deltas and velocities at the ends need.

@@ -73,9 +73,24 @@ Expected<void> check_state(const std::string& name, const FigureState& state, st
     return {};
 }
 
-Expected<void> check_joints(const std::string& name, const std::vector<JointFeature>& joints) {
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-        const glm::dquat& q = joints[j].mean;
+/// Whole bodies are made from positions: each of their joints is needed, once and in its order.
+Expected<void> check_places(const std::string& name, const PartModel& part) {
+    const std::vector<Bone> bones = default_joints(part.part, part.features);
+    for (std::size_t j = 0; j < bones.size(); ++j) {
+        if (j >= part.joints.size() || part.joints[j].bone != bones[j]) {
+            return fail(
+                fmt::format("{}.joints[{}] must be {}", name, j, kBoneNames[index_of(bones[j])]));
+        }
+    }
+    return check_size(name + ".joints", part.joints.size(), bones.size());
+}
+
+Expected<void> check_joints(const std::string& name, const PartModel& part) {
+    if (part.features == FigureFeatures::positions) {
+        return check_places(name, part);
+    }
+    for (std::size_t j = 0; j < part.joints.size(); ++j) {
+        const glm::dquat& q = part.joints[j].mean;
         const double length = std::sqrt(glm::dot(q, q));
         if (!(std::abs(length - 1.0) <= kUnitTolerance)) {
             return fail(
@@ -88,7 +103,7 @@ Expected<void> check_joints(const std::string& name, const std::vector<JointFeat
 Expected<void> check_part(const std::string& name, const PartModel& part, int samples) {
     const std::size_t n = part.states.size();
     const std::size_t d = part.dimension();
-    if (auto ok = check_joints(name, part.joints); !ok) {
+    if (auto ok = check_joints(name, part); !ok) {
         return ok;
     }
     if (n < 1 || n > kMaxStates || n > static_cast<std::size_t>(samples)) {
@@ -218,10 +233,18 @@ Expected<void> validate(const FigureModel& model) {
     if (auto ok = check_head(model); !ok) {
         return ok;
     }
+    const std::span<const Part> parts = parts_of(model.features);
+    if (model.parts.size() != parts.size()) {
+        return fail(
+            fmt::format("parts has {} entries, must have {}", model.parts.size(), parts.size()));
+    }
     for (std::size_t p = 0; p < model.parts.size(); ++p) {
         const std::string name = fmt::format("parts[{}]", p);
-        if (model.parts[p].part != kParts[p]) {
-            return fail(fmt::format("{}.part must be {}", name, kPartNames[p]));
+        if (model.parts[p].part != parts[p] || model.parts[p].features != model.features) {
+            return fail(fmt::format("{}.part must be {} of {}",
+                                    name,
+                                    kPartNames[static_cast<std::size_t>(parts[p])],
+                                    kFeaturesNames[static_cast<std::size_t>(model.features)]));
         }
         if (auto ok = check_part(name, model.parts[p], static_cast<int>(model.samples())); !ok) {
             return ok;

@@ -38,10 +38,11 @@ void write(const glm::dvec3& value, std::span<double> row, std::size_t at) noexc
     row[at + 2] = value.z;
 }
 
-void write_root(std::span<const Pose> poses,
-                std::size_t i,
-                double samples_per_beat,
-                std::span<double> row) {
+/// The first three of RootFeature.
+void write_travel(std::span<const Pose> poses,
+                  std::size_t i,
+                  double samples_per_beat,
+                  std::span<double> row) {
     const std::size_t from = i + 1 < poses.size() ? i : i - 1;
     const RootPlace a = place_of(poses[from]);
     const RootPlace b = place_of(poses[from + 1]);
@@ -50,12 +51,40 @@ void write_root(std::span<const Pose> poses,
     row[column(RootFeature::velocity_left)] = step.x * samples_per_beat;
     row[column(RootFeature::velocity_forward)] = step.y * samples_per_beat;
     row[column(RootFeature::yaw_rate)] = turn * samples_per_beat;
-    row[column(RootFeature::height)] = static_cast<double>(poses[i].hips_position.y);
+}
 
-    const glm::dquat hips(poses[i].rotation(Bone::hips));
+/// The other three.
+void write_stance(const Pose& pose, std::span<double> row) {
+    row[column(RootFeature::height)] = static_cast<double>(pose.hips_position.y);
+    const glm::dquat hips(pose.rotation(Bone::hips));
     const glm::dvec3 tilt = exponential_map(turn_about_y(-heading_of(hips)) * hips);
     row[column(RootFeature::tilt_x)] = tilt.x;
     row[column(RootFeature::tilt_z)] = tilt.z;
+}
+
+void write_angles(const Pose& pose, const PartModel& part, std::span<double> row) {
+    std::size_t at = 0;
+    for (const JointFeature& joint : part.joints) {
+        const glm::dquat local(pose.rotation(joint.bone));
+        write(exponential_map(glm::conjugate(joint.mean) * local), row, at);
+        at += 3;
+    }
+}
+
+void write_places(const Pose& pose,
+                  const PartModel& part,
+                  const Skeleton& body,
+                  std::span<double> row) {
+    const WorldPose world = world_pose(body, pose);
+    const RootPlace place = place_of(pose);
+    std::size_t at = 0;
+    for (const JointFeature& joint : part.joints) {
+        const glm::dvec3 joint_place(world.position(joint.bone));
+        const glm::dvec2 away = turned(
+            {joint_place.x - place.position.x, joint_place.z - place.position.y}, -place.heading);
+        write({away.x, joint_place.y, away.y}, row, at);
+        at += 3;
+    }
 }
 
 }  // namespace
@@ -96,33 +125,38 @@ glm::dquat mean_rotation(std::span<const glm::dquat> rotations, std::span<const 
     return {sign * q[0], sign * q[1], sign * q[2], sign * q[3]};
 }
 
-FeatureTrack features_of(std::span<const Pose> poses, const PartModel& part, int samples_per_beat) {
-    RAKS_ASSERT(part.part != Part::torso || poses.size() >= 2);
+FeatureTrack features_of(std::span<const Pose> poses,
+                         const PartModel& part,
+                         int samples_per_beat,
+                         const Skeleton& body) {
+    const std::size_t root = part.root_features();
+    RAKS_ASSERT(root == 0 || poses.size() >= 2);
     FeatureTrack track{part.dimension(), {}};
     track.values.resize(poses.size() * track.columns);
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const std::span<double> row = track.row(i);
-        std::size_t at = 0;
-        if (part.part == Part::torso) {
-            write_root(poses, i, samples_per_beat, row);
-            at = kRootFeatures;
+        if (root > 0) {
+            write_travel(poses, i, samples_per_beat, row);
         }
-        for (const JointFeature& joint : part.joints) {
-            const glm::dquat local(poses[i].rotation(joint.bone));
-            write(exponential_map(glm::conjugate(joint.mean) * local), row, at);
-            at += 3;
+        if (root == kRootFeatures) {
+            write_stance(poses[i], row);
+        }
+        if (part.features == FigureFeatures::positions) {
+            write_places(poses[i], part, body, row.subspan(root));
+        } else {
+            write_angles(poses[i], part, row.subspan(root));
         }
     }
     return track;
 }
 
-std::vector<RootPlace> integrate_root(const FeatureTrack& torso,
+std::vector<RootPlace> integrate_root(const FeatureTrack& root,
                                       int samples_per_beat,
                                       const RootPlace& start,
                                       double scale) {
-    std::vector<RootPlace> places(torso.rows() + 1, start);
-    for (std::size_t i = 0; i < torso.rows(); ++i) {
-        const std::span<const double> row = torso.row(i);
+    std::vector<RootPlace> places(root.rows() + 1, start);
+    for (std::size_t i = 0; i < root.rows(); ++i) {
+        const std::span<const double> row = root.row(i);
         const double turn = row[column(RootFeature::yaw_rate)] / samples_per_beat;
         const glm::dvec2 step(row[column(RootFeature::velocity_left)],
                               row[column(RootFeature::velocity_forward)]);
@@ -133,21 +167,21 @@ std::vector<RootPlace> integrate_root(const FeatureTrack& torso,
     return places;
 }
 
-std::vector<RootPlace> integrate_root(const FeatureTrack& torso,
+std::vector<RootPlace> integrate_root(const FeatureTrack& root,
                                       int samples_per_beat,
                                       const RootPlace& start,
                                       double scale,
                                       const NetMotion& net) {
-    const std::size_t rows = torso.rows();
+    const std::size_t rows = root.rows();
     if (rows == 0) {
         return {start};
     }
     const double n = static_cast<double>(rows);
     double turn = 0.0;
     for (std::size_t i = 0; i < rows; ++i) {
-        turn += torso.row(i)[column(RootFeature::yaw_rate)] / samples_per_beat;
+        turn += root.row(i)[column(RootFeature::yaw_rate)] / samples_per_beat;
     }
-    FeatureTrack steered = torso;
+    FeatureTrack steered = root;
     for (std::size_t i = 0; i < rows; ++i) {
         steered.row(i)[column(RootFeature::yaw_rate)] += (net.turn - turn) / n * samples_per_beat;
     }
@@ -179,6 +213,13 @@ void apply_features(std::span<const double> row,
         pose.rotation(joint.bone) = glm::quat(joint.mean * rotation_from(value));
         at += 3;
     }
+}
+
+glm::dvec3 world_place(std::span<const double> local,
+                       const RootPlace& place,
+                       double scale) noexcept {
+    const glm::dvec2 away = turned({local[0] * scale, local[2] * scale}, place.heading);
+    return {place.position.x + away.x, local[1] * scale, place.position.y + away.y};
 }
 
 }  // namespace raks::motion

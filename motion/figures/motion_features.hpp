@@ -7,6 +7,7 @@
 
 #include "motion/figures/figure_model.hpp"
 #include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
@@ -47,11 +48,13 @@ struct FeatureTrack {
 
 /// The root's features and spine, arms or legs of consecutive poses, one every 1 /
 /// samples_per_beat beats. Velocity and yaw rate of row i are those from pose i to i + 1, in the
-/// heading halfway; the last row repeats the one before it. `part` needs `part.part` and
-/// `part.joints` only. At least 2 poses for the torso.
+/// heading halfway; the last row repeats the one before it. `part` needs its part, features and
+/// joints only; `body` (whose poses these are) matters to positions only. At least 2 poses where
+/// the part has root features.
 [[nodiscard]] FeatureTrack features_of(std::span<const Pose> poses,
                                        const PartModel& part,
-                                       int samples_per_beat);
+                                       int samples_per_beat,
+                                       const Skeleton& body = mannequin_skeleton());
 
 /// Where the hips stand (x left, y forward of heading 0: the floor's x and z) and which way they
 /// face.
@@ -66,26 +69,32 @@ struct NetMotion {
     double turn = 0.0;                  ///< radians
 };
 
-/// The places of rows 0..rows (one more than rows) from the torso's velocities, from `start`.
+/// The places of rows 0..rows (one more than rows) from a root part's velocities, from `start`.
 /// `scale` multiplies lengths (retargeting). Without `net` it is the inverse of features_of. With
 /// `net`, what is missing to it is spread evenly over the rows: turn first, then place.
-[[nodiscard]] std::vector<RootPlace> integrate_root(const FeatureTrack& torso,
+[[nodiscard]] std::vector<RootPlace> integrate_root(const FeatureTrack& root,
                                                     int samples_per_beat,
                                                     const RootPlace& start,
                                                     double scale = 1.0);
-[[nodiscard]] std::vector<RootPlace> integrate_root(const FeatureTrack& torso,
+[[nodiscard]] std::vector<RootPlace> integrate_root(const FeatureTrack& root,
                                                     int samples_per_beat,
                                                     const RootPlace& start,
                                                     double scale,
                                                     const NetMotion& net);
 
 /// Sets the rotations of the part's joints (and, for the torso, the hips: rotation and place) from
-/// one row of features; leaves the other bones. `place` and `scale` matter to the torso only.
+/// one row of angles; leaves the other bones. `place` and `scale` matter to the torso only.
 /// Threads: any. Real-time: yes.
 void apply_features(std::span<const double> row,
                     const PartModel& part,
                     const RootPlace& place,
                     double scale,
                     Pose& pose) noexcept;
+
+/// The joint's place in the world that a row of positions gives it: `local` are its three features.
+/// Threads: any. Real-time: yes.
+[[nodiscard]] glm::dvec3 world_place(std::span<const double> local,
+                                     const RootPlace& place,
+                                     double scale) noexcept;
 
 }  // namespace raks::motion

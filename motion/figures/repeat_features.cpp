@@ -25,10 +25,16 @@ std::vector<std::vector<Pose>> phased_repeats(std::span<const TrainingClip> clip
 
 PartModel mean_joints(Part which,
                       std::span<const std::vector<Pose>> repeats,
-                      std::span<const double> weights) {
+                      std::span<const double> weights,
+                      FigureFeatures features) {
     PartModel part;
     part.part = which;
-    for (const Bone bone : default_joints(which)) {
+    part.features = features;
+    for (const Bone bone : default_joints(which, features)) {
+        if (features == FigureFeatures::positions) {
+            part.joints.push_back({bone});
+            continue;
+        }
         std::vector<glm::dquat> rotations;
         std::vector<double> each;
         for (std::size_t r = 0; r < repeats.size(); ++r) {

@@ -17,10 +17,11 @@ namespace raks::motion {
                                                             int samples_per_beat,
                                                             double low_pass_hz);
 
-/// The default joints of a part with their mean rotations over all repeats.
+/// The default joints of a part; of angles, with their mean rotations over all repeats.
 [[nodiscard]] PartModel mean_joints(Part which,
                                     std::span<const std::vector<Pose>> repeats,
-                                    std::span<const double> weights);
+                                    std::span<const double> weights,
+                                    FigureFeatures features = FigureFeatures::angles);
 
 /// Features of a phased repeat at samples 0 to T - 1: T x D.
 [[nodiscard]] models::Frames part_frames(std::span<const Pose> phased,

@@ -389,6 +389,7 @@ Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan) {
     options.name = plan.figure;
     options.dance = plan.dance;
     options.role = plan.role;
+    options.features = plan.features;
     options.attribution = plan.attribution;
     options.beats = beats_of(*material);
     options.states = plan.states;

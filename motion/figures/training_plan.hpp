@@ -25,6 +25,7 @@ struct FigureTrainingPlan {
     std::string figure = "basic";
     std::string dance = "salsa";
     DanceRole role = DanceRole::lead;
+    FigureFeatures features = FigureFeatures::angles;
     std::string split;  ///< only labels of this split; empty: all
     /// Only labels at least so sure. (Averaging over doubtful repeats shrinks the dance: measured
     /// 1.9 m/s of peak toe speed over all >= 0.6, 2.4 over >= 0.95, 2.8 in single repeats.)

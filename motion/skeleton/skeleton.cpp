@@ -75,6 +75,16 @@ const Skeleton& mannequin_skeleton() noexcept {
     return skeleton;
 }
 
+Skeleton scaled(Skeleton skeleton, float factor) noexcept {
+    for (glm::vec3& offset : skeleton.offsets) {
+        offset *= factor;
+    }
+    for (glm::vec3* point : {&skeleton.ball, &skeleton.toe_tip, &skeleton.heel}) {
+        *point *= factor;
+    }
+    return skeleton;
+}
+
 WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept {
     WorldPose world;
     world.positions[0] = pose.hips_position;

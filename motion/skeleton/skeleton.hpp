@@ -29,6 +29,9 @@ struct Skeleton {
 /// The built-in mannequin's skeleton: 1.714 m tall.
 [[nodiscard]] const Skeleton& mannequin_skeleton() noexcept;
 
+/// The same body `factor` times as large.
+[[nodiscard]] Skeleton scaled(Skeleton skeleton, float factor) noexcept;
+
 /// Place and orientation of every bone in the world for one pose.
 struct WorldPose {
     std::array<glm::vec3, kBoneCount> positions{};

@@ -35,21 +35,23 @@ const FigureGrammar& salsa_grammar() {
     return grammar;
 }
 
+/// salsa_FIGURE_NAME.json of all figures.
+std::vector<FigureModel> load_figures(std::string_view name) {
+    std::vector<FigureModel> models;
+    for (const FigureGrammar::Rule& rule : salsa_grammar().rules) {
+        auto loaded = load_figure(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_" +
+                                  rule.figure + "_" + std::string(name) + ".json");
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        models.push_back(*loaded);
+    }
+    return models;
+}
+
 }  // namespace
 
 const std::vector<FigureModel>& salsa_figures(DanceRole role) {
-    static const auto load = [](std::string_view name) {
-        std::vector<FigureModel> models;
-        for (const FigureGrammar::Rule& rule : salsa_grammar().rules) {
-            auto loaded = load_figure(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_" +
-                                      rule.figure + "_" + std::string(name) + ".json");
-            EXPECT_TRUE(loaded) << loaded.error().message;
-            models.push_back(*loaded);
-        }
-        return models;
-    };
-    static const std::array<std::vector<FigureModel>, 2> figures = {load(kRoleNames[0]),
-                                                                    load(kRoleNames[1])};
+    static const std::array<std::vector<FigureModel>, 2> figures = {load_figures(kRoleNames[0]),
+                                                                    load_figures(kRoleNames[1])};
     return figures[static_cast<std::size_t>(role)];
 }
 
@@ -62,6 +64,16 @@ std::shared_ptr<const DanceLibrary> salsa_library(DanceRole role) {
         EXPECT_TRUE(built) << built.error().message;
         library = *built;
     }
+    return library;
+}
+
+std::shared_ptr<const DanceLibrary> position_library() {
+    static const std::shared_ptr<const DanceLibrary> library = [] {
+        auto built = DanceLibrary::build(
+            load_figures("lead_positions"), mannequin_skeleton(), &salsa_grammar());
+        EXPECT_TRUE(built) << built.error().message;
+        return *built;
+    }();
     return library;
 }
 

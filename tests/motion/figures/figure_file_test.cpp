@@ -113,7 +113,7 @@ TEST(FigureFile, refuses_bad_files_in_one_line) {
         {replaced("raks-figure", "raks-hmm"),
          "x.json: not a raks-figure file (no \"format\": \"raks-figure\")"},
         {replaced("\"version\": 1", "\"version\": 7"),
-         "x.json: version 7 is newer than 1, the newest this program reads; update Raks"},
+         "x.json: version 7 is newer than 2, the newest this program reads; update Raks"},
         {replaced("\"repeats\": 3", "\"repeats\": -3"),
          "x.json: repeats is -3, must be a whole number from 0 to 1000000; train the figure again"},
         {replaced("\"lead\"", "\"boss\""),

@@ -24,9 +24,12 @@ fs::path shared_mocap() {
     return root / "data" / "mocap";
 }
 
-fs::path model_path(DanceRole role, const std::string& figure = "basic") {
+fs::path model_path(DanceRole role,
+                    const std::string& figure = "basic",
+                    FigureFeatures features = FigureFeatures::angles) {
     const std::string name(kRoleNames[static_cast<std::size_t>(role)]);
-    return kModels / ("salsa_" + figure + "_" + name + ".json");
+    const std::string kind = features == FigureFeatures::positions ? "_positions" : "";
+    return kModels / ("salsa_" + figure + "_" + name + kind + ".json");
 }
 
 class ShippedFigure : public ::testing::TestWithParam<DanceRole> {};
@@ -81,6 +84,22 @@ TEST_P(ShippedFigure, half_turns_are_half_turns) {
     EXPECT_NEAR(std::abs(turn_of("travelling_turn")), is_lead ? 1.0 : 3.0, 0.25);
 }
 
+TEST_P(ShippedFigure, of_positions_tells_what_the_one_of_angles_does) {
+    for (const char* const figure :
+         {"basic", "cross_body_lead", "inplace_turn", "travelling_turn"}) {
+        const Expected<FigureModel> angles = load_figure(model_path(GetParam(), figure));
+        const Expected<FigureModel> positions =
+            load_figure(model_path(GetParam(), figure, FigureFeatures::positions));
+        ASSERT_TRUE(angles && positions) << figure;
+        EXPECT_EQ(positions->features, FigureFeatures::positions);
+        EXPECT_EQ(positions->attribution, cmu_attribution());
+        EXPECT_EQ(positions->repeats, angles->repeats);
+        EXPECT_EQ(positions->contact, angles->contact);
+        EXPECT_EQ(positions->peak_toe_speed, angles->peak_toe_speed);
+        EXPECT_NEAR(positions->net_turn, angles->net_turn, 1e-9);
+    }
+}
+
 TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
     const fs::path mocap = shared_mocap();
     const fs::path archive = mocap / "salsa" / "salsa.tar.xz";
@@ -108,11 +127,15 @@ TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
     plan.attribution = cmu_attribution();
     for (const char* const figure :
          {"basic", "cross_body_lead", "inplace_turn", "travelling_turn"}) {
-        plan.figure = figure;
-        const Expected<FigureTrainingReport> report = train_figure(plan);
-        ASSERT_TRUE(report) << report.error().message;
-        EXPECT_EQ(figure_text(report->model), read_file(model_path(GetParam(), figure)).value())
-            << figure;
+        for (const FigureFeatures features : {FigureFeatures::angles, FigureFeatures::positions}) {
+            plan.figure = figure;
+            plan.features = features;
+            const Expected<FigureTrainingReport> report = train_figure(plan);
+            ASSERT_TRUE(report) << report.error().message;
+            EXPECT_EQ(figure_text(report->model),
+                      read_file(model_path(GetParam(), figure, features)).value())
+                << figure;
+        }
     }
     fs::remove_all(folder);
 }
