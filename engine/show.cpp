@@ -73,7 +73,9 @@ void describe_moment(const ShownMoment& shown, render::OverlayState& state) noex
         std::exp(shown.music.genre_log_probability[static_cast<std::size_t>(shown.music.genre)]);
     const auto& figure = shown.dancer.figure;
     state.figure = std::string_view(figure.data(), strnlen(figure.data(), figure.size()));
+    state.dance = shown.dancer.is_dancing ? name_of(shown.dancer.dance) : std::string_view{};
     state.figure_count = shown.dancer.count;
+    state.figure_counts = shown.dancer.counts;
     state.level_dbfs = shown.music.level_dbfs;
     state.loudness_lufs = shown.music.loudness_lufs;
 }

@@ -392,6 +392,7 @@ DancerStatus Dancer::status() const noexcept {
     status.number = static_cast<std::uint32_t>(state.sequence.number());
     status.phase = std::clamp(state.sequence.beat(state.phase.phase()), 0.0, figure.beats - 1e-9);
     status.count = static_cast<int>(status.phase) + 1;
+    status.counts = figure.beats;
     status.octave = state.phase.octave();
     status.rate = state.phase.rate();
     status.reanchors = state.reanchors;

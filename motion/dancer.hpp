@@ -71,7 +71,8 @@ struct DancerStatus {
     bool is_dancing = false;
     Genre dance = Genre::unknown;  ///< that is danced; unknown while standing
     std::uint32_t number = 0;      ///< of the figures begun since reset()
-    int count = 0;                 ///< from 1, of the figure; 0 while standing
+    int count = 0;                 ///< 1..counts of the figure; 0 while standing
+    int counts = 8;                ///< its length in beats
     double phase = 0.0;            ///< beats of the figure danced, [0, length)
     double octave = 1.0;           ///< dance beats per music beat: 0.5, 1 or 2
     double rate = 0.0;             ///< dance beats per second now

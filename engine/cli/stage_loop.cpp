@@ -12,6 +12,7 @@
 #include "engine/cli/camera_moves.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/signals.hpp"
+#include "engine/dance_files.hpp"
 #include "render/overlay/key_bindings.hpp"
 #include "render/video/png.hpp"
 
@@ -222,6 +223,9 @@ void StageLoop::act(render::Action action, const render::KeyEvent& key, engine::
             graph.command(DancerKind::lock_figure, keeps_figure_ ? 1.0 : 0.0);
             say(keeps_figure_ ? "keeping to this figure (K lets go)" : "figures as they come");
             break;
+        case Action::next_dance:
+            select_next_dance(graph);
+            break;
         case Action::toggle_figure_view:
             show_->toggle_view();
             break;
@@ -244,6 +248,25 @@ void StageLoop::act(render::Action action, const render::KeyEvent& key, engine::
             wish_ = StageEnd::quit;
             break;
     }
+}
+
+/// The next dance after the selected one, in the order of the genres; after the last as heard.
+void StageLoop::select_next_dance(engine::LiveGraph& graph) {
+    if (settings_.dance != "auto") {
+        say(fmt::format("keeping to {}: start without --dance for the others", settings_.dance));
+        return;
+    }
+    const std::vector<std::string> known = engine::known_dances();
+    auto next = static_cast<int>(selected_dance_);
+    do {
+        next = (next + 1) % kGenreCount;
+        selected_dance_ = static_cast<Genre>(next);
+    } while (selected_dance_ != Genre::unknown &&
+             std::find(known.begin(), known.end(), name_of(selected_dance_)) == known.end());
+    graph.command(DancerKind::select_dance, next);
+    say(selected_dance_ == Genre::unknown
+            ? "the dance that is heard"
+            : fmt::format("dancing {} (D: another dance)", name_of(selected_dance_)));
 }
 
 void StageLoop::draw(engine::LiveGraph& graph,

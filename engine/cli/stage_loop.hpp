@@ -47,6 +47,7 @@ class StageLoop {
     void act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph);
     void draw(engine::LiveGraph& graph, const std::string& source, std::optional<double> duration);
     void wait(engine::LiveGraph& graph);
+    void select_next_dance(engine::LiveGraph& graph);
     void save_screenshot();
     [[nodiscard]] std::optional<StageEnd> end_of(engine::LiveGraph& graph) const;
 
@@ -58,6 +59,7 @@ class StageLoop {
     std::optional<StageEnd> wish_;
     bool wants_screenshot_ = false;
     bool keeps_figure_ = false;
+    Genre selected_dance_ = Genre::unknown;  // unknown: as heard
     std::string message_;
     HostTime message_until_{};
     HostTime last_picture_{};

@@ -36,7 +36,8 @@ void draw_figure(const Pen& pen, const OverlayState& state, const Box& box) {
     const float x = box.x + kInner;
     const float right = box.right() - kInner;
     const bool is_dancing = !state.figure.empty();
-    pen.text(fonts.small, x, box.y + 72.0F, palette::kDim, "DANCE");
+    const float label = pen.text(fonts.small, x, box.y + 72.0F, palette::kDim, "DANCE");
+    pen.text(fonts.small, x + label + 8.0F, box.y + 72.0F, palette::kText, state.dance);
     pen.text(fonts.bold,
              x,
              box.y + 87.0F,

@@ -24,6 +24,7 @@ enum class Action : std::uint8_t {
     next_figure,         ///< another one after this
     select_figure,       ///< the one of the key's number, after this
     keep_figure,         ///< this one again and again, or as the grammar says
+    next_dance,          ///< another one, whatever is heard; at last as heard again
     toggle_figure_view,  ///< stick figure or skinned avatar
     reset_camera,
     toggle_overlay,
@@ -32,7 +33,7 @@ enum class Action : std::uint8_t {
     toggle_help,
     quit,
 };
-inline constexpr int kActionCount = 21;
+inline constexpr int kActionCount = 22;
 
 inline constexpr double kSeekSeconds = 5.0;
 inline constexpr double kSeekFarSeconds = 30.0;
