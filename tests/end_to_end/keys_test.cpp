@@ -172,6 +172,12 @@ TEST_F(Keys, k_keeps_to_the_figure_and_lets_go) {
     EXPECT_TRUE(raks_->wait_for_output("figures as they come"));
 }
 
+TEST_F(Keys, d_goes_through_the_dances) {
+    start("--no-overlay");
+    press({"d"});
+    EXPECT_TRUE(raks_->wait_for_output("dancing salsa"));
+}
+
 /// Live in a window, in silence: the tempo is what the keys make of it.
 class TempoKeys : public WindowTest {
  protected:
