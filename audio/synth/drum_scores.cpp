@@ -5,12 +5,6 @@
 namespace raks::audio {
 namespace {
 
-/// Patterns write whole bars: what lies behind the end is dropped.
-Score cut(Score score, double beats) {
-    std::erase_if(score, [beats](const Note& note) { return note.beat >= beats; });
-    return score;
-}
-
 void write_house_bar(Score& score, int bar, const CounterRandom& random) {
     // Minor chords in parallel: i - VI - III - VII, two bars each.
     constexpr int kRoots[] = {0, -4, 3, -2};

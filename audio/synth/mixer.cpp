@@ -53,6 +53,7 @@ constexpr std::array<Strip, kSoundCount> kStrips{{
     {0.22F, 0.28F, 0.26F},   // brass
     {0.46F, -0.15F, 0.26F},  // oud
     {0.22F, -0.20F, 0.25F},  // stab
+    {0.13F, -0.30F, 0.14F},  // guitar
     {0.11F, 0.15F, 0.30F},   // pad
 }};
 
@@ -69,6 +70,12 @@ double band_gain(Style style) {
             return 1.18;
         case Style::house:
             return 0.91;
+        case Style::rock:
+            return 0.95;
+        case Style::hiphop:
+            return 1.25;
+        case Style::waltz:
+            return 1.4;
     }
     return 1.0;
 }

@@ -10,8 +10,8 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::array<std::string_view, 5> kStyleNames{
-    "clicks", "drums", "salsa", "maqsum", "house"};
+constexpr std::array<std::string_view, 8> kStyleNames{
+    "clicks", "drums", "salsa", "maqsum", "house", "rock", "hiphop", "waltz"};
 constexpr double kMaxSeconds = 3600.0;
 
 /// Collects the faults of a plan as one line.
@@ -83,6 +83,12 @@ Score write_score(Style style, double beats, std::uint64_t seed) {
             return write_maqsum(beats, seed);
         case Style::house:
             return write_house(beats, seed);
+        case Style::rock:
+            return write_rock(beats, seed);
+        case Style::hiphop:
+            return write_hiphop(beats, seed);
+        case Style::waltz:
+            return write_waltz(beats, seed);
     }
     return {};
 }
@@ -99,6 +105,7 @@ std::vector<FrameRange> silent_frames(const MusicPlan& plan) {
 std::vector<ReferenceBeat> reference_beats(const MusicPlan& plan,
                                            const TempoCurve& curve,
                                            const std::vector<FrameRange>& silences) {
+    const int bar = beats_per_bar(plan.style);
     std::vector<ReferenceBeat> beats;
     for (int number = 0;; ++number) {
         const double seconds = curve.seconds_at(number);
@@ -110,7 +117,7 @@ std::vector<ReferenceBeat> reference_beats(const MusicPlan& plan,
         for (const FrameRange& silence : silences) {
             is_audible = is_audible && (frame < silence.from || frame >= silence.to);
         }
-        beats.push_back({stream_time_from_seconds(seconds), number % 4 + 1, is_audible});
+        beats.push_back({stream_time_from_seconds(seconds), number % bar + 1, is_audible});
     }
 }
 

@@ -10,16 +10,22 @@
 
 namespace raks::audio {
 
-/// What the generator plays. All are in bars of four beats.
+/// What the generator plays. All are in bars of four beats, but for the waltz.
 enum class Style : std::uint8_t {
     clicks,  ///< one dry click on every beat, the downbeat higher; nothing else
     drums,   ///< rock kit: bass drum 1 and 3, snare 2 and 4, hi-hat in eighths
     salsa,   ///< son clave, tumbao bass, montuno piano, congas, bell, brass; best at 150-220 BPM
     maqsum,  ///< darbuka D T - T D - T -, riq, oud in hijaz; best at 90-140 BPM
-    house    ///< four on the floor, off-beat hats and bass, stabs, pad; best at 115-130 BPM
+    house,   ///< four on the floor, off-beat hats and bass, stabs, pad; best at 115-130 BPM
+    rock,    ///< straight eighths, snare 2 and 4, power chords; best at 110-150 BPM
+    hiphop,  ///< swung sixteenths, snare and clap 2 and 4, deep bass; best at 75-105 BPM
+    waltz    ///< bars of three: bass on 1, chords on 2 and 3, a melody; best at 80-190 BPM
 };
+[[nodiscard]] constexpr int beats_per_bar(Style style) noexcept {
+    return style == Style::waltz ? 3 : 4;
+}
 
-/// "clicks", "drums", "salsa", "maqsum", "house". Errors: any other name (the error lists them).
+/// "clicks", "drums", "salsa" and so on, as above. Errors: any other name (the error lists them).
 [[nodiscard]] Expected<Style> style_from_name(std::string_view name);
 [[nodiscard]] std::string_view name_of(Style style) noexcept;
 
@@ -46,7 +52,7 @@ struct MusicPlan {
 /// A beat that the piece was made from.
 struct ReferenceBeat {
     StreamTime time{};       ///< to the nanosecond; its sounds start at the nearest sample
-    int bar_position = 1;    ///< 1..4
+    int bar_position = 1;    ///< 1..beats_per_bar(style)
     bool is_audible = true;  ///< false inside a silence
 };
 

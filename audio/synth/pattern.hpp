@@ -28,4 +28,10 @@ inline void strike(Score& score,
     }
 }
 
+/// Patterns write whole bars: what lies behind the end is dropped.
+[[nodiscard]] inline Score cut(Score score, double beats) {
+    std::erase_if(score, [beats](const Note& note) { return note.beat >= beats; });
+    return score;
+}
+
 }  // namespace raks::audio

@@ -42,6 +42,7 @@ enum class Sound : std::uint8_t {
     brass,
     oud,
     stab,
+    guitar,
     pad,
 };
 inline constexpr int kSoundCount = static_cast<int>(Sound::pad) + 1;
@@ -65,5 +66,8 @@ using Score = std::vector<Note>;
 [[nodiscard]] Score write_salsa(double beats, std::uint64_t seed);
 [[nodiscard]] Score write_maqsum(double beats, std::uint64_t seed);
 [[nodiscard]] Score write_house(double beats, std::uint64_t seed);
+[[nodiscard]] Score write_rock(double beats, std::uint64_t seed);
+[[nodiscard]] Score write_hiphop(double beats, std::uint64_t seed);
+[[nodiscard]] Score write_waltz(double beats, std::uint64_t seed);
 
 }  // namespace raks::audio

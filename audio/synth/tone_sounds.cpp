@@ -83,6 +83,7 @@ struct Voice {
 constexpr Voice kBrass{3, 0.0035, 0.016, 0.07, 1.6, 8.5, 0.035, 0.35, 0.62, 0.004, 0.8, 0.0};
 constexpr Voice kStab{4, 0.008, 0.004, 0.09, 1.2, 9.0, 0.004, 0.11, 0.15, 0.0, 1.2, 0.0};
 constexpr Voice kPad{4, 0.010, 0.25, 0.5, 1.5, 4.0, 0.4, 2.0, 0.7, 0.0, 0.7, 0.0};
+constexpr Voice kGuitar{4, 0.006, 0.003, 0.05, 3.0, 14.0, 0.006, 0.8, 0.6, 0.0, 0.8, 0.0};
 constexpr Voice kSynthBass{2, 0.003, 0.004, 0.05, 1.2, 7.0, 0.004, 0.12, 0.2, 0.0, 1.4, 0.9};
 
 double openness(const Voice& voice, double t) {
@@ -132,6 +133,8 @@ std::vector<float> synthesize_tone(const SoundRequest& request) {
             return blow(kBrass, request);
         case Sound::stab:
             return blow(kStab, request);
+        case Sound::guitar:
+            return blow(kGuitar, request);
         case Sound::pad:
             return blow(kPad, request);
         case Sound::synth_bass:

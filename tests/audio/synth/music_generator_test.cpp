@@ -10,8 +10,14 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::array kAllStyles{
-    Style::clicks, Style::drums, Style::salsa, Style::maqsum, Style::house};
+constexpr std::array kAllStyles{Style::clicks,
+                                Style::drums,
+                                Style::salsa,
+                                Style::maqsum,
+                                Style::house,
+                                Style::rock,
+                                Style::hiphop,
+                                Style::waltz};
 
 GeneratedMusic make(const MusicPlan& plan) {
     auto music = generate(plan);
@@ -106,7 +112,13 @@ TEST(MusicGenerator, silences_are_exactly_silent_and_entered_without_a_click) {
 
 TEST(MusicGenerator, energy_rises_at_the_beats_of_every_drummed_style) {
     // In the 20 ms after a beat there is, on average, more energy than in the 20 ms before it.
-    for (const Style style : {Style::drums, Style::salsa, Style::maqsum, Style::house}) {
+    for (const Style style : {Style::drums,
+                              Style::salsa,
+                              Style::maqsum,
+                              Style::house,
+                              Style::rock,
+                              Style::hiphop,
+                              Style::waltz}) {
         const auto music =
             make({.style = style, .tempo = {{0, 120}}, .seconds = 20, .channels = 1});
         double before = 0.0;
@@ -126,6 +138,13 @@ TEST(MusicGenerator, energy_rises_at_the_beats_of_every_drummed_style) {
             }
         }
         EXPECT_GT(after, 1.5 * before) << name_of(style);
+    }
+}
+
+TEST(MusicGenerator, a_waltz_counts_in_threes) {
+    const auto music = make({.style = Style::waltz, .tempo = {{0, 90}}, .seconds = 10});
+    for (std::size_t i = 0; i < music.beats.size(); ++i) {
+        EXPECT_EQ(music.beats[i].bar_position, static_cast<int>(i % 3) + 1);
     }
 }
 
@@ -162,8 +181,10 @@ TEST(MusicGenerator, styles_are_known_by_name) {
     for (const Style style : kAllStyles) {
         EXPECT_EQ(style_from_name(name_of(style)).value(), style);
     }
-    EXPECT_EQ(style_from_name("polka").error().message,
-              "style 'polka' is not known; there are clicks, drums, salsa, maqsum, house");
+    EXPECT_EQ(
+        style_from_name("polka").error().message,
+        "style 'polka' is not known; there are clicks, drums, salsa, maqsum, house, rock, hiphop, "
+        "waltz");
 }
 
 }  // namespace
