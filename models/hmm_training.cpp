@@ -219,6 +219,44 @@ Expected<GaussianHmm> sliced_start(Eigen::Index states,
                           options);
 }
 
+Expected<GaussianHmm> segmental_start(Eigen::Index states,
+                                      CovarianceType type,
+                                      const TrainingSet& set,
+                                      const BaumWelchOptions& options) {
+    Expected<GaussianHmm> model = sliced_start(states, type, set, options);
+    if (!model) {
+        return model;
+    }
+    TrainingSet long_enough;  // one frame a state at least, or no path leads to the exit
+    for (std::size_t s = 0; s < set.sequences.size(); ++s) {
+        if (set.sequences[s].rows() >= states) {
+            long_enough.sequences.push_back(set.sequences[s]);
+            long_enough.weights.push_back(weight_of(set, s));
+        }
+    }
+    constexpr int kMostRounds = 30;
+    std::vector<std::vector<std::size_t>> before;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const Expected<HmmScorer> scorer = HmmScorer::create(*model);
+        if (!scorer) {
+            return fail(scorer.error());
+        }
+        std::vector<std::vector<std::size_t>> paths;
+        for (const Frames& frames : long_enough.sequences) {
+            paths.push_back(viterbi(*scorer, scorer->log_emissions(frames)).path);
+        }
+        if (paths == before) {
+            break;
+        }
+        model = from_alignment(*model, long_enough, paths, options);
+        if (!model) {
+            return model;
+        }
+        before = std::move(paths);
+    }
+    return model;
+}
+
 GaussianHmm split_heaviest(const GaussianHmm& model) {
     GaussianHmm split = model;
     const Eigen::Index n = model.states();

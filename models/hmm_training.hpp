@@ -54,6 +54,15 @@ struct TrainingResult {
                                                  const TrainingSet& set,
                                                  const BaumWelchOptions& options = {});
 
+/// The same, then the slices moved to where they fit: each round follows every sequence along its
+/// Viterbi path and takes the maximum-likelihood model of these paths, until none changes (at most
+/// 30 rounds). (Segmental k-means, Juang and Rabiner 1990; HTK's HInit.) With no floor the joint
+/// likelihood of data and paths never falls. Errors: as sliced_start.
+[[nodiscard]] Expected<GaussianHmm> segmental_start(Eigen::Index states,
+                                                    CovarianceType type,
+                                                    const TrainingSet& set,
+                                                    const BaumWelchOptions& options = {});
+
 /// The maximum-likelihood model of a known alignment: `states_of[s][t]` is the state of frame t of
 /// sequence s. Topology from `start`: transitions that are 0 there stay 0.
 [[nodiscard]] Expected<GaussianHmm> from_alignment(

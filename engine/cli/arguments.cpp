@@ -283,7 +283,12 @@ class Parser {
         app->add_option("clips", a->clips, "BVH files, or a folder of them")->required();
         app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")
             ->required();
-        app->add_option("--counts", a->counts, "TSV: when each count falls");
+        auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
+        auto* music =
+            app->add_option("--music", a->music, "music danced to: its beats are the counts");
+        music->excludes(counts);
+        app->add_option("--offset", a->offset, "seconds of the music at a clip's first frame")
+            ->needs(music);
         app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
         app->add_option("--figure", a->figure, "which label to learn");
         app->add_option("--dance", a->dance, "the dance that it belongs to");
@@ -300,6 +305,10 @@ class Parser {
             ->check(CLI::Range(1e-4, 10.0));
         app->add_option("--states", a->states, "states of each part")->check(CLI::Range(2, 64));
         app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(CLI::Range(0, 100));
+        app->add_option("--covariance", a->covariance, "of the states: tied, full or diagonal")
+            ->check(CLI::IsMember({"tied", "full", "diagonal"}));
+        app->add_option("--start", a->start, "where states lie before Baum-Welch: flat, segmental")
+            ->check(CLI::IsMember({"flat", "segmental"}));
         app->add_option("--source", a->source, "cmu: the model acknowledges mocap.cs.cmu.edu")
             ->check(CLI::IsMember({"cmu"}));
         app->add_option("-o,--out", a->output, "X.json")->required();

@@ -121,6 +121,8 @@ struct LabelledClips {
 };
 
 struct TrainFigureArguments : LabelledClips {
+    Path music;           ///< danced to: its beats are the counts; empty: none
+    double offset = 0.0;  ///< seconds of the music at a clip's first frame
     std::string figure = "basic";
     std::string dance = "salsa";
     std::string role = "lead";
@@ -128,8 +130,10 @@ struct TrainFigureArguments : LabelledClips {
     double scale = 0.0;               ///< metres per unit; 0: guessed
     int states = 16;
     int iterations = 0;
-    std::string source;  ///< "cmu": the model carries CMU's acknowledgement
-    Path output;         ///< .json
+    std::string covariance = "tied";  ///< tied, full or diagonal
+    std::string start = "flat";       ///< flat or segmental
+    std::string source;               ///< "cmu": the model carries CMU's acknowledgement
+    Path output;                      ///< .json
 };
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/cli/labelled_clips.hpp"
+#include "engine/heard_music.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/training_plan.hpp"
 
@@ -16,6 +18,12 @@
 
 namespace raks::cli {
 namespace {
+
+/// The value that `names` gives this name; the parser let no other through.
+template <typename Value, typename Names>
+Value named(const Names& names, const std::string& name) {
+    return static_cast<Value>(std::find(names.begin(), names.end(), name) - names.begin());
+}
 
 motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
     motion::FigureTrainingPlan plan = plan_of(arguments);
@@ -29,6 +37,9 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
     }
     plan.states = arguments.states;
     plan.baum_welch_iterations = arguments.iterations;
+    plan.covariance =
+        named<motion::CovarianceKind>(motion::kCovarianceKindNames, arguments.covariance);
+    plan.start = named<motion::StatesStart>(motion::kStatesStartNames, arguments.start);
     if (arguments.source == "cmu") {
         plan.attribution = std::string(motion::cmu_attribution());
     }
@@ -56,7 +67,19 @@ motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
 }
 
 ExitCode train_figure(const TrainFigureArguments& arguments) {
-    const auto report = motion::train_figure(figure_plan(arguments));
+    motion::FigureTrainingPlan plan = figure_plan(arguments);
+    if (!arguments.music.empty()) {
+        auto heard = engine::hear_music(arguments.music);
+        if (!heard) {
+            return fail(std::move(heard.error()));
+        }
+        if (!heard->warning.empty()) {
+            std::fprintf(stderr, "raks: %s\n", heard->warning.c_str());
+        }
+        plan.music = std::move(heard->music);
+        plan.music->offset = arguments.offset;
+    }
+    const auto report = motion::train_figure(plan);
     if (!report) {
         return fail(report.error());
     }

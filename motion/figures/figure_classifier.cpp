@@ -65,10 +65,7 @@ Expected<FigureClassifier> FigureClassifier::learn(std::span<const FigureExample
         }
         for (std::size_t f = 0; f < figures; ++f) {
             const Expected<models::TrainingResult> learnt =
-                learn_states(sets[f],
-                             training.states,
-                             training.baum_welch_iterations,
-                             training.covariance_floor);
+                learn_states(sets[f], training.learning());
             if (!learnt) {
                 return fail(
                     fmt::format("figure {}, {}: {}", f + 1, kPartNames[p], learnt.error().message));

@@ -8,6 +8,7 @@
 #include "models/json_text.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "motion/figures/state_timing.hpp"
 
 namespace raks::motion {
 namespace {
@@ -45,6 +46,17 @@ Json json_of(const PartModel& part) {
     json["transition"] = part.transition;
     json["exit"] = part.exit;
     json["covariance"] = part.covariance;
+    if (part.covariance_kind != CovarianceKind::tied) {
+        json["covariance_kind"] =
+            kCovarianceKindNames[static_cast<std::size_t>(part.covariance_kind)];
+        json["state_covariances"] = part.state_covariances;
+    }
+    json["occurrence"] = part.occurrence;
+    json["stays"] = Json::array();
+    for (const StateStay& stay : part.stays) {
+        json["stays"].push_back(
+            {{"mean", stay.mean.count()}, {"deviation", stay.deviation.count()}});
+    }
     json["global_variance"] = part.global_variance;
     return json;
 }
@@ -98,9 +110,37 @@ FigureState state_of(const Field& field) {
             field["delta_delta_variance"].numbers()};
 }
 
-PartModel part_of(const Field& field, FigureFeatures features) {
+void read_covariances(const Field& field, PartModel& part) {
+    part.covariance = table_of(field["covariance"]);
+    if (!field.has("covariance_kind")) {
+        return;
+    }
+    part.covariance_kind =
+        static_cast<CovarianceKind>(name_in(kCovarianceKindNames, field["covariance_kind"]));
+    const Field matrices = field["state_covariances"];
+    for (std::size_t k = 0; k < matrices.size(); ++k) {
+        part.state_covariances.push_back(table_of(matrices[k]));
+    }
+}
+
+void read_timing(const Field& field, const FigureModel& model, PartModel& part) {
+    if (!field.has("occurrence")) {  // learnt before it was kept
+        if (!part.states.empty()) {
+            set_sliced_timing(model.beats, model.samples_per_beat, part);
+        }
+        return;
+    }
+    part.occurrence = table_of(field["occurrence"]);
+    const Field stays = field["stays"];
+    for (std::size_t k = 0; k < stays.size(); ++k) {
+        part.stays.push_back(
+            {Beats(stays[k]["mean"].number()), Beats(stays[k]["deviation"].number())});
+    }
+}
+
+PartModel part_of(const Field& field, const FigureModel& model) {
     PartModel part;
-    part.features = features;
+    part.features = model.features;
     part.part = static_cast<Part>(name_in(kPartNames, field["part"]));
     const Field joints = field["joints"];
     for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -113,7 +153,8 @@ PartModel part_of(const Field& field, FigureFeatures features) {
     part.initial = field["initial"].numbers();
     part.transition = table_of(field["transition"]);
     part.exit = field["exit"].numbers();
-    part.covariance = table_of(field["covariance"]);
+    read_covariances(field, part);
+    read_timing(field, model, part);
     part.global_variance = field["global_variance"].numbers();
     return part;
 }
@@ -162,7 +203,7 @@ FigureModel figure_of(const Field& root) {
         return model;
     }
     for (std::size_t p = 0; p < count; ++p) {
-        model.parts.push_back(part_of(parts[p], model.features));
+        model.parts.push_back(part_of(parts[p], model));
     }
     read_feet(root, model);
     return model;

@@ -1,5 +1,7 @@
 #include "motion/figures/figure_hmm.hpp"
 
+#include "models/hmm_scorer.hpp"
+
 namespace raks::motion {
 namespace {
 
@@ -15,6 +17,39 @@ std::vector<double> list_of(const Row& row) {
         list.push_back(row(i));
     }
     return list;
+}
+
+std::vector<std::vector<double>> rows_of(const Eigen::MatrixXd& matrix) {
+    std::vector<std::vector<double>> rows;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        rows.push_back(list_of(matrix.row(i)));
+    }
+    return rows;
+}
+
+models::CovarianceType type_of(CovarianceKind kind) noexcept {
+    switch (kind) {
+        case CovarianceKind::full:
+            return models::CovarianceType::full;
+        case CovarianceKind::diagonal:
+            return models::CovarianceType::diagonal;
+        case CovarianceKind::tied:
+            break;
+    }
+    return models::CovarianceType::tied;
+}
+
+CovarianceKind kind_of(models::CovarianceType type) noexcept {
+    switch (type) {
+        case models::CovarianceType::full:
+            return CovarianceKind::full;
+        case models::CovarianceType::diagonal:
+            return CovarianceKind::diagonal;
+        case models::CovarianceType::tied:
+        case models::CovarianceType::spherical:  // no figure is learnt with it
+            break;
+    }
+    return CovarianceKind::tied;
 }
 
 }  // namespace
@@ -39,38 +74,80 @@ models::GaussianHmm hmm_of(const PartModel& part) {
     for (std::size_t k = 0; k < part.states.size(); ++k) {
         hmm.means.row(static_cast<Eigen::Index>(k)) = vector_of(part.states[k].mean).transpose();
     }
-    hmm.covariance_type = models::CovarianceType::tied;
-    hmm.covariances = {matrix_of(part.covariance)};
+    hmm.covariance_type = type_of(part.covariance_kind);
+    if (part.covariance_kind == CovarianceKind::tied) {
+        hmm.covariances = {matrix_of(part.covariance)};
+    }
+    for (const std::vector<std::vector<double>>& rows : part.state_covariances) {
+        const Eigen::MatrixXd matrix = matrix_of(rows);
+        const bool is_row = part.covariance_kind == CovarianceKind::diagonal;
+        hmm.covariances.emplace_back(is_row ? Eigen::MatrixXd(matrix.transpose()) : matrix);
+    }
     return hmm;
 }
 
-void take_hmm(const models::GaussianHmm& hmm, PartModel& part) {
+void take_hmm(const models::GaussianHmm& hmm, const Eigen::MatrixXd& tied, PartModel& part) {
     part.initial = list_of(hmm.initial);
     part.exit = list_of(hmm.exit);
     part.states.resize(static_cast<std::size_t>(hmm.states()));
-    part.transition.clear();
     for (Eigen::Index k = 0; k < hmm.states(); ++k) {
         part.states[static_cast<std::size_t>(k)].mean = list_of(hmm.means.row(k));
-        part.transition.push_back(list_of(hmm.transition.row(k)));
     }
-    part.covariance.clear();
-    for (Eigen::Index i = 0; i < hmm.dimension(); ++i) {
-        part.covariance.push_back(list_of(hmm.covariances[0].row(i)));
+    part.transition = rows_of(hmm.transition);
+    part.covariance = rows_of(tied);
+    part.covariance_kind = kind_of(hmm.covariance_type);
+    part.state_covariances.clear();
+    if (part.covariance_kind == CovarianceKind::tied) {
+        return;
+    }
+    for (const Eigen::MatrixXd& covariance : hmm.covariances) {
+        const bool is_column = part.covariance_kind == CovarianceKind::diagonal;
+        part.state_covariances.push_back(
+            rows_of(is_column ? Eigen::MatrixXd(covariance.transpose()) : covariance));
     }
 }
 
 Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
-                                              int states,
-                                              int iterations,
-                                              double covariance_floor) {
-    const models::BaumWelchOptions options{
-        .iterations = iterations, .tolerance = 0.0, .variance_floor = covariance_floor};
+                                              const StateLearning& learning) {
+    const models::BaumWelchOptions options{.iterations = learning.iterations,
+                                           .tolerance = 0.0,
+                                           .variance_floor = learning.covariance_floor};
+    const auto start_of =
+        learning.start == StatesStart::segmental ? &models::segmental_start : &models::sliced_start;
     const Expected<models::GaussianHmm> start =
-        models::sliced_start(states, models::CovarianceType::tied, set, options);
+        start_of(learning.states, type_of(learning.covariance), set, options);
     if (!start) {
         return fail(start.error());
     }
     return models::baum_welch(*start, set, options);
+}
+
+Expected<FollowedStates> follow_states(const models::GaussianHmm& hmm,
+                                       const models::TrainingSet& set,
+                                       double covariance_floor) {
+    const Expected<models::HmmScorer> scorer = models::HmmScorer::create(hmm);
+    if (!scorer) {
+        return fail(scorer.error());
+    }
+    FollowedStates followed;
+    for (const models::Frames& frames : set.sequences) {
+        followed.paths.push_back(models::viterbi(*scorer, scorer->log_emissions(frames)).path);
+    }
+    if (hmm.covariance_type == models::CovarianceType::tied) {
+        followed.tied = hmm.covariances.front();
+        return followed;
+    }
+    const models::BaumWelchOptions options{.variance_floor = covariance_floor};
+    const Expected<models::GaussianHmm> tied = models::from_alignment(
+        models::left_to_right(hmm.states(), hmm.dimension(), models::CovarianceType::tied, 1.0),
+        set,
+        followed.paths,
+        options);
+    if (!tied) {
+        return fail(tied.error());
+    }
+    followed.tied = tied->covariances.front();
+    return followed;
 }
 
 models::Frames frames_of(const FeatureTrack& track, std::size_t first, std::size_t count) {

@@ -79,6 +79,17 @@ struct FigureState {
     std::vector<double> delta_delta_variance;  ///< > 0
 };
 
+/// Covariance of the states' emissions: one for all states (the paper's), or one for each.
+enum class CovarianceKind : std::uint8_t { tied, full, diagonal };
+inline constexpr std::array<std::string_view, 3> kCovarianceKindNames = {
+    "tied", "full", "diagonal"};
+
+/// How long a state lasts in the repeats it was learnt from.
+struct StateStay {
+    Beats mean{};
+    Beats deviation{};  ///< standard deviation between repeats
+};
+
 /// A left-to-right HMM of one part of the body, with its states on equal slices of the phase:
 /// state k of N spans [k, k+1) x beats / N.
 struct PartModel {
@@ -91,6 +102,15 @@ struct PartModel {
     std::vector<std::vector<double>> transition;  ///< N x N; row + its exit sums to 1
     std::vector<double> exit;  ///< N: chance that the figure ends after the state
     std::vector<std::vector<double>> covariance;  ///< D x D, of all states; positive definite
+    CovarianceKind covariance_kind = CovarianceKind::tied;
+    /// Unless tied, of each state: full D x D, positive definite; diagonal 1 x D, > 0.
+    std::vector<std::vector<std::vector<double>>> state_covariances;
+
+    /// Beats against states (Ofli 2008, section 4.1): row c, column k is the share of count c + 1,
+    /// over the repeats learnt from, that the HMM's Viterbi path spends in state k. beats x N, rows
+    /// sum to 1.
+    std::vector<std::vector<double>> occurrence;
+    std::vector<StateStay> stays;  ///< N, by the same paths
 
     /// Within one human repeat the variance of each feature over the phase, mean over the repeats:
     /// what a mean trajectory is scaled to so that averaging does not shrink the dance. D, > 0.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "models/hmm_scorer.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/repeat_features.hpp"
+#include "motion/figures/state_timing.hpp"
 
 namespace raks::motion {
 namespace {
@@ -119,22 +119,6 @@ void add_curves(const PartModel& joints,
     }
 }
 
-/// Counts against states, and lengths of states, from the paths.
-void add_tables(const FigureReport& report, std::size_t states, PartReport& part) {
-    const std::size_t beats = static_cast<std::size_t>(report.beats);
-    const std::size_t a_beat = static_cast<std::size_t>(report.samples_per_beat);
-    const double samples_of_count = static_cast<double>(part.paths.size() * a_beat);
-    part.occurrence.assign(beats, std::vector<double>(states, 0.0));
-    part.stays.assign(states, std::vector<double>(part.paths.size(), 0.0));
-    for (std::size_t r = 0; r < part.paths.size(); ++r) {
-        for (std::size_t t = 0; t < part.paths[r].size(); ++t) {
-            const std::size_t state = part.paths[r][t];
-            part.occurrence[t / a_beat][state] += 1.0 / samples_of_count;
-            part.stays[state][r] += 1.0 / static_cast<double>(a_beat);
-        }
-    }
-}
-
 Expected<void> report_part(Part which,
                            std::span<const std::vector<Pose>> phased,
                            std::span<const FigureRepeat> repeats,
@@ -149,19 +133,21 @@ Expected<void> report_part(Part which,
     for (const std::vector<Pose>& poses : phased) {
         set.sequences.push_back(part_frames(poses, joints, training.samples_per_beat));
     }
-    const Expected<models::TrainingResult> learnt = learn_states(
-        set, part.selection.chosen, training.baum_welch_iterations, training.covariance_floor);
+    StateLearning learning = training.learning();
+    learning.states = part.selection.chosen;
+    const Expected<models::TrainingResult> learnt = learn_states(set, learning);
     if (!learnt) {
         return fail(learnt.error());
     }
-    const Expected<models::HmmScorer> scorer = models::HmmScorer::create(learnt->model);
-    if (!scorer) {
-        return fail(scorer.error());
+    Expected<FollowedStates> followed =
+        follow_states(learnt->model, set, training.covariance_floor);
+    if (!followed) {
+        return fail(std::move(followed.error()));
     }
-    for (const models::Frames& frames : set.sequences) {
-        part.paths.push_back(models::viterbi(*scorer, scorer->log_emissions(frames)).path);
-    }
-    add_tables(report, scorer->states(), part);
+    part.paths = std::move(followed->paths);
+    const auto states = static_cast<std::size_t>(learning.states);
+    part.occurrence = count_occurrence(part.paths, report.beats, report.samples_per_beat, states);
+    part.stays = state_lengths(part.paths, report.samples_per_beat, states);
     add_curves(joints, set.sequences, report.shown, learnt->model, part);
     return {};
 }

@@ -12,6 +12,7 @@
 #include "motion/figures/foot_statistics.hpp"
 #include "motion/figures/phase_warp.hpp"
 #include "motion/figures/repeat_features.hpp"
+#include "motion/figures/state_timing.hpp"
 #include "motion/figures/trajectory_statistics.hpp"
 
 namespace raks::motion {
@@ -142,12 +143,17 @@ Expected<double> learn_part(std::span<const FeatureTrack> tracks,
     for (const FeatureTrack& track : tracks) {
         set.sequences.push_back(frames_of(track, 1, samples));
     }
-    const Expected<models::TrainingResult> trained =
-        learn_states(set, options.states, options.baum_welch_iterations, options.covariance_floor);
+    const Expected<models::TrainingResult> trained = learn_states(set, options.learning());
     if (!trained) {
         return fail(trained.error());
     }
-    take_hmm(trained->model, part);
+    const Expected<FollowedStates> followed =
+        follow_states(trained->model, set, options.covariance_floor);
+    if (!followed) {
+        return fail(followed.error());
+    }
+    take_hmm(trained->model, followed->tied, part);
+    set_timing(followed->paths, options.beats, options.samples_per_beat, part);
     learn_trajectory(tracks, weights, samples, part);
 
     double frames = 0.0;

@@ -10,6 +10,7 @@
 #include "motion/figures/clip_conditioning.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/motion_features.hpp"
+#include "motion/figures/state_learning.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -50,9 +51,15 @@ struct FigureTrainingOptions {
     /// (16 states, one take left out, nats a sample, 0 against 6 rounds: torso 13.9, 12.2; upper
     /// 58.7, 57.7; lower 35.2, 35.2 of the lead; 18.8, 18.6; 55.9, 55.4; 30.6, 30.5 follow).
     int baum_welch_iterations = 0;
-    /// Share of each feature's variance that is added to the tied covariance's diagonal.
-    double covariance_floor = 0.1;
+    double covariance_floor = 0.1;  ///< StateLearning
+    CovarianceKind covariance = CovarianceKind::tied;
+    StatesStart start = StatesStart::flat;
     double low_pass_hz = 10.0;  ///< of the captured motion before anything else
+
+    /// Of each part's HMM.
+    [[nodiscard]] StateLearning learning() const noexcept {
+        return {states, baum_welch_iterations, covariance_floor, covariance, start};
+    }
 };
 
 struct FigureTrainingResult {

@@ -100,6 +100,83 @@ Expected<void> check_joints(const std::string& name, const PartModel& part) {
     return {};
 }
 
+/// Covariances of the states themselves, where there are such.
+Expected<void> check_state_covariances(const std::string& name, const PartModel& part) {
+    const bool is_tied = part.covariance_kind == CovarianceKind::tied;
+    const std::size_t d = part.dimension();
+    const std::size_t wanted = is_tied ? 0 : part.states.size();
+    const std::size_t rows = part.covariance_kind == CovarianceKind::diagonal ? 1 : d;
+    if (part.state_covariances.size() != wanted) {
+        return fail(fmt::format("{}.state_covariances has {} entries, must have {}",
+                                name,
+                                part.state_covariances.size(),
+                                wanted));
+    }
+    for (std::size_t k = 0; k < wanted; ++k) {
+        const std::string which = fmt::format("{}.state_covariances[{}]", name, k);
+        if (part.state_covariances[k].size() != rows) {
+            return fail(fmt::format(
+                "{} has {} rows, must have {}", which, part.state_covariances[k].size(), rows));
+        }
+        const bool is_full = part.covariance_kind == CovarianceKind::full;
+        const auto check_row = is_full ? &check_numbers : &check_variances;
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (auto ok =
+                    check_row(fmt::format("{}[{}]", which, i), part.state_covariances[k][i], d);
+                !ok) {
+                return ok;
+            }
+        }
+        if (is_full && !models::is_positive_definite(matrix_of(part.state_covariances[k]))) {
+            return fail(fmt::format("{} is not positive definite", which));
+        }
+    }
+    return {};
+}
+
+/// Counts against states, and how long the states last.
+Expected<void> check_timing(const std::string& name, const PartModel& part, int beats) {
+    const std::size_t n = part.states.size();
+    if (part.occurrence.size() != static_cast<std::size_t>(beats)) {
+        return fail(fmt::format(
+            "{}.occurrence has {} rows, must have {}", name, part.occurrence.size(), beats));
+    }
+    for (std::size_t c = 0; c < part.occurrence.size(); ++c) {
+        const std::string row = fmt::format("{}.occurrence[{}]", name, c);
+        if (auto ok = check_size(row, part.occurrence[c].size(), n); !ok) {
+            return ok;
+        }
+        double sum = 0.0;
+        for (std::size_t k = 0; k < n; ++k) {
+            const double share = part.occurrence[c][k];
+            if (!(share >= 0.0 && share <= 1.0 + kUnitTolerance)) {
+                return fail(fmt::format("{}[{}] is {}, must lie in [0, 1]", row, k, share));
+            }
+            sum += share;
+        }
+        if (!(std::abs(sum - 1.0) <= kUnitTolerance)) {
+            return fail(fmt::format("{} sums to {:.6g}, must be 1", row, sum));
+        }
+    }
+    if (auto ok = check_size(name + ".stays", part.stays.size(), n); !ok) {
+        return ok;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        const double lengths[] = {part.stays[k].mean.count(), part.stays[k].deviation.count()};
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!(lengths[i] >= 0.0 && lengths[i] <= beats)) {
+                return fail(fmt::format("{}.stays[{}].{} is {}, must lie in [0, {}]",
+                                        name,
+                                        k,
+                                        i == 0 ? "mean" : "deviation",
+                                        lengths[i],
+                                        beats));
+            }
+        }
+    }
+    return {};
+}
+
 Expected<void> check_part(const std::string& name, const PartModel& part, int samples) {
     const std::size_t n = part.states.size();
     const std::size_t d = part.dimension();
@@ -153,6 +230,9 @@ Expected<void> check_part(const std::string& name, const PartModel& part, int sa
     }
     if (!models::is_positive_definite(matrix_of(part.covariance))) {
         return fail(fmt::format("{}.covariance is not positive definite", name));
+    }
+    if (auto ok = check_state_covariances(name, part); !ok) {
+        return ok;
     }
     if (auto ok = models::validate(hmm_of(part)); !ok) {
         return fail(fmt::format("{}.{}", name, ok.error().message));
@@ -247,6 +327,9 @@ Expected<void> validate(const FigureModel& model) {
                                     kFeaturesNames[static_cast<std::size_t>(model.features)]));
         }
         if (auto ok = check_part(name, model.parts[p], static_cast<int>(model.samples())); !ok) {
+            return ok;
+        }
+        if (auto ok = check_timing(name, model.parts[p], model.beats); !ok) {
             return ok;
         }
     }

@@ -144,9 +144,10 @@ FigureLabel label_in(Table& table) {
     label.start = table.frame("start");
     label.end = table.frame("end");
     label.figure = table.text("figure");
-    label.beats = table.whole("beats", 1, 64);
+    label.beats = table.has("beats") ? table.whole("beats", 1, 64) : 0;
+    const std::size_t beats = static_cast<std::size_t>(std::max(label.beats, 1));
     if (table.has("start_count")) {
-        label.start_count = table.whole("start_count", 1, label.beats);
+        label.start_count = table.whole("start_count", 1, label.beats == 0 ? 64 : label.beats);
     }
     if (table.has("confidence")) {
         label.confidence = table.number("confidence", 0.0, 1.0);
@@ -156,10 +157,9 @@ FigureLabel label_in(Table& table) {
     }
     if (label.end <= label.start) {
         table.complain(fmt::format("end is {}, must be after start ({})", label.end, label.start));
-    } else if (label.end - label.start < 4 * static_cast<std::size_t>(label.beats)) {
-        table.complain(fmt::format("{} frames for {} beats: must be at least 4 a beat",
-                                   label.end - label.start,
-                                   label.beats));
+    } else if (label.end - label.start < 4 * beats) {
+        table.complain(fmt::format(
+            "{} frames for {} beats: must be at least 4 a beat", label.end - label.start, beats));
     }
     return label;
 }
@@ -203,9 +203,14 @@ auto load(const std::filesystem::path& path, const Parse& parse)
 
 }  // namespace
 
-Expected<std::vector<FigureLabel>> parse_labels(std::string_view text, const std::string& name) {
+Expected<std::vector<FigureLabel>> parse_labels(std::string_view text,
+                                                const std::string& name,
+                                                BeatsColumn beats) {
     Table table(text, name);
-    table.require({"take", "role", "start", "end", "figure", "beats"});
+    table.require({"take", "role", "start", "end", "figure"});
+    if (beats == BeatsColumn::required) {
+        table.require({"beats"});
+    }
     std::vector<FigureLabel> labels;
     while (table.next()) {
         labels.push_back(label_in(table));
@@ -262,8 +267,11 @@ Expected<std::vector<CaptureFault>> parse_faults(std::string_view text, const st
     return faults;
 }
 
-Expected<std::vector<FigureLabel>> load_labels(const std::filesystem::path& path) {
-    return load(path, parse_labels);
+Expected<std::vector<FigureLabel>> load_labels(const std::filesystem::path& path,
+                                               BeatsColumn beats) {
+    return load(path, [beats](std::string_view text, const std::string& name) {
+        return parse_labels(text, name, beats);
+    });
 }
 Expected<std::vector<CountTime>> load_counts(const std::filesystem::path& path) {
     return load(path, parse_counts);

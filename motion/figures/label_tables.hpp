@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -21,19 +22,23 @@ struct FigureLabel {
     std::size_t start = 0;
     std::size_t end = 0;
     std::string figure;
-    int start_count = 1;  ///< count at `start`, 1 to beats
-    int beats = 8;
+    int start_count = 1;      ///< count at `start`, 1 to beats
+    int beats = 8;            ///< 0: not said (BeatsColumn::optional)
     double confidence = 1.0;  ///< [0, 1]
     std::string split;        ///< "train", "test" or empty
     std::size_t line = 0;     ///< in the file, from 1
 };
 
+/// Whether labels must say how many beats they have.
+enum class BeatsColumn : std::uint8_t { required, optional };
+
 /// Columns take, role, start, end, figure, beats; optional start_count, confidence, split. Errors:
 /// a missing column, a number that is none, an end that is not after its start, less than 4 frames
 /// a beat (so also labels of one frame), labels of one take that overlap.
-[[nodiscard]] Expected<std::vector<FigureLabel>> parse_labels(std::string_view text,
-                                                              const std::string& name);
-[[nodiscard]] Expected<std::vector<FigureLabel>> load_labels(const std::filesystem::path& path);
+[[nodiscard]] Expected<std::vector<FigureLabel>> parse_labels(
+    std::string_view text, const std::string& name, BeatsColumn beats = BeatsColumn::required);
+[[nodiscard]] Expected<std::vector<FigureLabel>> load_labels(
+    const std::filesystem::path& path, BeatsColumn beats = BeatsColumn::required);
 
 /// The moment of one count.
 struct CountTime {

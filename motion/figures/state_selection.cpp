@@ -81,8 +81,9 @@ struct FoldScore {
 };
 
 FoldScore score_of(const FoldFrames& fold, int states, const FigureTrainingOptions& training) {
-    const Expected<models::TrainingResult> learnt = learn_states(
-        fold.training, states, training.baum_welch_iterations, training.covariance_floor);
+    StateLearning learning = training.learning();
+    learning.states = states;
+    const Expected<models::TrainingResult> learnt = learn_states(fold.training, learning);
     if (!learnt) {
         return {0.0, 0.0, learnt.error()};
     }

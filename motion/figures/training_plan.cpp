@@ -183,7 +183,8 @@ struct Tables {
 
 Expected<Tables> load_tables(const FigureTrainingPlan& plan) {
     Tables tables;
-    Expected<std::vector<FigureLabel>> labels = load_labels(plan.labels);
+    Expected<std::vector<FigureLabel>> labels =
+        load_labels(plan.labels, plan.music ? BeatsColumn::optional : BeatsColumn::required);
     if (!labels) {
         return fail(std::move(labels.error()));
     }
@@ -274,11 +275,14 @@ class Collector {
         }
         std::string reason = reason_to_leave_out(label, tables_, plan_, clip.frames_per_second);
         if (reason.empty()) {
-            std::vector<double> frames = beat_frames_of(label, tables_.counts);
-            // Half a frame of rounding may put the first and last count outside a whole clip.
-            frames.front() = std::max(frames.front(), 0.0);
-            frames.back() = std::min(frames.back(), static_cast<double>(clip.poses.size() - 1));
-            material_.repeats.push_back({*index, std::move(frames), label.confidence});
+            Expected<LabelCounts> counts = counts_in(label, clip);
+            if (!counts) {
+                return fail(std::move(counts.error()));
+            }
+            reason = std::move(counts->left_out);
+            if (reason.empty()) {
+                add_repeat(*index, std::move(counts->frames), label.confidence);
+            }
         }
         material_.uses.push_back({label, std::move(reason)});
         return {};
@@ -287,6 +291,28 @@ class Collector {
     [[nodiscard]] TrainingMaterial& material() noexcept { return material_; }
 
  private:
+    Expected<LabelCounts> counts_in(const FigureLabel& label, const TrainingClip& clip) const {
+        if (!plan_.music) {
+            return LabelCounts{beat_frames_of(label, tables_.counts), {}};
+        }
+        Expected<LabelCounts> counts = counts_of(label, *plan_.music, clip.frames_per_second);
+        if (!counts) {
+            return fail(fmt::format("{}: line {}: {}",
+                                    plan_.labels.filename().string(),
+                                    label.line,
+                                    counts.error().message));
+        }
+        return counts;
+    }
+
+    void add_repeat(std::size_t clip, std::vector<double> frames, double weight) {
+        // Half a frame of rounding may put the first and last count outside a whole clip.
+        const auto last = static_cast<double>(material_.clips[clip].poses.size() - 1);
+        frames.front() = std::max(frames.front(), 0.0);
+        frames.back() = std::min(frames.back(), last);
+        material_.repeats.push_back({clip, std::move(frames), weight});
+    }
+
     Expected<std::size_t> clip_of(const FigureLabel& label) {
         if (const auto known = index_.find(label.take); known != index_.end()) {
             return known->second;
@@ -327,9 +353,8 @@ std::string_view cmu_attribution() noexcept {
 
 namespace {
 
-/// Drops the repeats that turn otherwise than most.
-void keep_common_turn(TrainingMaterial& material) {
-    const std::vector<bool> kept = of_common_turn(material.clips, material.repeats);
+/// Drops the repeats that are not `kept`, and says why.
+void keep_repeats(const std::vector<bool>& kept, const char* reason, TrainingMaterial& material) {
     std::vector<FigureRepeat> repeats;
     std::size_t at = 0;
     for (RepeatUse& use : material.uses) {
@@ -339,11 +364,28 @@ void keep_common_turn(TrainingMaterial& material) {
         if (kept[at]) {
             repeats.push_back(material.repeats[at]);
         } else {
-            use.left_out = "turns otherwise than most repeats";
+            use.left_out = reason;
         }
         ++at;
     }
     material.repeats = std::move(repeats);
+}
+
+/// Where labels do not say how many beats they have: the number that most have; of ties the fewest.
+void keep_common_length(TrainingMaterial& material) {
+    std::map<std::size_t, std::size_t> repeats_of;  // length -> how many
+    for (const FigureRepeat& repeat : material.repeats) {
+        ++repeats_of[repeat.beat_frames.size()];
+    }
+    const auto most =
+        std::max_element(repeats_of.begin(), repeats_of.end(), [](const auto& a, const auto& b) {
+            return a.second < b.second;
+        });
+    std::vector<bool> kept;
+    for (const FigureRepeat& repeat : material.repeats) {
+        kept.push_back(repeat.beat_frames.size() == most->first);
+    }
+    keep_repeats(kept, "has another number of beats than most repeats", material);
 }
 
 }  // namespace
@@ -376,6 +418,9 @@ Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan) {
                         kRoleNames[static_cast<std::size_t>(plan.role)],
                         material.uses.size()));
     }
+    if (plan.music) {
+        keep_common_length(material);
+    }
     return std::move(material);
 }
 
@@ -384,7 +429,9 @@ Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan) {
     if (!material) {
         return fail(std::move(material.error()));
     }
-    keep_common_turn(*material);
+    keep_repeats(of_common_turn(material->clips, material->repeats),
+                 "turns otherwise than most repeats",
+                 *material);
     FigureTrainingOptions options;
     options.name = plan.figure;
     options.dance = plan.dance;
@@ -394,6 +441,8 @@ Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan) {
     options.beats = beats_of(*material);
     options.states = plan.states;
     options.baum_welch_iterations = plan.baum_welch_iterations;
+    options.covariance = plan.covariance;
+    options.start = plan.start;
     Expected<FigureTrainingResult> result =
         train_figure(material->clips, material->repeats, options);
     if (!result) {

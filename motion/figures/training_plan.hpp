@@ -11,6 +11,7 @@
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/figure_trainer.hpp"
 #include "motion/figures/label_tables.hpp"
+#include "motion/figures/music_counts.hpp"
 
 /// From files to a learnt figure: what `raks train figure` does.
 namespace raks::motion {
@@ -20,6 +21,8 @@ struct FigureTrainingPlan {
     std::filesystem::path labels;
     /// Moments of the counts; none: they lie evenly between a label's start and end.
     std::optional<std::filesystem::path> counts;
+    /// Counts from its beats instead; labels then need not say how many beats they have.
+    std::optional<DancedMusic> music;
     std::optional<std::filesystem::path> faults;
 
     std::string figure = "basic";
@@ -36,6 +39,8 @@ struct FigureTrainingPlan {
     std::string attribution;
     int states = 16;
     int baum_welch_iterations = 0;
+    CovarianceKind covariance = CovarianceKind::tied;
+    StatesStart start = StatesStart::flat;
 };
 
 /// Which labels were used, and which were not and why.
@@ -62,7 +67,8 @@ struct TrainingMaterial {
 /// Reads only the clips that labels of the figure, role, split and confidence need. Repeats that
 /// touch a fault of more than half a second (of other joints than head and hands) are left out;
 /// shorter faults are bridged. Errors: of the readers; a labelled clip that is not among `clips`;
-/// a label beyond the end of its clip; nothing left to learn from.
+/// a label beyond the end of its clip, or that the music has no beats for; nothing left to learn
+/// from.
 [[nodiscard]] Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan);
 
 /// Does it all. Deterministic: the same files and plan give the same bits.

@@ -249,6 +249,38 @@ TEST_F(BadInput, one_repetition_of_standing_still_is_learnt_but_cannot_be_judged
     EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
 }
 
+TEST_F(BadInput, a_dance_is_learnt_by_its_music_or_the_reason_is_said) {
+    ASSERT_TRUE(
+        motion::write_bvh(folder_ / "clip.bvh", motion::mannequin_skeleton(), standing(), 60.0));
+    write("labels.tsv", "take\trole\tstart\tend\tfigure\nclip\tlead\t10\t170\tbasic\n");
+    write_music("music.wav", 14.0);  // 180 BPM: 8 beats are 160 frames
+    const std::vector<float> silence(48'000 * 4, 0.0F);
+    ASSERT_TRUE(audio::write_wav(path("silence.wav"), silence, 1, SampleRate(48'000)));
+    const auto arguments = [this](const char* music, const char* offset) {
+        return std::vector<std::string>{"train",
+                                        "figure",
+                                        path("clip.bvh"),
+                                        "--labels",
+                                        path("labels.tsv"),
+                                        "--music",
+                                        path(music),
+                                        "--offset",
+                                        offset,
+                                        "--scale",
+                                        "1",
+                                        "-o",
+                                        path("out")};
+    };
+    expect_one_line(arguments("missing.wav", "0"), 1, "missing.wav");
+    expect_one_line(arguments("labels.tsv", "0"), 1, "is not audio");
+    expect_one_line(arguments("music.wav", "12"), 1, "line 2: ends at 14.8 s of music.wav");
+    expect_one_line(arguments("music.wav", "-2"), 1, "line 2: starts 1.8 s before music.wav");
+    expect_one_line(arguments("silence.wav", "0"), 1, "line 2: no beats were heard in silence.wav");
+    const ProcessResult learnt = run(arguments("music.wav", "7"));
+    EXPECT_EQ(learnt.exit_code, 0) << learnt.err;
+    EXPECT_NE(learnt.out.find("1 of 1 repeats"), std::string::npos) << learnt.out;
+}
+
 TEST_F(BadInput, motion_beyond_all_measure_is_refused) {
     std::vector<motion::Pose> poses = standing();
     poses[77].hips_position.x = 1e30F;

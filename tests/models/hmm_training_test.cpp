@@ -195,5 +195,70 @@ TEST(HmmTraining, refuses_data_that_cannot_be_learnt_from) {
     EXPECT_FALSE(sliced_start(9, CovarianceType::full, {{Frames::Zero(5, 2)}, {}}));
 }
 
+/// Three clearly different states of 4, 20 and 6 frames: nothing like equal slices.
+TrainingSet uneven_data(std::size_t sequences) {
+    TrainingSet set;
+    for (std::size_t s = 0; s < sequences; ++s) {
+        const CounterRandom random(3, s);
+        Frames sequence(30, 2);
+        for (Eigen::Index t = 0; t < sequence.rows(); ++t) {
+            const double level = t < 4 ? 0.0 : t < 24 ? 8.0 : 3.0;
+            const auto number = static_cast<std::uint64_t>(2 * t);
+            sequence(t, 0) = level + random.normal(number);
+            sequence(t, 1) = -level + random.normal(number + 1);
+        }
+        set.sequences.push_back(sequence);
+    }
+    return set;
+}
+
+TEST_P(EveryCovariance, segmental_start_finds_states_of_uneven_length) {
+    const TrainingSet set = uneven_data(6);
+    const Expected<GaussianHmm> model = segmental_start(3, GetParam(), set);
+    ASSERT_TRUE(model) << model.error().message;
+    ASSERT_TRUE(validate(*model));
+    // Six sequences: 0.4 is one standard error of a mean of 6 x 4 frames, twice.
+    EXPECT_NEAR(model->means(0, 0), 0.0, 0.4);
+    EXPECT_NEAR(model->means(1, 0), 8.0, 0.4);
+    EXPECT_NEAR(model->means(2, 0), 3.0, 0.4);
+    EXPECT_NEAR(model->transition(1, 2), 1.0 / 20.0, 1e-12);
+    EXPECT_NEAR(model->exit[2], 1.0 / 6.0, 1e-12);
+    const Expected<GaussianHmm> flat = sliced_start(3, GetParam(), set);
+    ASSERT_TRUE(flat);
+    EXPECT_GT(std::abs(flat->means(0, 0)), 3.0);  // six frames of the second state among its ten
+}
+
+TEST_P(EveryCovariance, segmental_start_never_loses_joint_likelihood_and_repeats_its_bits) {
+    const BaumWelchOptions plain{.variance_floor = 0.0, .absolute_floor = 1e-12};
+    const TrainingSet set = three_state_data(5, 2, 4);
+    const auto joint = [&](const GaussianHmm& model) {
+        const Expected<HmmScorer> scorer = HmmScorer::create(model);
+        double sum = 0.0;
+        for (const Frames& frames : set.sequences) {
+            sum += viterbi(*scorer, scorer->log_emissions(frames)).log_probability;
+        }
+        return sum;
+    };
+    const Expected<GaussianHmm> flat = sliced_start(4, GetParam(), set, plain);
+    const Expected<GaussianHmm> once = segmental_start(4, GetParam(), set, plain);
+    const Expected<GaussianHmm> again = segmental_start(4, GetParam(), set, plain);
+    ASSERT_TRUE(flat && once && again);
+    EXPECT_GE(joint(*once), joint(*flat) - 1e-7);  // rounding of sums of some hundred nats
+    EXPECT_EQ(once->means, again->means);
+    EXPECT_EQ(once->transition, again->transition);
+}
+
+TEST(SegmentalStart, leaves_out_sequences_with_fewer_frames_than_states) {
+    TrainingSet set = uneven_data(2);
+    set.sequences.push_back(set.sequences[0].topRows(2));
+    const Expected<GaussianHmm> model = segmental_start(3, CovarianceType::tied, set);
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_NEAR(model->transition(1, 2), 1.0 / 20.0, 1e-12);
+    set.sequences.assign(1, set.sequences[2]);
+    const Expected<GaussianHmm> none = segmental_start(3, CovarianceType::tied, set);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().message, "no sequence has the 3 frames that 3 states need");
+}
+
 }  // namespace
 }  // namespace raks::models

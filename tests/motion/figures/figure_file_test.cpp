@@ -69,6 +69,39 @@ TEST(FigureValidation, names_the_first_wrong_field) {
          "parts[0].covariance is not positive definite"},
         {[](FigureModel& m) { m.parts[0].covariance[0][1] += 5.0; },
          "parts[0].covariance is not positive definite"},
+        {[](FigureModel& m) { m.parts[0].covariance_kind = CovarianceKind::full; },
+         "parts[0].state_covariances has 0 entries, must have 4"},
+        {[](FigureModel& m) {
+             m.parts[2].covariance_kind = CovarianceKind::full;
+             m.parts[2].state_covariances.assign(4, m.parts[2].covariance);
+             m.parts[2].state_covariances[3][0][0] = -1.0;
+         },
+         "parts[2].state_covariances[3] is not positive definite"},
+        {[](FigureModel& m) {
+             m.parts[2].covariance_kind = CovarianceKind::diagonal;
+             m.parts[2].state_covariances.assign(4, {m.parts[2].global_variance});
+             m.parts[2].state_covariances[1][0][5] = 0.0;
+         },
+         "parts[2].state_covariances[1][0][5] is 0, must be > 0"},
+        {[](FigureModel& m) {
+             m.parts[1].covariance_kind = CovarianceKind::diagonal;
+             m.parts[1].state_covariances.assign(4, {m.parts[2].covariance});
+         },
+         "parts[1].state_covariances[0] has 18 rows, must have 1"},
+        {[](FigureModel& m) { m.parts[0].occurrence.pop_back(); },
+         "parts[0].occurrence has 7 rows, must have 8"},
+        {[](FigureModel& m) { m.parts[0].occurrence[2].push_back(0.0); },
+         "parts[0].occurrence[2] has 5 numbers, must have 4"},
+        {[](FigureModel& m) {
+             m.parts[0].occurrence[2] = {0.5, 0.5, 0.5, 0.0};
+         },
+         "parts[0].occurrence[2] sums to 1.5, must be 1"},
+        {[=](FigureModel& m) { m.parts[0].occurrence[7][1] = nan; },
+         "parts[0].occurrence[7][1] is nan, must lie in [0, 1]"},
+        {[](FigureModel& m) { m.parts[1].stays.clear(); },
+         "parts[1].stays has 0 numbers, must have 4"},
+        {[](FigureModel& m) { m.parts[1].stays[1].deviation = Beats(-0.1); },
+         "parts[1].stays[1].deviation is -0.1, must lie in [0, 8]"},
         {[](FigureModel& m) { m.parts[0].global_variance[14] = 0.0; },
          "parts[0].global_variance[14] is 0, must be > 0"},
         {[](FigureModel& m) { m.parts[1].joints[2].mean.w = 3.0; },
@@ -126,6 +159,10 @@ TEST(FigureFile, refuses_bad_files_in_one_line) {
          "x.json: parts[0].covariance is not positive definite"},
         {replaced("\"delta_mean\": [", "\"delta_mean\": [null,"),
          "x.json: parts[0].states[0].delta_mean[0] is no number; train the figure again"},
+        {replaced("\"stays\"", "\"stage\""),
+         "x.json: parts[0].stays is missing; train the figure again"},
+        {replaced("\"occurrence\": [\n    [", "\"occurrence\": [\n    [-"),
+         "x.json: parts[0].occurrence[0][0] is -"},
         {replaced("\"net_turn\"", "\"net_tern\""),
          "x.json: net_turn is missing; train the figure again"},
     };
@@ -134,6 +171,24 @@ TEST(FigureFile, refuses_bad_files_in_one_line) {
         ASSERT_FALSE(model) << row.message;
         EXPECT_EQ(model.error().message.substr(0, row.message.size()), row.message);
         EXPECT_EQ(model.error().message.find('\n'), std::string::npos);
+    }
+}
+
+TEST(FigureFile, a_model_from_before_the_table_was_kept_has_its_states_on_slices) {
+    std::string text = figure_text(good_model());
+    for (const std::string key : {"occurrence", "stays"}) {
+        for (std::size_t at = text.find("\"" + key); at != std::string::npos;
+             at = text.find("\"" + key)) {
+            text.replace(at + 1, key.size(), "an_unknown_field");
+        }
+    }
+    const Expected<FigureModel> model = parse_figure(text, "x.json");
+    ASSERT_TRUE(model) << model.error().message;
+    for (const PartModel& part : model->parts) {
+        EXPECT_NEAR(part.occurrence[0][0], 1.0, 1e-12);
+        EXPECT_NEAR(part.occurrence[7][3], 1.0, 1e-12);
+        EXPECT_NEAR(part.stays[2].mean.count(), 2.0, 1e-12);
+        EXPECT_EQ(part.stays[2].deviation.count(), 0.0);
     }
 }
 

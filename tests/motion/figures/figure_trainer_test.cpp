@@ -145,6 +145,50 @@ TEST(FigureTrainer, baum_welch_rounds_move_states_and_keep_left_to_right) {
     }
 }
 
+TEST(FigureTrainer, every_covariance_and_start_gives_a_valid_model_that_tells_the_figure) {
+    const std::vector<TrainingClip> same = {test::known_dance(4)};
+    for (const CovarianceKind covariance :
+         {CovarianceKind::tied, CovarianceKind::full, CovarianceKind::diagonal}) {
+        for (const StatesStart start : {StatesStart::flat, StatesStart::segmental}) {
+            FigureTrainingOptions options = test::known_options(6);
+            options.covariance = covariance;
+            options.start = start;
+            options.baum_welch_iterations = 2;
+            const FigureTrainingResult result = learnt(same[0], 4, options);
+            const PartModel& lower = result.model.part(Part::lower);
+            EXPECT_EQ(lower.covariance_kind, covariance);
+            EXPECT_EQ(lower.state_covariances.size(), covariance == CovarianceKind::tied ? 0U : 6U);
+            const Expected<double> score =
+                score_repeats(result.model, Part::lower, same, test::known_repeats(4), 10.0);
+            ASSERT_TRUE(score);
+            // The very model that was learnt is what is kept.
+            EXPECT_NEAR(*score, result.log_likelihood[2], 1e-9);
+            const Expected<FigureModel> again = parse_figure(figure_text(result.model), "x");
+            ASSERT_TRUE(again) << again.error().message;
+            EXPECT_EQ(figure_text(*again), figure_text(result.model));
+        }
+    }
+}
+
+TEST(FigureTrainer, keeps_counts_against_states_and_how_long_states_last) {
+    const FigureModel model = learnt(test::known_dance(3), 3, test::known_options(8)).model;
+    for (const PartModel& part : model.parts) {
+        ASSERT_EQ(part.occurrence.size(), 8U);
+        double all = 0.0;
+        for (const StateStay& stay : part.stays) {
+            EXPECT_GT(stay.mean.count(), 0.0);
+            all += stay.mean.count();
+        }
+        EXPECT_NEAR(all, 8.0, 1e-9);
+    }
+    // A state a count, about a beat each: counts and states go together.
+    const PartModel& lower = model.part(Part::lower);
+    for (std::size_t k = 0; k < 8; ++k) {
+        EXPECT_GT(lower.occurrence[k][k], 0.5) << k;
+        EXPECT_NEAR(lower.stays[k].mean.count(), 1.0, 0.6) << k;
+    }
+}
+
 TEST(FigureTrainer, a_figure_is_told_from_another_by_its_likelihood) {
     const FigureModel model = learnt(test::known_dance(3), 3, test::known_options()).model;
     const std::vector<FigureRepeat> repeats = test::known_repeats(2);
