@@ -50,18 +50,19 @@ Repertoire::Otherwise otherwise_of(const Settings& settings) {
 
 /// The repertoires of a formation: the lead's and, for couples, the follow's.
 struct Parts {
+    motion::Generator generator = motion::Generator::trajectories;
     std::shared_ptr<Repertoire> lead;
     std::shared_ptr<Repertoire> follow;
     FigureFeatures features = FigureFeatures::angles;
 
     /// Nothing is added where a part is missing.
     Expected<void> add(const std::string& dance) const {
-        auto lead_dance = load_dance(dance, DanceRole::lead, features);
+        auto lead_dance = load_dance(dance, DanceRole::lead, features, generator);
         if (!lead_dance) {
             return fail(std::move(lead_dance.error()));
         }
         if (follow) {
-            auto follow_dance = load_dance(dance, DanceRole::follow, features);
+            auto follow_dance = load_dance(dance, DanceRole::follow, features, generator);
             if (!follow_dance) {
                 return fail(std::move(follow_dance.error()));
             }
@@ -74,7 +75,7 @@ struct Parts {
 
 Expected<std::shared_ptr<Repertoire>> first_of(const Settings& settings, DanceRole role) {
     const std::string dance = dance_to_load(settings);
-    auto library = load_dance(dance, role, features_to_load(settings));
+    auto library = load_dance(dance, role, features_to_load(settings), generator_of(settings));
     if (!library) {
         return fail(std::move(library.error()));
     }
@@ -119,9 +120,15 @@ FigureFeatures features_to_load(const Settings& settings) {
     return settings.figures == "positions" ? FigureFeatures::positions : FigureFeatures::angles;
 }
 
+motion::Generator generator_of(const Settings& settings) {
+    return settings.generator == "frames" ? motion::Generator::frames
+                                          : motion::Generator::trajectories;
+}
+
 Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::string& dance,
                                                                  motion::DanceRole role,
-                                                                 FigureFeatures features) {
+                                                                 FigureFeatures features,
+                                                                 motion::Generator generator) {
     if (auto checked = check_dance(dance); !checked) {
         return fail(checked.error());
     }
@@ -151,7 +158,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
         }
         figures.push_back(std::move(*figure));
     }
-    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton(), &*grammar);
+    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton(), &*grammar, generator);
 }
 
 Expected<Dancers> Dancers::load(const Settings& settings) {
@@ -164,6 +171,7 @@ Expected<Dancers> Dancers::load(const Settings& settings) {
     const bool is_couple = formation == motion::Formation::couple;
     Parts parts;
     parts.features = features_to_load(settings);
+    parts.generator = generator_of(settings);
     for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
         if (role == DanceRole::follow && !is_couple) {
             continue;

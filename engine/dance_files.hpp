@@ -7,6 +7,7 @@
 
 #include "base/expected.hpp"
 #include "engine/settings.hpp"
+#include "motion/dance/generator.hpp"
 #include "motion/ensemble.hpp"
 #include "motion/figures/figure_model.hpp"
 
@@ -27,17 +28,21 @@ namespace raks::engine {
 /// What the settings' `figures` names.
 [[nodiscard]] motion::FigureFeatures features_to_load(const Settings& settings);
 
+/// By the settings. "frames" is the paper's; all else that passed validate() is ours.
+[[nodiscard]] motion::Generator generator_of(const Settings& settings);
+
 /// Reads the trained figures of a dance from models/trained and solves them for the built-in
 /// mannequin; of positions where it has such, else of angles. Errors: an unknown dance, a model
 /// file that is missing or bad.
 [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
     const std::string& dance,
     motion::DanceRole role = motion::DanceRole::lead,
-    motion::FigureFeatures features = motion::FigureFeatures::angles);
+    motion::FigureFeatures features = motion::FigureFeatures::angles,
+    motion::Generator generator = motion::Generator::trajectories);
 
-/// Who dances, by the settings: dance, figures, formation and seed. The dance that a show begins
-/// with is there at once; with `dance = "auto"` a thread of its own solves all others meanwhile, so
-/// that a show begins at once. Threads: one owner.
+/// Who dances, by the settings: dance, figures, formation, generator and seed. The dance that a
+/// show begins with is there at once; with `dance = "auto"` a thread of its own solves all others
+/// meanwhile, so that a show begins at once. Threads: one owner.
 class Dancers {
  public:
     /// Errors: as load_dance, an unknown formation.

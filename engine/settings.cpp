@@ -35,7 +35,7 @@ struct Key {
     std::string_view help;
 };
 
-const std::array<Key, 18> kKeys = {{
+const std::array<Key, 19> kKeys = {{
     {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
     {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
     {"audio",
@@ -54,6 +54,7 @@ const std::array<Key, 18> kKeys = {{
      "danced when nothing is recognised: a dance, keep (the dance that is on) or stand"},
     {"dance", "figures", &Settings::figures, 0, 0, "learnt as angles or positions of the joints"},
     {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
+    {"dance", "generator", &Settings::generator, 0, 0, "trajectories, or frames: the paper's"},
     {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
     {"dance",
      "pose_lead_ms",
@@ -214,6 +215,10 @@ std::vector<std::string> validate(const Settings& settings) {
     }
     if (const auto size = parse_size(settings.size); !size) {
         faults.push_back("picture.size: " + size.error().message);
+    }
+    if (!is_one_of(settings.generator, {"trajectories", "frames"})) {
+        faults.push_back("dance.generator is \"" + settings.generator +
+                         "\", must be trajectories or frames");
     }
     if (!is_one_of(settings.quality, {"auto", "fast", "high"})) {
         faults.push_back("picture.quality is \"" + settings.quality +

@@ -19,12 +19,13 @@ struct Settings {
     double latency_offset_ms = 0.0;  ///< added to the reported output latency; [-500, 500]
     double volume = 1.0;             ///< [0, 2]
     // [dance]
-    std::string dance = "auto";            ///< a genre's name, or auto: as recognised
-    std::string fallback_dance = "salsa";  ///< when nothing is recognised; or keep, stand
-    std::string figures = "angles";        ///< learnt as angles or positions of the joints
-    std::string formation = "solo";        ///< solo, couple, unison, canon or free
-    std::int64_t seed = 1;                 ///< same seed, same dance; >= 0
-    double pose_lead_ms = 0.0;             ///< pictures show the pose this much ahead; [-200, 200]
+    std::string dance = "auto";              ///< a genre's name, or auto: as recognised
+    std::string fallback_dance = "salsa";    ///< when nothing is recognised; or keep, stand
+    std::string figures = "angles";          ///< learnt as angles or positions of the joints
+    std::string formation = "solo";          ///< solo, couple, unison, canon or free
+    std::string generator = "trajectories";  ///< or frames: the paper's
+    std::int64_t seed = 1;                   ///< same seed, same dance; >= 0
+    double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]
     std::string theme = "stage";
     std::string camera = "wide";

@@ -62,11 +62,14 @@ std::vector<std::string_view> DanceLibrary::figure_names() const {
 }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
-    std::span<const FigureModel> figures, const Skeleton& skeleton, const FigureGrammar* grammar) {
+    std::span<const FigureModel> figures,
+    const Skeleton& skeleton,
+    const FigureGrammar* grammar,
+    Generator generator) {
     if (figures.empty()) {
         return fail("a dance needs at least one figure");
     }
-    auto content = make_content(figures, skeleton, grammar);
+    auto content = make_content(figures, skeleton, grammar, generator);
     if (!content) {
         return fail(std::move(content.error()));
     }
@@ -206,10 +209,10 @@ Pose Dancer::State::smoothed(StreamTime now, Nanos ahead) const noexcept {
     if (!smoothing.is_active(now + ahead - changed_at)) {
         return pose;
     }
-    if (is_dancing) {
-        lift_feet(skeleton, pose);  // hips and legs blend apart from one another
-    } else {
+    if (!is_dancing) {
         standing.plant(skeleton, now + ahead, pose);
+    } else if (content().generator == Generator::trajectories) {
+        lift_feet(skeleton, pose);  // hips and legs blend apart from one another
     }
     return pose;
 }

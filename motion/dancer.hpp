@@ -13,6 +13,7 @@
 #include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "motion/dance/dancer_part.hpp"
+#include "motion/dance/generator.hpp"
 #include "motion/skeleton/pose_track.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -28,13 +29,16 @@ class Repertoire;
 class DanceLibrary {
  public:
     /// Solves the trajectories of all figures, each in eight ways (some 40 ms a figure). `grammar`:
-    /// its rules in the order of the figures; none: any after any other.
+    /// its rules in the order of the figures; none: any after any other. `generator`: ours, or the
+    /// paper's for comparison, in which no foot is planted: feet slide and may dip below the floor,
+    /// in joins too.
     /// Errors: no figures, a figure that cannot be solved (named), a grammar of another dance.
     /// Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
         std::span<const FigureModel> figures,
         const Skeleton& skeleton,
-        const FigureGrammar* grammar = nullptr);
+        const FigureGrammar* grammar = nullptr,
+        Generator generator = Generator::trajectories);
     ~DanceLibrary();
     /// In the order of `figures`; as long as the library lives.
     [[nodiscard]] std::vector<std::string_view> figure_names() const;

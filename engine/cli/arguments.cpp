@@ -25,6 +25,8 @@ constexpr const char* kExamples =
     "\n"
     "raks --help lists all commands.\n";
 
+constexpr const char* kGeneratorHelp = "trajectories, or frames: the paper's, for comparison";
+
 void add_figures_option(CLI::App& app, engine::Settings& settings) {
     app.add_option("--figures", settings.figures, "learnt as angles or positions of the joints");
 }
@@ -35,6 +37,7 @@ void add_picture_options(CLI::App& app, engine::Settings& settings) {
     add_figures_option(app, settings);
     app.add_option(
         "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
+    app.add_option("--generator", settings.generator, kGeneratorHelp);
     app.add_option("--seed", settings.seed, "same seed, same dance");
     app.add_option("--theme", settings.theme, "stage, workshop_dark or studio_light");
     app.add_option("--camera", settings.camera, "wide, portrait, front or side");
@@ -249,6 +252,7 @@ class Parser {
             ->check(CLI::IsMember({"lead", "follow"}));
         app->add_option("--dance", a->settings.dance, "the dance to measure");
         add_figures_option(*app, a->settings);
+        app->add_option("--generator", a->settings.generator, kGeneratorHelp);
         app->add_option("--seed", a->settings.seed, "same seed, same dance");
         app->add_option("--trial", a->trials, "only this one, such as salsa-180")
             ->allow_extra_args(false);
@@ -273,6 +277,7 @@ class Parser {
         app->add_option("--fps", a->fps, "poses a second")->check(CLI::Range(1.0, 240.0));
         app->add_option("--dance", a->settings.dance, "the dance to keep to, or auto");
         add_figures_option(*app, a->settings);
+        app->add_option("--generator", a->settings.generator, kGeneratorHelp);
         app->add_option("--seed", a->settings.seed, "same seed, same dance");
     }
 
@@ -367,6 +372,7 @@ class Parser {
         app->add_option("-o,--out", a->output, "X.png")->required();
         app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
         add_figures_option(*app, a->settings);
+        app->add_option("--generator", a->settings.generator, kGeneratorHelp);
         app->add_option("--bpm", a->bpm, "tempo danced to")->check(CLI::Range(50.0, 230.0));
         app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
         app->add_option("--view", a->settings.view, "skin, stick or auto");

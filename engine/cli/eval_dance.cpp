@@ -41,13 +41,13 @@ Expected<std::vector<engine::DanceTrial>> chosen_trials(const std::vector<std::s
 }
 
 /// The lead dances what `raks play` does; a follow has the figures learnt from follows.
-Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const std::string& dance,
-                                                                 motion::DanceRole role,
+Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const DanceReport& report,
+                                                                 motion::Generator generator,
                                                                  const Figures& figures) {
-    if (role == motion::DanceRole::lead) {
-        return engine::load_dance(dance, role, figures.front().features);
+    if (report.role == motion::DanceRole::lead) {
+        return engine::load_dance(report.dance, report.role, figures.front().features, generator);
     }
-    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton());
+    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton(), nullptr, generator);
 }
 
 Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
@@ -88,12 +88,13 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
     report.dance = engine::dance_to_load(arguments.settings);
     report.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
     report.seed = arguments.settings.seed;
+    report.generator = arguments.settings.generator;
     const auto figures = engine::trained_figures(
         report.dance, report.role, engine::features_to_load(arguments.settings));
     if (!figures) {
         return fail(figures.error());
     }
-    const auto library = library_of(report.dance, report.role, *figures);
+    const auto library = library_of(report, engine::generator_of(arguments.settings), *figures);
     if (!library) {
         return fail(library.error());
     }

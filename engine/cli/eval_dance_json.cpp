@@ -105,6 +105,7 @@ std::string to_json(const DanceReport& report) {
                      {"version", 1},
                      {"dance", report.dance},
                      {"role", motion::kRoleNames[static_cast<std::size_t>(report.role)]},
+                     {"generator", report.generator},
                      {"seed", report.seed}};
     auto& bounds = document["bounds"] = Json::object();
     for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {

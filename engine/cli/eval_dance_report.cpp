@@ -218,9 +218,10 @@ std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dance
 }
 
 std::string to_text(const DanceReport& report) {
-    std::string text = fmt::format("{}, {}, seed {}\n\n",
+    std::string text = fmt::format("{}, {}, {}, seed {}\n\n",
                                    report.dance,
                                    motion::kRoleNames[static_cast<std::size_t>(report.role)],
+                                   report.generator,
                                    report.seed);
     std::vector<const MeasuredDance*> rows;
     for (const MeasuredDance& trial : report.trials) {

@@ -23,6 +23,7 @@ struct MeasuredDance {
 struct DanceReport {
     std::string dance;
     motion::DanceRole role = motion::DanceRole::lead;
+    std::string generator = "trajectories";
     std::int64_t seed = 1;
     std::vector<MeasuredDance> trials;
     std::vector<MeasuredDance> people;  ///< by take, empty without clips

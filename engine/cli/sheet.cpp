@@ -42,7 +42,8 @@ Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& argu
     const Bpm tempo(arguments.bpm);
     const auto library = engine::load_dance(engine::dance_to_load(settings),
                                             motion::DanceRole::lead,
-                                            engine::features_to_load(settings));
+                                            engine::features_to_load(settings),
+                                            engine::generator_of(settings));
     if (!library) {
         return fail(library.error());
     }

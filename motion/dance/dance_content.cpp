@@ -6,6 +6,7 @@
 
 #include "base/random.hpp"
 #include "motion/dance/arm_directions.hpp"
+#include "motion/dance/frame_generator.hpp"
 #include "motion/dance/relaxed_hands.hpp"
 #include "motion/dance/variation.hpp"
 #include "motion/figures/figure_trainer.hpp"
@@ -117,9 +118,14 @@ struct Baking {
     const std::vector<FigureWay>& ways;
     const StartPlaces& places;
     const Skeleton& skeleton;
+    Generator generator = Generator::trajectories;
 
-    /// Passage n of a figure; the first is danced as learnt.
+    /// Passage n of a figure; the first trajectory is danced as learnt.
     [[nodiscard]] FigurePassage passage(std::size_t figure, std::size_t n) const {
+        if (generator == Generator::frames) {
+            return {
+                figures[figure], drawn_tracks(figures[figure], figure, n), ways[figure], skeleton};
+        }
         FigureTracks varied = tracks[figure];
         const std::uint64_t stream = kPassageStream + n * (kParts.size() + 1);
         for (const PartModel& part : figures[figure].parts) {
@@ -145,8 +151,10 @@ struct Baking {
 
 Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                                     const Skeleton& skeleton,
-                                    const FigureGrammar* grammar) {
+                                    const FigureGrammar* grammar,
+                                    Generator generator) {
     DanceContent content;
+    content.generator = generator;
     content.skeleton = skeleton;
     relax_hands(content.rest);
     std::vector<FigureTracks> tracks;
@@ -176,7 +184,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     const std::vector<FigureWay> ways = closed_ways(figures, skeleton, grammar);
     const StartPlaces places = common_places(figures, tracks, ways, skeleton);
 
-    const Baking baking{figures, tracks, ways, places, skeleton};
+    const Baking baking{figures, tracks, ways, places, skeleton, generator};
     constexpr std::size_t kPassages = DanceContent::kPassages;
     std::vector<std::optional<FigurePassage>> baked(figures.size() * kPassages);
     {
@@ -222,6 +230,9 @@ Pose pose_of(const DanceContent& content, const FigureChoice& choice, double bea
     const LibraryFigure& figure = content.figures[choice.figure];
     Pose pose = content.rest;
     figure.passages[choice.body].at(beat, pose);
+    if (content.generator == Generator::frames) {
+        return pose;  // a mean of two draws would be half as wide
+    }
     // Mixed as turns away from the arms as learnt: straight between two passages the shorter way
     // round may change from one moment to the next.
     Pose learnt = pose;

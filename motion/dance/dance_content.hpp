@@ -10,6 +10,7 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/choreography.hpp"
 #include "motion/dance/figure_passage.hpp"
+#include "motion/dance/generator.hpp"
 
 namespace raks::motion {
 
@@ -28,6 +29,7 @@ struct DanceContent {
     /// never the arms, which are mixed from two of them.
     static constexpr int kPassages = 8;
 
+    Generator generator = Generator::trajectories;
     std::vector<LibraryFigure> figures;
     Choreography choreography;
     DanceMetre metre;  ///< its tempo: the mean of the figures'
@@ -40,7 +42,8 @@ struct DanceContent {
 /// Errors: as DanceLibrary::build says. Threads: workers; two of its own. Real-time: no.
 [[nodiscard]] Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                                                   const Skeleton& skeleton,
-                                                  const FigureGrammar* grammar);
+                                                  const FigureGrammar* grammar,
+                                                  Generator generator = Generator::trajectories);
 
 /// How one figure is danced this time.
 struct FigureChoice {

@@ -256,10 +256,21 @@ FigurePassage::FigurePassage(const FigureModel& model,
         }
     }
     lock_feet(skeleton, stretch.contacts, stretch.samples_per_beat, stepping, stretch.poses);
-    samples_per_beat_ = stretch.samples_per_beat;
-    const auto skipped = static_cast<std::size_t>((kAround - kMargin) * stretch.samples_per_beat);
-    for (std::size_t i = skipped; i < stretch.poses.size() - skipped + 1; ++i) {
-        const Pose& pose = stretch.poses[i];
+    keep(stretch.poses, stretch.samples_per_beat);
+}
+
+FigurePassage::FigurePassage(const FigureModel& model,
+                             const FigureTracks& tracks,
+                             const FigureWay& way,
+                             const Skeleton& skeleton) {
+    keep(free_poses(model, tracks, way, skeleton), model.samples_per_beat * kFiner);
+}
+
+void FigurePassage::keep(const std::vector<Pose>& poses, int samples_per_beat) {
+    samples_per_beat_ = samples_per_beat;
+    const auto skipped = static_cast<std::size_t>((kAround - kMargin) * samples_per_beat);
+    for (std::size_t i = skipped; i < poses.size() - skipped + 1; ++i) {
+        const Pose& pose = poses[i];
         Sample sample;
         for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
             sample.rotations[bone] = pose.rotation(kBones[bone]);

@@ -51,6 +51,12 @@ class FigurePassage {
                   const CounterRandom* random,
                   const Skeleton& skeleton);
 
+    /// The same tracks as they are: feet free, no contacts.
+    FigurePassage(const FigureModel& model,
+                  const FigureTracks& tracks,
+                  const FigureWay& way,
+                  const Skeleton& skeleton);
+
     /// Sets hips, body and contacts of `pose` at a beat in [-kMargin, beats + kMargin] (clamped);
     /// fingers stay. Threads: any. Real-time: yes.
     void at(double beat, Pose& pose) const noexcept;
@@ -90,6 +96,8 @@ class FigurePassage {
         float share;
     };
     [[nodiscard]] Place place_of(double beat) const noexcept;
+    /// Takes the figure with its margins out of poses that begin kAround beats before it.
+    void keep(const std::vector<Pose>& poses, int samples_per_beat);
 
     double samples_per_beat_ = 48.0;
     std::vector<Sample> samples_;

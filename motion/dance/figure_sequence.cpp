@@ -10,9 +10,13 @@ namespace raks::motion {
 namespace {
 
 /// Between two poses, feet by their places in the world: rotations averaged down a leg would carry
-/// a foot that both have planted off its place.
-Pose average(const Skeleton& skeleton, const Pose& from, const Pose& to, float share) noexcept {
+/// a foot that both have planted off its place. The paper plants none.
+Pose average(const DanceContent& content, const Pose& from, const Pose& to, float share) noexcept {
     Pose pose = interpolate(from, to, share);
+    if (content.generator == Generator::frames) {
+        return pose;
+    }
+    const Skeleton& skeleton = content.skeleton;
     const WorldPose a = world_pose(skeleton, from);
     const WorldPose b = world_pose(skeleton, to);
     for (const Side side : kSides) {
@@ -104,7 +108,7 @@ Pose FigureSequence::joined(const Danced& before,
     const double margin = margin_between(before, after);
     const float share =
         smootherstep(static_cast<float>((phase - after.start + margin) / (2.0 * margin)));
-    return average(content_->skeleton, pose_of(before, phase), pose_of(after, phase), share);
+    return average(*content_, pose_of(before, phase), pose_of(after, phase), share);
 }
 
 Pose FigureSequence::at(Beats phase) const noexcept {

@@ -144,7 +144,7 @@ PartModel part_of(const Field& field, const FigureModel& model) {
     part.part = static_cast<Part>(name_in(kPartNames, field["part"]));
     const Field joints = field["joints"];
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        part.joints.push_back(joint_of(joints[j], features));
+        part.joints.push_back(joint_of(joints[j], model.features));
     }
     const Field states = field["states"];
     for (std::size_t k = 0; k < states.size(); ++k) {
