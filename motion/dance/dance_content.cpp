@@ -231,7 +231,10 @@ Pose pose_of(const DanceContent& content, const FigureChoice& choice, double bea
     Pose pose = content.rest;
     figure.passages[choice.body].at(beat, pose);
     if (content.generator == Generator::frames) {
-        return pose;  // a mean of two draws would be half as wide
+        // One other draw's, or repeats would be the same one time in eight; a mean of two would not
+        // be as wide.
+        figure.passages[choice.arms[0]].arms_at(beat, pose);
+        return pose;
     }
     // Mixed as turns away from the arms as learnt: straight between two passages the shorter way
     // round may change from one moment to the next.
