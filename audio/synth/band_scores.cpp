@@ -100,29 +100,19 @@ void write_waltz_bar(Score& score, int bar, const CounterRandom& random) {
 
 Score write_rock(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 3);
-    Score score;
-    for (int bar = 0; 4.0 * bar < beats; ++bar) {
-        write_rock_bar(score, bar, random);
-    }
-    return cut(std::move(score), beats);
+    return write_bars(beats, 4, [&](Score& score, int bar) { write_rock_bar(score, bar, random); });
 }
 
 Score write_hiphop(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 4);
-    Score score;
-    for (int bar = 0; 4.0 * bar < beats; ++bar) {
-        write_hiphop_bar(score, bar, random);
-    }
-    return cut(std::move(score), beats);
+    return write_bars(
+        beats, 4, [&](Score& score, int bar) { write_hiphop_bar(score, bar, random); });
 }
 
 Score write_waltz(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 5);
-    Score score;
-    for (int bar = 0; 3.0 * bar < beats; ++bar) {
-        write_waltz_bar(score, bar, random);
-    }
-    return cut(std::move(score), beats);
+    return write_bars(
+        beats, 3, [&](Score& score, int bar) { write_waltz_bar(score, bar, random); });
 }
 
 }  // namespace raks::audio

@@ -53,8 +53,7 @@ Score write_clicks(double beats) {
 
 Score write_drums(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 1);
-    Score score;
-    for (int bar = 0; 4.0 * bar < beats; ++bar) {
+    return write_bars(beats, 4, [&](Score& score, int bar) {
         const double start = 4.0 * bar;
         const bool has_ghosts = random.below(static_cast<std::uint64_t>(bar), 2) == 0;
         strike(score, Sound::kick, has_ghosts ? "X...x..." : "X...Xx..", start, 0.5);
@@ -64,17 +63,13 @@ Score write_drums(double beats, std::uint64_t seed) {
         if (bar % 8 == 0) {
             score.push_back({.beat = start, .sound = Sound::crash});
         }
-    }
-    return cut(std::move(score), beats);
+    });
 }
 
 Score write_house(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 2);
-    Score score;
-    for (int bar = 0; 4.0 * bar < beats; ++bar) {
-        write_house_bar(score, bar, random);
-    }
-    return cut(std::move(score), beats);
+    return write_bars(
+        beats, 4, [&](Score& score, int bar) { write_house_bar(score, bar, random); });
 }
 
 }  // namespace raks::audio

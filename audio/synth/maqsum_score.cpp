@@ -71,8 +71,7 @@ void write_phrase(Score& score, double start, int phrase, int tonic, std::uint64
 Score write_maqsum(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 3);
     const int tonic = 50 + static_cast<int>(random.below(0, 5));
-    Score score;
-    for (int bar = 0; 4.0 * bar < beats; ++bar) {
+    return write_bars(beats, 4, [&](Score& score, int bar) {
         const double start = 4.0 * bar;
         write_rhythm(score, start, bar);
         if (bar >= 2 && bar % 2 == 0) {
@@ -83,9 +82,7 @@ Score write_maqsum(double beats, std::uint64_t seed) {
             score.push_back({start + 2.0, Sound::bass, tonic - 12, 0.9, 0.65});
             score.push_back({start + 3.0, Sound::bass, tonic - 5, 0.8, 0.6});
         }
-    }
-    std::erase_if(score, [beats](const Note& note) { return note.beat >= beats; });
-    return score;
+    });
 }
 
 }  // namespace raks::audio

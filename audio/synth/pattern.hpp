@@ -28,8 +28,13 @@ inline void strike(Score& score,
     }
 }
 
-/// Patterns write whole bars: what lies behind the end is dropped.
-[[nodiscard]] inline Score cut(Score score, double beats) {
+/// Writes bar after bar by write_bar(score, bar) and drops what lies behind the end.
+template <typename WriteBar>
+[[nodiscard]] Score write_bars(double beats, int beats_per_bar, const WriteBar& write_bar) {
+    Score score;
+    for (int bar = 0; bar * beats_per_bar < beats; ++bar) {
+        write_bar(score, bar);
+    }
     std::erase_if(score, [beats](const Note& note) { return note.beat >= beats; });
     return score;
 }
