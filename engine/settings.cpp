@@ -35,7 +35,7 @@ struct Key {
     std::string_view help;
 };
 
-const std::array<Key, 19> kKeys = {{
+const std::array kKeys = std::to_array<Key>({
     {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
     {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
     {"audio",
@@ -74,7 +74,7 @@ const std::array<Key, 19> kKeys = {{
      0,
      "skin, stick, or auto: stick when danced by positions"},
     {"picture", "overlay", &Settings::overlay, 0, 0, "beat, tempo and levels over the picture"},
-}};
+});
 
 std::string full_name(const Key& key) { return fmt::format("{}.{}", key.section, key.name); }
 

@@ -35,7 +35,7 @@ cmake --build --preset release -j "$(nproc)"
 
 scripts/tidy.sh --changed
 
-sanitized asan base models skeleton figures audio_io audio_evaluate audio_training engine render_video
+sanitized asan base models skeleton figures audio_io audio_evaluate audio_training engine_files render_video
 sanitized tsan base engine
 
 step "release: tests"
