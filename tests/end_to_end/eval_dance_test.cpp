@@ -48,7 +48,7 @@ TEST_F(EvalDance, measures_the_follow_as_well_and_writes_tables) {
     const ProcessResult result =
         run({"eval", "dance", "--role", "follow", "--trial", "salsa-200-to-160"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.out.find("salsa, follow, seed 1"), std::string::npos);
+    EXPECT_NE(result.out.find("salsa, follow, trajectories, seed 1"), std::string::npos);
     EXPECT_NE(result.out.find("| salsa-200-to-160 |"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("| Raks: basic "), std::string::npos) << result.out;
 }
