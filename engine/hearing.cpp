@@ -32,12 +32,33 @@ Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(
     return audio::load_genre(*shipped);
 }
 
+namespace {
+
+Expected<audio::MusicAnalyzer> prepared(const audio::AnalyzerConfig& config) {
+    audio::MusicAnalyzer analyzer;
+    if (auto done = analyzer.prepare(config); !done) {
+        return fail(done.error());
+    }
+    return analyzer;
+}
+
+}  // namespace
+
 Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate, audio::BeatMethod method) {
     auto network = load_beat_network();
     if (!network) {
         return fail(network.error());
     }
-    return make_analyzer(rate, method, std::move(*network));
+    auto model = load_genre_model();
+    if (!model) {
+        return fail(model.error());
+    }
+    audio::AnalyzerConfig config;
+    config.sample_rate = rate;
+    config.beat_method = method;
+    config.beat_network = std::move(*network);
+    config.genre_model = std::move(*model);
+    return prepared(config);
 }
 
 Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
@@ -47,11 +68,7 @@ Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
     config.sample_rate = rate;
     config.beat_method = method;
     config.beat_network = std::move(network);
-    audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare(config); !prepared) {
-        return fail(prepared.error());
-    }
-    return analyzer;
+    return prepared(config);
 }
 
 }  // namespace raks::engine

@@ -21,8 +21,8 @@ namespace raks::engine {
 [[nodiscard]] Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(
     const std::filesystem::path& path = {});
 
-/// An analyzer for samples of this rate, with the beat network that comes with Raks
-/// (models/trained/beats.json).
+/// An analyzer for samples of this rate, with the beat network and the genre model that come with
+/// Raks (models/trained/beats.json, genres.json).
 /// Errors: a rate that is not supported, a network file that is missing or bad.
 [[nodiscard]] Expected<audio::MusicAnalyzer> make_analyzer(
     SampleRate rate, audio::BeatMethod method = audio::BeatMethod::pointer);

@@ -2,7 +2,7 @@
 # Installs every Debian 12 package that Raks needs to build, test and run. Idempotent: when all is
 # there it asks dpkg once and leaves. Uses sudo when not root.
 #   scripts/setup.sh            build, run and test
-#   scripts/setup.sh --training also the soundfonts that `raks train beats` renders music with
+#   scripts/setup.sh --training also the soundfonts that `raks train beats` and `raks train genre` render music with
 #   scripts/setup.sh --rtsan    also clang 22 for the RealtimeSanitizer build
 set -euo pipefail
 
@@ -26,7 +26,8 @@ packages=(
 if [ "${1:-}" = --rtsan ]; then
     packages+=(clang-22 libclang-rt-22-dev llvm-14)
 elif [ "${1:-}" = --training ]; then
-    packages+=(fluid-soundfont-gm musescore-general-soundfont-small)
+    packages+=(fluid-soundfont-gm musescore-general-soundfont-small opl3-soundfont
+        timgm6mb-soundfont aubio-tools)
 elif [ $# -gt 0 ]; then
     echo "usage: scripts/setup.sh [--training|--rtsan]" >&2
     exit 2

@@ -17,8 +17,8 @@ namespace raks::audio {
 /// out), give onsets in six bands. They are summed by their place in a bar of four beats, in a bar
 /// of three and within the beat, and through resonators of 0.7 to 12 Hz that need no tracker. Sums
 /// are kept for segments of half a second; a window's features come from the sums of its segments,
-/// added anew each time: nothing drifts, and what is left behind is left behind exactly (but for the
-/// resonators, which remember 2.5 s more).
+/// added anew each time: nothing drifts, and what is left behind is left behind exactly (but for
+/// the resonators, which remember 2.5 s more).
 ///
 /// Where the tracker's bar is wrong, the pattern is turned by whole beats. So most features do not
 /// change by that: magnitudes of the pattern's Fourier series, the phases between bands, and the

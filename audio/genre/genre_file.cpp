@@ -127,7 +127,7 @@ Json network_json(const PatternNetwork& network) {
 PatternNetwork read_network(const Field& field, std::size_t classes) {
     PatternNetwork network;
     network.units = static_cast<std::size_t>(
-        field["units"].whole(1, static_cast<int>(PatternNetwork::kMaxUnits)));
+        field["units"].whole(0, static_cast<int>(PatternNetwork::kMaxUnits)));
     network.classes = classes;
     network.mean = floats_of(field["mean"]);
     network.deviation = floats_of(field["deviation"]);
@@ -151,7 +151,8 @@ Genre read_genre(const Field& field) {
 
 void read_fusion(const Field& field, GenreModel& model) {
     if (field.size() != model.fusion.size()) {
-        field.complain(fmt::format("has {} windows, must have {}", field.size(), model.fusion.size()));
+        field.complain(
+            fmt::format("has {} windows, must have {}", field.size(), model.fusion.size()));
         return;
     }
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
@@ -162,6 +163,7 @@ void read_fusion(const Field& field, GenreModel& model) {
         }
         model.fusion[i] = {static_cast<float>(entry["mfcc"].number()),
                            static_cast<float>(entry["rhythm"].number()),
+                           static_cast<float>(entry["sound"].number()),
                            static_cast<float>(entry["unknown"].number())};
     }
 }
@@ -173,6 +175,7 @@ Json fusion_json(const GenreModel& model) {
         list.push_back({{"seconds", kGenreWindows[i] * kSegmentSeconds},
                         {"mfcc", shortened(static_cast<double>(fusion.mfcc))},
                         {"rhythm", shortened(static_cast<double>(fusion.rhythm))},
+                        {"sound", shortened(static_cast<double>(fusion.sound))},
                         {"unknown", shortened(static_cast<double>(fusion.unknown))}});
     }
     return list;
@@ -197,6 +200,7 @@ std::string genre_text(const GenreModel& model) {
         json["similarity"] = models::hmm_json(*model.similarity);
     }
     json["rhythm"] = network_json(model.rhythm);
+    json["sound"] = network_json(model.sound);
     json["fusion"] = fusion_json(model);
     return models::json_text(json);
 }
@@ -224,6 +228,7 @@ Expected<GenreModel> parse_genre(std::string_view text) {
         model.similarity = models::read_hmm(root["similarity"]);
     }
     model.rhythm = read_network(root["rhythm"], model.classes());
+    model.sound = read_network(root["sound"], model.classes());
     read_fusion(root["fusion"], model);
     if (auto ok = document->finish(); !ok) {
         return fail(std::move(ok.error()));

@@ -49,23 +49,28 @@ Expected<void> check_numbers(const std::vector<float>& numbers,
     return {};
 }
 
-Expected<void> check_network(const PatternNetwork& network, std::size_t classes) {
-    if (network.units < 1 || network.units > PatternNetwork::kMaxUnits) {
+Expected<void> check_network(const PatternNetwork& network,
+                             std::size_t classes,
+                             const std::string& name) {
+    if (network.units > PatternNetwork::kMaxUnits) {
         return fail(fmt::format(
-            "rhythm.units is {}, must be 1 to {}", network.units, PatternNetwork::kMaxUnits));
+            "{}.units is {}, must be 0 to {}", name, network.units, PatternNetwork::kMaxUnits));
     }
     if (network.classes != classes) {
-        return fail(fmt::format(
-            "rhythm has {} classes, must have {}: the genres and none", network.classes, classes));
+        return fail(fmt::format("{} has {} classes, must have {}: the genres and none",
+                                name,
+                                network.classes,
+                                classes));
     }
     constexpr std::size_t kInputs = PatternNetwork::kInputs;
+    const std::size_t last = network.last_inputs();
     const auto parts = {
-        check_numbers(network.mean, kInputs, "rhythm.mean"),
-        check_numbers(network.deviation, kInputs, "rhythm.deviation"),
-        check_numbers(network.hidden_weights, network.units * kInputs, "rhythm.hidden_weights"),
-        check_numbers(network.hidden_bias, network.units, "rhythm.hidden_bias"),
-        check_numbers(network.output_weights, classes * network.units, "rhythm.output_weights"),
-        check_numbers(network.output_bias, classes, "rhythm.output_bias")};
+        check_numbers(network.mean, kInputs, name + ".mean"),
+        check_numbers(network.deviation, kInputs, name + ".deviation"),
+        check_numbers(network.hidden_weights, network.units * kInputs, name + ".hidden_weights"),
+        check_numbers(network.hidden_bias, network.units, name + ".hidden_bias"),
+        check_numbers(network.output_weights, classes * last, name + ".output_weights"),
+        check_numbers(network.output_bias, classes, name + ".output_bias")};
     for (const Expected<void>& part : parts) {
         if (!part) {
             return part;
@@ -73,7 +78,8 @@ Expected<void> check_network(const PatternNetwork& network, std::size_t classes)
     }
     const auto worst = std::min_element(network.deviation.begin(), network.deviation.end());
     if (!(*worst > 0.0F)) {
-        return fail(fmt::format("rhythm.deviation[{}] is {}, must be > 0",
+        return fail(fmt::format("{}.deviation[{}] is {}, must be > 0",
+                                name,
                                 worst - network.deviation.begin(),
                                 static_cast<double>(*worst)));
     }
@@ -132,12 +138,15 @@ Expected<void> validate(const GenreModel& model) {
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
         const GenreFusion& fusion = model.fusion[i];
         const bool is_sane = std::abs(fusion.mfcc) < 1e3F && std::abs(fusion.rhythm) < 1e3F &&
-                             std::abs(fusion.unknown) < 1e3F;
+                             std::abs(fusion.sound) < 1e3F && std::abs(fusion.unknown) < 1e3F;
         if (!is_sane) {
             return fail(fmt::format("fusion[{}] has a weight that is not below 1000", i));
         }
     }
-    return check_network(model.rhythm, model.classes());
+    if (auto ok = check_network(model.rhythm, model.classes(), "rhythm"); !ok) {
+        return ok;
+    }
+    return check_network(model.sound, model.classes(), "sound");
 }
 
 }  // namespace raks::audio

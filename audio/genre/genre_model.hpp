@@ -44,7 +44,8 @@ struct GenreFeatures {
 /// weights. Fitted on artists that the models were not trained on.
 struct GenreFusion {
     float mfcc = 0.0F;     ///< times nats a frame of each class' model: 1 / temperature
-    float rhythm = 1.0F;   ///< times ln of the pattern network's chances
+    float rhythm = 1.0F;   ///< times ln of the rhythm network's chances
+    float sound = 1.0F;    ///< times ln of the sound network's chances
     float unknown = 0.0F;  ///< added to what is none of the genres
 };
 
@@ -58,7 +59,8 @@ struct GenreModel {
     /// Of frames that the genres confuse (inter-genre similarity, Bagci and Erzin 2007): a frame
     /// that it explains best does not count.
     std::optional<models::GaussianHmm> similarity;
-    PatternNetwork rhythm;  ///< classes: genres, then none of them
+    PatternNetwork rhythm;  ///< of the patterns over bar and beat; classes: genres, then none
+    PatternNetwork sound;   ///< of the spectrum's shape, the bands' onsets and the swing; the same
     std::array<GenreFusion, kGenreWindows.size()> fusion;
     std::string made_with;    ///< the command
     std::string attribution;  ///< of the music that it was learnt from

@@ -75,7 +75,7 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     }
     patterns_.reset();
     next_pattern_ = kGenreWindows.size();
-    rhythm_heard_.fill(false);
+    judged_ = {};
     heard_ = 0;
     log_chances_.fill(kImprobable);
     log_chances_[model_->genres.size()] = 0.0F;
@@ -142,9 +142,13 @@ void GenreRecognizer::score_patterns() noexcept {
     std::array<float, BarPatterns::kFeatures> features{};
     std::array<float, PatternNetwork::kInputs> inputs{};
     patterns_.features(kGenreWindows[window], features);
+    Patterns& judged = judged_[window];
+    const std::size_t classes = model_->classes();
     model_->rhythm.standardize(features, kGenreWindows[window], inputs);
-    model_->rhythm.log_chances(inputs, std::span(rhythm_[window]).first(model_->classes()));
-    rhythm_heard_[window] = true;
+    model_->rhythm.log_chances(inputs, std::span(judged.rhythm).first(classes));
+    model_->sound.standardize(features, kGenreWindows[window], inputs);
+    model_->sound.log_chances(inputs, std::span(judged.sound).first(classes));
+    judged.is_heard = true;
 }
 
 GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noexcept
@@ -153,20 +157,21 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     const int segments = kGenreWindows[window];
     const int blocks = segments * kBlocksASegment;
     const bool has_mfcc = sliding_.front().blocks_heard() >= blocks;
-    judgement.is_full = rhythm_heard_[window] && has_mfcc;
+    judgement.is_full = judged_[window].is_heard && has_mfcc;
     if (!judgement.is_full) {
         return judgement;
     }
     const std::size_t classes = model_->classes();
     const GenreFusion& fusion = model_->fusion[window];
-    const bool uses_mfcc = settings_.evidence != GenreEvidence::rhythm;
-    const bool uses_rhythm =
-        settings_.evidence == GenreEvidence::rhythm || settings_.evidence == GenreEvidence::fused;
+    const GenreEvidence evidence = settings_.evidence;
+    const float mfcc = uses_mfcc(evidence) ? fusion.mfcc : 0.0F;
+    const float rhythm = uses_rhythm(evidence) ? fusion.rhythm : 0.0F;
+    const float sound = uses_sound(evidence) ? fusion.sound : 0.0F;
     const std::span<float> logs = std::span(judgement.log_chances).first(classes);
     for (std::size_t c = 0; c < classes; ++c) {
         const double nats = sliding_[c].score(blocks) / (blocks * kBlock);
-        logs[c] = (uses_mfcc ? fusion.mfcc * static_cast<float>(nats) : 0.0F) +
-                  (uses_rhythm ? fusion.rhythm * rhythm_[window][c] : 0.0F);
+        logs[c] = mfcc * static_cast<float>(nats) + rhythm * judged_[window].rhythm[c] +
+                  sound * judged_[window].sound[c];
     }
     logs.back() += fusion.unknown;
     normalize_logs(logs);
@@ -192,8 +197,10 @@ void GenreRecognizer::decide(const MusicState& state) noexcept {
                          log_chances_.begin() + static_cast<std::ptrdiff_t>(classes)) -
         log_chances_.begin());
     const bool is_unknown = best == model_->genres.size();
-    const bool is_applause = is_unknown && state.grid.confidence < settings_.least_confidence;
-    if (best == decision_ || is_applause || chance(best) < chance(decision_) + settings_.margin) {
+    // Applause, talk, the gap between two songs: nobody dances to sound without a beat.
+    const bool is_beatless =
+        decision_ != model_->genres.size() && state.grid.confidence < settings_.least_confidence;
+    if (best == decision_ || is_beatless || chance(best) < chance(decision_) + settings_.margin) {
         leads_for_ = 0.0;
         challenger_ = best;
         return;

@@ -25,7 +25,16 @@ namespace raks::audio {
 [[nodiscard]] double frame_density(std::span<const double> log_emissions) noexcept;
 
 /// Which parts of a model speak.
-enum class GenreEvidence : std::uint8_t { fused, mfcc, mfcc_similarity, rhythm };
+enum class GenreEvidence : std::uint8_t { fused, mfcc, mfcc_similarity, rhythm, sound };
+[[nodiscard]] constexpr bool uses_mfcc(GenreEvidence evidence) noexcept {
+    return evidence != GenreEvidence::rhythm && evidence != GenreEvidence::sound;
+}
+[[nodiscard]] constexpr bool uses_rhythm(GenreEvidence evidence) noexcept {
+    return evidence == GenreEvidence::rhythm || evidence == GenreEvidence::fused;
+}
+[[nodiscard]] constexpr bool uses_sound(GenreEvidence evidence) noexcept {
+    return evidence == GenreEvidence::sound || evidence == GenreEvidence::fused;
+}
 
 struct GenreSettings {
     double window_seconds = 5.0;  ///< 0.5 to 10, rounded to the model's nearest window
@@ -33,16 +42,16 @@ struct GenreSettings {
     float margin = 0.15F;           ///< by which another genre must lead, in chance
     double switch_seconds = 1.5;    ///< and for how long
     double give_up_seconds = 3.0;   ///< the same until nothing known is danced
-    float least_confidence = 0.3F;  ///< of the beat: below, unknown gains nothing (applause)
+    float least_confidence = 0.3F;  ///< of the beat: below, a known genre stays (applause)
 };
 
 /// Says every hop which dance the music is, from the last seconds that were no silence.
 ///
 /// MFCC: one HMM a genre, forward score of the sliding window (models/sliding_score.hpp: exact,
-/// from products of blocks of 100 ms). Rhythm: the pattern network on BarPatterns, every half
-/// second. Both are fused by the weights of the window's length; until a window is full the longest
-/// that is full speaks. The decision changes only when another class leads by a margin for a
-/// while; silence and sound without a beat keep it.
+/// from products of blocks of 100 ms). Rhythm and sound: two pattern networks on BarPatterns, every
+/// half second. All are fused by the weights of the window's length; until a window is full the
+/// longest that is full speaks. The decision changes only when another class leads by a margin for
+/// a while; silence and sound without a beat keep it.
 ///
 /// Threads: one. Real-time: all but create. Cost: about 10 us a hop with six genres, bounded: the
 /// models' emissions each hop, the walks over blocks spread over the hops between.
@@ -88,9 +97,13 @@ class GenreRecognizer {
     std::vector<double> selected_;
     std::vector<double> similarity_work_;
     BarPatterns patterns_;
-    /// By window: ln chances by rhythm alone.
-    std::array<std::array<float, PatternNetwork::kMaxClasses>, kGenreWindows.size()> rhythm_{};
-    std::array<bool, kGenreWindows.size()> rhythm_heard_{};
+    /// By window: ln chances by rhythm and by sound alone.
+    struct Patterns {
+        bool is_heard = false;
+        std::array<float, PatternNetwork::kMaxClasses> rhythm{};
+        std::array<float, PatternNetwork::kMaxClasses> sound{};
+    };
+    std::array<Patterns, kGenreWindows.size()> judged_{};
     std::size_t next_pattern_ = kGenreWindows.size();  // window whose turn it is
     std::int64_t heard_ = 0;                           // hops that counted
     std::array<float, PatternNetwork::kMaxClasses> log_chances_{};

@@ -40,11 +40,11 @@ void PatternNetwork::log_chances(std::span<const float, kInputs> inputs,
             std::inner_product(inputs.begin(), inputs.end(), weights, hidden_bias[unit]);
         hidden[unit] = std::max(0.0F, sum);
     }
+    const std::span<const float> last =
+        units > 0 ? std::span<const float>(hidden).first(units) : std::span<const float>(inputs);
     for (std::size_t c = 0; c < classes; ++c) {
-        out[c] = std::inner_product(hidden.begin(),
-                                    hidden.begin() + static_cast<std::ptrdiff_t>(units),
-                                    output_weights.data() + c * units,
-                                    output_bias[c]);
+        const float* const weights = output_weights.data() + c * last.size();
+        out[c] = std::inner_product(last.begin(), last.end(), weights, output_bias[c]);
     }
     normalize_logs(out);
 }

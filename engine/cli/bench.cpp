@@ -80,29 +80,43 @@ double microseconds_since(HostTime start) {
     return static_cast<double>((HostClock::now() - start).count()) * 1e-3;
 }
 
-Expected<BenchReport> bench_analysis(double seconds) {
-    const auto music = bench_music(seconds);
-    if (!music) {
-        return fail(music.error());
-    }
-    auto analyzer = engine::make_analyzer(music->rate);
-    if (!analyzer) {
-        return fail(analyzer.error());
-    }
+/// Adds what an analyzer needs for a piece; names end in `suffix`.
+void add_analysis(audio::MusicAnalyzer& analyzer,
+                  const audio::GeneratedMusic& music,
+                  double seconds,
+                  const std::string& suffix,
+                  BenchReport& report) {
     CollectStates collect(seconds);
     std::vector<double> hop_us;
     const double start = thread_cpu_seconds();
-    const std::size_t hop = static_cast<std::size_t>(music->rate.hertz() / 100);
-    for (std::size_t at = 0; at + hop <= music->samples.size(); at += hop) {
+    const std::size_t hop = static_cast<std::size_t>(music.rate.hertz() / 100);
+    for (std::size_t at = 0; at + hop <= music.samples.size(); at += hop) {
         const HostTime hop_start = HostClock::now();
-        analyzer->process(std::span(music->samples).subspan(at, hop), collect);
+        analyzer.process(std::span(music.samples).subspan(at, hop), collect);
         hop_us.push_back(microseconds_since(hop_start));
     }
     const double cpu = thread_cpu_seconds() - start;
+    report.values.emplace_back("times_real_time" + suffix, seconds / cpu);
+    report.values.emplace_back("cpu_us_a_hop" + suffix,
+                               1e6 * cpu / static_cast<double>(hop_us.size()));
+    report.spreads.emplace_back("wall_us_a_hop" + suffix, spread_of(hop_us));
+}
+
+Expected<BenchReport> bench_analysis(double seconds) {
+    const auto music = bench_music(seconds);
+    auto network = engine::load_beat_network();
+    if (!music || !network) {
+        return fail(!music ? music.error() : network.error());
+    }
+    auto plain =
+        engine::make_analyzer(music->rate, audio::BeatMethod::pointer, std::move(*network));
+    auto whole = engine::make_analyzer(music->rate);
+    if (!plain || !whole) {
+        return fail(!plain ? plain.error() : whole.error());
+    }
     BenchReport report;
-    report.values.emplace_back("times_real_time", seconds / cpu);
-    report.values.emplace_back("cpu_us_a_hop", 1e6 * cpu / static_cast<double>(hop_us.size()));
-    report.spreads.emplace_back("wall_us_a_hop", spread_of(hop_us));
+    add_analysis(*plain, *music, seconds, "", report);
+    add_analysis(*whole, *music, seconds, "_with_genre", report);
     add_aubio(*music, seconds, report);
     if (auto added = add_mfcc(*music, seconds, report); !added) {
         return fail(added.error());

@@ -122,6 +122,7 @@ Expected<HeardFile> hear(const audio::MusicFile& file,
 constexpr std::array kEvidence = {std::pair{GenreEvidence::mfcc, "mfcc"},
                                   std::pair{GenreEvidence::mfcc_similarity, "mfcc+igs"},
                                   std::pair{GenreEvidence::rhythm, "rhythm"},
+                                  std::pair{GenreEvidence::sound, "sound"},
                                   std::pair{GenreEvidence::fused, "fused"}};
 
 void add_rows(const audio::GenreModel& model,
@@ -135,7 +136,7 @@ void add_rows(const audio::GenreModel& model,
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
             const audio::GenreFusion fusion = evidence == GenreEvidence::fused
                                                   ? model.fusion[window]
-                                                  : audio::GenreFusion{1.0F, 1.0F, 0.0F};
+                                                  : audio::GenreFusion{1.0F, 1.0F, 1.0F, 0.0F};
             std::vector<audio::WindowScore::Values> logs;
             logs.reserve(scores.size());
             for (const audio::WindowScore& score : scores) {

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,11 +16,13 @@
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "audio/genre/training/genre_augmentation.hpp"
+#include "audio/genre/training/genre_page.hpp"
 #include "audio/genre/training/genre_trainer.hpp"
 #include "audio/genre/training/music_folder.hpp"
 #include "audio/genre/training/sound_damage.hpp"
 #include "audio/genre/training/written_corpus.hpp"
 #include "audio/io/audio_file.hpp"
+#include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "engine/hearing.hpp"
 
@@ -31,13 +34,16 @@ namespace {
 
 using namespace raks;
 
-constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
+// Written pieces a piece by a rhythm that may be left out, and by our own generator.
+constexpr int kRestShare = 6;
+constexpr int kOwnShare = 5;
 
 struct Options {
     std::filesystem::path folder;
     std::filesystem::path index;
     std::filesystem::path output;
     std::filesystem::path cache;
+    std::filesystem::path report;
     int synthesize = 0;
     int test_pieces = 140;
     std::vector<std::filesystem::path> soundfonts;
@@ -68,9 +74,10 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--test-soundfont",
                    options.test_soundfonts,
                    "report how music played with these is heard; not learnt from");
-    app.add_option("--test-pieces", options.test_pieces, "of each kind of written test")
-        ->check(CLI::Range(7, 10'000));
+    app.add_option("--test-pieces", options.test_pieces, "of each kind of written test; 0: none")
+        ->check(CLI::Range(0, 10'000));
     app.add_option("--cache", options.cache, "folder that keeps what was heard between runs");
+    app.add_option("--report", options.report, "X.html: how recordings are told apart, by artist");
     app.add_option("--leave-out", options.left_out, "genres not to learn");
     app.add_flag("--leave-out-families",
                  options.leaves_out_families,
@@ -91,12 +98,12 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option(
            "--similarity", options.plan.mfcc.similarity_rounds, "rounds of inter-genre similarity")
         ->check(CLI::Range(0, 5));
-    app.add_option("--units", options.plan.patterns.units, "of the pattern network")
+    app.add_option("--units", options.plan.rhythm.units, "of the rhythm network")
         ->check(CLI::Range(2, 128));
-    app.add_option("--steps", options.plan.patterns.steps, "of its training")
+    app.add_option("--steps", options.plan.rhythm.steps, "of its training")
         ->check(CLI::Range(10, 1'000'000));
     app.add_option("--recorded-share",
-                   options.plan.patterns.recorded_share,
+                   options.plan.rhythm.recorded_share,
                    "of what is drawn, where there are recordings and written music")
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--folds", options.plan.folds)->check(CLI::Range(2, 20));
@@ -185,15 +192,7 @@ Expected<std::vector<audio::HeardPiece>> cached(const Options& options,
     if (!options.cache.empty() && std::filesystem::exists(path)) {
         return audio::load_pieces(path);
     }
-    const auto start = std::chrono::steady_clock::now();
     auto pieces = make();
-    if (pieces) {
-        std::fprintf(stderr,
-                     "raks: %s: %zu pieces heard in %.0f s\n",
-                     name.c_str(),
-                     pieces->size(),
-                     seconds_since(start));
-    }
     if (pieces && !options.cache.empty()) {
         if (auto saved = audio::save_pieces(*pieces, path); !saved) {
             return fail(saved.error());
@@ -202,71 +201,149 @@ Expected<std::vector<audio::HeardPiece>> cached(const Options& options,
     return pieces;
 }
 
+/// Written music, chunk by chunk: what a stopped run has finished is found again by the next.
 Expected<std::vector<audio::HeardPiece>> written(const Options& options,
                                                  const audio::HearingPlan& hearing,
                                                  const std::string& name,
                                                  audio::WrittenCorpusPlan plan) {
+    constexpr int kChunk = 70;
+    const int all = plan.pieces;
     plan.hearing = hearing;
     plan.threads = options.threads;
-    return cached(options, fmt::format("{}-{}-{}", name, plan.pieces, plan.seed), [&] {
-        std::fprintf(
-            stderr, "raks: writing and playing %d pieces (%s)\n", plan.pieces, name.c_str());
-        return audio::write_corpus(plan);
-    });
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<audio::HeardPiece> pieces;
+    for (plan.first = 0; plan.first < all; plan.first += kChunk) {
+        plan.pieces = std::min(kChunk, all - plan.first);
+        auto chunk = cached(options,
+                            fmt::format("{}-{}-{}-{}", name, plan.seed, plan.first, plan.pieces),
+                            [&] { return audio::write_corpus(plan); });
+        if (!chunk) {
+            return chunk;
+        }
+        std::move(chunk->begin(), chunk->end(), std::back_inserter(pieces));
+        const double done = static_cast<double>(pieces.size()) / all;
+        std::fprintf(stderr,
+                     "raks: %s: %zu of %d pieces played and heard, %.0f s left\n",
+                     name.c_str(),
+                     pieces.size(),
+                     all,
+                     seconds_since(start) * (1.0 - done) / done);
+    }
+    return pieces;
 }
 
-constexpr const char* kEvidenceNames[] = {"fused", "MFCC", "MFCC+IGS", "rhythm"};
+constexpr const char* kEvidenceNames[] = {"fused", "MFCC", "MFCC+IGS", "rhythm", "sound"};
 
-/// A table of every kind of evidence at every window length.
-void print_table(const std::string& title,
-                 std::span<const audio::WindowScore> scores,
-                 std::span<const Genre> genres,
-                 std::span<const std::size_t> asked,
-                 const audio::GenreModel* calibrated) {
+/// ln chances of all these windows by some of the evidence; the model's fusion, or one fitted here.
+std::vector<audio::WindowScore::Values> fused_scores(std::span<const audio::WindowScore> scores,
+                                                     std::size_t window,
+                                                     std::size_t classes,
+                                                     audio::GenreEvidence evidence,
+                                                     const audio::GenreModel* calibrated) {
+    const bool is_ready = calibrated != nullptr && evidence == audio::GenreEvidence::fused;
+    const auto fusion = is_ready ? calibrated->fusion[window]
+                                 : audio::fit_fusion(scores, window, classes, evidence);
+    std::vector<audio::WindowScore::Values> logs;
+    logs.reserve(scores.size());
+    for (const audio::WindowScore& score : scores) {
+        logs.push_back(audio::fuse(score, fusion, evidence, classes));
+    }
+    return logs;
+}
+
+constexpr std::size_t kFiveSeconds = 3;  // of kGenreWindows
+static_assert(audio::kGenreWindows[kFiveSeconds] == 10);
+
+/// How every kind of evidence does at every window length.
+audio::GenrePage page_of(const std::string& title,
+                         std::span<const audio::WindowScore> scores,
+                         std::span<const Genre> genres,
+                         std::span<const std::size_t> asked,
+                         const audio::GenreModel* calibrated) {
+    using audio::GenreEvidence;
+    audio::GenrePage page;
+    page.title = title;
+    page.genres.assign(genres.begin(), genres.end());
+    const bool has_similarity = std::any_of(scores.begin(), scores.end(), [](const auto& score) {
+        return score.similarity[0] != 0.0F;
+    });
+    for (const GenreEvidence evidence : {GenreEvidence::mfcc,
+                                         GenreEvidence::mfcc_similarity,
+                                         GenreEvidence::rhythm,
+                                         GenreEvidence::sound,
+                                         GenreEvidence::fused}) {
+        if (evidence == GenreEvidence::mfcc_similarity && !has_similarity) {
+            continue;
+        }
+        for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
+            const auto logs = fused_scores(scores, window, genres.size() + 1, evidence, calibrated);
+            audio::GenrePage::Row row{kEvidenceNames[static_cast<std::size_t>(evidence)],
+                                      audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                                      audio::tally(scores, logs, window, genres, asked)};
+            if (row.tally.windows > 0) {
+                page.rows.push_back(std::move(row));
+            }
+        }
+    }
+    return page;
+}
+
+void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked) {
     fmt::print("{}\n{:10} {:>7} {:>9} {:>9} {:>9} {:>7}\n",
-               title,
+               page.title,
                "",
                "window",
                "macro",
                "2 dances",
                "unknown",
                "ECE");
-    using audio::GenreEvidence;
-    for (const GenreEvidence evidence : {GenreEvidence::mfcc,
-                                         GenreEvidence::mfcc_similarity,
-                                         GenreEvidence::rhythm,
-                                         GenreEvidence::fused}) {
-        for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
-            const auto fusion =
-                calibrated != nullptr && evidence == GenreEvidence::fused
-                    ? calibrated->fusion[window]
-                    : audio::fit_fusion(scores, window, genres.size() + 1, evidence);
-            std::vector<audio::WindowScore::Values> logs;
-            for (const audio::WindowScore& score : scores) {
-                logs.push_back(audio::fuse(score, fusion, evidence, genres.size() + 1));
-            }
-            const auto tally = audio::tally(scores, logs, window, genres, asked);
-            if (tally.windows == 0) {
-                continue;
-            }
-            fmt::print("{:10} {:5.1f} s {:9.3f} {:9.3f} {:9.3f} {:7.3f}\n",
-                       kEvidenceNames[static_cast<std::size_t>(evidence)],
-                       audio::kGenreWindows[window] * audio::kSegmentSeconds,
-                       tally.macro_recall,
-                       tally.two_dances,
-                       tally.auroc_unknown,
-                       tally.calibration_error);
-            if (evidence == GenreEvidence::fused && audio::kGenreWindows[window] == 10) {
-                for (const std::size_t truth : asked) {
-                    fmt::print("    {:8} {:3} pieces  {:.2f}\n",
-                               name_of(genres[truth]),
-                               tally.pieces[truth],
-                               fmt::join(tally.confusion[truth], " "));
-                }
+    for (const audio::GenrePage::Row& row : page.rows) {
+        fmt::print("{:10} {:5.1f} s {:9.3f} {:9.3f} {:9.3f} {:7.3f}\n",
+                   row.evidence,
+                   row.seconds,
+                   row.tally.macro_recall,
+                   row.tally.two_dances,
+                   row.tally.auroc_unknown,
+                   row.tally.calibration_error);
+        if (row.evidence == "fused" && row.seconds == 5.0) {
+            for (const std::size_t truth : asked) {
+                fmt::print("    {:8} {:3} pieces  {:.2f}\n",
+                           name_of(page.genres[truth]),
+                           row.tally.pieces[truth],
+                           fmt::join(row.tally.confusion[truth], " "));
             }
         }
     }
     std::fflush(stdout);
+}
+
+/// How often each recorded file's windows of 5 s were taken for what they are, among the asked.
+std::vector<audio::GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
+                                                 std::span<const audio::WindowScore> scores,
+                                                 std::span<const Genre> genres,
+                                                 std::span<const std::size_t> asked) {
+    const auto logs =
+        fused_scores(scores, kFiveSeconds, genres.size() + 1, audio::GenreEvidence::fused, nullptr);
+    std::map<std::size_t, std::pair<int, int>> right_of_all;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+        const std::size_t truth = scores[i].truth;
+        const bool is_asked = std::find(asked.begin(), asked.end(), truth) != asked.end();
+        if (scores[i].window != kFiveSeconds || !is_asked) {
+            continue;
+        }
+        const std::size_t best = *std::max_element(
+            asked.begin(), asked.end(), [&](auto a, auto b) { return logs[i][a] < logs[i][b]; });
+        auto& [right, all] = right_of_all[scores[i].piece];
+        right += best == truth ? 1 : 0;
+        ++all;
+    }
+    std::vector<audio::GenrePage::File> files;
+    for (const auto& [piece, counts] : right_of_all) {
+        files.push_back({pieces[piece].name,
+                         pieces[piece].genre,
+                         static_cast<double>(counts.first) / counts.second});
+    }
+    return files;
 }
 
 std::vector<audio::WindowScore> scores_of(const audio::GenreModel& model,
@@ -327,11 +404,9 @@ Expected<void> test_on_written(const Options& options,
         if (!pieces) {
             return fail(pieces.error());
         }
-        print_table(name,
-                    scores_of(model, *pieces, options.threads),
-                    model.genres,
-                    all_genres(model.genres.size()),
-                    &model);
+        const auto asked = all_genres(model.genres.size());
+        const auto scores = scores_of(model, *pieces, options.threads);
+        print_page(page_of(name, scores, model.genres, asked, &model), asked);
         return {};
     };
     const std::uint64_t seed = options.seed + 500;
@@ -394,29 +469,31 @@ Expected<std::vector<audio::HeardPiece>> gather_written(const Options& options,
         return fail("--synthesize needs --soundfont X.sf2: what the music is played with");
     }
     using Families = audio::WrittenCorpusPlan::Families;
-    auto pieces = written(options,
-                          hearing,
-                          "written",
-                          {.soundfonts = options.soundfonts,
-                           .families = Families::always,
-                           .pieces = options.synthesize,
-                           .seed = options.seed,
-                           .hearing = {}});
-    if (!pieces || options.leaves_out_families) {
-        return pieces;
+    struct Part {
+        const char* name;
+        Families families;
+        int pieces;
+    };
+    std::vector<Part> parts = {{"written", Families::always, options.synthesize},
+                               {"written-own", Families::own, options.synthesize / kOwnShare}};
+    if (!options.leaves_out_families) {
+        parts.push_back({"written-rest", Families::held_out, options.synthesize / kRestShare});
     }
-    auto rest = written(options,
-                        hearing,
-                        "written-rest",
-                        {.soundfonts = options.soundfonts,
-                         .families = Families::held_out,
-                         .pieces = std::max(1, options.synthesize / kRestShare),
-                         .seed = options.seed,
-                         .hearing = {}});
-    if (!rest) {
-        return rest;
+    std::vector<audio::HeardPiece> pieces;
+    for (const Part& part : parts) {
+        auto more = written(options,
+                            hearing,
+                            part.name,
+                            {.soundfonts = options.soundfonts,
+                             .families = part.families,
+                             .pieces = part.pieces,
+                             .seed = options.seed,
+                             .hearing = {}});
+        if (!more) {
+            return more;
+        }
+        std::move(more->begin(), more->end(), std::back_inserter(pieces));
     }
-    std::move(rest->begin(), rest->end(), std::back_inserter(*pieces));
     return pieces;
 }
 
@@ -491,9 +568,17 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const Options& optio
         scores->begin(), scores->end(), std::back_inserter(recorded), [&](const auto& score) {
             return pieces[score.piece].is_recorded();
         });
-    if (!recorded.empty()) {
-        print_table(
-            "recordings, by artist", recorded, genres, enough_recordings(pieces, genres), nullptr);
+    if (recorded.empty()) {
+        return scores;
+    }
+    const auto asked = enough_recordings(pieces, genres);
+    audio::GenrePage page = page_of("recordings, by artist", recorded, genres, asked, nullptr);
+    print_page(page, asked);
+    if (!options.report.empty()) {
+        page.files = judged_files(pieces, recorded, genres, asked);
+        if (auto saved = write_file(options.report, audio::genre_page(page)); !saved) {
+            return fail(saved.error());
+        }
     }
     return scores;
 }
@@ -524,12 +609,13 @@ Expected<void> run(Options& options, const std::string& command) {
     audio::calibrate(held_out, *model);
     model->made_with = command;
     model->attribution = attribution_of(material->files, options);
-    if (options.synthesize > 0) {
-        if (auto ok = test_on_written(options, hearing, *model); !ok) {
-            return ok;
+    if (!options.output.empty()) {
+        if (auto saved = audio::save_genre(*model, options.output); !saved) {
+            return saved;
         }
     }
-    return options.output.empty() ? Expected<void>{} : audio::save_genre(*model, options.output);
+    const bool is_tested = options.synthesize > 0 && options.test_pieces > 0;
+    return is_tested ? test_on_written(options, hearing, *model) : Expected<void>{};
 }
 
 }  // namespace
@@ -540,8 +626,9 @@ int main(int argc, char** argv) try {
     add_options(app, options);
     CLI11_PARSE(app, argc, argv);
     options.plan.mfcc.threads = options.threads;
-    options.plan.mfcc.seed = options.plan.patterns.seed = options.seed;
-    options.plan.mfcc.recorded_share = options.plan.patterns.recorded_share;
+    options.plan.mfcc.seed = options.plan.rhythm.seed = options.plan.sound.seed = options.seed;
+    options.plan.mfcc.recorded_share = options.plan.sound.recorded_share =
+        options.plan.rhythm.recorded_share;
     if (options.leaves_out_energy) {
         options.plan.features.energy = raks::audio::GenreFeatures::Energy::left_out;
     }

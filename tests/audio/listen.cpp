@@ -7,6 +7,7 @@
 #include <span>
 
 #include "audio/beat/network/network_file.hpp"
+#include "audio/genre/genre_file.hpp"
 
 namespace raks::audio::test {
 
@@ -71,6 +72,9 @@ AnalyzerConfig as_shipped(SampleRate rate) {
     AnalyzerConfig config;
     config.sample_rate = rate;
     config.beat_network = network ? *network : nullptr;
+    static const auto genres = load_genre(RAKS_SOURCE_DIR "/models/trained/genres.json");
+    EXPECT_TRUE(genres) << genres.error().message;
+    config.genre_model = genres ? *genres : nullptr;
     return config;
 }
 

@@ -34,7 +34,8 @@ GeneratedMusic music(Style style,
                      double seconds,
                      int hertz = 48'000);
 
-/// What the program prepares an analyzer with: the network that is shipped, for samples of a rate.
+/// What the program prepares an analyzer with: the network and the genre model that are shipped,
+/// for samples of a rate.
 AnalyzerConfig as_shipped(SampleRate rate = SampleRate(48'000));
 
 /// All states of a piece, fed in blocks of 256.

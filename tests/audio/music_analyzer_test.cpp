@@ -35,6 +35,8 @@ void expect_same(const MusicState& a, const MusicState& b) {
     ASSERT_EQ(a.loudness_lufs, b.loudness_lufs);
     ASSERT_EQ(a.level_dbfs, b.level_dbfs);
     ASSERT_EQ(a.onset_strength, b.onset_strength);
+    ASSERT_EQ(a.genre_log_probability, b.genre_log_probability);
+    ASSERT_EQ(a.genre, b.genre);
     ASSERT_EQ(a.is_silent, b.is_silent);
     ASSERT_EQ(a.is_discontinuity, b.is_discontinuity);
 }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "models/hmm_scorer.hpp"
 #include "models/sliding_score.hpp"
@@ -13,21 +16,13 @@ namespace {
 constexpr int kBlock = 10;  // frames
 constexpr int kBlocksASegment = BarPatterns::kSegmentHops / kBlock;
 
-/// The models of a genre model, streaming.
+/// The models of a genre model, streaming, with and without the frames that all genres share.
 class Streams {
  public:
-    Streams(const GenreModel& model, GenreEvidence evidence) : model_(model) {
-        const auto add = [&](const models::GaussianHmm& hmm) {
-            scorers_.push_back(*models::HmmScorer::create(hmm));
-            emissions_.emplace_back(scorers_.back().states());
-            sliding_.emplace_back(
-                scorers_.back(),
-                models::SlidingScore::Plan{.block = kBlock,
-                                           .blocks = BarPatterns::kSegments * kBlocksASegment});
-        };
-        std::for_each(model.mfcc.begin(), model.mfcc.end(), add);
+    explicit Streams(const GenreModel& model) : model_(model) {
+        std::for_each(model.mfcc.begin(), model.mfcc.end(), [this](const auto& hmm) { add(hmm); });
         add(model.background);
-        if (evidence == GenreEvidence::mfcc_similarity && model.similarity) {
+        if (model.similarity) {
             similarity_ = *models::HmmScorer::create(*model.similarity);
             similarity_work_.resize(similarity_->states());
         }
@@ -39,57 +34,74 @@ class Streams {
         double best = models::kImpossible;
         for (std::size_t c = 0; c < scorers_.size(); ++c) {
             scorers_[c].log_emissions(selected_, emissions_[c]);
+            sliding_[c].process(emissions_[c]);
             if (c < model_.genres.size()) {
                 best = std::max(best, frame_density(emissions_[c]));
             }
         }
-        if (similarity_) {
-            similarity_->log_emissions(selected_, similarity_work_);
-            if (frame_density(similarity_work_) > best) {
-                for (std::vector<double>& emissions : emissions_) {
-                    std::fill(emissions.begin(), emissions.end(), 0.0);
-                }
-            }
+        if (!similarity_) {
+            return;
         }
-        for (std::size_t c = 0; c < sliding_.size(); ++c) {
-            sliding_[c].process(emissions_[c]);
+        similarity_->log_emissions(selected_, similarity_work_);
+        const bool is_shared = frame_density(similarity_work_) > best;
+        for (std::size_t c = 0; c < scorers_.size(); ++c) {
+            if (is_shared) {
+                std::fill(emissions_[c].begin(), emissions_[c].end(), 0.0);
+            }
+            sliding_rest_[c].process(emissions_[c]);
         }
     }
-    [[nodiscard]] float nats_a_frame(std::size_t c, int segments) const {
-        const int blocks = segments * kBlocksASegment;
-        return static_cast<float>(sliding_[c].score(blocks) / (blocks * kBlock));
+    /// Nats a frame of a class; `rest`: by the frames that are not shared.
+    [[nodiscard]] float nats(std::size_t c, int segments) const {
+        return nats_of(sliding_[c], segments);
+    }
+    [[nodiscard]] float nats_of_rest(std::size_t c, int segments) const {
+        return similarity_ ? nats_of(sliding_rest_[c], segments) : 0.0F;
     }
 
  private:
+    void add(const models::GaussianHmm& hmm) {
+        const models::SlidingScore::Plan plan{.block = kBlock,
+                                              .blocks = BarPatterns::kSegments * kBlocksASegment};
+        scorers_.push_back(*models::HmmScorer::create(hmm));
+        emissions_.emplace_back(scorers_.back().states());
+        sliding_.emplace_back(scorers_.back(), plan);
+        sliding_rest_.emplace_back(scorers_.back(), plan);
+    }
+    [[nodiscard]] static float nats_of(const models::SlidingScore& sliding, int segments) {
+        const int blocks = segments * kBlocksASegment;
+        return static_cast<float>(sliding.score(blocks) / (blocks * kBlock));
+    }
+
     const GenreModel& model_;
     std::vector<models::HmmScorer> scorers_;
     std::optional<models::HmmScorer> similarity_;
     std::vector<models::SlidingScore> sliding_;
+    std::vector<models::SlidingScore> sliding_rest_;
     std::vector<std::vector<double>> emissions_;
     std::vector<double> selected_;
     std::vector<double> similarity_work_;
 };
 
-/// Weight of each window: classes alike, pieces of a class alike.
+/// Weight of each window: classes alike, in each recordings and written music alike, pieces alike.
 std::vector<double> balanced_weights(std::span<const WindowScore* const> scores) {
+    using Origin = std::pair<std::size_t, bool>;
     std::map<std::size_t, double> windows_of_piece;
-    std::map<std::size_t, std::map<std::size_t, bool>> pieces_of_class;
+    std::map<Origin, std::set<std::size_t>> pieces_of_origin;
+    std::map<std::size_t, std::set<bool>> origins_of_class;
     for (const WindowScore* score : scores) {
         windows_of_piece[score->piece] += 1.0;
-        pieces_of_class[score->truth][score->piece] = true;
+        pieces_of_origin[{score->truth, score->is_recorded}].insert(score->piece);
+        origins_of_class[score->truth].insert(score->is_recorded);
     }
     std::vector<double> weights;
     for (const WindowScore* score : scores) {
-        weights.push_back(1.0 / (windows_of_piece[score->piece] *
-                                 static_cast<double>(pieces_of_class[score->truth].size()) *
-                                 static_cast<double>(pieces_of_class.size())));
+        const std::size_t pieces = pieces_of_origin[{score->truth, score->is_recorded}].size();
+        const std::size_t parts = origins_of_class[score->truth].size() * origins_of_class.size();
+        weights.push_back(1.0 /
+                          (windows_of_piece[score->piece] * static_cast<double>(pieces * parts)));
     }
     return weights;
-}
-
-bool uses_mfcc(GenreEvidence evidence) { return evidence != GenreEvidence::rhythm; }
-bool uses_rhythm(GenreEvidence evidence) {
-    return evidence == GenreEvidence::rhythm || evidence == GenreEvidence::fused;
 }
 
 std::size_t best_of(const WindowScore::Values& logs, std::span<const std::size_t> among) {
@@ -129,29 +141,27 @@ std::vector<WindowScore> score_piece(const GenreModel& model,
         WindowScore& score = scores.emplace_back();
         score.piece = piece_index;
         score.truth = truth;
+        score.is_recorded = piece.is_recorded();
         score.window = static_cast<std::size_t>(
             std::find(kGenreWindows.begin(), kGenreWindows.end(), window.segments) -
             kGenreWindows.begin());
         std::array<float, PatternNetwork::kInputs> inputs{};
         model.rhythm.standardize(window.features, window.segments, inputs);
         model.rhythm.log_chances(inputs, std::span(score.rhythm).first(model.classes()));
+        model.sound.standardize(window.features, window.segments, inputs);
+        model.sound.log_chances(inputs, std::span(score.sound).first(model.classes()));
     }
-    for (const GenreEvidence evidence : {GenreEvidence::mfcc, GenreEvidence::mfcc_similarity}) {
-        if (evidence == GenreEvidence::mfcc_similarity && !model.similarity) {
-            continue;
-        }
-        Streams streams(model, evidence);
-        std::size_t next = 0;  // window; they ascend by their ends
-        // The scores of a window are known one block after its end: the last one is held out.
-        for (std::size_t frame = 0; frame < piece.frames.size() + kBlock; ++frame) {
-            streams.process(piece.frames[std::min(frame, piece.frames.size() - 1)]);
-            const auto end = static_cast<int>(frame) + 1 - kBlock;
-            for (; next < piece.windows.size() && piece.windows[next].end_frame == end; ++next) {
-                auto& values =
-                    evidence == GenreEvidence::mfcc ? scores[next].mfcc : scores[next].similarity;
-                for (std::size_t c = 0; c < model.classes(); ++c) {
-                    values[c] = streams.nats_a_frame(c, piece.windows[next].segments);
-                }
+    Streams streams(model);
+    std::size_t next = 0;  // window; they ascend by their ends
+    // The scores of a window are known one block after its end: the last frame is held that long.
+    for (std::size_t frame = 0; frame < piece.frames.size() + kBlock; ++frame) {
+        streams.process(piece.frames[std::min(frame, piece.frames.size() - 1)]);
+        const auto end = static_cast<int>(frame) + 1 - kBlock;
+        for (; next < scores.size() && piece.windows[next].end_frame == end; ++next) {
+            const int segments = piece.windows[next].segments;
+            for (std::size_t c = 0; c < model.classes(); ++c) {
+                scores[next].mfcc[c] = streams.nats(c, segments);
+                scores[next].similarity[c] = streams.nats_of_rest(c, segments);
             }
         }
     }
@@ -166,7 +176,8 @@ WindowScore::Values fuse(const WindowScore& score,
     const auto& mfcc = evidence == GenreEvidence::mfcc_similarity ? score.similarity : score.mfcc;
     for (std::size_t c = 0; c < classes; ++c) {
         logs[c] = (uses_mfcc(evidence) ? fusion.mfcc * mfcc[c] : 0.0F) +
-                  (uses_rhythm(evidence) ? fusion.rhythm * score.rhythm[c] : 0.0F);
+                  (uses_rhythm(evidence) ? fusion.rhythm * score.rhythm[c] : 0.0F) +
+                  (uses_sound(evidence) ? fusion.sound * score.sound[c] : 0.0F);
     }
     logs[classes - 1] += fusion.unknown;
     normalize_logs(std::span(logs).first(classes));
@@ -175,13 +186,13 @@ WindowScore::Values fuse(const WindowScore& score,
 
 namespace {
 
-/// Slope of the weighted negative log-likelihood in (mfcc, rhythm, unknown).
-std::array<double, 3> fusion_slope(std::span<const WindowScore* const> scores,
+/// Slope of the weighted negative log-likelihood in (mfcc, rhythm, sound, unknown).
+std::array<double, 4> fusion_slope(std::span<const WindowScore* const> scores,
                                    const std::vector<double>& weights,
                                    const GenreFusion& fusion,
                                    GenreEvidence evidence,
                                    std::size_t classes) {
-    std::array<double, 3> slope{};
+    std::array<double, 4> slope{};
     for (std::size_t i = 0; i < scores.size(); ++i) {
         const WindowScore& score = *scores[i];
         const auto logs = fuse(score, fusion, evidence, classes);
@@ -192,7 +203,8 @@ std::array<double, 3> fusion_slope(std::span<const WindowScore* const> scores,
             const double error = weights[i] * (std::exp(static_cast<double>(logs[c])) - wanted);
             slope[0] += error * static_cast<double>(mfcc[c]);
             slope[1] += error * static_cast<double>(score.rhythm[c]);
-            slope[2] += c + 1 == classes ? error : 0.0;
+            slope[2] += error * static_cast<double>(score.sound[c]);
+            slope[3] += c + 1 == classes ? error : 0.0;
         }
     }
     return slope;
@@ -210,16 +222,19 @@ GenreFusion fit_fusion(std::span<const WindowScore> scores,
             used.push_back(&score);
         }
     }
-    GenreFusion fusion{
-        uses_mfcc(evidence) ? 1.0F : 0.0F, uses_rhythm(evidence) ? 1.0F : 0.0F, 0.0F};
+    GenreFusion fusion{uses_mfcc(evidence) ? 1.0F : 0.0F,
+                       uses_rhythm(evidence) ? 1.0F : 0.0F,
+                       uses_sound(evidence) ? 1.0F : 0.0F,
+                       0.0F};
     const std::vector<double> weights = balanced_weights(used);
-    // Adam on three numbers; the likelihood is concave in them.
-    std::array<double, 3> first{};
-    std::array<double, 3> second{};
+    // Adam on four numbers; the likelihood is concave in them.
+    std::array<double, 4> first{};
+    std::array<double, 4> second{};
     constexpr int kSteps = 300;
     for (int step = 1; step <= kSteps && !used.empty(); ++step) {
         const auto slope = fusion_slope(used, weights, fusion, evidence, classes);
-        const std::array<float*, 3> values = {&fusion.mfcc, &fusion.rhythm, &fusion.unknown};
+        const std::array<float*, 4> values = {
+            &fusion.mfcc, &fusion.rhythm, &fusion.sound, &fusion.unknown};
         for (std::size_t k = 0; k < values.size(); ++k) {
             first[k] = 0.9 * first[k] + 0.1 * slope[k];
             second[k] = 0.99 * second[k] + 0.01 * slope[k] * slope[k];
@@ -230,6 +245,7 @@ GenreFusion fit_fusion(std::span<const WindowScore> scores,
         }
         fusion.mfcc = uses_mfcc(evidence) ? std::max(0.0F, fusion.mfcc) : 0.0F;
         fusion.rhythm = uses_rhythm(evidence) ? std::max(0.0F, fusion.rhythm) : 0.0F;
+        fusion.sound = uses_sound(evidence) ? std::max(0.0F, fusion.sound) : 0.0F;
     }
     return fusion;
 }
@@ -287,16 +303,14 @@ class TallyMaker {
             result_.two_dances = 0.5 * (two_right_[0] / two_all_[0] + two_right_[1] / two_all_[1]);
         }
         result_.auroc_unknown = area_under_curve(unknown_, known_);
-        for (std::size_t bin = 0; bin < kBins; ++bin) {
+        for (const GenreTally::Bin& bin : result_.reliability) {
             result_.calibration_error +=
-                std::abs(bin_right_[bin] - bin_chance_[bin]) / std::max(weight_seen, 1e-12);
+                std::abs(bin.right - bin.chance) / std::max(weight_seen, 1e-12);
         }
         return std::move(result_);
     }
 
  private:
-    static constexpr std::size_t kBins = 10;
-
     void add_asked(const WindowScore& score, const WindowScore::Values& logs, double weight) {
         const std::size_t decided = best_of(logs, asked_);
         const bool is_right = decided == score.truth;
@@ -308,9 +322,12 @@ class TallyMaker {
             total += std::exp(static_cast<double>(logs[c]));
         }
         const double chance = std::exp(static_cast<double>(logs[decided])) / total;
-        const auto bin = std::min(kBins - 1, static_cast<std::size_t>(chance * kBins));
-        bin_right_[bin] += is_right ? weight : 0.0;
-        bin_chance_[bin] += weight * chance;
+        auto& bins = result_.reliability;
+        const auto tenth = static_cast<std::size_t>(chance * static_cast<double>(bins.size()));
+        GenreTally::Bin& bin = bins[std::min(bins.size() - 1, tenth)];
+        bin.weight += weight;
+        bin.chance += weight * chance;
+        bin.right += is_right ? weight : 0.0;
     }
 
     std::span<const std::size_t> asked_;
@@ -324,8 +341,6 @@ class TallyMaker {
     std::vector<float> known_;
     std::array<double, 2> two_right_{};
     std::array<double, 2> two_all_{};
-    std::array<double, kBins> bin_right_{};
-    std::array<double, kBins> bin_chance_{};
 };
 
 }  // namespace

@@ -15,14 +15,16 @@ namespace raks::audio {
 
 /// What the parts of a model say of one window, before they are fused. Classes as in GenreModel.
 struct WindowScore {
-    std::size_t piece = 0;   ///< index of the piece
-    std::size_t truth = 0;   ///< class
-    std::size_t window = 0;  ///< index into kGenreWindows
+    std::size_t piece = 0;    ///< index of the piece
+    std::size_t truth = 0;    ///< class
+    bool is_recorded = true;  ///< not written by us
+    std::size_t window = 0;   ///< index into kGenreWindows
     using Values = std::array<float, PatternNetwork::kMaxClasses>;
     Values mfcc{};        ///< nats a frame
     Values similarity{};  ///< the same without the frames that all genres share; all 0 without such
                           ///< a model
     Values rhythm{};      ///< ln chance
+    Values sound{};       ///< ln chance
 };
 
 /// Class of a genre in a model: those that it does not know count as none.
@@ -33,9 +35,9 @@ struct WindowScore {
                                                    const HeardPiece& piece,
                                                    std::size_t piece_index);
 
-/// Weights that make the chances of windows of length `window` most likely, genres and pieces
-/// alike heavy. `scores`: of pieces that the model was not trained on. Without such windows: the
-/// default weights.
+/// Weights that make the chances of windows of length `window` most likely: classes alike heavy, in
+/// each recordings and written music alike, in each of these the pieces. `scores`: of pieces that
+/// the model was not trained on. Without such windows: the default weights.
 [[nodiscard]] GenreFusion fit_fusion(std::span<const WindowScore> scores,
                                      std::size_t window,
                                      std::size_t classes,
@@ -56,7 +58,15 @@ struct GenreTally {
     std::vector<std::vector<double>>
         confusion;                    ///< truth x decision, shares of the truth's windows
     std::vector<std::size_t> pieces;  ///< of each class
-    double calibration_error = 0.0;   ///< expected, of the best class' chance, 10 bins
+    double calibration_error = 0.0;   ///< expected, of the best class' chance
+    /// Windows whose best chance lies in one tenth: sums of weight, of weight x chance, of the
+    /// weight of those that are right.
+    struct Bin {
+        double weight = 0.0;
+        double chance = 0.0;
+        double right = 0.0;
+    };
+    std::array<Bin, 10> reliability{};
 };
 
 /// `asked`: classes whose pieces count for the recall and between which it is decided (at least

@@ -17,8 +17,9 @@ namespace raks::audio {
 struct GenreTrainingPlan {
     GenreFeatures features;
     MfccTrainingPlan mfcc;
-    PatternTrainingPlan patterns;
-    int folds = 5;  ///< >= 2
+    PatternTrainingPlan rhythm = rhythm_training();
+    PatternTrainingPlan sound = sound_training();
+    int folds = 3;  ///< >= 2
 };
 
 /// Genres that occur among the pieces, in order.
@@ -30,9 +31,9 @@ struct GenreTrainingPlan {
                                                 std::span<const Genre> genres,
                                                 const GenreTrainingPlan& plan);
 
-/// Scores of every piece (but altered ones) by a model that heard no piece of its group: groups are
-/// dealt to folds, genre by genre. `on_fold(done, all)` is called after each.
-/// Errors: as train_genres.
+/// Scores of every recording, and of a third of the written pieces, by a model that heard no piece
+/// of its group: groups are dealt to folds, genre by genre. `on_fold(done, all)` is called after
+/// each. Errors: as train_genres.
 [[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
     std::span<const HeardPiece> pieces,
     std::span<const Genre> genres,

@@ -90,7 +90,7 @@ GaussianHmm ergodic_start(const models::TrainingSet& set, int states, Dice& dice
     return model;
 }
 
-/// Grows mixtures one by one, with some iterations after each.
+/// Doubles mixtures until there are enough, with some iterations after each step.
 Expected<GaussianHmm> train_model(models::TrainingSet set,
                                   const MfccTrainingPlan& plan,
                                   const std::string& name) {
@@ -114,15 +114,19 @@ Expected<GaussianHmm> train_model(models::TrainingSet set,
                                            .tolerance = 1e-4,
                                            .variance_floor = 0.02,
                                            .threads = plan.threads};
-    for (int mixtures = 1;; ++mixtures) {
+    while (true) {
         auto trained = models::baum_welch(model, set, options);
         if (!trained) {
             return fail(name + ": " + trained.error().message);
         }
+        model = std::move(trained->model);
+        const auto mixtures = static_cast<int>(model.mixtures());
         if (mixtures == plan.mixtures) {
-            return std::move(trained->model);
+            return model;
         }
-        model = models::split_heaviest(trained->model);
+        for (int i = mixtures; i < std::min(2 * mixtures, plan.mixtures); ++i) {
+            model = models::split_heaviest(model);
+        }
     }
 }
 

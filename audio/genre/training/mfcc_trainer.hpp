@@ -15,9 +15,9 @@ namespace raks::audio {
 struct MfccTrainingPlan {
     int states = 2;               ///< ergodic; 1: a Gaussian mixture
     int mixtures = 8;             ///< Gaussians a state
-    int frames = 16'000;          ///< at most, of a model; drawn in stretches, pieces alike
-    int iterations = 4;           ///< of Baum-Welch after each growth
-    int similarity_rounds = 2;    ///< of inter-genre similarity; 0: no such model
+    int frames = 8'000;           ///< at most, of a model; drawn in stretches, pieces alike
+    int iterations = 3;           ///< of Baum-Welch after each growth
+    int similarity_rounds = 1;    ///< of inter-genre similarity; 0: no such model
     double recorded_share = 0.5;  ///< of the frames, where there are recordings and written music
     std::uint64_t seed = 1;
     int threads = 2;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kInputs = PatternNetwork::kInputs;
 constexpr int kBatch = 64;
 constexpr float kSmoothing = 0.05F;   // of the labels
-constexpr double kInputNoise = 0.15;  // standard deviations
+constexpr double kInputNoise = 0.25;  // at most, in standard deviations
 constexpr double kLeastDeviation = 1e-3;
 
 /// Mean and deviation of all features over all windows, each piece counting alike.
@@ -56,18 +56,19 @@ class Weights {
     }
     [[nodiscard]] std::span<float> gradient() { return gradient_; }
 
+    /// L2 pulls by `decay`.
     void step(int number, double rate, double decay) {
         constexpr float kFirst = 0.9F;
         constexpr float kSecond = 0.999F;
         const auto correction = static_cast<float>(std::sqrt(1.0 - std::pow(0.999, number)) /
                                                    (1.0 - std::pow(0.9, number)));
         const auto size = static_cast<float>(rate) * correction;
-        const auto shrink = static_cast<float>(1.0 - rate * decay * 10.0);
+        const auto pull = static_cast<float>(decay);
         for (std::size_t i = 0; i < gradient_.size(); ++i) {
-            const float slope = gradient_[i] / kBatch;
+            const float slope = gradient_[i] / kBatch + pull * values_[i];
             first_[i] = kFirst * first_[i] + (1.0F - kFirst) * slope;
             second_[i] = kSecond * second_[i] + (1.0F - kSecond) * slope * slope;
-            values_[i] = shrink * values_[i] - size * first_[i] / (std::sqrt(second_[i]) + 1e-7F);
+            values_[i] -= size * first_[i] / (std::sqrt(second_[i]) + 1e-7F);
             gradient_[i] = 0.0F;
         }
     }
@@ -78,6 +79,21 @@ class Weights {
     std::vector<float> first_;
     std::vector<float> second_;
 };
+
+/// 1 for the inputs of these parts and for the window's length, 0 for the others.
+std::array<float, kInputs> mask_of(const std::vector<std::string_view>& parts) {
+    std::array<float, kInputs> mask{};
+    mask.back() = 1.0F;
+    std::size_t at = 0;
+    for (const BarPatterns::Part& part : BarPatterns::kParts) {
+        const bool is_heard =
+            parts.empty() || std::find(parts.begin(), parts.end(), part.name) != parts.end();
+        for (int i = 0; i < part.size; ++i) {
+            mask[at++] = is_heard ? 1.0F : 0.0F;
+        }
+    }
+    return mask;
+}
 
 /// Draws windows: a class, whether recorded, a piece, a window.
 class WindowDraw {
@@ -126,26 +142,38 @@ class Descent {
     Descent(PatternNetwork& network, const PatternTrainingPlan& plan, Dice& dice)
         : network_(network),
           plan_(plan),
+          mask_(mask_of(plan.parts)),
           dice_(dice),
           hidden_weights_(network.hidden_weights, std::sqrt(1.0 / kInputs), dice),
           hidden_bias_(network.hidden_bias, 0.0, dice),
           output_weights_(
-              network.output_weights, std::sqrt(1.0 / static_cast<double>(network.units)), dice),
+              network.output_weights,
+              network.units > 0 ? std::sqrt(1.0 / static_cast<double>(network.units)) : 0.0,
+              dice),
           output_bias_(network.output_bias, 0.0, dice),
-          hidden_(network.units),
-          hidden_slope_(network.units),
-          logs_(network.classes) {}
+          hidden_(network.last_inputs()),
+          hidden_slope_(network.last_inputs()),
+          logs_(network.classes) {
+        silence(network_.hidden_weights);
+        if (network_.units == 0) {
+            silence(network_.output_weights);
+        }
+    }
 
     void learn(const WindowDraw::Drawn& drawn) {
         std::array<float, kInputs> inputs{};
         network_.standardize(drawn.window->features, drawn.window->segments, inputs);
         const auto keep = static_cast<float>(1.0 / (1.0 - plan_.input_dropout));
-        for (float& input : inputs) {
-            const bool is_dropped = dice_.chance(plan_.input_dropout);
-            input =
-                is_dropped ? 0.0F : keep * (input + static_cast<float>(dice_.normal(kInputNoise)));
+        for (std::size_t i = 0; i < kInputs; ++i) {
+            const bool is_dropped = mask_[i] == 0.0F || dice_.chance(plan_.input_dropout);
+            inputs[i] = is_dropped ? 0.0F : keep * (inputs[i] + noise());
         }
-        forward(inputs);
+        if (network_.units == 0) {
+            std::copy(inputs.begin(), inputs.end(), hidden_.begin());
+        } else {
+            hide(inputs);
+        }
+        judge();
         backward(inputs, drawn.class_number);
     }
 
@@ -157,7 +185,16 @@ class Descent {
     }
 
  private:
-    void forward(std::span<const float, kInputs> inputs) {
+    float noise() { return static_cast<float>(dice_.uniform(-kInputNoise, kInputNoise)); }
+
+    /// Weights of inputs that are not heard.
+    void silence(std::vector<float>& weights) const {
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            weights[i] *= mask_[i % kInputs];
+        }
+    }
+
+    void hide(std::span<const float, kInputs> inputs) {
         const auto keep = static_cast<float>(1.0 / (1.0 - plan_.hidden_dropout));
         for (std::size_t unit = 0; unit < network_.units; ++unit) {
             const float* const row = network_.hidden_weights.data() + unit * kInputs;
@@ -168,11 +205,14 @@ class Descent {
             const bool is_dropped = dice_.chance(plan_.hidden_dropout);
             hidden_[unit] = sum <= 0.0F || is_dropped ? 0.0F : keep * sum;
         }
+    }
+
+    void judge() {
         for (std::size_t c = 0; c < network_.classes; ++c) {
-            const float* const row = network_.output_weights.data() + c * network_.units;
+            const float* const row = network_.output_weights.data() + c * hidden_.size();
             float sum = network_.output_bias[c];
-            for (std::size_t unit = 0; unit < network_.units; ++unit) {
-                sum += row[unit] * hidden_[unit];
+            for (std::size_t i = 0; i < hidden_.size(); ++i) {
+                sum += row[i] * hidden_[i];
             }
             logs_[c] = sum;
         }
@@ -186,11 +226,11 @@ class Descent {
             const float wanted = rest + (c == truth ? 1.0F - kSmoothing : 0.0F);
             const float slope = std::exp(logs_[c]) - wanted;
             output_bias_.gradient()[c] += slope;
-            float* const row = output_weights_.gradient().data() + c * network_.units;
-            const float* const weights = network_.output_weights.data() + c * network_.units;
-            for (std::size_t unit = 0; unit < network_.units; ++unit) {
-                row[unit] += slope * hidden_[unit];
-                hidden_slope_[unit] += slope * weights[unit];
+            float* const row = output_weights_.gradient().data() + c * hidden_.size();
+            const float* const weights = network_.output_weights.data() + c * hidden_.size();
+            for (std::size_t i = 0; i < hidden_.size(); ++i) {
+                row[i] += slope * hidden_[i];
+                hidden_slope_[i] += slope * weights[i];
             }
         }
         for (std::size_t unit = 0; unit < network_.units; ++unit) {
@@ -207,6 +247,7 @@ class Descent {
 
     PatternNetwork& network_;
     const PatternTrainingPlan& plan_;
+    std::array<float, kInputs> mask_;
     Dice& dice_;
     Weights hidden_weights_;
     Weights hidden_bias_;
@@ -219,6 +260,23 @@ class Descent {
 
 }  // namespace
 
+PatternTrainingPlan rhythm_training() {
+    PatternTrainingPlan plan;
+    plan.parts = {"beat", "series", "bar", "phases", "three", "swing", "pulse", "tempo"};
+    return plan;
+}
+
+PatternTrainingPlan sound_training() {
+    PatternTrainingPlan plan;
+    plan.parts = {"shape", "spread", "onsets", "swing"};
+    plan.units = 0;
+    plan.steps = 1'500;
+    plan.rate = 1e-2;
+    plan.weight_decay = 0.06;
+    plan.input_dropout = 0.0;
+    return plan;
+}
+
 PatternNetwork train_patterns(std::span<const HeardPiece* const> pieces,
                               std::span<const std::size_t> classes,
                               std::size_t class_count,
@@ -229,7 +287,7 @@ PatternNetwork train_patterns(std::span<const HeardPiece* const> pieces,
     network.classes = class_count;
     network.hidden_weights.resize(network.units * kInputs);
     network.hidden_bias.resize(network.units);
-    network.output_weights.resize(class_count * network.units);
+    network.output_weights.resize(class_count * network.last_inputs());
     network.output_bias.resize(class_count);
     measure_inputs(pieces, network);
     Dice dice(plan.seed, 77);

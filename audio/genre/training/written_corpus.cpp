@@ -8,8 +8,8 @@
 #include "audio/beat/training/performance.hpp"
 #include "audio/beat/training/soundfont_player.hpp"
 #include "audio/genre/training/arrangement.hpp"
-#include "audio/genre/training/genre_styles.hpp"
 #include "audio/genre/training/genre_augmentation.hpp"
+#include "audio/genre/training/genre_styles.hpp"
 #include "audio/synth/music_generator.hpp"
 #include "base/parallel.hpp"
 
@@ -39,7 +39,8 @@ std::vector<GenreStyle> styles_of(Genre genre, WrittenCorpusPlan::Families famil
     return chosen;
 }
 
-/// Our own generator's salsa, maqsum and house: sounds that no soundfont has (darbuka, oud).
+/// Our own generator's salsa, maqsum and house: sounds that no soundfont has (darbuka, oud). The
+/// first three genres.
 WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
     MusicPlan plan;
     plan.style = genre == Genre::salsa   ? Style::salsa
@@ -102,8 +103,10 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
 
 Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
-    const auto genre = static_cast<Genre>(number % kGenreCount);
-    WrittenPiece piece = draw_piece(plan, genre, dice);
+    const bool is_own = plan.families == WrittenCorpusPlan::Families::own;
+    const auto genre = static_cast<Genre>(number % (is_own ? 3 : kGenreCount));
+    WrittenPiece piece =
+        is_own ? own_piece(genre, plan.seconds, dice) : draw_piece(plan, genre, dice);
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortest && tries < 20;
          ++tries) {
@@ -144,7 +147,7 @@ Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan) {
     const auto count = static_cast<std::size_t>(plan.pieces);
     std::vector<Expected<HeardPiece>> made(count, fail("not made"));
     run_parallel(count, plan.threads, [&](std::size_t number) {
-        made[number] = make_piece(plan, static_cast<int>(number));
+        made[number] = make_piece(plan, plan.first + static_cast<int>(number));
     });
     std::vector<HeardPiece> pieces;
     for (Expected<HeardPiece>& piece : made) {

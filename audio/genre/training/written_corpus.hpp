@@ -12,9 +12,11 @@ namespace raks::audio {
 /// A corpus that is written, played and heard.
 struct WrittenCorpusPlan {
     std::vector<std::filesystem::path> soundfonts;  ///< one is drawn a piece; not empty
-    enum class Families : std::uint8_t { always, held_out, all };
+    /// own: our generator's salsa, maqsum and house, with sounds that no soundfont has.
+    enum class Families : std::uint8_t { always, held_out, all, own };
     Families families = Families::all;
-    int pieces = 700;       ///< genres in turn, "none of them" among them
+    int first = 0;          ///< number of the first piece
+    int pieces = 70;        ///< genres in turn, "none of them" among them
     double seconds = 16.0;  ///< of each
     std::uint64_t seed = 1;
     int threads = 2;

@@ -34,8 +34,9 @@ inline GenreModel small_genre_model() {
     network.hidden_bias.assign(network.units, 0.25F);
     network.output_weights.assign(network.classes * network.units, 0.0F);
     network.output_bias.assign(network.classes, 0.0F);
+    model.sound = network;
     for (GenreFusion& fusion : model.fusion) {
-        fusion = {1.0F, 1.0F, 0.0F};
+        fusion = {1.0F, 1.0F, 1.0F, 0.0F};
     }
     model.made_with = "by hand";
     return model;

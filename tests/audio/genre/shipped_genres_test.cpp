@@ -1,0 +1,55 @@
+// What the shipped model makes of our own generator's music: the scenes of Ofli 2008, section 7.
+// The generator is also among what the model learnt from: this shows that the chain works, not that
+// it knows music (docs/genre.md does).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.hpp"
+#include "tests/audio/listen.hpp"
+
+namespace raks::audio {
+namespace {
+
+using test::listen;
+using test::music;
+
+Genre shown_at(const std::vector<MusicState>& states, double seconds) {
+    const auto hop = static_cast<std::size_t>(seconds * kHopsPerSecond);
+    return states[std::min(hop, states.size() - 1)].genre;
+}
+
+/// Changes of the decision after it was first known.
+int switches(const std::vector<MusicState>& states) {
+    int count = 0;
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        const bool is_known = states[i - 1].genre != Genre::unknown;
+        count += is_known && states[i].genre != states[i - 1].genre ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(ShippedGenres, five_minutes_of_one_dance_never_switch) {
+    const auto states = listen(music(Style::salsa, {{0.0, 185.0}}, 300.0));
+    EXPECT_EQ(shown_at(states, 15.0), Genre::salsa);
+    EXPECT_EQ(switches(states), 0);
+}
+
+TEST(ShippedGenres, silence_and_applause_change_nothing) {
+    GeneratedMusic piece = music(Style::salsa, {{0.0, 180.0}}, 15.0);
+    const std::size_t ten_seconds = 480'000 * static_cast<std::size_t>(piece.channels);
+    piece.samples.resize(piece.samples.size() + ten_seconds);
+    // Applause: claps of many hands at any time, here noise of a steady level.
+    const CounterRandom random(3);
+    for (std::size_t i = 0; i < ten_seconds; ++i) {
+        piece.samples.push_back(static_cast<float>(0.1 * (random.uniform(i) - 0.5)));
+    }
+    const auto states = listen(piece);
+    EXPECT_EQ(shown_at(states, 14.9), Genre::salsa);
+    EXPECT_EQ(states.back().genre, Genre::salsa);
+    EXPECT_EQ(switches(states), 0);
+}
+
+}  // namespace
+}  // namespace raks::audio
