@@ -128,6 +128,11 @@ std::string to_json(const DanceReport& report) {
         }
         document["people"]["all"] = values_of(all_people(report.people));
         document["people"]["figures"] = figures_of(report.people);
+        auto& paces = document["people"]["jerk_by_pace"] = Json::array();
+        const auto jerks = jerk_by_pace(report.people);
+        for (std::size_t p = 0; p < jerks.size(); ++p) {
+            paces.push_back({{"pace", motion::kJudgedPaces[p]}, {"rms", jerks[p]}});
+        }
     }
     // A take's name need not be UTF-8; what is not is shown as the replacement character.
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -144,6 +144,21 @@ std::string figures_table(const DanceReport& report) {
     return "Figures (medians; speed by pace)\n\n" + text_table(rows) + "\n";
 }
 
+/// The bounds of jerk are people's own at their own tempo; the filter spares no faster dance.
+std::string paces_table(const DanceReport& report) {
+    const auto jerks = jerk_by_pace(report.people);
+    const auto own = std::find(motion::kJudgedPaces.begin(), motion::kJudgedPaces.end(), 1.0) -
+                     motion::kJudgedPaces.begin();
+    std::vector<Row> rows = {{"pace"}, {"jerk rms"}, {"share"}};
+    for (std::size_t p = 0; p < jerks.size(); ++p) {
+        rows[0].push_back(number(motion::kJudgedPaces[p], 2));
+        rows[1].push_back(number(jerks[p], 0));
+        rows[2].push_back(number(jerks[p] / jerks[static_cast<std::size_t>(own)], 2));
+    }
+    return "People's jerk, had they danced so fast (the filter takes more of a faster dance)\n\n" +
+           text_table(rows) + "\n";
+}
+
 std::string verdict(const DanceReport& report) {
     std::size_t bounded = 0;
     std::size_t outside = 0;
@@ -171,8 +186,22 @@ std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes)
         row.result.measures = take.measures;
         row.result.highest_jerk = take.measures.jerk.highest;
         row.result.lowest_sole = take.measures.contacts.lowest_toe;
+        row.jerk_by_pace = take.jerk_by_pace;
     }
     return rows;
+}
+
+std::array<double, motion::kJudgedPaces.size()> jerk_by_pace(std::span<const MeasuredDance> takes) {
+    motion::JerkByPace all{};
+    std::array<double, motion::kJudgedPaces.size()> rms{};
+    for (std::size_t p = 0; p < rms.size(); ++p) {
+        for (const MeasuredDance& take : takes) {
+            all[p].sum += take.jerk_by_pace[p].sum;
+            all[p].count += take.jerk_by_pace[p].count;
+        }
+        rms[p] = all[p].rms();
+    }
+    return rms;
 }
 
 MeasuredDance all_people(std::span<const MeasuredDance> takes) {
@@ -233,6 +262,9 @@ std::string to_text(const DanceReport& report) {
     }
     for (const TopicTitle& topic : kTopics) {
         text += table_of(rows, report.role, topic);
+    }
+    if (people) {
+        text += paces_table(report);
     }
     return text + figures_table(report) + verdict(report);
 }

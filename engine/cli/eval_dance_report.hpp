@@ -18,6 +18,7 @@ struct MeasuredDance {
     std::string name;
     std::optional<engine::TrialKind> kind;  ///< none: people
     engine::TrialResult result;
+    motion::JerkByPace jerk_by_pace{};  ///< of people
 };
 
 struct DanceReport {
@@ -31,6 +32,9 @@ struct DanceReport {
 
 /// Captured takes as rows of the report. What only a dancer has (pace, re-anchors) stays empty.
 [[nodiscard]] std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes);
+/// Of all takes together, had they danced at motion::kJudgedPaces. Jerk rms, by pace.
+[[nodiscard]] std::array<double, motion::kJudgedPaces.size()> jerk_by_pace(
+    std::span<const MeasuredDance> takes);
 /// All takes as one, samples pooled. At least one.
 [[nodiscard]] MeasuredDance all_people(std::span<const MeasuredDance> takes);
 

@@ -168,7 +168,10 @@ CapturedDance measured(const BodyTrack& track,
             subject.repeats.push_back({label.figure, std::move(times)});
         }
     }
-    return {take, measure_dance(track, subject), landing_errors(track, heard)};
+    return {take,
+            measure_dance(track, subject),
+            landing_errors(track, heard),
+            jerk_by_pace(track, subject.frames)};
 }
 
 }  // namespace

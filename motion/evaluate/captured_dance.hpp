@@ -9,6 +9,7 @@
 #include "base/expected.hpp"
 #include "motion/evaluate/dance_measures.hpp"
 #include "motion/evaluate/landing_error.hpp"
+#include "motion/evaluate/played_at_pace.hpp"
 #include "motion/figures/figure_model.hpp"
 
 namespace raks::motion {
@@ -31,6 +32,7 @@ struct CapturedDance {
     std::string take;
     DanceMeasures measures;
     LandingReport landing;  ///< against the learnt offsets of `models`
+    JerkByPace jerk_by_pace;
 };
 
 /// Takes of the role that have labels, by name. The counts stand for the music's beats. A fault of

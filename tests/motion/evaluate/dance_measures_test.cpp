@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "motion/evaluate/played_at_pace.hpp"
 #include "tests/motion/evaluate/small_track.hpp"
 
 namespace raks::motion {
@@ -81,6 +82,55 @@ TEST(DanceMeasures, of_several_dances_are_of_all_their_samples) {
     ASSERT_EQ(all.figures.size(), 1U);
     EXPECT_EQ(all.figures[0].amplitudes.size(), 4U);
     EXPECT_NEAR(all.contacts.share, 1.0, 1e-12) << "feet that never move";
+}
+
+/// All joints on a sine of `hz`, 5 cm.
+BodyTrack swaying(double hz) {
+    BodyTrack track = test::resting_track(600);
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        const double angle = 2.0 * M_PI * hz * static_cast<double>(f) / track.frames_per_second;
+        track.joints[f].fill({0.05 * std::sin(angle), 1.0, 0.0});
+        track.feet[f][0].toe_tip = {0.05 * std::sin(angle), 0.0, 0.0};
+    }
+    return track;
+}
+
+TEST(PlayedAtPace, is_the_same_dance_in_another_time) {
+    const BodyTrack fast = played_at_pace(swaying(1.0), 1.5);
+    const BodyTrack expected = swaying(1.5);
+    ASSERT_EQ(fast.frames(), 400U);
+    for (std::size_t f = 2; f + 2 < fast.frames(); ++f) {
+        EXPECT_NEAR(fast.joints[f][3].x, expected.joints[f][3].x, 1e-4) << f;
+        EXPECT_NEAR(fast.feet[f][0].toe_tip.x, expected.feet[f][0].toe_tip.x, 1e-4) << f;
+    }
+    MetricFrames frames;
+    frames.counted.assign(600, true);
+    frames.counted[300] = false;
+    const MetricFrames played = frames_at_pace(frames, 600, 1.5);
+    ASSERT_EQ(played.counted.size(), fast.frames());
+    EXPECT_FALSE(played.is_counted(200));
+    EXPECT_TRUE(played.is_counted(198));
+    EXPECT_EQ(played.pace_at(7), 1.5);
+}
+
+TEST(JerkByPace, falls_for_quick_motion_by_the_filter_alone) {
+    // 1-4-6-4-1 passes cos^4(pi f / rate), a third difference sinc^3(f / rate).
+    const auto gain = [](double hz) {
+        const double x = M_PI * hz / 60.0;
+        return std::pow(std::cos(x), 4.0) * std::pow(std::sin(x) / x, 3.0);
+    };
+    MetricFrames frames;  // not the ends, where the sine is cut
+    for (std::size_t f = 0; f < 600; ++f) {
+        frames.counted.push_back(f >= 20 && f < 580);
+    }
+    const JerkByPace slow = jerk_by_pace(swaying(1.0), frames);
+    const JerkByPace quick = jerk_by_pace(swaying(6.0), frames);
+    for (std::size_t p = 0; p < kJudgedPaces.size(); ++p) {
+        const double pace = kJudgedPaces[p];
+        // 2 %: the interpolation between frames.
+        EXPECT_NEAR(slow[p].rms() / slow[3].rms(), gain(pace) / gain(1.0), 0.02) << pace;
+        EXPECT_NEAR(quick[p].rms() / quick[3].rms(), gain(6.0 * pace) / gain(6.0), 0.02) << pace;
+    }
 }
 
 }  // namespace
