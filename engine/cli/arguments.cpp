@@ -285,9 +285,9 @@ class Parser {
         CLI::App* train = app_.add_subcommand("train", "learn from recordings");
         train->require_subcommand(1);
         auto [app, a] = add(*train, "figure", "learn a dance figure from motion", train_figure);
-        app->add_option("clips", a->clips, "BVH files, or a folder of them")->required();
-        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")
+        app->add_option("clips", a->clips, "BVH files, a folder of them, or a written X.toml")
             ->required();
+        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
         auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
         auto* music =
             app->add_option("--music", a->music, "music danced to: its beats are the counts");
@@ -295,7 +295,7 @@ class Parser {
         app->add_option("--offset", a->offset, "seconds of the music at a clip's first frame")
             ->needs(music);
         app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
-        app->add_option("--figure", a->figure, "which label to learn");
+        app->add_option("--figure", a->figure, "which label, or figure of a dance, to learn");
         app->add_option("--dance", a->dance, "the dance that it belongs to");
         app->add_option("--role", a->role, "lead or follow")
             ->check(CLI::IsMember({"lead", "follow"}));
@@ -308,7 +308,7 @@ class Parser {
             ->check(CLI::Range(1.0, 1000.0));
         app->add_option("--scale", a->scale, "metres per unit of the file")
             ->check(CLI::Range(1e-4, 10.0));
-        app->add_option("--states", a->states, "states of each part")->check(CLI::Range(2, 64));
+        app->add_option("--states", a->states, "states of each part")->check(CLI::Range(2, 96));
         app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(CLI::Range(0, 100));
         app->add_option("--covariance", a->covariance, "of the states: tied, full or diagonal")
             ->check(CLI::IsMember({"tied", "full", "diagonal"}));
@@ -316,7 +316,7 @@ class Parser {
             ->check(CLI::IsMember({"flat", "segmental"}));
         app->add_option("--source", a->source, "cmu: the model acknowledges mocap.cs.cmu.edu")
             ->check(CLI::IsMember({"cmu"}));
-        app->add_option("-o,--out", a->output, "X.json")->required();
+        app->add_option("-o,--out", a->output, "X.json; of a dance also a folder")->required();
 
         add_train_report(*train);
 
@@ -370,6 +370,7 @@ class Parser {
     void add_sheet() {
         auto [app, a] = add(app_, "sheet", "draw a figure as a pose sheet", sheet);
         app->add_option("-o,--out", a->output, "X.png")->required();
+        app->add_option("--dance", a->settings.dance, "salsa, belly, house, hiphop, rock or waltz");
         app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
         add_figures_option(*app, a->settings);
         app->add_option("--generator", a->settings.generator, kGeneratorHelp);
@@ -381,8 +382,10 @@ class Parser {
 
     void add_stick() {
         auto [app, a] = add(app_, "stick", "play a motion clip as a stick figure", stick);
-        app->add_option("file", a->input, "X.bvh")->required();
+        app->add_option("file", a->input, "X.bvh, or a written dance X.toml")->required();
         app->add_option("-o,--out", a->output, "X.png: front and side views, no window");
+        app->add_option("--figure", a->figure, "figure of the dance");
+        app->add_option("--tempo", a->bpm, "BPM to dance it at")->check(CLI::Range(30.0, 300.0));
         app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
             ->check(CLI::Range(1.0, 1000.0));
         app->add_option("--scale", a->scale, "metres per unit of the file")

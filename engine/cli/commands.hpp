@@ -123,19 +123,21 @@ struct LabelledClips {
 struct TrainFigureArguments : LabelledClips {
     Path music;           ///< danced to: its beats are the counts; empty: none
     double offset = 0.0;  ///< seconds of the music at a clip's first frame
-    std::string figure = "basic";
+    std::string figure;   ///< empty: "basic", of a written dance all
     std::string dance = "salsa";
     std::string role = "lead";
     std::string features = "angles";  ///< or "positions"
     double scale = 0.0;               ///< metres per unit; 0: guessed
-    int states = 16;
+    int states = 0;  ///< 0: 16, of a written dance as many as its figures need
     int iterations = 0;
     std::string covariance = "tied";  ///< tied, full or diagonal
     std::string start = "flat";       ///< flat or segmental
     std::string source;               ///< "cmu": the model carries CMU's acknowledgement
-    Path output;                      ///< .json
+    Path output;                      ///< .json; of a written dance also a folder
 };
+/// Learns from clips, or from a written dance (one .toml in place of the clips).
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
+[[nodiscard]] ExitCode train_authored(const TrainFigureArguments& arguments);
 
 struct TrainReportArguments : LabelledClips {
     TrainReportArguments() { min_confidence = 0.7; }
@@ -184,14 +186,18 @@ struct SheetArguments {
 
 struct StickArguments {
     engine::Settings settings;
-    Path input;                        ///< .bvh
+    Path input;                        ///< .bvh, or a written dance (.toml)
     Path output;                       ///< .png: front and side views; empty: a window
+    std::string figure;                ///< of a written dance; empty: all
+    double bpm = 0.0;                  ///< to dance it at; 0: as it is written
     double fps = 0.0;                  ///< frames a second of the clip; 0: the file's
     double scale = 0.0;                ///< metres per unit; 0: guessed
     std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
 };
 /// Plays a motion clip's own skeleton as a stick figure; without a display draws a sheet.
 [[nodiscard]] ExitCode stick(const StickArguments& arguments);
+/// The same of a written dance, on the mannequin.
+[[nodiscard]] ExitCode stick_dance(const StickArguments& arguments);
 
 struct SynthArguments {
     std::string style = "salsa";

@@ -14,7 +14,8 @@
 namespace raks::cli {
 namespace {
 
-constexpr double kBeatsBefore = 16.0;  // the dancer has settled into the figure by then
+// The dancer has settled into the figure by then, and figures of 3, 4, 6 and 8 beats begin there.
+constexpr double kBeatsBefore = 24.0;
 constexpr int kCounts = 8;
 constexpr int kPosesPerBeat = 8;
 constexpr std::size_t kPoses = std::size_t{kCounts} * kPosesPerBeat;

@@ -26,7 +26,8 @@ constexpr int kLargeTileHeight = 960;
 
 Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
     if (motion::lower(arguments.input.extension().string()) != ".bvh") {
-        return fail(arguments.input.string() + ": cannot read this kind of motion; known: .bvh");
+        return fail(arguments.input.string() +
+                    ": cannot read this kind of motion; known: .bvh, .toml");
     }
     motion::BvhOptions options;
     if (arguments.fps > 0.0) {
@@ -112,6 +113,9 @@ Expected<void> write_frames(const Path& output,
 ExitCode stick(const StickArguments& arguments) {
     if (!arguments.output.empty() && arguments.output.extension() != ".png") {
         return fail(arguments.output.string() + ": cannot write this kind of picture; known: .png");
+    }
+    if (motion::lower(arguments.input.extension().string()) == ".toml") {
+        return stick_dance(arguments);
     }
     const auto clip = read_clip(arguments);
     if (!clip) {

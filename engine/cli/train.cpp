@@ -27,7 +27,9 @@ Value named(const Names& names, const std::string& name) {
 
 motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
     motion::FigureTrainingPlan plan = plan_of(arguments);
-    plan.figure = arguments.figure;
+    if (!arguments.figure.empty()) {
+        plan.figure = arguments.figure;
+    }
     plan.dance = arguments.dance;
     plan.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
     plan.features = arguments.features == "positions" ? motion::FigureFeatures::positions
@@ -35,7 +37,9 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
     if (arguments.scale > 0.0) {
         plan.metres_per_unit = arguments.scale;
     }
-    plan.states = arguments.states;
+    if (arguments.states > 0) {
+        plan.states = arguments.states;
+    }
     plan.baum_welch_iterations = arguments.iterations;
     plan.covariance =
         named<motion::CovarianceKind>(motion::kCovarianceKindNames, arguments.covariance);
@@ -67,6 +71,13 @@ motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
 }
 
 ExitCode train_figure(const TrainFigureArguments& arguments) {
+    if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {
+        return train_authored(arguments);
+    }
+    if (arguments.labels.empty()) {
+        std::fputs("raks: clips need --labels X.tsv: where each figure begins and ends\n", stderr);
+        return kExitUsage;
+    }
     motion::FigureTrainingPlan plan = figure_plan(arguments);
     if (!arguments.music.empty()) {
         auto heard = engine::hear_music(arguments.music);

@@ -204,27 +204,29 @@ class Evaluation {
 
     /// Lifts the heel of a standing foot as little as brings its ankle within reach.
     void peel_heels() {
+        constexpr double kBlur = 0.035;  // seconds
+        for (const Side side : kSides) {
+            const auto s = static_cast<std::size_t>(side);
+            for (std::size_t i = 0; i < hips_.size(); ++i) {
+                const bool reaches = distance(i, side, 0.0) <= legs_.reach();
+                heel_lift_[s][i] =
+                    feet_.feet[s][i].is_swinging || reaches ? 0.0 : lift_for(i, side);
+            }
+            heel_lift_[s] = blurred(heel_lift_[s], kBlur * plan_.frames_per_second);
+        }
+    }
+
+    /// Least heel lift with which the leg reaches the ankle; at most 60 degrees.
+    [[nodiscard]] double lift_for(std::size_t i, Side side) const {
         constexpr double kMost = 60.0 * kDegree;
         constexpr int kHalvings = 24;
-        constexpr double kBlur = 2.0;  // frames
-        for (const Side side : kSides) {
-            std::vector<double>& lift = heel_lift_[static_cast<std::size_t>(side)];
-            for (std::size_t i = 0; i < hips_.size(); ++i) {
-                lift[i] = 0.0;
-                const PlannedFoot& foot = feet_.feet[static_cast<std::size_t>(side)][i];
-                if (foot.is_swinging || distance(i, side, 0.0) <= legs_.reach()) {
-                    continue;
-                }
-                double low = 0.0;
-                double high = kMost;
-                for (int h = 0; h < kHalvings; ++h) {
-                    const double middle = 0.5 * (low + high);
-                    (distance(i, side, middle) > legs_.reach() ? low : high) = middle;
-                }
-                lift[i] = high;
-            }
-            lift = blurred(lift, kBlur);
+        double low = 0.0;
+        double high = kMost;
+        for (int h = 0; h < kHalvings; ++h) {
+            const double middle = 0.5 * (low + high);
+            (distance(i, side, middle) > legs_.reach() ? low : high) = middle;
         }
+        return high;
     }
 
     void set_poses() {

@@ -45,7 +45,7 @@ struct PlacedStep {
     double to_yaw = 0.0;
     double lift = 0.0;  // metres
     Landing on = Landing::ball;
-    Landing before = Landing::ball;  // how it stood
+    double leaves = 0.0;  // pitch when it leaves the floor
 };
 
 struct WeightChange {
@@ -78,6 +78,73 @@ double share_after_landing(double distance, double seconds) {
     const double q = std::sqrt(kLandingSpeed * seconds / (30.0 * distance));
     const double s = 0.5 * (1.0 + std::sqrt(1.0 - 4.0 * q));
     return std::min(1.0 - s, kLatest);
+}
+
+double resting_pitch(Landing on) {
+    switch (on) {
+        case Landing::touch:
+            return kTouchPitch;
+        case Landing::heel_touch:
+            return kHeelTouchPitch;
+        default:
+            return 0.0;
+    }
+}
+
+double landing_pitch(Landing on) {
+    constexpr double kBall = 16.0 * kDegree;
+    constexpr double kFlat = 3.0 * kDegree;
+    constexpr double kHeel = -14.0 * kDegree;
+    switch (on) {
+        case Landing::ball:
+            return kBall;
+        case Landing::flat:
+            return kFlat;
+        case Landing::heel:
+            return kHeel;
+        case Landing::touch:
+            return kTouchPitch;
+        case Landing::heel_touch:
+            return kHeelTouchPitch;
+    }
+    return 0.0;
+}
+
+/// The heel rises before the foot leaves the floor, more for a longer step.
+double peel_pitch(const PlacedStep& step) {
+    constexpr double kLeast = 12.0;
+    constexpr double kPerMetre = 60.0;
+    constexpr double kMost = 40.0;
+    if (step.lift <= kSlide) {
+        return kLeast * kDegree;
+    }
+    const double distance = glm::length(step.to - step.from);
+    return std::min(kMost, kLeast + kPerMetre * distance) * kDegree;
+}
+
+constexpr double kPeelTime = 0.28;    // beats before a step
+constexpr double kSettleTime = 0.28;  // and after it
+
+/// Pitch of a foot on the floor after a step, before the next one is felt.
+double settled_pitch(const PlacedStep* step, double beat) {
+    if (step == nullptr) {
+        return 0.0;
+    }
+    const double lands = landing_pitch(step->on);
+    const double settled = ease((beat - step->end) / kSettleTime);
+    return lands + settled * (resting_pitch(step->on) - lands);
+}
+
+/// Beats that a foot has on the floor before a step.
+double time_standing(const PlacedStep* before, const PlacedStep& step) {
+    return before != nullptr ? step.start - before->end : kPeelTime;
+}
+
+/// With less time than it needs the heel rises less.
+double leaving_pitch(const PlacedStep* before, const PlacedStep& step) {
+    const double rests = settled_pitch(before, step.start);
+    const double share = std::clamp(time_standing(before, step) / kPeelTime, 0.0, 1.0);
+    return rests + share * (std::max(rests, peel_pitch(step)) - rests);
 }
 
 class StepPlacer {
@@ -126,6 +193,19 @@ class StepPlacer {
         return frame;
     }
 
+    /// Beats off the floor. A jump, both feet at once, is no longer at a slow tempo: it would be
+    /// higher than anyone leaps in passing.
+    [[nodiscard]] double air_of(const FootStep& step) const {
+        constexpr double kTogether = 0.1;        // beats
+        constexpr double kLongestFlight = 0.28;  // seconds: 10 cm
+        const bool is_jump =
+            std::any_of(figure_.steps.begin(), figure_.steps.end(), [&](const FootStep& other) {
+                return other.foot != step.foot && std::abs(other.at - step.at) < kTogether;
+            });
+        return is_jump ? std::min(step.air, kLongestFlight / plan_.tempo.seconds_per_beat())
+                       : step.air;
+    }
+
     void add(const FootStep& step, std::size_t index, int repeat) {
         const bool is_mirrored = plan_.is_mirrored(repeat);
         const Side side =
@@ -137,12 +217,10 @@ class StepPlacer {
         PlacedStep placed;
         placed.from = place_[s];
         placed.from_yaw = yaw_[s];
-        placed.before = on_[s];
         placed.on = step.on;
-        placed.air = step.air;
+        placed.air = air_of(step);
         place_[s] = target(step, index, repeat, sign, side, frame);
         yaw_[s] = frame.yaw + sign * step.turn * kDegree + toe_out(figure_, side);
-        on_[s] = step.on;
         placed.to = place_[s];
         placed.to_yaw = yaw_[s];
         const double distance = glm::length(placed.to - placed.from);
@@ -151,9 +229,9 @@ class StepPlacer {
         placed.lift =
             step.lift ? *step.lift * kCentimetre : kLeastLift * kCentimetre + kLiftShare * distance;
         const double lands = step.at + step.land + repeat * figure_.beats;
-        const double seconds = step.air * plan_.tempo.seconds_per_beat();
-        placed.end = lands + share_after_landing(distance, seconds) * step.air;
-        placed.start = placed.end - step.air;
+        const double seconds = placed.air * plan_.tempo.seconds_per_beat();
+        placed.end = lands + share_after_landing(distance, seconds) * placed.air;
+        placed.start = placed.end - placed.air;
         layout_.steps[s].push_back(placed);
         if (step.weight) {
             layout_.weights.push_back({0.5 * (lands + placed.end),
@@ -189,12 +267,15 @@ class StepPlacer {
         return wanted + aside_[s];
     }
 
-    /// A foot leaves the floor no sooner than it has landed.
+    /// A foot leaves the floor no sooner than it has landed, and as it stood.
     static void separate(std::vector<PlacedStep>& steps) {
         std::stable_sort(
             steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.end < b.end; });
         for (std::size_t i = 1; i < steps.size(); ++i) {
             steps[i].start = std::max(steps[i].start, steps[i - 1].end);
+        }
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            steps[i].leaves = leaving_pitch(i > 0 ? &steps[i - 1] : nullptr, steps[i]);
         }
     }
 
@@ -206,50 +287,7 @@ class StepPlacer {
     std::array<glm::dvec2, 2> aside_{};
     std::array<bool, 2> has_place_{};
     std::array<double, 2> yaw_{};
-    std::array<Landing, 2> on_{Landing::ball, Landing::ball};
 };
-
-double resting_pitch(Landing on) {
-    switch (on) {
-        case Landing::touch:
-            return kTouchPitch;
-        case Landing::heel_touch:
-            return kHeelTouchPitch;
-        default:
-            return 0.0;
-    }
-}
-
-double landing_pitch(Landing on) {
-    constexpr double kBall = 16.0 * kDegree;
-    constexpr double kFlat = 3.0 * kDegree;
-    constexpr double kHeel = -14.0 * kDegree;
-    switch (on) {
-        case Landing::ball:
-            return kBall;
-        case Landing::flat:
-            return kFlat;
-        case Landing::heel:
-            return kHeel;
-        case Landing::touch:
-            return kTouchPitch;
-        case Landing::heel_touch:
-            return kHeelTouchPitch;
-    }
-    return 0.0;
-}
-
-/// The heel rises before the foot leaves the floor, more for a longer step.
-double peel_pitch(const PlacedStep& step) {
-    constexpr double kLeast = 12.0;
-    constexpr double kPerMetre = 60.0;
-    constexpr double kMost = 40.0;
-    if (step.lift <= kSlide) {
-        return kLeast * kDegree;
-    }
-    const double distance = glm::length(step.to - step.from);
-    return std::min(kMost, kLeast + kPerMetre * distance) * kDegree;
-}
 
 /// The steps around a beat: the one that is under way or was last, and the next.
 struct StepsAround {
@@ -266,22 +304,17 @@ StepsAround steps_around(const std::vector<PlacedStep>& steps, double beat) {
     return around;
 }
 
-constexpr double kPeelTime = 0.28;    // beats before a step
-constexpr double kSettleTime = 0.28;  // and after it
-
 /// Pitch of a foot on the floor, between its steps.
 double standing_pitch(const StepsAround& around, double beat) {
-    double pitch = 0.0;
-    if (around.now != nullptr) {
-        const double lands = landing_pitch(around.now->on);
-        const double settled = ease((beat - around.now->end) / kSettleTime);
-        pitch = lands + settled * (resting_pitch(around.now->on) - lands);
+    const double pitch = settled_pitch(around.now, beat);
+    if (around.next == nullptr) {
+        return pitch;
     }
-    if (around.next != nullptr) {
-        const double peeled = ease(1.0 - (around.next->start - beat) / kPeelTime);
-        pitch += peeled * (std::max(pitch, peel_pitch(*around.next)) - pitch);
-    }
-    return pitch;
+    const PlacedStep& next = *around.next;
+    constexpr double kAtOnce = 1e-6;
+    const double time = std::clamp(time_standing(around.now, next), kAtOnce, kPeelTime);
+    const double peeled = ease(1.0 - (next.start - beat) / time);
+    return pitch + peeled * (next.leaves - settled_pitch(around.now, next.start));
 }
 
 void set_swing(const PlacedStep& step, double beat, PlannedFoot& foot) {
@@ -292,8 +325,7 @@ void set_swing(const PlacedStep& step, double beat, PlannedFoot& foot) {
     foot.ball = step.from + moved * (step.to - step.from);
     foot.yaw = step.from_yaw + moved * (step.to_yaw - step.from_yaw);
     foot.height = step.lift * 16.0 * u * u * (1.0 - u) * (1.0 - u) * (1.0 + (u - 0.5) / 4.0);
-    const double leaves = peel_pitch(step);
-    foot.pitch = leaves + moved * (landing_pitch(step.on) - leaves);
+    foot.pitch = step.leaves + moved * (landing_pitch(step.on) - step.leaves);
 }
 
 PlannedFoot foot_at(const std::vector<PlacedStep>& steps,

@@ -38,6 +38,7 @@ RepeatPlan plan_repeats(const AuthoredFigure& figure, const EvaluationOptions& o
     for (std::size_t i = 0; i < frames; ++i) {
         const double beat = from + static_cast<double>(i) * step;
         const double own = beat + jitter * body(beat);
+        plan.music_beats.push_back(beat);
         plan.beats.push_back(own);
         plan.arm_beats.push_back(own + jitter * kArmJitter * arms(beat));
     }

@@ -24,8 +24,9 @@ struct RepeatPlan {
     int first_repeat = 0;  ///< steps and keys are laid out from here
     int last_repeat = 0;   ///< to the end of this one
 
-    std::vector<double> beats;      ///< by frame: the dancer's own beat, wandering
-    std::vector<double> arm_beats;  ///< of arms, hands and head
+    std::vector<double> music_beats;  ///< by frame: the music's
+    std::vector<double> beats;        ///< by frame: the dancer's own beat, wandering
+    std::vector<double> arm_beats;    ///< of arms, hands and head
 
     [[nodiscard]] std::size_t frames() const noexcept { return beats.size(); }
     /// Frames in so many beats, for filters.

@@ -227,7 +227,7 @@ class TrackLine {
         }
     }
 
-    [[nodiscard]] double wave_of(int repeat, double beat) const {
+    [[nodiscard]] double wave_of(int repeat, std::size_t frame) const {
         const Track* const track = track_of(repeat);
         if (!is_wave(track)) {
             return 0.0;
@@ -237,6 +237,9 @@ class TrackLine {
             return sign * track->rest;
         }
         // Counted within the figure: a wave begins anew with each repeat.
+        // A wave quicker than the beat wanders the less: else repeats of a shimmy would not agree.
+        const double music = plan_.music_beats[frame];
+        const double beat = music + std::min(1.0, track->every) * (beat_at(frame) - music);
         const double local = beat - repeat * plan_.figure->beats;
         const double p = kTwoPi * (local - lag(*track) - track->peak) / track->every;
         const double varied = 1.0 + kWaveNoise * vary(*track) * normal(repeat, 0);
@@ -252,9 +255,9 @@ class TrackLine {
             const int repeat = static_cast<int>(std::floor((beat + kFade / 2) / beats));
             const double into = beat - repeat * beats + kFade / 2;
             const double share = ease(into / kFade);
-            values[i] += share * wave_of(repeat, beat);
+            values[i] += share * wave_of(repeat, i);
             if (share < 1.0) {
-                values[i] += (1.0 - share) * wave_of(repeat - 1, beat);
+                values[i] += (1.0 - share) * wave_of(repeat - 1, i);
             }
         }
     }

@@ -64,11 +64,13 @@ class FigurePassage {
     void arms_at(double beat, Pose& pose) const noexcept;
 
     /// The bones that move; the arms are the last kArmBones.
-    static constexpr std::size_t kArmBones = 6;
-    static constexpr std::array<Bone, 18> kBones = {Bone::hips,
+    static constexpr std::size_t kArmBones = 8;
+    static constexpr std::array<Bone, 22> kBones = {Bone::hips,
                                                     Bone::spine,
                                                     Bone::chest,
+                                                    Bone::upper_chest,
                                                     Bone::neck,
+                                                    Bone::head,
                                                     Bone::left_upper_leg,
                                                     Bone::left_lower_leg,
                                                     Bone::left_foot,
@@ -80,9 +82,11 @@ class FigurePassage {
                                                     Bone::left_shoulder,
                                                     Bone::left_upper_arm,
                                                     Bone::left_lower_arm,
+                                                    Bone::left_hand,
                                                     Bone::right_shoulder,
                                                     Bone::right_upper_arm,
-                                                    Bone::right_lower_arm};
+                                                    Bone::right_lower_arm,
+                                                    Bone::right_hand};
 
  private:
     struct Sample {

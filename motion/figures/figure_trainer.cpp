@@ -272,8 +272,9 @@ Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
     const std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, options.samples_per_beat, options.low_pass_hz);
     for (const Part which : parts_of(options.features)) {
-        PartModel& part =
-            model.parts.emplace_back(mean_joints(which, phased, weights, options.features));
+        const auto p = static_cast<std::size_t>(which);
+        PartModel& part = model.parts.emplace_back(
+            mean_joints(which, phased, weights, options.features, options.more_joints[p]));
         std::vector<FeatureTrack> tracks;
         tracks.reserve(phased.size());
         for (const std::vector<Pose>& poses : phased) {
@@ -281,7 +282,6 @@ Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
         }
         const Expected<double> likelihood =
             learn_part(tracks, weights, model.samples(), options, part);
-        const auto p = static_cast<std::size_t>(which);
         if (!likelihood) {
             return fail(Error(likelihood.error()).in(std::string(kPartNames[p])));
         }

@@ -55,6 +55,8 @@ struct FigureTrainingOptions {
     CovarianceKind covariance = CovarianceKind::tied;
     StatesStart start = StatesStart::flat;
     double low_pass_hz = 10.0;  ///< of the captured motion before anything else
+    /// By Part: learnt besides the default joints.
+    std::array<std::vector<Bone>, 3> more_joints;
 
     /// Of each part's HMM.
     [[nodiscard]] StateLearning learning() const noexcept {

@@ -26,11 +26,14 @@ std::vector<std::vector<Pose>> phased_repeats(std::span<const TrainingClip> clip
 PartModel mean_joints(Part which,
                       std::span<const std::vector<Pose>> repeats,
                       std::span<const double> weights,
-                      FigureFeatures features) {
+                      FigureFeatures features,
+                      std::span<const Bone> more) {
     PartModel part;
     part.part = which;
     part.features = features;
-    for (const Bone bone : default_joints(which, features)) {
+    std::vector<Bone> bones = default_joints(which, features);
+    bones.insert(bones.end(), more.begin(), more.end());
+    for (const Bone bone : bones) {
         if (features == FigureFeatures::positions) {
             part.joints.push_back({bone});
             continue;

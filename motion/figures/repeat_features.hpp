@@ -17,11 +17,12 @@ namespace raks::motion {
                                                             int samples_per_beat,
                                                             double low_pass_hz);
 
-/// The default joints of a part; of angles, with their mean rotations over all repeats.
+/// The default joints of a part, and `more`; of angles, with their mean rotations over all repeats.
 [[nodiscard]] PartModel mean_joints(Part which,
                                     std::span<const std::vector<Pose>> repeats,
                                     std::span<const double> weights,
-                                    FigureFeatures features = FigureFeatures::angles);
+                                    FigureFeatures features = FigureFeatures::angles,
+                                    std::span<const Bone> more = {});
 
 /// Features of a phased repeat at samples 0 to T - 1: T x D.
 [[nodiscard]] models::Frames part_frames(std::span<const Pose> phased,

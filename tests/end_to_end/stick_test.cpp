@@ -59,11 +59,37 @@ TEST_F(Stick, draws_a_sheet_where_there_is_no_display) {
     EXPECT_FALSE(picture("plain.png").empty());
 }
 
+TEST_F(Stick, draws_a_written_dance_and_tells_what_is_wrong_with_it) {
+    const std::string dance =
+        (fs::path(RAKS_SOURCE_DIR) / "config" / "choreographies" / "waltz.toml").string();
+    const ProcessResult good =
+        run({"stick", dance, "--figure", "balance", "--tempo", "100", "-o", path("sheet.png")});
+    ASSERT_EQ(good.exit_code, 0) << good.err;
+    EXPECT_EQ(good.out, path("sheet.png") + ": front and side of balance, eighths of a beat\n");
+    EXPECT_EQ(picture("sheet.png").substr(1, 3), "PNG");
+    ASSERT_TRUE(write_file(folder_ / "bad.toml",
+                           "format = \"raks-choreography\"\nversion = 1\ndance = \"x\"\n"
+                           "tempo = [90, 90, 90]\n[[figure]]\nname = \"f\"\nbeats = 0\n"));
+    for (const char* const command : {"stick", "train"}) {
+        std::vector<std::string> words = {command};
+        if (words[0] == "train") {
+            words.emplace_back("figure");
+        }
+        words.insert(words.end(), {path("bad.toml"), "-o", path("x.png")});
+        const ProcessResult bad = run(words);
+        EXPECT_EQ(bad.exit_code, 1);
+        EXPECT_TRUE(is_one_error_line(bad.err)) << bad.err;
+        EXPECT_NE(bad.err.find("bad.toml: line 7: figure \"f\": beats is 0, must be 1 to 64"),
+                  std::string::npos)
+            << bad.err;
+    }
+}
+
 TEST_F(Stick, refuses_in_one_line_what_is_no_clip) {
     ASSERT_TRUE(write_file(folder_ / "clip.fbx", "FBX"));
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{path("none.bvh")}, "none.bvh"},
-        {{path("clip.fbx")}, "cannot read this kind of motion; known: .bvh"},
+        {{path("clip.fbx")}, "cannot read this kind of motion; known: .bvh, .toml"},
         {{clip("odd/plain.bvh"), "--frame", "12"}, "has no frame 12, its last is 11"},
         {{clip("odd/plain.bvh"), "-o", path("x.jpg")}, "cannot write this kind of picture"},
         {{clip("bad/frame_time_zero.bvh")}, "give the rate with --fps"},
