@@ -404,7 +404,8 @@ class Parser {
 
     void add_synth() {
         auto [app, a] = add(app_, "synth", "write music of our own generator", synth);
-        app->add_option("style", a->style, "salsa, maqsum, house, rock, hiphop, waltz, drums or clicks");
+        app->add_option(
+            "style", a->style, "salsa, maqsum, house, rock, hiphop, waltz, drums or clicks");
         app->add_option("-o,--out", a->output, "X.wav")->required();
         app->add_option("--bpm", a->bpm, "tempo")->check(CLI::Range(50.0, 230.0));
         app->add_option("--duration", a->seconds, "seconds")->check(CLI::Range(1.0, 3600.0));

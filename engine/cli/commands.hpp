@@ -128,7 +128,7 @@ struct TrainFigureArguments : LabelledClips {
     std::string role = "lead";
     std::string features = "angles";  ///< or "positions"
     double scale = 0.0;               ///< metres per unit; 0: guessed
-    int states = 0;  ///< 0: 16, of a written dance as many as its figures need
+    int states = 0;                   ///< 0: 16, of a written dance as many as its figures need
     int iterations = 0;
     std::string covariance = "tied";  ///< tied, full or diagonal
     std::string start = "flat";       ///< flat or segmental
