@@ -6,15 +6,23 @@
 namespace raks::engine {
 
 void CollectPoses::on_hop(const PerformedHop& hop) {
+    dancers.resize(hop.tracks.size());
+    last_.resize(hop.tracks.size());
     for (; next_time() <= time_of_hop(hop.track.newest_final()); ++next_) {
-        poses.push_back(hop.track.at(next_time()));
+        for (std::size_t i = 0; i < dancers.size(); ++i) {
+            dancers[i].push_back(hop.tracks[i].at(next_time()));
+        }
     }
-    last_ = hop.track.at_hop(hop.track.newest_final());
+    for (std::size_t i = 0; i < dancers.size(); ++i) {
+        last_[i] = hop.tracks[i].at_hop(hop.track.newest_final());
+    }
 }
 
 void CollectPoses::finish(Nanos duration) {
     const auto count = static_cast<std::size_t>(std::ceil(to_seconds(duration) * fps_));
-    poses.resize(count, last_);
+    for (std::size_t i = 0; i < dancers.size(); ++i) {
+        dancers[i].resize(count, last_[i]);
+    }
 }
 
 StreamTime CollectPoses::next_time() const {

@@ -9,7 +9,8 @@
 
 namespace raks::engine {
 
-/// Takes the poses of an even frame rate out of the track as it grows: pose i at i / fps seconds.
+/// Takes the poses of an even frame rate out of all dancers' tracks as they grow: pose i at i / fps
+/// seconds.
 class CollectPoses final : public OfflineDriver::Sink {
  public:
     explicit CollectPoses(double fps) : fps_(fps) {}
@@ -19,14 +20,14 @@ class CollectPoses final : public OfflineDriver::Sink {
     /// Exactly as many poses as the music is long.
     void finish(Nanos duration);
 
-    std::vector<motion::Pose> poses;
+    std::vector<std::vector<motion::Pose>> dancers;  ///< by dancer, then by pose
 
  private:
     [[nodiscard]] StreamTime next_time() const;
 
     double fps_;
     std::int64_t next_ = 0;
-    motion::Pose last_;
+    std::vector<motion::Pose> last_;
 };
 
 }  // namespace raks::engine

@@ -50,19 +50,18 @@ Repertoire::Otherwise otherwise_of(const Settings& settings) {
 
 /// The repertoires of a formation: the lead's and, for couples, the follow's.
 struct Parts {
-    motion::Generator generator = motion::Generator::trajectories;
+    DanceForm form;
     std::shared_ptr<Repertoire> lead;
     std::shared_ptr<Repertoire> follow;
-    FigureFeatures features = FigureFeatures::angles;
 
     /// Nothing is added where a part is missing.
     Expected<void> add(const std::string& dance) const {
-        auto lead_dance = load_dance(dance, DanceRole::lead, features, generator);
+        auto lead_dance = load_dance(dance, DanceRole::lead, form);
         if (!lead_dance) {
             return fail(std::move(lead_dance.error()));
         }
         if (follow) {
-            auto follow_dance = load_dance(dance, DanceRole::follow, features, generator);
+            auto follow_dance = load_dance(dance, DanceRole::follow, form);
             if (!follow_dance) {
                 return fail(std::move(follow_dance.error()));
             }
@@ -75,7 +74,7 @@ struct Parts {
 
 Expected<std::shared_ptr<Repertoire>> first_of(const Settings& settings, DanceRole role) {
     const std::string dance = dance_to_load(settings);
-    auto library = load_dance(dance, role, features_to_load(settings), generator_of(settings));
+    auto library = load_dance(dance, role, form_of(settings));
     if (!library) {
         return fail(std::move(library.error()));
     }
@@ -116,19 +115,19 @@ std::string dance_to_load(const Settings& settings) {
     return is_dance ? settings.fallback_dance : known_dances().front();
 }
 
-FigureFeatures features_to_load(const Settings& settings) {
-    return settings.figures == "positions" ? FigureFeatures::positions : FigureFeatures::angles;
-}
-
-motion::Generator generator_of(const Settings& settings) {
-    return settings.generator == "frames" ? motion::Generator::frames
-                                          : motion::Generator::trajectories;
+DanceForm form_of(const Settings& settings) {
+    DanceForm form;
+    form.features =
+        settings.figures == "positions" ? FigureFeatures::positions : FigureFeatures::angles;
+    form.generator = settings.generator == "frames" ? motion::Generator::frames
+                                                    : motion::Generator::trajectories;
+    form.company = settings.formation == "couple" ? Company::couple : Company::alone;
+    return form;
 }
 
 Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::string& dance,
                                                                  motion::DanceRole role,
-                                                                 FigureFeatures features,
-                                                                 motion::Generator generator) {
+                                                                 const DanceForm& form) {
     if (auto checked = check_dance(dance); !checked) {
         return fail(checked.error());
     }
@@ -136,9 +135,12 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
     if (!grammar_path) {
         return fail(grammar_path.error());
     }
-    const auto grammar = motion::load_grammar(*grammar_path);
+    auto grammar = motion::load_grammar(*grammar_path);
     if (!grammar) {
         return fail(grammar.error());
+    }
+    for (motion::FigureGrammar::Rule& rule : grammar->rules) {
+        rule.aside = form.company == Company::couple ? rule.aside : decltype(rule.aside){};
     }
     const std::string_view role_name = motion::kRoleNames[static_cast<std::size_t>(role)];
     std::vector<motion::FigureModel> figures;
@@ -146,7 +148,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
         const std::string file = fmt::format("{}_{}_{}", dance, rule.figure, role_name);
         const std::filesystem::path folder = grammar_file(dance).parent_path();
         const auto positions = data_path(folder / (file + "_positions.json"));
-        const auto path = features == FigureFeatures::positions && positions
+        const auto path = form.features == FigureFeatures::positions && positions
                               ? positions
                               : data_path(folder / (file + ".json"));
         if (!path) {
@@ -158,7 +160,8 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::stri
         }
         figures.push_back(std::move(*figure));
     }
-    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton(), &*grammar, generator);
+    return motion::DanceLibrary::build(
+        figures, motion::mannequin_skeleton(), &*grammar, form.generator);
 }
 
 Expected<Dancers> Dancers::load(const Settings& settings) {
@@ -170,8 +173,7 @@ Expected<Dancers> Dancers::load(const Settings& settings) {
     const auto formation = static_cast<motion::Formation>(name - motion::kFormationNames.begin());
     const bool is_couple = formation == motion::Formation::couple;
     Parts parts;
-    parts.features = features_to_load(settings);
-    parts.generator = generator_of(settings);
+    parts.form = form_of(settings);
     for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
         if (role == DanceRole::follow && !is_couple) {
             continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <future>
 #include <memory>
 #include <string>
@@ -25,11 +26,18 @@ namespace raks::engine {
 /// is no dance the first that is known.
 [[nodiscard]] std::string dance_to_load(const Settings& settings);
 
-/// What the settings' `figures` names.
-[[nodiscard]] motion::FigureFeatures features_to_load(const Settings& settings);
+/// Who one dances with: one of a couple leaves the other room.
+enum class Company : std::uint8_t { alone, couple };
 
-/// By the settings. "frames" is the paper's; all else that passed validate() is ours.
-[[nodiscard]] motion::Generator generator_of(const Settings& settings);
+/// In which of its forms a dance is danced.
+struct DanceForm {
+    motion::FigureFeatures features = motion::FigureFeatures::angles;
+    motion::Generator generator = motion::Generator::trajectories;
+    Company company = Company::alone;
+};
+/// By the settings' figures, generator ("frames" is the paper's; all else that passed validate() is
+/// ours) and formation.
+[[nodiscard]] DanceForm form_of(const Settings& settings);
 
 /// Reads the trained figures of a dance from models/trained and solves them for the built-in
 /// mannequin; of positions where it has such, else of angles. Errors: an unknown dance, a model
@@ -37,8 +45,7 @@ namespace raks::engine {
 [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
     const std::string& dance,
     motion::DanceRole role = motion::DanceRole::lead,
-    motion::FigureFeatures features = motion::FigureFeatures::angles,
-    motion::Generator generator = motion::Generator::trajectories);
+    const DanceForm& form = {});
 
 /// Who dances, by the settings: dance, figures, formation, generator and seed. The dance that a
 /// show begins with is there at once; with `dance = "auto"` a thread of its own solves all others

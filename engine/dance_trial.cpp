@@ -7,6 +7,7 @@
 #include "engine/collect_poses.hpp"
 #include "engine/danced_figures.hpp"
 #include "engine/offline_driver.hpp"
+#include "motion/evaluate/couple_measures.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::engine {
@@ -17,15 +18,23 @@ constexpr double kPosesPerSecond = 60.0;
 /// Poses at 60 a second and what the dancer said at every hop.
 class RecordDance final : public OfflineDriver::Sink {
  public:
+    explicit RecordDance(std::size_t measured) : measured_(measured) {}
+
     void on_hop(const PerformedHop& hop) override {
         poses_.on_hop(hop);
         hops.push_back(hop.dancer);
     }
-    [[nodiscard]] const std::vector<motion::Pose>& poses() const { return poses_.poses; }
+    [[nodiscard]] const std::vector<motion::Pose>& poses() const {
+        return poses_.dancers[measured_];
+    }
+    [[nodiscard]] const std::vector<std::vector<motion::Pose>>& dancers() const {
+        return poses_.dancers;
+    }
 
     std::vector<motion::DancerStatus> hops;
 
  private:
+    std::size_t measured_;
     CollectPoses poses_{kPosesPerSecond};
 };
 
@@ -93,6 +102,40 @@ std::vector<double> audible_beats(const audio::GeneratedMusic& music) {
     return times;
 }
 
+CoupleResult couple_of(const RecordDance& record,
+                       std::span<const DancedFigure> figures,
+                       const motion::MetricFrames& frames) {
+    constexpr std::string_view kBasic = "basic";
+    const motion::CoupleMeasures all = motion::measure_couple(
+        motion::mannequin_skeleton(), record.dancers()[0], record.dancers()[1]);
+    CoupleResult result;
+    result.closest = 1e9;
+    std::vector<double> hands;
+    std::vector<double> facing;
+    double counted = 0.0;
+    for (std::size_t f = 0; f < all.closest.size(); ++f) {
+        if (!frames.counted[f]) {
+            continue;
+        }
+        const std::string& figure =
+            figure_at(figures, static_cast<double>(f) / kPosesPerSecond)->model->name;
+        if (figure == kBasic) {
+            hands.push_back(all.hands[f]);
+            facing.push_back(all.facing[f]);
+        }
+        if (all.closest[f] < result.closest) {
+            result.closest = all.closest[f];
+            result.closest_in = figure;
+        }
+        result.overlapping += all.closest[f] < 0.0 ? 1.0 : 0.0;
+        counted += 1.0;
+    }
+    result.overlapping /= std::max(counted, 1.0);
+    result.hands_p90 = motion::percentile(std::move(hands), 0.9);
+    result.facing_p90 = motion::percentile(std::move(facing), 0.9);
+    return result;
+}
+
 TrialResult result_of(const DanceTrial& trial,
                       const RecordDance& record,
                       const audio::GeneratedMusic& music,
@@ -120,6 +163,9 @@ TrialResult result_of(const DanceTrial& trial,
         }
     }
     result.pace = settled > 0.0 ? result.pace / settled : 0.0;
+    if (record.dancers().size() == 2) {
+        result.couple = couple_of(record, figures, subject.frames);
+    }
     const auto dancing = std::count_if(record.hops.begin(),
                                        record.hops.end(),
                                        [](const auto& status) { return status.is_dancing; });
@@ -131,18 +177,17 @@ TrialResult result_of(const DanceTrial& trial,
 }  // namespace
 
 Expected<TrialResult> run_trial(const DanceTrial& trial,
-                                const std::shared_ptr<const motion::DanceLibrary>& library,
-                                std::span<const motion::FigureModel> models,
-                                std::uint64_t seed) {
+                                const TrialCast& cast,
+                                std::span<const motion::FigureModel> models) {
     const auto music = audio::generate(trial.music);
     if (!music) {
         return fail(music.error());
     }
-    auto driver = OfflineDriver::create(music->rate, library, seed);
+    auto driver = OfflineDriver::create(music->rate, cast.members);
     if (!driver) {
         return fail(driver.error());
     }
-    RecordDance record;
+    RecordDance record(cast.measured);
     driver->feed(music->mono(), record);
     driver->finish(record);
     return result_of(trial, record, *music, models);

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "audio/synth/music_generator.hpp"
 #include "base/expected.hpp"
-#include "motion/dancer.hpp"
+#include "motion/ensemble.hpp"
 #include "motion/evaluate/dance_measures.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -34,6 +34,15 @@ struct DanceTrial {
 /// and down; breaks.
 [[nodiscard]] std::vector<DanceTrial> standard_trials();
 
+/// A couple, while it dances and is settled.
+struct CoupleResult {
+    double hands_p90 = 0.0;    ///< of the hands that hold one another, in the basic; metres
+    double facing_p90 = 0.0;   ///< how far either looks past the other, in the basic; radians
+    double closest = 0.0;      ///< skin to skin, in all figures; metres, negative: so deep
+    std::string closest_in;    ///< the figure in which that was
+    double overlapping = 0.0;  ///< share of the time in which they are into one another
+};
+
 struct TrialResult {
     motion::LandingReport landing;
     motion::DanceMeasures measures;  ///< while dancing, 4 s after each start on
@@ -42,14 +51,19 @@ struct TrialResult {
     double danced_share = 0.0;       ///< of the time
     double pace = 0.0;               ///< mean tempo danced / learnt, while dancing
     int reanchors = 0;
+    std::optional<CoupleResult> couple;
+};
+
+/// Who dances a trial and which of them is measured: one alone, or a couple.
+struct TrialCast {
+    std::vector<motion::EnsembleMember> members;
+    std::size_t measured = 0;
 };
 
 /// Jerks are divided by the cube of the pace, speeds by the pace. Errors: those of the generator
 /// and the offline driver. Threads: any. Real-time: no (a minute of music takes about 2 s).
-[[nodiscard]] Expected<TrialResult> run_trial(
-    const DanceTrial& trial,
-    const std::shared_ptr<const motion::DanceLibrary>& library,
-    std::span<const motion::FigureModel> models,
-    std::uint64_t seed);
+[[nodiscard]] Expected<TrialResult> run_trial(const DanceTrial& trial,
+                                              const TrialCast& cast,
+                                              std::span<const motion::FigureModel> models);
 
 }  // namespace raks::engine

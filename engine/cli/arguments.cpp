@@ -31,12 +31,16 @@ void add_figures_option(CLI::App& app, engine::Settings& settings) {
     app.add_option("--figures", settings.figures, "learnt as angles or positions of the joints");
 }
 
+void add_formation_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option(
+        "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
+}
+
 /// The options of DESIGN 6 that play, live and render share.
 void add_picture_options(CLI::App& app, engine::Settings& settings) {
     app.add_option("--dance", settings.dance, "the dance to keep to, or auto");
     add_figures_option(app, settings);
-    app.add_option(
-        "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
+    add_formation_option(app, settings);
     app.add_option("--generator", settings.generator, kGeneratorHelp);
     app.add_option("--seed", settings.seed, "same seed, same dance");
     app.add_option("--theme", settings.theme, "stage, workshop_dark or studio_light");
@@ -253,6 +257,8 @@ class Parser {
         app->add_option("--dance", a->settings.dance, "the dance to measure");
         add_figures_option(*app, a->settings);
         app->add_option("--generator", a->settings.generator, kGeneratorHelp);
+        app->add_option("--formation", a->settings.formation, "solo or couple")
+            ->check(CLI::IsMember({"solo", "couple"}));
         app->add_option("--seed", a->settings.seed, "same seed, same dance");
         app->add_option("--trial", a->trials, "only this one, such as salsa-180")
             ->allow_extra_args(false);
@@ -273,8 +279,10 @@ class Parser {
     void add_dance() {
         auto [app, a] = add(app_, "dance", "write the dance to a file as motion", dance);
         app->add_option("file", a->input, "music file")->required();
-        app->add_option("-o,--out", a->output, "X.bvh")->required();
+        app->add_option("-o,--out", a->output, "X.bvh; of several dancers X_1.bvh, X_2.bvh, ...")
+            ->required();
         app->add_option("--fps", a->fps, "poses a second")->check(CLI::Range(1.0, 240.0));
+        add_formation_option(*app, a->settings);
         app->add_option("--dance", a->settings.dance, "the dance to keep to, or auto");
         add_figures_option(*app, a->settings);
         app->add_option("--generator", a->settings.generator, kGeneratorHelp);

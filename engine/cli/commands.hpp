@@ -104,7 +104,7 @@ struct EvalDanceArguments {
 struct DanceArguments {
     engine::Settings settings;
     Path input;
-    Path output;        ///< .bvh
+    Path output;        ///< x.bvh; of several dancers x_1.bvh, x_2.bvh, ...
     double fps = 60.0;  ///< [1, 240]
 };
 [[nodiscard]] ExitCode dance(const DanceArguments& arguments);

@@ -10,7 +10,24 @@
 #include "engine/offline_driver.hpp"
 #include "motion/skeleton/bvh.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::cli {
+namespace {
+
+/// x.bvh of one dancer; of several x_1.bvh, x_2.bvh, ...: of a couple 1 leads.
+Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
+    if (dancers == 1) {
+        return output;
+    }
+    Path path = output;
+    path.replace_filename(
+        fmt::format("{}_{}{}", output.stem().string(), dancer + 1, output.extension().string()));
+    return path;
+}
+
+}  // namespace
+
 ExitCode dance(const DanceArguments& arguments) {
     if (arguments.output.extension() != ".bvh") {
         return fail(arguments.output.string() + ": cannot write this kind of motion; known: .bvh");
@@ -44,10 +61,13 @@ ExitCode dance(const DanceArguments& arguments) {
     if (!source->warning().empty()) {
         std::fprintf(stderr, "raks: %s\n", source->warning().c_str());
     }
-    if (auto written = motion::write_bvh(
-            arguments.output, motion::mannequin_skeleton(), collect.poses, arguments.fps);
-        !written) {
-        return fail(written.error());
+    for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
+        const Path path = file_of(arguments.output, i, collect.dancers.size());
+        if (auto written = motion::write_bvh(
+                path, motion::mannequin_skeleton(), collect.dancers[i], arguments.fps);
+            !written) {
+            return fail(written.error());
+        }
     }
     return kExitDone;
 }

@@ -42,12 +42,43 @@ Expected<std::vector<engine::DanceTrial>> chosen_trials(const std::vector<std::s
 
 /// The lead dances what `raks play` does; a follow has the figures learnt from follows.
 Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const DanceReport& report,
-                                                                 motion::Generator generator,
+                                                                 const engine::DanceForm& form,
                                                                  const Figures& figures) {
     if (report.role == motion::DanceRole::lead) {
-        return engine::load_dance(report.dance, report.role, figures.front().features, generator);
+        return engine::load_dance(report.dance, report.role, form);
     }
-    return motion::DanceLibrary::build(figures, motion::mannequin_skeleton(), nullptr, generator);
+    return motion::DanceLibrary::build(
+        figures, motion::mannequin_skeleton(), nullptr, form.generator);
+}
+
+/// Who dances: the role alone, or in a couple.
+Expected<engine::TrialCast> cast_of(const EvalDanceArguments& arguments,
+                                    const DanceReport& report,
+                                    const Figures& figures) {
+    using motion::Formation;
+    using motion::Repertoire;
+    const auto seed = static_cast<std::uint64_t>(report.seed);
+    const engine::DanceForm form = engine::form_of(arguments.settings);
+    if (form.company != engine::Company::couple) {
+        const auto library = library_of(report, form, figures);
+        if (!library) {
+            return fail(library.error());
+        }
+        return engine::TrialCast{
+            motion::members_of(Formation::solo, Repertoire::of_one(*library), nullptr, seed), 0};
+    }
+    const auto lead = engine::load_dance(report.dance, motion::DanceRole::lead, form);
+    if (!lead) {
+        return fail(lead.error());
+    }
+    const auto follow = engine::load_dance(report.dance, motion::DanceRole::follow, form);
+    if (!follow) {
+        return fail(follow.error());
+    }
+    return engine::TrialCast{
+        motion::members_of(
+            Formation::couple, Repertoire::of_one(*lead), Repertoire::of_one(*follow), seed),
+        static_cast<std::size_t>(report.role)};
 }
 
 Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
@@ -90,13 +121,13 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
     report.seed = arguments.settings.seed;
     report.generator = arguments.settings.generator;
     const auto figures = engine::trained_figures(
-        report.dance, report.role, engine::features_to_load(arguments.settings));
+        report.dance, report.role, engine::form_of(arguments.settings).features);
     if (!figures) {
         return fail(figures.error());
     }
-    const auto library = library_of(report, engine::generator_of(arguments.settings), *figures);
-    if (!library) {
-        return fail(library.error());
+    const auto cast = cast_of(arguments, report, *figures);
+    if (!cast) {
+        return fail(cast.error());
     }
     // Clips before trials: a fault there should not cost a minute.
     auto people = people_of(arguments, report.role, *figures);
@@ -111,8 +142,7 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
                 return kExitDone;  // half a table would mislead
             }
             progress.show(trial.name);
-            auto result = engine::run_trial(
-                trial, *library, *figures, static_cast<std::uint64_t>(report.seed));
+            auto result = engine::run_trial(trial, *cast, *figures);
             if (!result) {
                 return fail(std::move(result.error()).in(trial.name));
             }

@@ -119,6 +119,13 @@ std::string to_json(const DanceReport& report) {
                           {"outside", outside_of(trial, report.role)},
                           {"landings", landings_of(trial.result.landing)},
                           {"figures", figures_of(std::span(&trial, 1))}});
+        if (const auto& couple = trial.result.couple) {
+            trials.back()["couple"] = {{"hands_p90", couple->hands_p90},
+                                       {"facing_p90", couple->facing_p90},
+                                       {"closest", couple->closest},
+                                       {"closest_in", couple->closest_in},
+                                       {"overlapping", couple->overlapping}};
+        }
     }
     document["figures"] = figures_of(report.trials);
     if (!report.people.empty()) {

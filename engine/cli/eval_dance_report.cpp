@@ -159,6 +159,33 @@ std::string paces_table(const DanceReport& report) {
            text_table(rows) + "\n";
 }
 
+/// Nothing where nobody danced as a couple.
+std::string couple_table(const DanceReport& report) {
+    std::vector<Row> rows = {
+        {"trial", "hands p90 cm", "past one another p90 deg", "closest cm", "in", "overlap %"},
+        {"bound",
+         bound_cell(Bound{.highest = 1e2 * kCoupleHands.highest}, 1),
+         "",
+         bound_cell(Bound{.lowest = 1e2 * kCoupleClosest.lowest}, 1),
+         "",
+         ""}};
+    for (const MeasuredDance& trial : report.trials) {
+        if (const auto& couple = trial.result.couple) {
+            rows.push_back({trial.name,
+                            number(1e2 * couple->hands_p90, 1) +
+                                (kCoupleHands.holds(couple->hands_p90) ? "" : "!"),
+                            number(180.0 / M_PI * couple->facing_p90, 0),
+                            number(1e2 * couple->closest, 1) +
+                                (kCoupleClosest.holds(couple->closest) ? "" : "!"),
+                            couple->closest_in,
+                            number(1e2 * couple->overlapping, 2)});
+        }
+    }
+    return rows.size() > 2
+               ? "The couple (hands and facing in the basic)\n\n" + text_table(rows) + "\n"
+               : "";
+}
+
 std::string verdict(const DanceReport& report) {
     std::size_t bounded = 0;
     std::size_t outside = 0;
@@ -266,7 +293,7 @@ std::string to_text(const DanceReport& report) {
     if (people) {
         text += paces_table(report);
     }
-    return text + figures_table(report) + verdict(report);
+    return text + figures_table(report) + couple_table(report) + verdict(report);
 }
 
 }  // namespace raks::cli

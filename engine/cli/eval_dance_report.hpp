@@ -62,6 +62,11 @@ struct DanceQuantity {
 };
 [[nodiscard]] std::span<const DanceQuantity> dance_quantities() noexcept;
 
+/// What a couple must keep to.
+inline constexpr Bound kCoupleHands = {.highest = 0.25};  ///< metres, p90 in the basic
+/// Metres: legs that step between one another touch; trunks that pass do not.
+inline constexpr Bound kCoupleClosest = {.lowest = -0.05};
+
 /// One figure over several dances.
 struct FigureSummary {
     std::string figure;

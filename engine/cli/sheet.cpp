@@ -41,10 +41,8 @@ MusicState steady_music(HopIndex hop, Bpm tempo) {
 Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments) {
     const engine::Settings& settings = arguments.settings;
     const Bpm tempo(arguments.bpm);
-    const auto library = engine::load_dance(engine::dance_to_load(settings),
-                                            motion::DanceRole::lead,
-                                            engine::features_to_load(settings),
-                                            engine::generator_of(settings));
+    const auto library = engine::load_dance(
+        engine::dance_to_load(settings), motion::DanceRole::lead, engine::form_of(settings));
     if (!library) {
         return fail(library.error());
     }

@@ -38,6 +38,9 @@ std::vector<FigureWay> closed_ways(std::span<const FigureModel> figures,
         }
         ways.push_back(way);
     }
+    for (std::size_t i = 0; grammar != nullptr && i < ways.size(); ++i) {
+        ways[i].aside = grammar->rules[i].aside[static_cast<std::size_t>(figures[i].role)];
+    }
     const FigureGrammar::Place* const place =
         grammar != nullptr ? grammar->place_of(figures.front().role) : nullptr;
     const glm::dvec2 point = place != nullptr ? place->turn_point : sum / std::max(1.0, odd);

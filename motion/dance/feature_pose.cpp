@@ -1,6 +1,7 @@
 #include "motion/dance/feature_pose.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/dance/limb_ik.hpp"
 
@@ -19,9 +20,18 @@ constexpr glm::vec3 kAhead{0.0F, 0.0F, 1.0F};
 constexpr float kKnownBend = 0.3F;
 constexpr float kCarriedFoot = 0.1F;
 
+constexpr float kTiny = 1e-5F;  // metres: places so near one another point nowhere
+
+/// Unit vector; `otherwise` where there is none.
+glm::vec3 unit(const glm::vec3& vector, const glm::vec3& otherwise) noexcept {
+    const float length = glm::length(vector);
+    return length > kTiny ? vector / length : otherwise;
+}
+
 glm::mat3 frame_of(const glm::vec3& first, const glm::vec3& second) noexcept {
-    const glm::vec3 x = glm::normalize(first);
-    const glm::vec3 z = glm::normalize(glm::cross(first, second));
+    const glm::vec3 x = unit(first, kLeft);
+    const glm::vec3 across = glm::normalize(glm::cross(x, std::abs(x.y) < 0.9F ? kUp : kLeft));
+    const glm::vec3 z = unit(glm::cross(x, second), across);
     return {x, glm::cross(z, x), z};
 }
 
@@ -81,8 +91,9 @@ class Body {
     /// Points the bone at the place of `end`, turned about itself no more than needed.
     void swing(Bone bone, Bone end) noexcept {
         const glm::quat& before = rotation(parent_of(bone));
-        const glm::vec3 line = wanted(end) - place(bone);
-        turn(bone, glm::normalize(rotation_between(before * offset(end), line) * before));
+        const glm::vec3 own = before * offset(end);
+        const glm::vec3 line = unit(wanted(end) - place(bone), own);
+        turn(bone, glm::normalize(rotation_between(own, line) * before));
     }
 
     void set_hips() noexcept {
@@ -99,7 +110,8 @@ class Body {
 
     void set_trunk() noexcept {
         const glm::vec3 shoulders =
-            glm::normalize(wanted(Bone::left_upper_arm) - wanted(Bone::right_upper_arm));
+            unit(wanted(Bone::left_upper_arm) - wanted(Bone::right_upper_arm),
+                 rotation(Bone::hips) * kLeft);
         const glm::vec3 between = rotation(Bone::hips) * kLeft + shoulders;  // half the twist
         turn(Bone::spine,
              turned_to({offset(Bone::chest), wanted(Bone::chest) - place(Bone::spine)},
@@ -119,11 +131,11 @@ class Body {
     /// the limb bends.
     void point_limb(Bone upper, Bone lower, Bone end, const glm::vec3& bends_to) noexcept {
         const glm::quat parent = rotation(parent_of(upper));
-        const glm::vec3 line = wanted(lower) - place(upper);
-        const glm::quat carried = rotation_between(parent * offset(lower), line) * parent;
-        const glm::vec3 along = glm::normalize(line);
+        const glm::vec3 own = glm::normalize(parent * offset(lower));
+        const glm::vec3 line = unit(wanted(lower) - place(upper), own);
+        const glm::quat carried = rotation_between(own, line) * parent;
         const glm::vec3 rest = (wanted(end) - wanted(lower)) / glm::length(offset(end));
-        const glm::vec3 aside = rest - along * glm::dot(rest, along);
+        const glm::vec3 aside = rest - line * glm::dot(rest, line);
         const float unknown = std::max(0.0F, 1.0F - glm::length(aside) / kKnownBend);
         const glm::vec3 guessed = kKnownBend * unknown * unknown * (carried * bends_to);
         turn(upper, turned_to({offset(lower), line}, {bends_to, aside + guessed}));
@@ -147,8 +159,8 @@ class Body {
         const glm::quat& hips = rotation(Bone::hips);
         const Limb leg{thigh, lower, foot, world_.position(thigh), hips, hips * kAhead};
         const glm::quat shin = solve_limb(skeleton_, leg, wanted(foot), pose_);
-        const glm::vec3 ahead = wanted(toes) - wanted(foot);
-        const glm::vec3 level = glm::cross(kUp, ahead) / glm::length(ahead);
+        const glm::vec3 ahead = unit(wanted(toes) - wanted(foot), shin * kAhead);
+        const glm::vec3 level = glm::cross(kUp, ahead);
         const glm::quat in_world =
             turned_to({offset(toes), ahead}, {kLeft, level + kCarriedFoot * (shin * kLeft)});
         pose_.rotation(foot) = glm::normalize(glm::conjugate(shin) * in_world);

@@ -37,8 +37,12 @@ std::vector<Pose> free_poses(const FigureModel& model,
     }
     const NetMotion net{way.move.offset / scale, M_PI * way.half_turns};
     const FeatureTrack& root = root_of(model, fine);
-    const std::vector<RootPlace> places = integrate_root(root, samples_per_beat, {}, scale, net);
+    std::vector<RootPlace> places = integrate_root(root, samples_per_beat, {}, scale, net);
     const auto rows = static_cast<std::ptrdiff_t>(root.rows());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double half_way = std::sin(M_PI * static_cast<double>(i) / static_cast<double>(rows));
+        places[i].position += half_way * half_way * way.aside;
+    }
     std::vector<Pose> poses;
     const std::ptrdiff_t around = kAround * samples_per_beat;
     for (std::ptrdiff_t i = -around; i < rows + around; ++i) {

@@ -23,6 +23,8 @@ namespace raks::motion {
 struct FigureWay {
     int half_turns = 0;  ///< of the hips over the figure
     FloorMove move;      ///< from its start to its end; identity, or half a turn
+    /// In the middle of the figure, besides what was learnt; left, forward of its start; metres.
+    glm::dvec2 aside{0.0, 0.0};
 };
 
 /// A figure's trajectories as learnt; what each passage varies. Torso and legs are widened until

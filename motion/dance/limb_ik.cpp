@@ -12,9 +12,9 @@ constexpr float kTiny = 1e-6F;
 constexpr float kStraight = 0.02F;  // metres of the knee beside the leg's line
 
 // Hands that hold one another are no further apart by themselves; beyond the second they have let
-// go. Metres.
-constexpr float kHeld = 0.45F;
-constexpr float kReleased = 0.85F;
+// go. Metres. (Let go within 0.4 m, arms that pass through that range jerk: up to 7,000 m/s^3.)
+constexpr float kHeld = 0.3F;
+constexpr float kReleased = 1.3F;
 constexpr float kGrip = 0.06F;  // between both wrists
 
 Limb arm_of(const WorldPose& world, Side side) noexcept {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kFormat = "raks-dance";
 constexpr std::int64_t kVersion = 1;
 constexpr double kLargestWeight = 1e6;
-constexpr double kFarthest = 10.0;  // metres
+constexpr double kFarthest = 10.0;      // metres
+constexpr double kFarthestAside = 1.0;  // metres
 
 /// Reads one grammar; the first fault ends it.
 class GrammarReader {
@@ -87,6 +88,11 @@ class GrammarReader {
         return {};
     }
 
+    /// Beyond every bound where there is no number.
+    static double number_of(const toml::node_view<const toml::node>& value) {
+        return value.value<double>().value_or(kLargestWeight);
+    }
+
     Expected<void> read_place(const toml::table& root,
                               DanceRole role,
                               FigureGrammar& grammar) const {
@@ -102,14 +108,11 @@ class GrammarReader {
         if (auto ok = check_keys(*table, {"turn_point", "heading"}); !ok) {
             return ok;
         }
-        const auto number = [&](const toml::node_view<const toml::node>& value) {
-            return value.value<double>().value_or(kLargestWeight);
-        };
         const auto point = (*table)["turn_point"];
         FigureGrammar::Place place;
         place.role = role;
-        place.turn_point = {number(point[0]), number(point[1])};
-        const double degrees = table->contains("heading") ? number((*table)["heading"]) : 0.0;
+        place.turn_point = {number_of(point[0]), number_of(point[1])};
+        const double degrees = table->contains("heading") ? number_of((*table)["heading"]) : 0.0;
         place.heading = degrees * M_PI / 180.0;
         if (!(std::abs(place.turn_point.x) <= kFarthest &&
               std::abs(place.turn_point.y) <= kFarthest && std::abs(degrees) <= 360.0)) {
@@ -129,7 +132,8 @@ class GrammarReader {
         if (table == nullptr) {
             return fail(where(node) + ": a figure must be a [[figure]] table");
         }
-        if (auto ok = check_keys(*table, {"name", "energy", "after"}); !ok) {
+        if (auto ok = check_keys(*table, {"name", "energy", "after", "lead_aside", "follow_aside"});
+            !ok) {
             return ok;
         }
         FigureGrammar::Rule rule;
@@ -147,6 +151,21 @@ class GrammarReader {
         rule.energy = (*table)["energy"].value_or(table->contains("energy") ? -1.0 : 0.5);
         if (!(rule.energy >= 0.0 && rule.energy <= 1.0)) {
             return fail(where(node) + ": energy must be a number from 0 to 1");
+        }
+        for (std::size_t role = 0; role < kRoleNames.size(); ++role) {
+            const std::string key = fmt::format("{}_aside", kRoleNames[role]);
+            if (!table->contains(key)) {
+                continue;
+            }
+            const auto value = (*table)[key];
+            rule.aside[role] = {number_of(value[0]), number_of(value[1])};
+            if (!(std::abs(rule.aside[role].x) <= kFarthestAside &&
+                  std::abs(rule.aside[role].y) <= kFarthestAside)) {
+                return fail(fmt::format("{}: {} must be [left, forward], each up to {} m",
+                                        where(node),
+                                        key,
+                                        kFarthestAside));
+            }
         }
         grammar.rules.push_back(std::move(rule));
         return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ struct FigureGrammar {
         std::string figure;
         double energy = 0.5;        ///< [0, 1]: 0 for the quietest music, 1 for the loudest
         std::vector<double> after;  ///< by figure: weight that it comes after this one, >= 0
+        /// By DanceRole: how far one of a couple goes aside in the middle of the figure, so that
+        /// both have room; left, forward of where it starts; metres.
+        std::array<glm::dvec2, 2> aside{};
     };
     /// Where one of a couple stands.
     struct Place {
@@ -41,7 +45,8 @@ struct FigureGrammar {
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
 /// 12; 4 if left out), and one [[figure]] each with name, energy and `after` = { figure = weight,
-/// ... }; for couples [lead] and [follow] with turn_point = [left, forward] and heading in degrees.
+/// ... }; for couples [lead] and [follow] with turn_point = [left, forward] and heading in degrees,
+/// and with a figure lead_aside and follow_aside = [left, forward].
 /// Errors, one line: not readable, not TOML, another format, a newer version, unknown keys and
 /// figures (the nearest is named), two figures of one name, weights that are negative or no
 /// numbers, a figure that nothing follows. Threads: workers. Real-time: no.

@@ -12,6 +12,8 @@
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/end_to_end/program.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace raks::test {
 namespace {
 
@@ -146,6 +148,26 @@ TEST_F(Commands, dance_writes_a_bvh_of_the_musics_length) {
     const auto clip = motion::read_bvh(folder_ / "x.bvh");
     ASSERT_TRUE(clip) << clip.error().message;
     EXPECT_EQ(clip->frame_count, 480U);
+}
+
+TEST_F(Commands, dance_writes_each_of_a_couple_danced_by_positions_too) {
+    write_music("salsa.wav", 184.0, 6.0);
+    const ProcessResult result = run({"dance",
+                                      path("salsa.wav"),
+                                      "-o",
+                                      path("x.bvh"),
+                                      "--formation",
+                                      "couple",
+                                      "--figures",
+                                      "positions"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto lead = motion::read_bvh(folder_ / "x_1.bvh");
+    const auto follow = motion::read_bvh(folder_ / "x_2.bvh");
+    ASSERT_TRUE(lead && follow);
+    EXPECT_EQ(lead->frame_count, 360U);
+    EXPECT_EQ(follow->frame_count, 360U);
+    EXPECT_GT(glm::distance(lead->position(359, 0), follow->position(359, 0)), 0.3);
+    EXPECT_FALSE(std::filesystem::exists(path("x.bvh")));
 }
 
 TEST_F(Commands, dance_is_the_same_bytes_for_a_seed) {

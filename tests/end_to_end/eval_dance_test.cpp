@@ -44,13 +44,20 @@ TEST_F(EvalDance, measures_a_trial_and_says_what_is_out_of_bounds) {
     EXPECT_GT(trial["figures"][0]["hips_travel"].get<double>(), 0.2);
 }
 
-TEST_F(EvalDance, measures_the_follow_as_well_and_writes_tables) {
-    const ProcessResult result =
-        run({"eval", "dance", "--role", "follow", "--trial", "salsa-200-to-160"});
+TEST_F(EvalDance, measures_the_follow_in_a_couple_as_well_and_writes_tables) {
+    const ProcessResult result = run({"eval",
+                                      "dance",
+                                      "--role",
+                                      "follow",
+                                      "--formation",
+                                      "couple",
+                                      "--trial",
+                                      "salsa-200-to-160"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find("salsa, follow, trajectories, seed 1"), std::string::npos);
     EXPECT_NE(result.out.find("| salsa-200-to-160 |"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("| Raks: basic "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("| hands p90 cm "), std::string::npos) << result.out;
 }
 
 TEST_F(EvalDance, refuses_what_it_cannot_measure_in_one_line) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/evaluate/couple_measures.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "tests/motion/dance/stage.hpp"
 #include "tests/support/realtime_guard.hpp"
@@ -21,10 +22,13 @@ namespace {
 constexpr double kBpm = 171.0;
 
 std::vector<EnsembleMember> salsa(Formation formation) {
-    return members_of(formation,
-                      Repertoire::of_one(test::salsa_library(DanceRole::lead)),
-                      Repertoire::of_one(test::salsa_library(DanceRole::follow)),
-                      3);
+    if (formation == Formation::couple) {
+        return members_of(formation,
+                          Repertoire::of_one(test::couple_library(DanceRole::lead)),
+                          Repertoire::of_one(test::couple_library(DanceRole::follow)),
+                          3);
+    }
+    return members_of(formation, Repertoire::of_one(test::salsa_library()), nullptr, 3);
 }
 
 using Tracks = std::array<PoseTrack, Ensemble::kMost>;
@@ -75,6 +79,23 @@ TEST(Ensemble, a_couple_stays_together_through_all_figures) {
         ASSERT_LT(apart.back(), 1.4) << hop;
     }
     EXPECT_NEAR(percentile(apart, 0.5), 0.75, 0.15);
+}
+
+TEST(Ensemble, a_couple_passes_one_another_and_not_through) {
+    const auto poses = dance(Formation::couple, 12000);
+    double closest = 1.0;
+    double touching = 0.0;
+    double looked_at = 0.0;
+    for (std::size_t hop = 600; hop < 12000; hop += 3) {
+        const double clearance = body_clearance(mannequin_skeleton(), poses[0][hop], poses[1][hop]);
+        closest = std::min(closest, clearance);
+        touching += clearance < 0.0 ? 1.0 : 0.0;
+        looked_at += 1.0;
+        ASSERT_GT(glm::distance(poses[0][hop].hips_position, poses[1][hop].hips_position), 0.33F)
+            << "people's least is 0.29 m, their trunks turned aside";
+    }
+    EXPECT_GT(closest, -0.05) << "legs that step between one another";
+    EXPECT_LT(touching / looked_at, 0.02);
 }
 
 /// Turn of the hips at each hop, as a figure's fingerprint that its ways do not change much.

@@ -95,6 +95,28 @@ TEST(PoseAtPlaces, noise_on_the_places_moves_no_joint_much_further) {
     EXPECT_LT(farthest, 10.0F * kNoise);
 }
 
+TEST(PoseAtPlaces, places_that_point_nowhere_still_give_a_body) {
+    const Skeleton& skeleton = mannequin_skeleton();
+    JointPlaces places{};
+    std::vector<JointPlaces> bad = {places};
+    places.fill(glm::vec3(0.0F, 1.0F, 0.0F));
+    places[index_of(Bone::left_foot)] = {0.0F, 0.0F, 0.0F};
+    bad.push_back(places);
+    places = world_pose(skeleton, Pose{}).positions;  // straight limbs, a T
+    bad.push_back(places);
+    for (const Bone bone : placed_bones()) {
+        places = world_pose(skeleton, Pose{}).positions;
+        places[index_of(bone)] = places[kBoneParents[index_of(bone)]];
+        bad.push_back(places);
+    }
+    for (const JointPlaces& one : bad) {
+        const Pose pose = pose_at(skeleton, one);
+        for (const glm::quat& rotation : pose.local_rotations) {
+            EXPECT_NEAR(glm::length(rotation), 1.0F, 1e-3F);
+        }
+    }
+}
+
 /// An upper part of positions whose left arm swings by `angle(i)` and is `length(i)` of its own.
 struct SwingingArm {
     PartModel part;

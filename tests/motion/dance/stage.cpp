@@ -26,11 +26,23 @@ const FigureModel& basic_step() {
 
 namespace {
 
-const FigureGrammar& salsa_grammar() {
+const FigureGrammar& couple_grammar() {
     static const FigureGrammar grammar = [] {
         auto loaded = load_grammar(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa.toml");
         EXPECT_TRUE(loaded) << loaded.error().message;
         return *loaded;
+    }();
+    return grammar;
+}
+
+/// For one alone, who need not leave room.
+const FigureGrammar& salsa_grammar() {
+    static const FigureGrammar grammar = [] {
+        FigureGrammar alone = couple_grammar();
+        for (FigureGrammar::Rule& rule : alone.rules) {
+            rule.aside = {};
+        }
+        return alone;
     }();
     return grammar;
 }
@@ -61,6 +73,18 @@ std::shared_ptr<const DanceLibrary> salsa_library(DanceRole role) {
     if (!library) {
         auto built =
             DanceLibrary::build(salsa_figures(role), mannequin_skeleton(), &salsa_grammar());
+        EXPECT_TRUE(built) << built.error().message;
+        library = *built;
+    }
+    return library;
+}
+
+std::shared_ptr<const DanceLibrary> couple_library(DanceRole role) {
+    static std::array<std::shared_ptr<const DanceLibrary>, 2> libraries;
+    auto& library = libraries[static_cast<std::size_t>(role)];
+    if (!library) {
+        auto built =
+            DanceLibrary::build(salsa_figures(role), mannequin_skeleton(), &couple_grammar());
         EXPECT_TRUE(built) << built.error().message;
         library = *built;
     }

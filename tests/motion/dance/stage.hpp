@@ -19,6 +19,8 @@ const std::vector<FigureModel>& salsa_figures(DanceRole role = DanceRole::lead);
 std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model);
 /// Salsa with its grammar.
 std::shared_ptr<const DanceLibrary> salsa_library(DanceRole role = DanceRole::lead);
+/// The same for one of a couple.
+std::shared_ptr<const DanceLibrary> couple_library(DanceRole role);
 /// The same of figures of joint positions.
 std::shared_ptr<const DanceLibrary> position_library();
 

@@ -39,6 +39,23 @@ TEST(FigureGrammar, reads_figures_energies_and_weights) {
     EXPECT_EQ(grammar->rules[1].after, (std::vector<double>{1.5, 0.0}));
 }
 
+TEST(FigureGrammar, reads_how_far_a_couple_goes_aside) {
+    const auto grammar = parse_grammar(
+        replaced("energy = 0.2", "lead_aside = [-0.2, 0.1]\nfollow_aside = [0.3, 0]"), "x.toml");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    EXPECT_EQ(grammar->rules[0].aside[0], glm::dvec2(-0.2, 0.1));
+    EXPECT_EQ(grammar->rules[0].aside[1], glm::dvec2(0.3, 0.0));
+    EXPECT_EQ(grammar->rules[1].aside[1], glm::dvec2(0.0));
+    for (const char* const bad : {"[2, 0]", "[0.1]", "0.1", "[nan, 0]", "[\"a\", 0]"}) {
+        const auto refused =
+            parse_grammar(replaced("energy = 0.2", std::string("lead_aside = ") + bad), "x.toml");
+        ASSERT_FALSE(refused) << bad;
+        EXPECT_NE(refused.error().message.find("lead_aside must be [left, forward]"),
+                  std::string::npos)
+            << refused.error().message;
+    }
+}
+
 TEST(FigureGrammar, the_shipped_one_is_read) {
     const auto grammar = load_grammar(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa.toml");
     ASSERT_TRUE(grammar) << grammar.error().message;
