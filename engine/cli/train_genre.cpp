@@ -34,9 +34,7 @@ namespace {
 
 using namespace raks;
 
-// Written pieces a piece by a rhythm that may be left out, and by our own generator.
-constexpr int kRestShare = 6;
-constexpr int kOwnShare = 5;
+constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
 
 struct Options {
     std::filesystem::path folder;
@@ -474,8 +472,7 @@ Expected<std::vector<audio::HeardPiece>> gather_written(const Options& options,
         Families families;
         int pieces;
     };
-    std::vector<Part> parts = {{"written", Families::always, options.synthesize},
-                               {"written-own", Families::own, options.synthesize / kOwnShare}};
+    std::vector<Part> parts = {{"written", Families::always, options.synthesize}};
     if (!options.leaves_out_families) {
         parts.push_back({"written-rest", Families::held_out, options.synthesize / kRestShare});
     }
@@ -511,6 +508,9 @@ Expected<Material> gather(const Options& options, const audio::HearingPlan& hear
             return fail(listed.error());
         }
         material.files = std::move(*listed);
+        if (auto distinct = audio::check_distinct(material.files); !distinct) {
+            return fail(distinct.error());
+        }
         auto heard = gather_recordings(options, hearing, material.files);
         if (!heard) {
             return fail(heard.error());

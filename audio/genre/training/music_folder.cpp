@@ -189,4 +189,34 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder, const fs::pa
     return files;
 }
 
+Expected<void> check_distinct(std::span<const MusicFile> files) {
+    std::map<std::uintmax_t, std::vector<const MusicFile*>> by_size;
+    for (const MusicFile& file : files) {
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(file.path, error);
+        if (!error) {
+            by_size[size].push_back(&file);
+        }
+    }
+    for (const auto& [size, same_size] : by_size) {
+        std::map<std::string, const MusicFile*> by_content;
+        for (const MusicFile* file : same_size) {
+            if (same_size.size() < 2) {
+                break;
+            }
+            auto content = read_file(file->path);
+            if (!content) {
+                continue;  // said when it is heard
+            }
+            const auto [found, is_new] = by_content.try_emplace(std::move(*content), file);
+            if (!is_new && found->second->genre != file->genre) {
+                return fail(fmt::format("{} and {} are the same file under two genres; remove one",
+                                        found->second->path.string(),
+                                        file->path.string()));
+            }
+        }
+    }
+    return {};
+}
+
 }  // namespace raks::audio

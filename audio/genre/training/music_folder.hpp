@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,5 +37,8 @@ struct MusicFile {
 /// Errors: as a table and as list_music, with the line.
 [[nodiscard]] Expected<std::vector<MusicFile>> list_music(const std::filesystem::path& folder,
                                                           const std::filesystem::path& index);
+
+/// Errors: two files under different genres that are the same, byte by byte (names both).
+[[nodiscard]] Expected<void> check_distinct(std::span<const MusicFile> files);
 
 }  // namespace raks::audio

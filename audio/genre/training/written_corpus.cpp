@@ -39,8 +39,7 @@ std::vector<GenreStyle> styles_of(Genre genre, WrittenCorpusPlan::Families famil
     return chosen;
 }
 
-/// Our own generator's salsa, maqsum and house: sounds that no soundfont has (darbuka, oud). The
-/// first three genres.
+/// Our own generator's salsa, maqsum and house: sounds that no soundfont has (darbuka, oud).
 WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
     MusicPlan plan;
     plan.style = genre == Genre::salsa   ? Style::salsa
@@ -103,10 +102,8 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
 
 Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
-    const bool is_own = plan.families == WrittenCorpusPlan::Families::own;
-    const auto genre = static_cast<Genre>(number % (is_own ? 3 : kGenreCount));
-    WrittenPiece piece =
-        is_own ? own_piece(genre, plan.seconds, dice) : draw_piece(plan, genre, dice);
+    const auto genre = static_cast<Genre>(number % kGenreCount);
+    WrittenPiece piece = draw_piece(plan, genre, dice);
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortest && tries < 20;
          ++tries) {

@@ -12,8 +12,7 @@ namespace raks::audio {
 /// A corpus that is written, played and heard.
 struct WrittenCorpusPlan {
     std::vector<std::filesystem::path> soundfonts;  ///< one is drawn a piece; not empty
-    /// own: our generator's salsa, maqsum and house, with sounds that no soundfont has.
-    enum class Families : std::uint8_t { always, held_out, all, own };
+    enum class Families : std::uint8_t { always, held_out, all };
     Families families = Families::all;
     int first = 0;          ///< number of the first piece
     int pieces = 70;        ///< genres in turn, "none of them" among them

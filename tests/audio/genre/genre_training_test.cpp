@@ -190,6 +190,25 @@ TEST(GenreTraining, folders_and_tables_name_what_is_wrong) {
     fs::remove_all(folder);
 }
 
+TEST(GenreTraining, the_same_file_under_two_genres_is_said) {
+    const fs::path folder = fs::temp_directory_path() / "raks-genre-twins-test";
+    fs::remove_all(folder);
+    for (const char* const genre : {"salsa", "rock"}) {
+        fs::create_directories(folder / genre);
+        ASSERT_TRUE(write_file(folder / genre / "a.wav", "the same"));
+    }
+    ASSERT_TRUE(write_file(folder / "rock" / "b.wav", "the same"));
+    const auto files = list_music(folder);
+    ASSERT_TRUE(files);
+    EXPECT_EQ(check_distinct(*files).error().message,
+              (folder / "rock" / "a.wav").string() + " and " +
+                  (folder / "salsa" / "a.wav").string() +
+                  " are the same file under two genres; remove one");
+    fs::remove(folder / "salsa" / "a.wav");
+    EXPECT_TRUE(check_distinct(*list_music(folder))) << "twice under one genre is only a waste";
+    fs::remove_all(folder);
+}
+
 TEST(GenreTraining, every_genre_has_rhythms_to_learn_and_one_to_leave_out) {
     for (int i = 0; i < static_cast<int>(Genre::unknown); ++i) {
         int kept = 0;
