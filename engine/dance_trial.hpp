@@ -30,9 +30,10 @@ struct DanceTrial {
     double judged_to = 1e9;
 };
 
-/// Steady music of 100 to 200 BPM (salsa from 160 on, other styles elsewhere), 60 s each; ramps up
-/// and down; breaks.
-[[nodiscard]] std::vector<DanceTrial> standard_trials();
+/// For salsa steady music of 100 to 200 BPM (salsa from 160 on, other styles elsewhere), 60 s each;
+/// ramps up and down; breaks. For other dances music of their own style at 0.85, 1 and 1.15 of the
+/// tempo in which they were learnt, the same ramps between those, silences.
+[[nodiscard]] std::vector<DanceTrial> standard_trials(std::string_view dance, Bpm learnt);
 
 /// A couple, while it dances and is settled.
 struct CoupleResult {

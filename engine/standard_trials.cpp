@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -64,9 +66,7 @@ DanceTrial with_jump(Style style, double from, double to) {
     return trial;
 }
 
-}  // namespace
-
-std::vector<DanceTrial> standard_trials() {
+std::vector<DanceTrial> salsa_trials() {
     std::vector<DanceTrial> trials = {steady(Style::drums, 100.0),
                                       steady(Style::maqsum, 110.0),
                                       steady(Style::drums, 120.0),
@@ -87,6 +87,37 @@ std::vector<DanceTrial> standard_trials() {
         with_silences(steady(Style::drums, 130.0), {{0.0, 3.0}, {25.0, 26.0}, {45.0, 50.0}}));
     trials.push_back(with_jump(Style::salsa, 165.0, 190.0));
     return trials;
+}
+
+Style style_of(std::string_view dance) {
+    constexpr std::array<std::pair<std::string_view, Style>, 5> kStyles = {{
+        {"belly", Style::maqsum},
+        {"house", Style::house},
+        {"hiphop", Style::hiphop},
+        {"rock", Style::rock},
+        {"waltz", Style::waltz},
+    }};
+    const auto found = std::find_if(
+        kStyles.begin(), kStyles.end(), [&](const auto& one) { return one.first == dance; });
+    return found != kStyles.end() ? found->second : Style::drums;
+}
+
+}  // namespace
+
+std::vector<DanceTrial> standard_trials(std::string_view dance, Bpm learnt) {
+    if (dance == "salsa") {
+        return salsa_trials();
+    }
+    const Style style = style_of(dance);
+    const double written = std::round(learnt.bpm());
+    const double slow = std::round(0.85 * written);
+    const double fast = std::round(1.15 * written);
+    return {steady(style, slow),
+            steady(style, written),
+            steady(style, fast),
+            ramp(style, slow, fast),
+            ramp(style, fast, slow),
+            with_silences(steady(style, written), {{20.0, 20.7}, {30.0, 32.0}, {45.0, 51.0}})};
 }
 
 }  // namespace raks::engine

@@ -18,8 +18,16 @@ namespace {
 using Figures = std::vector<motion::FigureModel>;
 
 /// All trials, or those named.
-Expected<std::vector<engine::DanceTrial>> chosen_trials(const std::vector<std::string>& names) {
-    std::vector<engine::DanceTrial> all = engine::standard_trials();
+Expected<std::vector<engine::DanceTrial>> chosen_trials(std::string_view dance,
+                                                        const Figures& figures,
+                                                        const std::vector<std::string>& names) {
+    double seconds_per_beat = 0.0;
+    for (const motion::FigureModel& figure : figures) {
+        seconds_per_beat +=
+            figure.learnt_tempo.seconds_per_beat() / static_cast<double>(figures.size());
+    }
+    std::vector<engine::DanceTrial> all =
+        engine::standard_trials(dance, Bpm::from_period(seconds_per_beat));
     if (names.empty()) {
         return all;
     }
@@ -111,10 +119,6 @@ Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& argumen
 }  // namespace
 
 ExitCode eval_dance(const EvalDanceArguments& arguments) {
-    const auto trials = chosen_trials(arguments.trials);
-    if (!trials) {
-        return fail(trials.error());
-    }
     DanceReport report;
     report.dance = engine::dance_to_load(arguments.settings);
     report.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
@@ -124,6 +128,10 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
         report.dance, report.role, engine::form_of(arguments.settings).features);
     if (!figures) {
         return fail(figures.error());
+    }
+    const auto trials = chosen_trials(report.dance, *figures, arguments.trials);
+    if (!trials) {
+        return fail(trials.error());
     }
     const auto cast = cast_of(arguments, report, *figures);
     if (!cast) {

@@ -76,10 +76,10 @@ Json landings_of(const motion::LandingReport& report) {
 }
 
 /// Names of what lies outside its bound, or is missing where a bound asks for it.
-Json outside_of(const MeasuredDance& dance, motion::DanceRole role) {
+Json outside_of(const MeasuredDance& dance, const JerkStandard& jerk) {
     Json outside = Json::array();
     for (const DanceQuantity& quantity : dance_quantities()) {
-        const auto bound = quantity.bound(*dance.kind, role);
+        const auto bound = quantity.bound(*dance.kind, jerk);
         const auto value = quantity.value(dance);
         if (bound && !(value && bound->holds(*value))) {
             outside.push_back(std::string(quantity.id));
@@ -88,10 +88,10 @@ Json outside_of(const MeasuredDance& dance, motion::DanceRole role) {
     return outside;
 }
 
-Json bounds_of(TrialKind kind, motion::DanceRole role) {
+Json bounds_of(TrialKind kind, const JerkStandard& jerk) {
     Json bounds = Json::object();
     for (const DanceQuantity& quantity : dance_quantities()) {
-        if (const auto bound = quantity.bound(kind, role)) {
+        if (const auto bound = quantity.bound(kind, jerk)) {
             bounds[std::string(quantity.id)] = {finite(bound->lowest), finite(bound->highest)};
         }
     }
@@ -101,6 +101,7 @@ Json bounds_of(TrialKind kind, motion::DanceRole role) {
 }  // namespace
 
 std::string to_json(const DanceReport& report) {
+    const JerkStandard jerk = jerk_standard(report.dance, report.role);
     Json document = {{"format", "raks-eval-dance"},
                      {"version", 1},
                      {"dance", report.dance},
@@ -109,14 +110,14 @@ std::string to_json(const DanceReport& report) {
                      {"seed", report.seed}};
     auto& bounds = document["bounds"] = Json::object();
     for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {
-        bounds[name_of(kind)] = bounds_of(kind, report.role);
+        bounds[name_of(kind)] = bounds_of(kind, jerk);
     }
     auto& trials = document["trials"] = Json::array();
     for (const MeasuredDance& trial : report.trials) {
         trials.push_back({{"name", trial.name},
                           {"kind", name_of(*trial.kind)},
                           {"values", values_of(trial)},
-                          {"outside", outside_of(trial, report.role)},
+                          {"outside", outside_of(trial, jerk)},
                           {"landings", landings_of(trial.result.landing)},
                           {"figures", figures_of(std::span(&trial, 1))}});
         if (const auto& couple = trial.result.couple) {

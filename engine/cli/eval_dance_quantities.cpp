@@ -11,15 +11,6 @@ using Topic = DanceQuantity::Topic;
 using Value = std::optional<double>;
 using Limit = std::optional<Bound>;
 
-/// What people did, the dance part of all takes without faults (60 frames a second, 1-4-6-4-1).
-struct SourceJerk {
-    double rms;
-    double p999;
-};
-constexpr SourceJerk source_jerk(DanceRole role) {
-    return role == DanceRole::lead ? SourceJerk{204.0, 1408.0} : SourceJerk{284.0, 1589.0};
-}
-
 constexpr double kLeastOnBeat = 0.95;  // of the landings on a ramp within 80 ms
 
 bool has_landings(const MeasuredDance& dance) { return !dance.result.landing.landings.empty(); }
@@ -27,7 +18,7 @@ bool has_slips(const MeasuredDance& dance) { return !dance.result.measures.conta
 bool is_trial(const MeasuredDance& dance) { return dance.kind.has_value(); }
 
 Value value_if(bool is_there, double value) { return is_there ? Value(value) : std::nullopt; }
-Limit no_bound(TrialKind /*kind*/, DanceRole /*role*/) { return std::nullopt; }
+Limit no_bound(TrialKind /*kind*/, const JerkStandard& /*jerk*/) { return std::nullopt; }
 Limit bound_if(bool applies, Bound bound) { return applies ? Limit(bound) : std::nullopt; }
 
 constexpr DanceQuantity kQuantities[] = {
@@ -36,7 +27,7 @@ constexpr DanceQuantity kQuantities[] = {
      "mean ms",
      1,
      [](const MeasuredDance& d) { return value_if(has_landings(d), 1e3 * d.result.landing.mean); },
-     [](TrialKind kind, DanceRole) {
+     [](TrialKind kind, const JerkStandard&) {
          return bound_if(kind == TrialKind::steady, {-15.0, 15.0});
      }},
     {Topic::landing,
@@ -46,7 +37,7 @@ constexpr DanceQuantity kQuantities[] = {
      [](const MeasuredDance& d) {
          return value_if(has_landings(d), 1e3 * d.result.landing.deviation);
      },
-     [](TrialKind kind, DanceRole) {
+     [](TrialKind kind, const JerkStandard&) {
          return bound_if(kind == TrialKind::steady, {.highest = 25.0});
      }},
     {Topic::landing,
@@ -56,7 +47,7 @@ constexpr DanceQuantity kQuantities[] = {
      [](const MeasuredDance& d) {
          return value_if(has_landings(d), d.result.landing.within_80_ms);
      },
-     [](TrialKind kind, DanceRole) {
+     [](TrialKind kind, const JerkStandard&) {
          return bound_if(kind == TrialKind::ramp, {.lowest = kLeastOnBeat});
      }},
     {Topic::landing,
@@ -106,7 +97,7 @@ constexpr DanceQuantity kQuantities[] = {
      [](const MeasuredDance& d) {
          return value_if(has_slips(d), 1e2 * d.result.measures.contacts.slip_median);
      },
-     [](TrialKind, DanceRole) { return Limit({.highest = 1.5}); }},
+     [](TrialKind, const JerkStandard&) { return Limit({.highest = 1.5}); }},
     {Topic::feet,
      "slip_p90_cm",
      "p90 cm",
@@ -114,7 +105,7 @@ constexpr DanceQuantity kQuantities[] = {
      [](const MeasuredDance& d) {
          return value_if(has_slips(d), 1e2 * d.result.measures.contacts.slip_p90);
      },
-     [](TrialKind, DanceRole) { return Limit({.highest = 2.7}); }},
+     [](TrialKind, const JerkStandard&) { return Limit({.highest = 2.7}); }},
     {Topic::feet,
      "contact_share",
      "contact",
@@ -134,27 +125,25 @@ constexpr DanceQuantity kQuantities[] = {
      "lowest mm",
      1,
      [](const MeasuredDance& d) { return Value(1e3 * d.result.lowest_sole); },
-     [](TrialKind, DanceRole) { return Limit({.lowest = -5.0}); }},
+     [](TrialKind, const JerkStandard&) { return Limit({.lowest = -5.0}); }},
     {Topic::smoothness,
      "jerk_rms",
      "jerk rms",
      0,
      [](const MeasuredDance& d) { return Value(d.result.measures.jerk.rms); },
-     [](TrialKind, DanceRole role) {
-         return Limit({0.8 * source_jerk(role).rms, 1.25 * source_jerk(role).rms});
-     }},
+     [](TrialKind, const JerkStandard& jerk) { return jerk.rms; }},
     {Topic::smoothness,
      "jerk_p999",
      "p99.9",
      0,
      [](const MeasuredDance& d) { return Value(d.result.measures.jerk.p999); },
-     no_bound},
+     [](TrialKind, const JerkStandard& jerk) { return jerk.p999; }},
     {Topic::smoothness,
      "jerk_highest",
      "highest",
      0,
      [](const MeasuredDance& d) { return Value(d.result.highest_jerk); },
-     [](TrialKind, DanceRole role) { return Limit({.highest = 3.0 * source_jerk(role).p999}); }},
+     [](TrialKind, const JerkStandard& jerk) { return jerk.highest; }},
     {Topic::smoothness,
      "peak_toe_speed",
      "peak toe m/s",
@@ -188,6 +177,17 @@ constexpr DanceQuantity kQuantities[] = {
 };
 
 }  // namespace
+
+JerkStandard jerk_standard(std::string_view dance, DanceRole role) noexcept {
+    if (dance != "salsa") {
+        return {.rms = Bound{60.0, 350.0}, .p999 = Bound{.highest = 2000.0}, .highest = {}};
+    }
+    // What people did, the dance part of all takes without faults (60 frames a second, 1-4-6-4-1).
+    const double rms = role == DanceRole::lead ? 204.0 : 284.0;
+    const double p999 = role == DanceRole::lead ? 1408.0 : 1589.0;
+    return {
+        .rms = Bound{0.8 * rms, 1.25 * rms}, .p999 = {}, .highest = Bound{.highest = 3.0 * p999}};
+}
 
 std::span<const DanceQuantity> dance_quantities() noexcept { return kQuantities; }
 

@@ -43,19 +43,19 @@ std::string bound_cell(const std::optional<Bound>& bound, int digits) {
 
 std::string value_cell(const DanceQuantity& quantity,
                        const MeasuredDance& dance,
-                       motion::DanceRole role) {
+                       const JerkStandard& jerk) {
     const auto value = quantity.value(dance);
     if (!value) {
         return "-";
     }
-    const auto bound = dance.kind ? quantity.bound(*dance.kind, role) : std::nullopt;
+    const auto bound = dance.kind ? quantity.bound(*dance.kind, jerk) : std::nullopt;
     return number(*value, quantity.digits) + (bound && !bound->holds(*value) ? "!" : "");
 }
 
 /// The bound of the first kind that has one: each quantity is judged alike wherever it is.
-std::optional<Bound> any_bound(const DanceQuantity& quantity, motion::DanceRole role) {
+std::optional<Bound> any_bound(const DanceQuantity& quantity, const JerkStandard& jerk) {
     for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {
-        if (const auto bound = quantity.bound(kind, role)) {
+        if (const auto bound = quantity.bound(kind, jerk)) {
             return bound;
         }
     }
@@ -64,7 +64,7 @@ std::optional<Bound> any_bound(const DanceQuantity& quantity, motion::DanceRole 
 
 /// Dances as rows, one table a topic.
 std::string table_of(std::span<const MeasuredDance* const> dances,
-                     motion::DanceRole role,
+                     const JerkStandard& jerk,
                      const TopicTitle& topic) {
     std::vector<Row> rows = {{"trial"}, {"bound"}};
     for (const MeasuredDance* dance : dances) {
@@ -75,9 +75,9 @@ std::string table_of(std::span<const MeasuredDance* const> dances,
             continue;
         }
         rows[0].emplace_back(quantity.title);
-        rows[1].push_back(bound_cell(any_bound(quantity, role), quantity.digits));
+        rows[1].push_back(bound_cell(any_bound(quantity, jerk), quantity.digits));
         for (std::size_t i = 0; i < dances.size(); ++i) {
-            rows[i + 2].push_back(value_cell(quantity, *dances[i], role));
+            rows[i + 2].push_back(value_cell(quantity, *dances[i], jerk));
         }
     }
     return fmt::format("{}\n\n{}\n", topic.title, text_table(rows));
@@ -187,11 +187,12 @@ std::string couple_table(const DanceReport& report) {
 }
 
 std::string verdict(const DanceReport& report) {
+    const JerkStandard jerk = jerk_standard(report.dance, report.role);
     std::size_t bounded = 0;
     std::size_t outside = 0;
     for (const MeasuredDance& trial : report.trials) {
         for (const DanceQuantity& quantity : dance_quantities()) {
-            const auto bound = quantity.bound(*trial.kind, report.role);
+            const auto bound = quantity.bound(*trial.kind, jerk);
             const auto value = quantity.value(trial);
             if (bound) {
                 ++bounded;
@@ -288,7 +289,7 @@ std::string to_text(const DanceReport& report) {
         rows.push_back(&people.emplace(all_people(report.people)));
     }
     for (const TopicTitle& topic : kTopics) {
-        text += table_of(rows, report.role, topic);
+        text += table_of(rows, jerk_standard(report.dance, report.role), topic);
     }
     if (people) {
         text += paces_table(report);

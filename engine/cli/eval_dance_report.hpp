@@ -21,6 +21,25 @@ struct MeasuredDance {
     motion::JerkByPace jerk_by_pace{};  ///< of people
 };
 
+/// [lowest, highest] that a quantity may have.
+struct Bound {
+    double lowest = -std::numeric_limits<double>::infinity();
+    double highest = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool holds(double value) const noexcept {
+        return value >= lowest && value <= highest;
+    }
+};
+
+/// How smooth a dance must be, m/s^3. Salsa beside the people that it was learnt from; written
+/// dances by salsa's absolute values.
+struct JerkStandard {
+    std::optional<Bound> rms;
+    std::optional<Bound> p999;
+    std::optional<Bound> highest;
+};
+[[nodiscard]] JerkStandard jerk_standard(std::string_view dance, motion::DanceRole role) noexcept;
+
 struct DanceReport {
     std::string dance;
     motion::DanceRole role = motion::DanceRole::lead;
@@ -38,16 +57,6 @@ struct DanceReport {
 /// All takes as one, samples pooled. At least one.
 [[nodiscard]] MeasuredDance all_people(std::span<const MeasuredDance> takes);
 
-/// [lowest, highest] that a quantity may have.
-struct Bound {
-    double lowest = -std::numeric_limits<double>::infinity();
-    double highest = std::numeric_limits<double>::infinity();
-
-    [[nodiscard]] bool holds(double value) const noexcept {
-        return value >= lowest && value <= highest;
-    }
-};
-
 /// One column of the report.
 struct DanceQuantity {
     enum class Topic : std::uint8_t { landing, feet, smoothness, others };
@@ -58,7 +67,7 @@ struct DanceQuantity {
     /// Nothing where the dance has none.
     std::optional<double> (*value)(const MeasuredDance& dance);
     /// Of a trial; nothing: only reported.
-    std::optional<Bound> (*bound)(engine::TrialKind kind, motion::DanceRole role);
+    std::optional<Bound> (*bound)(engine::TrialKind kind, const JerkStandard& jerk);
 };
 [[nodiscard]] std::span<const DanceQuantity> dance_quantities() noexcept;
 
