@@ -13,7 +13,8 @@ namespace raks::motion {
 /// A dance as a row of figures over one continuous phase: the one that is danced, the one before
 /// and, from kDecided beats before its end, the one that comes. Over FigurePassage::kMargin beats
 /// on either side of a change (half a figure of one beat) both are danced and averaged (Ofli 2008,
-/// 5), the feet by their places. Threads: one. Real-time: yes.
+/// 5), the feet by their places; a foot that the two plant apart steps over. Threads: one.
+/// Real-time: yes.
 class FigureSequence {
  public:
     static constexpr double kDecided = 2.0;  ///< beats
@@ -51,7 +52,10 @@ class FigureSequence {
         FigureChoice choice;
         double start = 0.0;  // phase of its count 1
         bool is_turned = false;
+        std::array<bool, 2> gathers{};  // this foot steps to where the figure before left another
     };
+    [[nodiscard]] std::array<bool, 2> gathering(const Danced& before,
+                                                const Danced& after) const noexcept;
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
     [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
