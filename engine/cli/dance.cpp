@@ -61,6 +61,9 @@ ExitCode dance(const DanceArguments& arguments) {
     if (!source->warning().empty()) {
         std::fprintf(stderr, "raks: %s\n", source->warning().c_str());
     }
+    if (collect.dancers.empty()) {
+        collect.dancers.emplace_back();  // of no length: write_bvh says that there are no poses
+    }
     for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
         const Path path = file_of(arguments.output, i, collect.dancers.size());
         if (auto written = motion::write_bvh(
