@@ -102,7 +102,7 @@ void put_cosines(const std::array<float, Patterns::kMelBands>& bands,
                  std::size_t first,
                  std::size_t count,
                  Writer& writer) noexcept {
-    static_assert(kTurn == 4 * Patterns::kMelBands);
+    static_assert(kTurn == std::size_t{4} * Patterns::kMelBands);
     for (std::size_t k = first; k < first + count; ++k) {
         float sum = 0.0F;
         for (std::size_t band = 0; band < bands.size(); ++band) {
