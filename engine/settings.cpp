@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/suggest.hpp"
+#include "base/toml_headers.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -173,6 +174,9 @@ bool is_one_of(std::string_view value, std::initializer_list<std::string_view> a
 }  // namespace
 
 Expected<void> parse_settings(std::string_view text, const std::string& name, Settings& settings) {
+    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
+        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
+    }
     Settings result = settings;
     try {
         const toml::table table = toml::parse(text);

@@ -1,9 +1,9 @@
 #include <array>
 
 #include "base/file.hpp"
+#include "base/toml_headers.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/choreography/figure_check.hpp"
-#include "motion/choreography/toml_headers.hpp"
 #include "motion/choreography/toml_reader.hpp"
 
 namespace raks::motion {

@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/suggest.hpp"
+#include "base/toml_headers.hpp"
 
 namespace raks::motion {
 namespace {
@@ -233,6 +234,9 @@ FigureGrammar FigureGrammar::uniform(const std::vector<std::string>& figures) {
 }
 
 Expected<FigureGrammar> parse_grammar(std::string_view text, const std::string& name) {
+    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
+        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
+    }
     try {
         const toml::table root = toml::parse(text);
         return GrammarReader(name).read(root);

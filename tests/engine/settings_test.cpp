@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "base/random.hpp"
+
 namespace raks::engine {
 namespace {
 
@@ -56,6 +60,11 @@ TEST(Settings, errors_name_file_line_key_and_what_is_meant) {
         EXPECT_EQ(error_of(c.toml), c.error) << c.toml;
     }
     EXPECT_NE(error_of("[picture\n").find("config.toml: line 1"), std::string::npos);
+    // Headers that break the parser itself.
+    for (const char* header : {"[", "[[", "[[[picture]]]", "[=", "[[ #"}) {
+        EXPECT_EQ(error_of("\n" + std::string(header)),
+                  "config.toml: line 2: [ needs a name behind it");
+    }
 }
 
 TEST(Settings, an_error_leaves_the_settings_alone) {
@@ -71,6 +80,23 @@ TEST(Settings, every_truncation_of_a_file_is_read_or_refused) {
         const auto result = parse_settings(whole.substr(0, i), "x", settings);
         if (!result) {
             EXPECT_EQ(result.error().message.find('\n'), std::string::npos);
+        }
+    }
+}
+
+TEST(Settings, mangled_files_are_read_or_refused_in_one_line) {
+    const std::string whole = to_toml({});
+    for (std::uint64_t round = 0; round < 2000; ++round) {
+        const CounterRandom random(round, 1);
+        std::string text = whole;
+        for (std::uint64_t i = 0; i < 4; ++i) {
+            text[random.below(2 * i, text.size())] =
+                static_cast<char>(random.below(2 * i + 1, 256));
+        }
+        Settings settings;
+        const auto result = parse_settings(text, "x", settings);
+        if (!result) {
+            EXPECT_EQ(result.error().message.find('\n'), std::string::npos) << round;
         }
     }
 }

@@ -68,6 +68,8 @@ TEST(FigureGrammar, tells_what_is_wrong_and_where) {
         const char* expected;
     } cases[] = {{"", "format must be"},
                  {"[[", "line 1"},
+                 {"[[[figure]]]", "line 1"},
+                 {"[=", "line 1"},
                  {replaced("raks-dance", "raks-danse"), "format must be \"raks-dance\""},
                  {replaced("version = 1", "version = 2"), "version"},
                  {replaced("dance = \"salsa\"", ""), "needs dance"},

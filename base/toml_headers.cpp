@@ -1,8 +1,8 @@
-#include "motion/choreography/toml_headers.hpp"
+#include "base/toml_headers.hpp"
 
 #include <algorithm>
 
-namespace raks::motion {
+namespace raks {
 namespace {
 
 constexpr std::string_view kBlank = " \t";
@@ -114,4 +114,4 @@ std::size_t line_of_nameless_header(std::string_view toml) noexcept {
     return HeaderSearch(toml).line();
 }
 
-}  // namespace raks::motion
+}  // namespace raks
