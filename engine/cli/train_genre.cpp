@@ -336,6 +336,7 @@ std::vector<audio::GenrePage::File> judged_files(std::span<const audio::HeardPie
         ++all;
     }
     std::vector<audio::GenrePage::File> files;
+    files.reserve(right_of_all.size());
     for (const auto& [piece, counts] : right_of_all) {
         files.push_back({pieces[piece].name,
                          pieces[piece].genre,

@@ -137,6 +137,10 @@ std::vector<WindowScore> score_piece(const GenreModel& model,
                                      std::size_t piece_index) {
     const std::size_t truth = class_of(piece.genre, model.genres);
     std::vector<WindowScore> scores;
+    if (piece.windows.empty()) {
+        return scores;  // silence, or too short
+    }
+    scores.reserve(piece.windows.size());
     for (const HeardWindow& window : piece.windows) {
         WindowScore& score = scores.emplace_back();
         score.piece = piece_index;

@@ -162,6 +162,7 @@ Expected<Sorted> sort_frames(const std::vector<models::TrainingSet>& sets,
     for (std::size_t truth = 0; truth < sets.size(); ++truth) {
         for (const Frames& frames : sets[truth].sequences) {
             std::vector<std::vector<double>> scores;
+            scores.reserve(scorers.size());
             for (const models::HmmScorer& scorer : scorers) {
                 scores.push_back(densities(scorer, frames));
             }

@@ -122,6 +122,20 @@ TEST(GenreTraining, the_same_plan_gives_the_same_bits_for_any_number_of_threads)
     EXPECT_TRUE(validate(*one)) << validate(*one).error().message;
 }
 
+TEST(GenreTraining, a_silent_piece_has_no_scores) {
+    const std::vector<HeardPiece> pieces = made_pieces(2);
+    std::vector<const HeardPiece*> all;
+    for (const HeardPiece& piece : pieces) {
+        all.push_back(&piece);
+    }
+    GenreTrainingPlan plan = small_plan();
+    plan.rhythm.steps = plan.sound.steps = 5;
+    const auto model = train_genres(all, genres_of(pieces), plan);
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_TRUE(score_piece(*model, HeardPiece{}, 0).empty());
+    EXPECT_EQ(score_piece(*model, pieces[0], 0).size(), pieces[0].windows.size());
+}
+
 TEST(GenreTraining, too_little_sound_for_a_model_is_said) {
     const std::vector<HeardPiece> pieces = made_pieces(1);
     std::vector<const HeardPiece*> all = {&pieces[0]};
