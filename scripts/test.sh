@@ -35,7 +35,8 @@ cmake --build --preset release -j "$(nproc)"
 
 scripts/tidy.sh --changed
 
-sanitized asan base models skeleton figures audio_io audio_evaluate audio_training engine_files render_video
+sanitized asan base models skeleton figures choreography audio_io audio_evaluate audio_models \
+    audio_training_files engine_files render_video
 sanitized tsan base engine
 
 step "release: tests"
