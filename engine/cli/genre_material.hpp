@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audio/genre/training/genre_trainer.hpp"
+#include "audio/genre/training/music_folder.hpp"
+#include "audio/genre/training/written_corpus.hpp"
+#include "base/expected.hpp"
+#include "engine/cli/genre_options.hpp"
+
+namespace raks::cli {
+
+/// Music to learn from: the files, and all of it (written music, too) as heard.
+struct GenreMaterial {
+    std::vector<audio::MusicFile> files;
+    std::vector<audio::HeardPiece> pieces;
+};
+
+/// Reads and hears the folder's music, clean and damaged, and writes what is asked for. Files that
+/// cannot be read are named on stderr and left out. Errors: no music at all, two genres with the
+/// same files, with --strict the first file that cannot be read.
+[[nodiscard]] Expected<GenreMaterial> gather(const GenreOptions& options,
+                                             const audio::HearingPlan& hearing);
+
+/// Written music, chunk by chunk: what a stopped run has finished is found again by the next.
+[[nodiscard]] Expected<std::vector<audio::HeardPiece>> written(const GenreOptions& options,
+                                                               const audio::HearingPlan& hearing,
+                                                               const std::string& name,
+                                                               audio::WrittenCorpusPlan plan);
+
+}  // namespace raks::cli

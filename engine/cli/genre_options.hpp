@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "audio/genre/training/genre_trainer.hpp"
+
+namespace raks::cli {
+
+/// What `raks train genre` was asked for.
+struct GenreOptions {
+    std::filesystem::path folder;
+    std::filesystem::path index;
+    std::filesystem::path output;
+    std::filesystem::path cache;
+    std::filesystem::path report;
+    int synthesize = 0;
+    int test_pieces = 140;
+    std::vector<std::filesystem::path> soundfonts;
+    std::vector<std::filesystem::path> test_soundfonts;
+    std::vector<std::string> left_out;  // genres
+    bool is_strict = false;
+    bool leaves_out_families = false;
+    bool trains_on_free_alone = false;
+    bool skips_validation = false;
+    int altered = 2;
+    bool leaves_out_energy = false;
+    audio::GenreTrainingPlan plan;
+    std::uint64_t seed = 1;
+    int threads = 2;
+};
+
+}  // namespace raks::cli

@@ -1,0 +1,151 @@
+#include "engine/cli/genre_tables.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace raks::cli {
+namespace {
+
+constexpr const char* kEvidenceNames[] = {"fused", "MFCC", "MFCC+IGS", "rhythm", "sound"};
+
+/// ln chances of all these windows by some of the evidence; the model's fusion, or one fitted here.
+std::vector<audio::WindowScore::Values> fused_scores(std::span<const audio::WindowScore> scores,
+                                                     std::size_t window,
+                                                     std::size_t classes,
+                                                     audio::GenreEvidence evidence,
+                                                     const audio::GenreModel* calibrated) {
+    const bool is_ready = calibrated != nullptr && evidence == audio::GenreEvidence::fused;
+    const auto fusion = is_ready ? calibrated->fusion[window]
+                                 : audio::fit_fusion(scores, window, classes, evidence);
+    std::vector<audio::WindowScore::Values> logs;
+    logs.reserve(scores.size());
+    for (const audio::WindowScore& score : scores) {
+        logs.push_back(audio::fuse(score, fusion, evidence, classes));
+    }
+    return logs;
+}
+
+constexpr std::size_t kFiveSeconds = 3;  // of kGenreWindows
+static_assert(audio::kGenreWindows[kFiveSeconds] == 10);
+
+}  // namespace
+
+audio::GenrePage page_of(const std::string& title,
+                         std::span<const audio::WindowScore> scores,
+                         std::span<const Genre> genres,
+                         std::span<const std::size_t> asked,
+                         const audio::GenreModel* calibrated) {
+    using audio::GenreEvidence;
+    audio::GenrePage page;
+    page.title = title;
+    page.genres.assign(genres.begin(), genres.end());
+    const bool has_similarity = std::any_of(scores.begin(), scores.end(), [](const auto& score) {
+        return score.similarity[0] != 0.0F;
+    });
+    for (const GenreEvidence evidence : {GenreEvidence::mfcc,
+                                         GenreEvidence::mfcc_similarity,
+                                         GenreEvidence::rhythm,
+                                         GenreEvidence::sound,
+                                         GenreEvidence::fused}) {
+        if (evidence == GenreEvidence::mfcc_similarity && !has_similarity) {
+            continue;
+        }
+        for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
+            const auto logs = fused_scores(scores, window, genres.size() + 1, evidence, calibrated);
+            audio::GenrePage::Row row{kEvidenceNames[static_cast<std::size_t>(evidence)],
+                                      audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                                      audio::tally(scores, logs, window, genres, asked)};
+            if (row.tally.windows > 0) {
+                page.rows.push_back(std::move(row));
+            }
+        }
+    }
+    return page;
+}
+
+void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked) {
+    fmt::print("{}\n{:10} {:>7} {:>9} {:>9} {:>9} {:>7}\n",
+               page.title,
+               "",
+               "window",
+               "macro",
+               "2 dances",
+               "unknown",
+               "ECE");
+    for (const audio::GenrePage::Row& row : page.rows) {
+        fmt::print("{:10} {:5.1f} s {:9.3f} {:9.3f} {:9.3f} {:7.3f}\n",
+                   row.evidence,
+                   row.seconds,
+                   row.tally.macro_recall,
+                   row.tally.two_dances,
+                   row.tally.auroc_unknown,
+                   row.tally.calibration_error);
+        if (row.evidence == "fused" && row.seconds == 5.0) {
+            for (const std::size_t truth : asked) {
+                fmt::print("    {:8} {:3} pieces  {:.2f}\n",
+                           name_of(page.genres[truth]),
+                           row.tally.pieces[truth],
+                           fmt::join(row.tally.confusion[truth], " "));
+            }
+        }
+    }
+    std::fflush(stdout);
+}
+
+std::vector<audio::GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
+                                                 std::span<const audio::WindowScore> scores,
+                                                 std::span<const Genre> genres,
+                                                 std::span<const std::size_t> asked) {
+    const auto logs =
+        fused_scores(scores, kFiveSeconds, genres.size() + 1, audio::GenreEvidence::fused, nullptr);
+    std::map<std::size_t, std::pair<int, int>> right_of_all;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+        const std::size_t truth = scores[i].truth;
+        const bool is_asked = std::find(asked.begin(), asked.end(), truth) != asked.end();
+        if (scores[i].window != kFiveSeconds || !is_asked) {
+            continue;
+        }
+        const std::size_t best = *std::max_element(
+            asked.begin(), asked.end(), [&](auto a, auto b) { return logs[i][a] < logs[i][b]; });
+        auto& [right, all] = right_of_all[scores[i].piece];
+        right += best == truth ? 1 : 0;
+        ++all;
+    }
+    std::vector<audio::GenrePage::File> files;
+    files.reserve(right_of_all.size());
+    for (const auto& [piece, counts] : right_of_all) {
+        files.push_back({pieces[piece].name,
+                         pieces[piece].genre,
+                         static_cast<double>(counts.first) / counts.second});
+    }
+    return files;
+}
+
+std::vector<std::size_t> all_genres(std::size_t count) {
+    std::vector<std::size_t> classes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        classes[i] = i;
+    }
+    return classes;
+}
+
+std::vector<std::size_t> enough_recordings(std::span<const audio::HeardPiece> pieces,
+                                           std::span<const Genre> genres) {
+    std::vector<std::size_t> classes;
+    for (std::size_t c = 0; c < genres.size(); ++c) {
+        const auto count = std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) {
+            return piece.genre == genres[c] && piece.kind == audio::HeardPiece::Kind::recorded;
+        });
+        if (count >= 5) {
+            classes.push_back(c);
+        }
+    }
+    return classes;
+}
+
+}  // namespace raks::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audio/genre/training/genre_page.hpp"
+#include "audio/genre/training/genre_trainer.hpp"
+#include "base/music_state.hpp"
+
+namespace raks::cli {
+
+/// How every kind of evidence does at every window length, asked among these genres; by the model's
+/// own fusion, or (none) by one fitted to the scores.
+[[nodiscard]] audio::GenrePage page_of(const std::string& title,
+                                       std::span<const audio::WindowScore> scores,
+                                       std::span<const Genre> genres,
+                                       std::span<const std::size_t> asked,
+                                       const audio::GenreModel* calibrated);
+
+/// The page as a table on stdout.
+void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked);
+
+/// How often each recorded file's windows of 5 s were taken for what they are, among the asked.
+[[nodiscard]] std::vector<audio::GenrePage::File> judged_files(
+    std::span<const audio::HeardPiece> pieces,
+    std::span<const audio::WindowScore> scores,
+    std::span<const Genre> genres,
+    std::span<const std::size_t> asked);
+
+[[nodiscard]] std::vector<std::size_t> all_genres(std::size_t count);
+
+/// Genres with recordings of at least five pieces.
+[[nodiscard]] std::vector<std::size_t> enough_recordings(std::span<const audio::HeardPiece> pieces,
+                                                         std::span<const Genre> genres);
+
+}  // namespace raks::cli
