@@ -3,7 +3,9 @@
 #include "base/file.hpp"
 #include "base/toml_headers.hpp"
 #include "motion/choreography/authored_dance.hpp"
+#include "motion/choreography/body_reader.hpp"
 #include "motion/choreography/figure_check.hpp"
+#include "motion/choreography/step_reader.hpp"
 #include "motion/choreography/toml_reader.hpp"
 
 namespace raks::motion {
@@ -14,8 +16,6 @@ using Names = std::vector<std::string_view>;
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
 constexpr NumberRange kAny{-1000.0, 1000.0};  // what a control allows is checked with its tracks
 constexpr std::size_t kMostFigures = 200;
-constexpr std::size_t kMostSteps = 512;
-constexpr std::size_t kMostKeys = 1024;
 
 struct StyleKey {
     std::string_view name;
@@ -48,22 +48,6 @@ constexpr std::array<StyleKey, 24> kStyleKeys = {{
     {"balance", &DanceStyle::balance, {0, 1}},
     {"tempo_scale", &DanceStyle::tempo_scale, {0, 2}},
 }};
-
-/// Tracks as written under [body] or a figure's body, before they are checked against a figure.
-struct WrittenBody {
-    struct Entry {
-        std::string name;
-        std::vector<Track> tracks;
-        std::size_t line = 0;
-    };
-    std::vector<Entry> entries;
-
-    [[nodiscard]] const Entry* find(std::string_view name) const noexcept {
-        const auto found = std::find_if(
-            entries.begin(), entries.end(), [&](const Entry& one) { return one.name == name; });
-        return found != entries.end() ? &*found : nullptr;
-    }
-};
 
 class DanceReader {
  public:
@@ -145,7 +129,7 @@ class DanceReader {
             read_style(*style, style_);
         }
         if (const toml::table* const body = table_at(root, "body")) {
-            read_body(*body, "", body_);
+            read_body(*body, complaints_, body_);
         }
         if (const toml::table* const expectation = table_at(root, "expect")) {
             read_expectation(*expectation, expectation_);
@@ -191,111 +175,6 @@ class DanceReader {
             const auto bound =
                 complaints_.numbers<2>(*node, "jerk", {1, 1e5}, "[rms, p99.9], m/s^3");
             expectation.jerk = JerkBound{bound[0], bound[1]};
-        }
-    }
-
-    void read_body(const toml::table& table, const std::string& path, WrittenBody& body) {
-        for (const auto& [key, node] : table) {
-            const std::string name =
-                path.empty() ? std::string(key.str()) : path + "." + std::string(key.str());
-            if (controls_named(name).count > 0) {
-                body.entries.push_back({name, read_tracks(node, name), node.source().begin.line});
-            } else if (is_prefix(name) && node.is_table()) {
-                read_body(*node.as_table(), name, body);
-            } else {
-                complaints_.complain(
-                    first_value(node, name).first,
-                    unknown_name("control", first_value(node, name).second, control_names()));
-            }
-        }
-    }
-
-    /// Down a chain of dotted names to what is written there.
-    static std::pair<const toml::node&, std::string> first_value(const toml::node& node,
-                                                                 const std::string& name) {
-        const toml::table* const table = node.as_table();
-        constexpr std::size_t kLongest = 100;
-        if (table == nullptr || table->size() != 1 || table->is_inline() ||
-            name.size() > kLongest) {
-            return {node, name};
-        }
-        const auto entry = table->begin();
-        return first_value(entry->second, name + "." + std::string(entry->first.str()));
-    }
-
-    static bool is_prefix(const std::string& name) {
-        const std::string start = name + ".";
-        const auto names = control_names();
-        return std::any_of(names.begin(), names.end(), [&](std::string_view one) {
-            return one.substr(0, start.size()) == start;
-        });
-    }
-
-    std::vector<Track> read_tracks(const toml::node& node, const std::string& name) {
-        std::vector<Track> tracks;
-        if (const toml::array* const array = node.as_array()) {
-            constexpr std::size_t kMostTracks = 8;
-            if (array->empty() || array->size() > kMostTracks) {
-                complaints_.complain(node,
-                                     fmt::format("{} needs 1 to {} tracks", name, kMostTracks));
-                return tracks;
-            }
-            for (const toml::node& one : *array) {
-                tracks.push_back(read_track(one, name));
-            }
-        } else {
-            tracks.push_back(read_track(node, name));
-        }
-        return tracks;
-    }
-
-    Track read_track(const toml::node& node, const std::string& name) {
-        Track track;
-        const toml::table* const table = node.as_table();
-        if (table == nullptr) {
-            track.rest = complaints_.number(node, name, kAny);
-            return track;
-        }
-        const bool has_keys = table->contains("keys");
-        const Names known = has_keys
-                                ? Names{"keys", "snap", "over", "lag", "vary"}
-                                : Names{"wave", "every", "peak", "rest", "skew", "lag", "vary"};
-        complaints_.check_keys(*table, known);
-        if (has_keys) {
-            read_keys(*table->get("keys"), name, track);
-        } else if (!table->contains("wave") || !table->contains("every")) {
-            complaints_.complain(node, name + " needs keys = [...], or wave and every");
-        }
-        complaints_.read(*table, "snap", {0, 0.9}, track.snap);
-        complaints_.read(*table, "over", {0, 0.5}, track.over);
-        complaints_.read(*table, "wave", kAny, track.wave);
-        complaints_.read(*table, "every", {0.125, 64}, track.every);
-        complaints_.read(*table, "peak", {-64, 64}, track.peak);
-        complaints_.read(*table, "rest", kAny, track.rest);
-        complaints_.read(*table, "skew", {-0.9, 0.9}, track.skew);
-        complaints_.read(*table, "lag", {-1, 1}, track.lag);
-        complaints_.read(*table, "vary", {0, 10}, track.vary);
-        return track;
-    }
-
-    void read_keys(const toml::node& node, const std::string& name, Track& track) {
-        const toml::array* const array = node.as_array();
-        if (array == nullptr || array->empty() || array->size() > kMostKeys) {
-            complaints_.complain(node,
-                                 fmt::format("keys of {} must be [[beat, value], ...]", name));
-            return;
-        }
-        for (const toml::node& one : *array) {
-            const auto key = complaints_.numbers<2>(one, "a key of " + name, kAny, "[beat, value]");
-            if (!track.keys.empty() && !(key[0] > track.keys.back().beat)) {
-                complaints_.complain(one,
-                                     fmt::format("beat {}: keys of {} must rise, the one before is "
-                                                 "at beat {}",
-                                                 key[0],
-                                                 name,
-                                                 track.keys.back().beat));
-            }
-            track.keys.push_back({key[0], key[1]});
         }
     }
 
@@ -351,10 +230,10 @@ class DanceReader {
         if (const toml::table* const expectation = table_at(table, "expect")) {
             read_expectation(*expectation, figure.expectation);
         }
-        read_steps(table, figure);
+        read_steps(table, complaints_, figure);
         WrittenBody own;
         if (const toml::table* const body = table_at(table, "body")) {
-            read_body(*body, "", own);
+            read_body(*body, complaints_, own);
         }
         resolve_body(own, figure);
         if (complaints_.is_sound()) {
@@ -390,85 +269,6 @@ class DanceReader {
             figure.travel = {place[0], place[1]};
         }
         complaints_.read(table, "turn", {-720, 720}, figure.turn);
-    }
-
-    void read_steps(const toml::table& table, AuthoredFigure& figure) {
-        const toml::node* const node = table.get("steps");
-        if (node == nullptr) {
-            return;
-        }
-        const toml::array* const array = node->as_array();
-        if (array == nullptr || array->size() > kMostSteps) {
-            complaints_.complain(
-                *node, fmt::format("steps must be a list of at most {} steps", kMostSteps));
-            return;
-        }
-        for (const toml::node& one : *array) {
-            const toml::table* const step = one.as_table();
-            if (step == nullptr) {
-                complaints_.complain(one, "a step must be { foot = ..., at = ..., ... }");
-                return;
-            }
-            figure.steps.push_back(read_step(*step, figure));
-        }
-        std::stable_sort(figure.steps.begin(),
-                         figure.steps.end(),
-                         [](const FootStep& a, const FootStep& b) { return a.at < b.at; });
-    }
-
-    FootStep read_step(const toml::table& table, const AuthoredFigure& figure) {
-        complaints_.check_keys(
-            table, Names{"foot", "at", "to", "air", "lift", "on", "turn", "weight", "land"});
-        FootStep step;
-        step.line = table.source().begin.line;
-        const std::string foot = complaints_.text(table, "foot");
-        if (foot != "l" && foot != "r") {
-            complaints_.complain(table, "a step needs foot = \"l\" or \"r\"");
-        }
-        step.foot = foot == "r" ? Side::right : Side::left;
-        if (!table.contains("at")) {
-            complaints_.complain(table, "a step needs at = BEAT, when it lands");
-        }
-        complaints_.read(table, "at", {-1, static_cast<double>(figure.beats)}, step.at);
-        if (const toml::node* const node = table.get("to")) {
-            const auto to = complaints_.numbers<2>(*node, "to", {-200, 200}, "[left, forward] cm");
-            step.to = glm::dvec2(to[0], to[1]);
-        }
-        step.air = figure.style.air;
-        complaints_.read(table, "air", {0.05, 4}, step.air);
-        complaints_.read(table, "lift", {0, 80}, step.lift);
-        complaints_.read(table, "turn", {-400, 400}, step.turn);
-        complaints_.read(table, "land", {-0.5, 0.5}, step.land);
-        read_weight(table, step);
-        read_landing(table, step);
-        return step;
-    }
-
-    void read_weight(const toml::table& table, FootStep& step) {
-        constexpr double kNoChange = -1.0;
-        double weight = 1.0;
-        complaints_.read(table, "weight", {kNoChange, 1}, weight);
-        if (weight < 0.0 && weight != kNoChange) {
-            complaints_.complain(
-                *table.get("weight"),
-                fmt::format("weight is {}, must be 0 to 1, or -1 for no change", weight));
-        }
-        step.weight = weight == kNoChange ? std::nullopt : std::optional<double>(weight);
-    }
-
-    void read_landing(const toml::table& table, FootStep& step) {
-        static constexpr std::array<std::string_view, 5> kLandings = {
-            "ball", "flat", "heel", "touch", "heeltouch"};
-        const std::string on = complaints_.text(table, "on");
-        if (on.empty()) {
-            return;
-        }
-        const auto found = std::find(kLandings.begin(), kLandings.end(), on);
-        if (found == kLandings.end()) {
-            complaints_.complain(*table.get("on"), unknown_name("part of the foot", on, kLandings));
-            return;
-        }
-        step.on = static_cast<Landing>(found - kLandings.begin());
     }
 
     /// Figure before file, then one side before both.

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "motion/choreography/authored_dance.hpp"
+#include "motion/choreography/toml_reader.hpp"
+
+namespace raks::motion {
+
+/// Reads a figure's steps = [{ foot, at, ... }, ...], by the beat of landing. The figure's beats
+/// and style are known already.
+void read_steps(const toml::table& table, TomlComplaints& complaints, AuthoredFigure& figure);
+
+}  // namespace raks::motion
