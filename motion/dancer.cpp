@@ -25,18 +25,20 @@ constexpr int kHopsToStop = 150;            // of no music before settling
 constexpr double kDownbeatWindow = 0.5;     // beats: how late after a downbeat one may still start
 constexpr double kEarliestToSettle = 0.15;  // seconds sooner than a change of dance needs
 constexpr std::size_t kQueuedCommands = 16;
-// Seconds; with 0 the mean landing was this late, and later by this per unit of pace
-// (`raks eval dance`, paces 0.74 to 1.41).
-constexpr double kLandingLead = 0.008;
+// Seconds by which the mean landing was later per unit of pace (`raks eval dance`, salsa, paces
+// 0.74 to 1.41).
 constexpr double kLandingLeadByPace = 0.035;
+constexpr Nanos kMostLandingLead = std::chrono::milliseconds(60);
+constexpr double kLeadShare =
+    0.01;  // a hop: the lead of another figure is gone over to in a second
 constexpr double kPaceShare = 0.01;  // a hop
 
-/// How far ahead of the phase the pose is. The last slowing of a step takes the same share of a
-/// beat at any tempo, so the moment at which a foot is seen to have landed comes the later the
-/// faster the dance is for its learnt tempo.
-Nanos landing_lead(double pace) noexcept {
-    return nanos_from_seconds(kLandingLead +
-                              kLandingLeadByPace * (std::clamp(pace, 0.6, 1.6) - 1.0));
+/// How far ahead of the phase the pose is, for steps that come down so late at the learnt tempo.
+/// The last slowing of a step takes the same share of a beat at any tempo, so the moment at which a
+/// foot is seen to have landed comes the later the faster the dance is for its learnt tempo.
+Nanos landing_lead(Nanos delay, double pace) noexcept {
+    return std::clamp(delay, -kMostLandingLead, kMostLandingLead) +
+           nanos_from_seconds(kLandingLeadByPace * (std::clamp(pace, 0.6, 1.6) - 1.0));
 }
 
 /// Where this dancer's figures start.
@@ -99,6 +101,7 @@ struct Dancer::State {
     int hops_unsure = 0;
     DancePhase phase;
     double pace = 1.0;  // of the learnt tempo, over the last second
+    Nanos delay{};      // of the landings, over the last second
     std::uint32_t reanchors = 0;
 
     Inertialization smoothing;
@@ -152,6 +155,7 @@ void Dancer::State::reset() noexcept {
     hops_sure = hops_unsure = 0;
     phase = DancePhase();
     pace = 1.0;
+    delay = Nanos(0);
     reanchors = 0;
     smoothing.clear();
     shown = shown_before = standing.at(skeleton, StreamTime{});
@@ -199,7 +203,7 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
 /// The pose without smoothing, `ahead` of the hop at `time`.
 Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
     if (is_dancing) {
-        return sequence.at(phase.phase_after(ahead + landing_lead(pace)));
+        return sequence.at(phase.phase_after(ahead + landing_lead(delay, pace)));
     }
     return standing.at(skeleton, time + ahead);
 }
@@ -288,6 +292,7 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
         sequence.jump(phase.phase());
     }
     sequence.advance(phase.phase(), energy.value(), wish);
+    delay += nanos_from_seconds(kLeadShare * to_seconds(sequence.figure().landing_delay - delay));
     if (is_held || hops_unsure > kHopsToStop || leaves(music)) {
         settle(music.time);
     } else if (has_reanchored) {
@@ -312,6 +317,7 @@ void Dancer::State::start_on_downbeat(const MusicState& music) noexcept {
         phase.start(music.grid, now - Beats(since_downbeat), metre, music.time);
         sequence.start(content(), stage, part, stands_turned);
         pace = phase.rate() / metre.learnt_tempo.beats_per_second();
+        delay = sequence.figure().landing_delay;
         change(music.time);
     }
     was_downbeat = is_downbeat;

@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "motion/dance/arm_directions.hpp"
 #include "motion/dance/frame_generator.hpp"
+#include "motion/dance/landing_delay.hpp"
 #include "motion/dance/relaxed_hands.hpp"
 #include "motion/dance/variation.hpp"
 #include "motion/figures/figure_trainer.hpp"
@@ -206,6 +207,10 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
         figure.beats = figures[i].beats;
         figure.move = ways[i].move;
         figure.turns_half = ways[i].half_turns % 2 != 0;
+        if (generator == Generator::trajectories) {
+            figure.landing_delay =
+                motion::landing_delay(figures[i], *baked[i * kPassages], skeleton);
+        }
         for (std::size_t n = 0; n < kPassages; ++n) {
             figure.passages.push_back(std::move(*baked[i * kPassages + n]));
         }

@@ -20,6 +20,7 @@ struct LibraryFigure {
     int beats = 8;
     FloorMove move;  ///< from its start to its end
     bool turns_half = false;
+    Nanos landing_delay{};  ///< of its steps at its learnt tempo; landing_delay.hpp
     std::vector<FigurePassage> passages;
 };
 

@@ -10,26 +10,21 @@ namespace raks::motion {
 namespace {
 
 // A foot that two figures plant farther apart than this would be seen to slide, metres.
-constexpr float kGatherFrom = 0.03F;
-// The left one gathers before the change, the right one after it; beats from it.
-constexpr double kGatherNearest = 0.1;
-constexpr double kGatherFarthest = 0.7;
-constexpr float kGatherLift = 0.05F;  // metres, at the middle of the step
+constexpr float kSeenToSlide = 0.03F;
+// It goes over while either figure steps with it, if that takes as long as this, in beats; else it
+// makes a step of its own: the left one before the change, the right one after it.
+constexpr double kLeastSwing = 0.25;
+constexpr double kStepNearest = 0.1;
+constexpr double kStepFarthest = 0.7;
+constexpr float kStepLift = 0.05F;  // metres, at the middle of the step
+constexpr int kLooks = 16;          // at both figures, over the time of the join
+constexpr float kRests = 0.012F;    // metres that a foot moves between two looks, at most
 
 /// How far a foot has gone over from one figure to the next, and how high it is lifted for that.
 struct FootShare {
     float share = 0.0F;
     float lift = 0.0F;  // metres
 };
-
-/// Of a step of its own, `beats` from the change of figures that has `margin` beats on either side.
-FootShare gathering_step(Side side, double beats, double margin) noexcept {
-    const double scale = margin / FigurePassage::kMargin;
-    const double first = scale * (side == Side::left ? -kGatherFarthest : kGatherNearest);
-    const double length = scale * (kGatherFarthest - kGatherNearest);
-    const float share = smootherstep(static_cast<float>((beats - first) / length));
-    return {share, kGatherLift * 4.0F * share * (1.0F - share)};
-}
 
 /// Between two poses, feet by their places in the world: rotations averaged down a leg would carry
 /// a foot that both have planted off its place. The paper plants none.
@@ -101,7 +96,7 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
         const std::size_t figure = content_->choreography.next(
             current_.choice.figure, energy, wish, part_.seed, number_ + 1);
         next_ = {choose_ways(figure, part_.ways, number_ + 1), end, turned_after(current_), {}};
-        next_->gathers = gathering(current_, *next_);
+        next_->feet = feet_joins(current_, *next_);
         wish.is_another = false;
         wish.figure.reset();
     }
@@ -141,26 +136,65 @@ Pose FigureSequence::joined(const Danced& before,
     const float share =
         smootherstep(static_cast<float>((phase - after.start + margin) / (2.0 * margin)));
     std::array<FootShare, 2> feet{};
-    for (const Side side : kSides) {
-        const auto s = static_cast<std::size_t>(side);
-        feet[s] = after.gathers[s] ? gathering_step(side, phase - after.start, margin)
-                                   : FootShare{share, 0.0F};
+    for (std::size_t s = 0; s < feet.size(); ++s) {
+        const FootJoin& join = after.feet[s];
+        feet[s].share = share;
+        if (join.to > join.from) {
+            const double u = (phase - after.start - join.from) / (join.to - join.from);
+            const float own = smootherstep(static_cast<float>(u));
+            feet[s] = {own, join.is_lifted ? kStepLift * 4.0F * own * (1.0F - own) : 0.0F};
+        }
     }
     return average(*content_, pose_of(before, phase), pose_of(after, phase), share, feet);
 }
 
-std::array<bool, 2> FigureSequence::gathering(const Danced& before,
-                                              const Danced& after) const noexcept {
-    const WorldPose ends = world_pose(content_->skeleton, pose_of(before, after.start));
-    const WorldPose begins = world_pose(content_->skeleton, pose_of(after, after.start));
-    std::array<bool, 2> gathers{};
-    for (const Side side : kSides) {
-        const Bone foot = on_side(Bone::left_foot, side);
-        glm::vec3 apart = begins.position(foot) - ends.position(foot);
-        apart.y = 0.0F;
-        gathers[static_cast<std::size_t>(side)] = glm::length(apart) > kGatherFrom;
+std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
+    const Danced& before, const Danced& after) const noexcept {
+    const double margin = margin_between(before, after);
+    std::array<float, 2> apart{};      // while it rests in both, at most
+    std::array<FootJoin, 2> swings{};  // the longest time in which either steps with it
+    std::array<double, 2> since{};     // of the swing that is looked at
+    since.fill(-margin);
+    std::array<std::array<glm::vec3, 2>, 2> last{};  // by figure, foot
+    for (int look = 0; look <= kLooks; ++look) {
+        const double beat = margin * (2.0 * look / kLooks - 1.0);
+        const std::array<WorldPose, 2> poses = {
+            world_pose(content_->skeleton, pose_of(before, after.start + beat)),
+            world_pose(content_->skeleton, pose_of(after, after.start + beat))};
+        for (const Side side : kSides) {
+            const auto s = static_cast<std::size_t>(side);
+            bool rests = look > 0;
+            for (std::size_t figure = 0; figure < poses.size(); ++figure) {
+                const glm::vec3 place = poses[figure].position(on_side(Bone::left_foot, side));
+                rests = rests && glm::distance(place, last[figure][s]) < kRests;
+                last[figure][s] = place;
+            }
+            if (!rests) {
+                if (beat - since[s] > swings[s].to - swings[s].from) {
+                    swings[s] = {since[s], beat, false};
+                }
+                continue;
+            }
+            since[s] = beat;
+            glm::vec3 between = last[1][s] - last[0][s];
+            between.y = 0.0F;
+            apart[s] = std::max(apart[s], glm::length(between));
+        }
     }
-    return gathers;
+    std::array<FootJoin, 2> joins{};
+    for (const Side side : kSides) {
+        const auto s = static_cast<std::size_t>(side);
+        if (apart[s] <= kSeenToSlide) {
+            continue;
+        }
+        const double scale = margin / FigurePassage::kMargin;
+        const double first = side == Side::left ? -kStepFarthest : kStepNearest;
+        joins[s] =
+            swings[s].to - swings[s].from >= kLeastSwing
+                ? swings[s]
+                : FootJoin{scale * first, scale * (first + kStepFarthest - kStepNearest), true};
+    }
+    return joins;
 }
 
 Pose FigureSequence::at(Beats phase) const noexcept {

@@ -48,14 +48,21 @@ class FigureSequence {
     [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
  private:
+    /// When a foot goes over from one figure to the next; beats from the change, equal: as the body
+    /// does.
+    struct FootJoin {
+        double from = 0.0;
+        double to = 0.0;
+        bool is_lifted = false;  // neither figure steps with it meanwhile: it steps over
+    };
     struct Danced {
         FigureChoice choice;
         double start = 0.0;  // phase of its count 1
         bool is_turned = false;
-        std::array<bool, 2> gathers{};  // this foot steps to where the figure before left another
+        std::array<FootJoin, 2> feet{};  // from the figure before
     };
-    [[nodiscard]] std::array<bool, 2> gathering(const Danced& before,
-                                                const Danced& after) const noexcept;
+    [[nodiscard]] std::array<FootJoin, 2> feet_joins(const Danced& before,
+                                                     const Danced& after) const noexcept;
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
     [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
