@@ -10,7 +10,7 @@
 
 namespace raks::engine {
 
-Expected<Show> Show::create(const Look& look, bool has_overlay) {
+Expected<Drawing> create_drawing(const Look& look) {
     auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
     if (!renderer) {
         return fail(renderer.error());
@@ -19,7 +19,15 @@ Expected<Show> Show::create(const Look& look, bool has_overlay) {
     if (!overlay) {
         return fail(overlay.error());
     }
-    return Show(look.scene, std::move(*renderer), std::move(*overlay), has_overlay);
+    return Drawing{std::move(*renderer), std::move(*overlay)};
+}
+
+Expected<Show> Show::create(const Look& look, bool has_overlay) {
+    auto drawing = create_drawing(look);
+    if (!drawing) {
+        return fail(drawing.error());
+    }
+    return Show(look.scene, std::move(drawing->renderer), std::move(drawing->overlay), has_overlay);
 }
 
 Show::Show(render::Scene scene,

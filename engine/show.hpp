@@ -22,6 +22,14 @@ struct ShownMoment {
     StreamTime moment;                    ///< what is seen and heard then
 };
 
+/// What every picture is drawn by: the renderer, with the mannequin, and the overlay.
+struct Drawing {
+    render::Renderer renderer;
+    render::Overlay overlay;
+};
+/// An OpenGL context must be current. Errors: the driver refuses.
+[[nodiscard]] Expected<Drawing> create_drawing(const Look& look);
+
 /// Draws pictures of the dance: stage, dancer and overlay. The same for a window and for a video.
 /// Threads: the OpenGL context's. Real-time: no.
 class Show {

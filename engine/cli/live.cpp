@@ -38,6 +38,10 @@ ExitCode live(const LiveArguments& arguments) {
     }
     std::fprintf(stderr, "raks: listening to %s\n", choice->reason.c_str());
     static_cast<void>(loop->run(**graph, choice->device.name, std::nullopt));
+    const auto all = dancers->wait();
+    if (!all) {
+        loop->say(all.error().message);
+    }
     const BeatGrid grid = (*graph)->stage().music.grid;
     std::fprintf(stderr,
                  "raks: %s\n",
@@ -46,7 +50,7 @@ ExitCode live(const LiveArguments& arguments) {
                              grid.confidence,
                              level_meter((*graph)->analysis().level_dbfs()))
                      .c_str());
-    return (*graph)->has_lost_device() ? kExitFailed : kExitDone;
+    return !all || (*graph)->has_lost_device() ? kExitFailed : kExitDone;
 }
 
 }  // namespace raks::cli

@@ -167,6 +167,10 @@ ExitCode play(const PlayArguments& arguments) {
             break;
         }
     }
+    if (const auto all = dancers->wait(); !all) {
+        loop->say(all.error().message);
+        has_failed = true;
+    }
     return has_lost_device || has_failed ? kExitFailed : kExitDone;
 }
 

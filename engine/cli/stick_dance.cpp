@@ -11,7 +11,7 @@
 #include "engine/cli/dance_preview.hpp"
 #include "engine/cli/sheet_file.hpp"
 #include "engine/cli/signals.hpp"
-#include "render/avatar/avatar.hpp"
+#include "engine/show.hpp"
 #include "render/gl/window.hpp"
 #include "render/overlay/key_bindings.hpp"
 #include "render/overlay/overlay.hpp"
@@ -90,13 +90,9 @@ void act_on(const render::WindowEvent& event,
 Expected<void> play_preview(render::Window& window,
                             const engine::Look& look,
                             DancePreview& preview) {
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
-    if (!renderer) {
-        return fail(renderer.error());
-    }
-    auto overlay = render::Overlay::create();
-    if (!overlay) {
-        return fail(overlay.error());
+    auto drawing = engine::create_drawing(look);
+    if (!drawing) {
+        return fail(drawing.error());
     }
     constexpr double kLookEvery = 0.25;  // seconds: was the file saved?
     render::Scene scene = look.scene;
@@ -119,11 +115,12 @@ Expected<void> play_preview(render::Window& window,
         }
         const motion::Pose pose = preview.pose();
         scene.camera.pan_to(pose.hips_position);
-        renderer->draw(scene, pose, window.frame());
+        drawing->renderer.draw(scene, pose, window.frame());
         const std::string status = preview.status();
         render::OverlayState line;
         line.message = status;
-        overlay->draw(line, render::OverlayView::hidden, window.frame(), window.content_scale());
+        drawing->overlay.draw(
+            line, render::OverlayView::hidden, window.frame(), window.content_scale());
         window.present();
     }
     return {};

@@ -5,7 +5,7 @@
 #include "base/time.hpp"
 #include "engine/cli/camera_moves.hpp"
 #include "engine/cli/signals.hpp"
-#include "render/avatar/avatar.hpp"
+#include "engine/show.hpp"
 #include "render/overlay/key_bindings.hpp"
 #include "render/overlay/overlay.hpp"
 
@@ -33,13 +33,9 @@ Expected<void> play_clip(render::Window& window,
                          const engine::Look& look,
                          const render::ClipFigures& figures,
                          ClipTransport& transport) {
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
-    if (!renderer) {
-        return fail(renderer.error());
-    }
-    auto overlay = render::Overlay::create();
-    if (!overlay) {
-        return fail(overlay.error());
+    auto drawing = engine::create_drawing(look);
+    if (!drawing) {
+        return fail(drawing.error());
     }
     render::Scene scene = look.scene;
     HostTime last = HostClock::now();
@@ -60,11 +56,12 @@ Expected<void> play_clip(render::Window& window,
         last = now;
         const render::ClipFigure figure = figures.at(transport.frame());
         scene.camera.pan_to(figure.landmarks.position(motion::Bone::hips));
-        renderer->draw(scene, figure, window.frame());
+        drawing->renderer.draw(scene, figure, window.frame());
         const std::string status = transport.status();
         render::OverlayState line;
         line.message = status;
-        overlay->draw(line, render::OverlayView::hidden, window.frame(), window.content_scale());
+        drawing->overlay.draw(
+            line, render::OverlayView::hidden, window.frame(), window.content_scale());
         window.present();
     }
     return {};

@@ -11,6 +11,7 @@
 #include "audio/beat/network/network_file.hpp"
 #include "audio/beat/training/corpus.hpp"
 #include "audio/beat/training/train_network.hpp"
+#include "engine/cli/training_program.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -162,15 +163,8 @@ int main(int argc, char** argv) try {
     add_options(app, options);
     CLI11_PARSE(app, argc, argv);
     options.corpus.threads = options.network.threads;
-    std::string command = "raks train beats";
-    for (int i = 1; i < argc; ++i) {
-        command += ' ' + std::filesystem::path(argv[i]).filename().string();
-    }
-    if (const auto done = run(options, command); !done) {
-        std::fprintf(stderr, "raks: %s\n", done.error().message.c_str());
-        return 1;
-    }
-    return 0;
+    return raks::cli::exit_status(
+        run(options, raks::cli::kept_command("raks train beats", argc, argv)));
 } catch (const std::exception& error) {  // no memory, or a fault of ours
     std::fprintf(stderr, "raks: %s\n", error.what());
     return 1;

@@ -16,6 +16,7 @@
 #include "base/parallel.hpp"
 #include "engine/cli/genre_material.hpp"
 #include "engine/cli/genre_tables.hpp"
+#include "engine/cli/training_program.hpp"
 #include "engine/hearing.hpp"
 
 #include <fmt/format.h>
@@ -255,15 +256,8 @@ int main(int argc, char** argv) try {
     if (options.leaves_out_energy) {
         options.plan.features.energy = raks::audio::GenreFeatures::Energy::left_out;
     }
-    std::string command = "raks train genre";
-    for (int i = 1; i < argc; ++i) {
-        command += ' ' + std::filesystem::path(argv[i]).filename().string();
-    }
-    if (const auto done = run(options, command); !done) {
-        std::fprintf(stderr, "raks: %s\n", done.error().message.c_str());
-        return 1;
-    }
-    return 0;
+    return raks::cli::exit_status(
+        run(options, raks::cli::kept_command("raks train genre", argc, argv)));
 } catch (const std::exception& error) {  // no memory, or a fault of ours
     std::fprintf(stderr, "raks: %s\n", error.what());
     return 1;
