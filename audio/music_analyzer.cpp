@@ -64,6 +64,7 @@ struct MusicAnalyzer::State {
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
     std::optional<GenreRecognizer> recognizer;
+    Genre hinted = Genre::unknown;                // to the tracker
     MfccVector mfcc{};                            // of the newest hop, normalized
     std::array<float, kLevelsKept> level_dbfs{};  // of the last hops, ring
 
@@ -84,6 +85,7 @@ struct MusicAnalyzer::State {
     void track(const Onset& onset, MusicState& state) noexcept;
     void hear_mfcc(const MusicState& state) noexcept;
     void recognize(MusicState& state) noexcept;
+    void hint_tempo(Genre genre) noexcept;
     void jump_gap(Sink& sink) noexcept;
 };
 
@@ -102,6 +104,7 @@ void MusicAnalyzer::State::reset() noexcept {
     if (recognizer) {
         recognizer->reset();
     }
+    hinted = Genre::unknown;
     mfcc.fill(0.0F);
     level_dbfs.fill(kLowestLevel);
     // The first hop's window is centred on the first sample: half of it lies before the stream.
@@ -198,6 +201,15 @@ void MusicAnalyzer::State::recognize(MusicState& state) noexcept {
         recognizer->advance(mfcc, onsets.mel_magnitudes(), state);
     } else {
         leave_genre_unknown(state);
+    }
+    hint_tempo(state.genre);
+}
+
+/// The tempi of the dance that is recognised are likelier, from the next hop on.
+void MusicAnalyzer::State::hint_tempo(Genre genre) noexcept {
+    const AnalyzerCommand hint{AnalyzerCommand::Kind::hint_genre, {}, static_cast<double>(genre)};
+    if (genre != hinted && tracker.command(hint)) {
+        hinted = genre;
     }
 }
 

@@ -29,7 +29,7 @@ struct AnalyzerConfig {
     std::shared_ptr<const BeatNetwork> beat_network = nullptr;
     CepstralMeanConfig cepstral_mean = {};  ///< of mfcc(); a genre model brings its own
     /// Says which dance the music is (audio/genre/genre_file.hpp loads the shipped one). None:
-    /// always unknown.
+    /// always unknown. The tempi of the recognised dance become likelier (hint_genre).
     std::shared_ptr<const GenreModel> genre_model = nullptr;
     double genre_window = 5.0;  ///< seconds that the genre is judged by, 0.5 to 10
 };

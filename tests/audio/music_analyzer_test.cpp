@@ -226,5 +226,41 @@ TEST(MusicAnalyzer, sixty_seconds_with_jump_and_silence_keep_the_real_time_rules
     EXPECT_GT(collect.states.size(), 5990U);
 }
 
+TEST(MusicAnalyzer, hints_the_recognised_dance_to_the_beat_tracker) {
+    const GeneratedMusic piece = music(Style::salsa, {{0.0, 186.0}}, 15.0);
+    const std::vector<MusicState> recognised = listen(piece);
+    const auto told = [&](const std::vector<AnalyzerCommand>& hints) {
+        AnalyzerConfig config = test::as_shipped(piece.rate);
+        config.genre_model = nullptr;
+        MusicAnalyzer analyzer;
+        EXPECT_TRUE(analyzer.prepare(config));
+        for (const AnalyzerCommand& hint : hints) {
+            analyzer.command(hint);
+        }
+        Collect collect;
+        analyzer.process(piece.mono(), collect);
+        return collect.states;
+    };
+    std::vector<AnalyzerCommand> hints;
+    for (std::size_t hop = 1; hop < recognised.size(); ++hop) {
+        if (recognised[hop].genre != recognised[hop - 1].genre) {
+            hints.push_back({AnalyzerCommand::Kind::hint_genre,
+                             recognised[hop].time + std::chrono::milliseconds(1),
+                             static_cast<double>(recognised[hop].genre)});
+        }
+    }
+    ASSERT_FALSE(hints.empty());
+    const std::vector<MusicState> hinted = told(hints);
+    const std::vector<MusicState> unhinted = told({});
+    ASSERT_EQ(hinted.size(), recognised.size());
+    bool is_heeded = false;
+    for (std::size_t hop = 0; hop < recognised.size(); ++hop) {
+        ASSERT_EQ(recognised[hop].grid.tempo, hinted[hop].grid.tempo) << hop;
+        ASSERT_EQ(recognised[hop].grid.confidence, hinted[hop].grid.confidence) << hop;
+        is_heeded |= hinted[hop].grid.confidence != unhinted[hop].grid.confidence;
+    }
+    EXPECT_TRUE(is_heeded);
+}
+
 }  // namespace
 }  // namespace raks::audio
