@@ -11,6 +11,7 @@ endif()
 
 option(RAKS_TESTS "Build the tests" ON)
 option(RAKS_WERROR "Warnings are errors" OFF)
+option(RAKS_UNITY "Compile several sources as one" OFF)
 option(RAKS_COVERAGE "Instrument for gcov" OFF)
 set(RAKS_SANITIZE "" CACHE STRING "Value of -fsanitize=, empty for none")
 
@@ -39,6 +40,14 @@ target_compile_options(raks_warnings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
     -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wdouble-promotion -Wformat=2
     $<$<BOOL:${RAKS_WERROR}>:-Werror>)
+
+# A third less work for a whole build, more for one changed file.
+if(RAKS_UNITY)
+    set(CMAKE_UNITY_BUILD ON)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 4)
+    # A class of one file may hold a type that the same file keeps to itself.
+    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+endif()
 
 find_program(RAKS_CCACHE ccache)
 if(RAKS_CCACHE)

@@ -17,11 +17,7 @@ namespace {
 // The dancer has settled into the figure by then, and figures of 3, 4, 6 and 8 beats begin there.
 constexpr double kBeatsBefore = 24.0;
 constexpr int kCounts = 8;
-constexpr int kPosesPerBeat = 8;
 constexpr std::size_t kPoses = std::size_t{kCounts} * kPosesPerBeat;
-constexpr int kColumns = 16;
-constexpr int kTileWidth = 120;
-constexpr int kTileHeight = 180;
 
 /// Music that is known exactly: a steady tempo in bars of four.
 MusicState steady_music(HopIndex hop, Bpm tempo) {
@@ -88,11 +84,7 @@ ExitCode sheet(const SheetArguments& arguments) {
     if (!poses) {
         return fail(poses.error());
     }
-    render::PoseSheetConfig config;
-    config.columns = kColumns;
-    config.tile_width = kTileWidth;
-    config.tile_height = kTileHeight;
-    if (auto written = write_sheet(arguments.output, *look, *poses, config); !written) {
+    if (auto written = write_sheet(arguments.output, *look, *poses, figure_sheet()); !written) {
         return fail(written.error());
     }
     return kExitDone;

@@ -10,6 +10,16 @@
 
 namespace raks::cli {
 
+/// How figures are laid out on a sheet: two beats in eighths a row.
+constexpr int kPosesPerBeat = 8;
+[[nodiscard]] inline render::PoseSheetConfig figure_sheet() {
+    render::PoseSheetConfig config;
+    config.columns = 2 * kPosesPerBeat;
+    config.tile_width = 120;
+    config.tile_height = 180;
+    return config;
+}
+
 /// Draws a pose sheet off-screen and writes it as PNG. Errors: no OpenGL, those of the sheet and of
 /// the file.
 [[nodiscard]] Expected<void> write_sheet(const Path& output,

@@ -18,11 +18,6 @@ namespace raks::cli {
 namespace {
 
 constexpr std::size_t kSheetPoses = 24;
-constexpr int kColumns = 12;
-constexpr int kTileWidth = 180;
-constexpr int kTileHeight = 240;
-constexpr int kLargeTileWidth = 720;  // of one frame alone
-constexpr int kLargeTileHeight = 960;
 
 Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
     if (motion::lower(arguments.input.extension().string()) != ".bvh") {
@@ -85,9 +80,10 @@ Expected<void> write_frames(const Path& output,
                             const render::ClipFigures& figures,
                             const std::vector<std::size_t>& frames) {
     render::PoseSheetConfig config;
-    config.columns = frames.size() == 1 ? 1 : kColumns;
-    config.tile_width = frames.size() == 1 ? kLargeTileWidth : kTileWidth;
-    config.tile_height = frames.size() == 1 ? kLargeTileHeight : kTileHeight;
+    const bool is_alone = frames.size() == 1;
+    config.columns = is_alone ? 1 : 12;
+    config.tile_width = is_alone ? 720 : 180;
+    config.tile_height = is_alone ? 960 : 240;
     for (render::Camera& camera : config.cameras) {
         camera = framed(camera, figures);
     }

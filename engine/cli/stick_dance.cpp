@@ -21,17 +21,9 @@
 namespace raks::cli {
 namespace {
 
-constexpr int kPosesPerBeat = 8;
-constexpr int kColumns = 16;
-constexpr int kTileWidth = 120;
-constexpr int kTileHeight = 180;
-
 Expected<void> write_figure(DancePreview& preview, const engine::Look& look, const Path& output) {
-    render::PoseSheetConfig config;
-    config.columns = kColumns;
-    config.tile_width = kTileWidth;
-    config.tile_height = kTileHeight;
-    if (auto written = write_sheet(output, look, preview.sheet(kPosesPerBeat), config); !written) {
+    if (auto written = write_sheet(output, look, preview.sheet(kPosesPerBeat), figure_sheet());
+        !written) {
         return written;
     }
     std::fputs(

@@ -64,16 +64,16 @@ std::vector<MfccVector> float_file(const std::string& name) {
     return rows;
 }
 
-class Collect final : public MfccStream::Sink {
+class CollectVectors final : public MfccStream::Sink {
  public:
-    Collect() { vectors.reserve(1000); }
+    CollectVectors() { vectors.reserve(1000); }
     void on_vector(const MfccVector& vector) noexcept override { vectors.push_back(vector); }
     std::vector<MfccVector> vectors;
 };
 
 std::vector<MfccVector> whole(const std::vector<float>& samples, const MfccConfig& config) {
     MfccStream stream(config);
-    Collect collect;
+    CollectVectors collect;
     stream.process(samples, collect);
     stream.finish(collect);
     return collect.vectors;
@@ -120,7 +120,7 @@ TEST(Mfcc, any_blocks_give_the_same_bits_without_allocating) {
     const std::vector<MfccVector> batch = whole(samples, {});
     const CounterRandom random(9);
     MfccStream stream;
-    Collect collect;
+    CollectVectors collect;
     test::RealtimeScope scope;
     std::uint64_t draw = 0;
     for (std::size_t at = 0; at < samples.size();) {

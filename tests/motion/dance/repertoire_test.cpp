@@ -17,7 +17,7 @@ namespace {
 using test::steady_grid;
 using test::sure_state;
 
-constexpr double kBpm = 168.0;
+constexpr double kTempoBpm = 168.0;
 constexpr double kFastestStep = 0.10;  // metres a hop
 
 /// Salsa with all its figures, and a "belly dance" of one salsa step: another library.
@@ -47,7 +47,7 @@ std::vector<Hop> dance_to(const std::shared_ptr<const Repertoire>& repertoire,
     const auto track = std::make_unique<PoseTrack>();
     std::vector<Hop> danced;
     for (HopIndex hop = 0; hop < hops; ++hop) {
-        MusicState state = sure_state(hop, steady_grid(kBpm));
+        MusicState state = sure_state(hop, steady_grid(kTempoBpm));
         state.genre = genre_at(hop);
         dancer.advance(state, *track);
         danced.push_back({track->at_hop(hop),
@@ -81,7 +81,7 @@ TEST(Repertoire, a_new_dance_begins_on_a_bar_line_from_a_settled_pose) {
     }
     ASSERT_GT(begun, left);
     ASSERT_GE(left, 1700U);
-    const double bar = 4.0 * 60.0 / kBpm;
+    const double bar = 4.0 * 60.0 / kTempoBpm;
     EXPECT_LT(static_cast<double>(begun - 1700), 100.0 * (2.0 * bar + 0.1)) << "two bars at most";
     EXPECT_LT(danced[begun].bar_position, 0.1) << "count 1 on the bar line";
     // Settled before: towards the audience, feet beside each other, slow.
@@ -162,7 +162,7 @@ TEST(Repertoire, changes_of_dance_keep_the_real_time_rules) {
     const auto track = std::make_unique<PoseTrack>();
     raks::test::RealtimeScope scope;
     for (HopIndex hop = 0; hop < 4000; ++hop) {
-        MusicState state = sure_state(hop, steady_grid(kBpm));
+        MusicState state = sure_state(hop, steady_grid(kTempoBpm));
         state.genre = hop / 1000 % 2 == 0 ? Genre::salsa : Genre::belly;
         dancer.advance(state, *track);
     }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 class CapturedClips : public ::testing::Test {
  protected:
     void SetUp() override {
-        clips_ = test::shared_data() / "mocap" / "salsa";
+        clips_ = raks::test::shared_data() / "mocap" / "salsa";
         const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
         folder_ = fs::path(::testing::TempDir()) / (std::string("CapturedClips.") + info->name());
         fs::remove_all(folder_);

@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(PlainCuts,
                          [](const auto& cut) { return std::string(cut.param.name); });
 
 TEST_P(ReferenceMetrics, equal_those_of_the_reference_program) {
-    const fs::path folder = test::shared_data() / "mocap";
+    const fs::path folder = raks::test::shared_data() / "mocap";
     const std::string name = GetParam().name;
     const fs::path file = folder / "salsa" / (name + ".bvh");
     if (!fs::exists(file)) {
