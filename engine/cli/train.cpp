@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/cli/labelled_clips.hpp"
+#include "engine/cli/likelihoods.hpp"
 #include "engine/heard_music.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/training_plan.hpp"
@@ -104,17 +105,11 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     for (const motion::RepeatUse& use : report->repeats) {
         used += use.left_out.empty() ? 1 : 0;
     }
-    std::string line = fmt::format("{}: {} of {} repeats; log-likelihood a sample:",
+    std::string line = fmt::format("{}: {} of {} repeats; log-likelihood a sample: ",
                                    arguments.output.string(),
                                    used,
                                    report->repeats.size());
-    const char* separator = " ";
-    for (const motion::Part part : motion::parts_of(report->model.features)) {
-        const auto p = static_cast<std::size_t>(part);
-        line +=
-            fmt::format("{}{} {:.1f}", separator, motion::kPartNames[p], report->log_likelihood[p]);
-        separator = ", ";
-    }
+    line += listed_likelihoods(report->model.features, report->log_likelihood);
     std::puts(line.c_str());
     return kExitDone;
 }

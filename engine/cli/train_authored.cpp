@@ -8,6 +8,7 @@
 
 #include "base/suggest.hpp"
 #include "engine/cli/commands.hpp"
+#include "engine/cli/likelihoods.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/choreography/authored_training.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -34,12 +35,15 @@ Expected<std::vector<const motion::AuthoredFigure*>> wanted_figures(
     return figures;
 }
 
-/// A file as named; in a folder by the names under which the dancer finds its figures.
+/// A file as named; in a folder by the name under which the dancer finds its figure.
 Path model_path(const Path& output, const motion::FigureModel& model) {
     if (output.extension() == ".json") {
         return output;
     }
-    return output / fmt::format("{}_{}_lead.json", model.dance, model.name);
+    const bool is_of_positions = model.features == motion::FigureFeatures::positions;
+    return output /
+           fmt::format(
+               "{}_{}_lead{}.json", model.dance, model.name, is_of_positions ? "_positions" : "");
 }
 
 /// Steps with both feet in the air, which the writer may not have meant.
@@ -80,6 +84,8 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
     }
     motion::AuthoredTrainingOptions options;
     options.states = arguments.states;
+    options.features = arguments.features == "positions" ? motion::FigureFeatures::positions
+                                                         : motion::FigureFeatures::angles;
     for (const motion::AuthoredFigure* const figure : *figures) {
         tell_hops(*dance, *figure);
         const auto trained =
@@ -91,15 +97,12 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
         if (auto saved = motion::save_figure(trained->model, path); !saved) {
             return fail(saved.error());
         }
-        std::fputs(fmt::format("{}: {} beats, {} repeats, {} states; log-likelihood a sample: "
-                               "torso {:.1f}, upper {:.1f}, lower {:.1f}\n",
+        std::fputs(fmt::format("{}: {} beats, {} repeats, {} states; log-likelihood a sample: {}\n",
                                path.string(),
                                trained->model.beats,
                                trained->repeats,
-                               trained->model.parts[0].states.size(),
-                               trained->log_likelihood[0],
-                               trained->log_likelihood[1],
-                               trained->log_likelihood[2])
+                               trained->model.part(motion::Part::upper).states.size(),
+                               listed_likelihoods(options.features, trained->log_likelihood))
                        .c_str(),
                    stdout);
     }

@@ -145,7 +145,10 @@ Expected<AuthoredTrainingResult> train_authored_figure(const AuthoredDance& danc
     training.dance = dance.dance;
     training.beats = material.beats;
     training.states = options.states > 0 ? options.states : states_for(figure);
-    training.more_joints = whole_body();
+    training.features = options.features;
+    if (options.features == FigureFeatures::angles) {
+        training.more_joints = whole_body();
+    }
     training.low_pass_hz = 0.5 * kFramesPerSecond;  // nothing was captured: there is no noise
     auto trained = train_figure(material.clips, material.repeats, training);
     if (!trained) {

@@ -19,6 +19,7 @@ struct AuthoredTrainingOptions {
     /// States of each part; 0: by the figure's length and its quickest movement (states_for).
     int states = 0;
     std::uint64_t seed = 1;
+    FigureFeatures features = FigureFeatures::angles;
 };
 
 /// Noisy repetitions with the exact moments of their counts. Those of a mirrored figure are pairs:
@@ -43,8 +44,8 @@ struct AuthoredTrainingResult {
     std::size_t repeats = 0;
 };
 
-/// Learns head, upper chest and hands with the joints of captured figures. Numbers are rounded
-/// to 3 to 5 digits, so that the file stays small. The same options give the same bits.
+/// Of angles, learns head, upper chest and hands with the joints of captured figures. Numbers are
+/// rounded to 3 to 5 digits, so that the file stays small. The same options give the same bits.
 /// Errors: those of faults_in_motion and of train_figure.
 /// Threads: workers. Real-time: no (a second).
 [[nodiscard]] Expected<AuthoredTrainingResult> train_authored_figure(

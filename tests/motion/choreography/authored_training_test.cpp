@@ -20,8 +20,11 @@ AuthoredDance dance_of(const std::string& text) {
     return dance ? *dance : AuthoredDance{};
 }
 
-FigureModel learnt(const AuthoredDance& dance, std::size_t figure) {
+FigureModel learnt(const AuthoredDance& dance,
+                   std::size_t figure,
+                   FigureFeatures features = FigureFeatures::angles) {
     AuthoredTrainingOptions options;
+    options.features = features;
     options.takes = 2;
     options.repeats = 3;
     auto trained =
@@ -63,6 +66,16 @@ TEST(AuthoredTraining, learns_length_feet_and_tempo_of_a_figure) {
 TEST(AuthoredTraining, both_sides_of_a_mirrored_figure_are_one_figure) {
     const AuthoredDance dance = dance_of(kSmallDance);
     EXPECT_EQ(learnt(dance, 1).beats, 4);
+}
+
+TEST(AuthoredTraining, learns_positions_that_take_the_same_steps) {
+    const AuthoredDance dance = dance_of(kSmallDance);
+    const FigureModel angles = learnt(dance, 0);
+    const FigureModel positions = learnt(dance, 0, FigureFeatures::positions);
+    EXPECT_TRUE(validate(positions));
+    EXPECT_EQ(positions.features, FigureFeatures::positions);
+    EXPECT_EQ(positions.contact, angles.contact);
+    EXPECT_EQ(positions.landings[1][2].median, angles.landings[1][2].median);
 }
 
 TEST(AuthoredTraining, gives_the_same_bits_again) {
