@@ -23,6 +23,7 @@ constexpr std::size_t kMaxBytes = std::size_t{32} << 20U;
 // What the numbers of this program's features mean; another definition gets another name.
 constexpr std::string_view kMfccKind = "htk-39";
 constexpr std::string_view kPatternsKind = "bar-patterns-1";
+constexpr std::string_view kMelKind = "mel-36-rises";
 
 /// Six digits: enough, and a file that people can read.
 double shortened(double value) {
@@ -59,7 +60,8 @@ Json features_json(const GenreFeatures& features) {
             {"mean_seconds", mean.seconds},
             {"mean_start_weight", mean.start_weight},
             {"mean_start", list_of(mean.start)},
-            {"patterns", kPatternsKind}};
+            {"patterns", kPatternsKind},
+            {"mel", kMelKind}};
 }
 
 /// A number that must lie in [lowest, highest].
@@ -91,6 +93,9 @@ void expect_kind(const Field& field, std::string_view kind) {
 GenreFeatures read_features(const Field& field) {
     expect_kind(field["mfcc"], kMfccKind);
     expect_kind(field["patterns"], kPatternsKind);
+    if (field.has("mel")) {  // since version 2
+        expect_kind(field["mel"], kMelKind);
+    }
     GenreFeatures features;
     features.mfcc.bands = field["bands"].whole(13, 80);
     features.mfcc.low_hz = bounded(field["low_hz"], 0.0, 4'000.0);
@@ -138,6 +143,32 @@ PatternNetwork read_network(const Field& field, std::size_t classes) {
     return network;
 }
 
+Json network_json(const RecurrentNetwork& network) {
+    return {{"units", network.units()},
+            {"layers", network.layers().size()},
+            {"parameters", list_of(network.parameters())}};
+}
+
+RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs) {
+    RecurrentNetwork::Shape shape{.inputs = NetworkInput::kSize, .outputs = outputs};
+    shape.units = static_cast<std::size_t>(
+        field["units"].whole(1, static_cast<int>(RecurrentNetwork::kMaxUnits)));
+    shape.layers = static_cast<std::size_t>(
+        field["layers"].whole(1, static_cast<int>(RecurrentNetwork::kMaxLayers)));
+    RecurrentNetwork network(shape);
+    const std::vector<float> parameters = floats_of(field["parameters"]);
+    if (parameters.size() != network.parameters().size()) {
+        field["parameters"].complain(fmt::format("has {} numbers, {} units in {} layers have {}",
+                                                 parameters.size(),
+                                                 shape.units,
+                                                 shape.layers,
+                                                 network.parameters().size()));
+        return network;
+    }
+    std::copy(parameters.begin(), parameters.end(), network.parameters().begin());
+    return network;
+}
+
 Genre read_genre(const Field& field) {
     const std::string name = field.text();
     const auto found = std::find(kGenreNames.begin(), kGenreNames.end(), name);
@@ -149,7 +180,9 @@ Genre read_genre(const Field& field) {
     return static_cast<Genre>(found - kGenreNames.begin());
 }
 
-void read_fusion(const Field& field, GenreModel& model) {
+enum class Network { heard, missing };
+
+void read_fusion(const Field& field, Network network, GenreModel& model) {
     if (field.size() != model.fusion.size()) {
         field.complain(
             fmt::format("has {} windows, must have {}", field.size(), model.fusion.size()));
@@ -161,10 +194,12 @@ void read_fusion(const Field& field, GenreModel& model) {
         if (std::abs(entry["seconds"].number() - seconds) > 1e-6) {
             entry["seconds"].complain(fmt::format("must be {}", seconds));
         }
-        model.fusion[i] = {static_cast<float>(entry["mfcc"].number()),
-                           static_cast<float>(entry["rhythm"].number()),
-                           static_cast<float>(entry["sound"].number()),
-                           static_cast<float>(entry["unknown"].number())};
+        model.fusion[i] = {
+            static_cast<float>(entry["mfcc"].number()),
+            static_cast<float>(entry["rhythm"].number()),
+            static_cast<float>(entry["sound"].number()),
+            network == Network::heard ? static_cast<float>(entry["network"].number()) : 0.0F,
+            static_cast<float>(entry["unknown"].number())};
     }
 }
 
@@ -176,6 +211,7 @@ Json fusion_json(const GenreModel& model) {
                         {"mfcc", shortened(static_cast<double>(fusion.mfcc))},
                         {"rhythm", shortened(static_cast<double>(fusion.rhythm))},
                         {"sound", shortened(static_cast<double>(fusion.sound))},
+                        {"network", shortened(static_cast<double>(fusion.network))},
                         {"unknown", shortened(static_cast<double>(fusion.unknown))}});
     }
     return list;
@@ -201,6 +237,7 @@ std::string genre_text(const GenreModel& model) {
     }
     json["rhythm"] = network_json(model.rhythm);
     json["sound"] = network_json(model.sound);
+    json["network"] = network_json(model.network);
     json["fusion"] = fusion_json(model);
     return models::json_text(json);
 }
@@ -211,6 +248,8 @@ Expected<GenreModel> parse_genre(std::string_view text) {
         return fail(std::move(document.error()));
     }
     const Field root = document->root();
+    // Files of version 1 have no recurrent network: one that knows nothing takes its place.
+    const bool has_network = root["version"].whole(1, kGenreVersion) >= 2;
     GenreModel model;
     model.made_with = root["made_with"].text();
     model.attribution = root["attribution"].text();
@@ -229,7 +268,10 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     }
     model.rhythm = read_network(root["rhythm"], model.classes());
     model.sound = read_network(root["sound"], model.classes());
-    read_fusion(root["fusion"], model);
+    model.network =
+        has_network ? read_recurrent(root["network"], model.classes())
+                    : RecurrentNetwork({.inputs = NetworkInput::kSize, .outputs = model.classes()});
+    read_fusion(root["fusion"], has_network ? Network::heard : Network::missing, model);
     if (auto ok = document->finish(); !ok) {
         return fail(std::move(ok.error()));
     }

@@ -11,13 +11,14 @@
 namespace raks::audio {
 
 inline constexpr std::string_view kGenreFormat = "raks-genre";
-inline constexpr int kGenreVersion = 1;
+inline constexpr int kGenreVersion = 2;
 
 /// JSON text of a model (docs/file_formats.md); numbers with six digits.
 [[nodiscard]] std::string genre_text(const GenreModel& model);
 
-/// Reads and validates. Errors, one line without the file: no JSON, another format, a newer
-/// version, a field that is missing or does not fit, features that this program does not hear.
+/// Reads (version 1, too, which has no recurrent network) and validates. Errors, one line without
+/// the file: no JSON, another format, a newer version, a field that is missing or does not fit,
+/// features that this program does not hear.
 [[nodiscard]] Expected<GenreModel> parse_genre(std::string_view text);
 
 /// The same from and to a file (at most 32 MiB). Threads: workers. Real-time: no.

@@ -34,7 +34,7 @@ Expected<void> check_hmm(const models::GaussianHmm& hmm, int dimension, const st
     return {};
 }
 
-Expected<void> check_numbers(const std::vector<float>& numbers,
+Expected<void> check_numbers(std::span<const float> numbers,
                              std::size_t size,
                              const std::string& name) {
     if (numbers.size() != size) {
@@ -84,6 +84,20 @@ Expected<void> check_network(const PatternNetwork& network,
                                 static_cast<double>(*worst)));
     }
     return {};
+}
+
+Expected<void> check_network(const RecurrentNetwork& network,
+                             std::size_t classes,
+                             const std::string& name) {
+    if (network.shape().inputs != NetworkInput::kSize || network.outputs() != classes) {
+        return fail(fmt::format("{} has {} inputs and {} outputs, must have {} and {}",
+                                name,
+                                network.shape().inputs,
+                                network.outputs(),
+                                NetworkInput::kSize,
+                                classes));
+    }
+    return check_numbers(network.parameters(), network.parameters().size(), name + ".parameters");
 }
 
 Expected<void> check_genres(const std::vector<Genre>& genres) {
@@ -138,7 +152,8 @@ Expected<void> validate(const GenreModel& model) {
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
         const GenreFusion& fusion = model.fusion[i];
         const bool is_sane = std::abs(fusion.mfcc) < 1e3F && std::abs(fusion.rhythm) < 1e3F &&
-                             std::abs(fusion.sound) < 1e3F && std::abs(fusion.unknown) < 1e3F;
+                             std::abs(fusion.sound) < 1e3F && std::abs(fusion.network) < 1e3F &&
+                             std::abs(fusion.unknown) < 1e3F;
         if (!is_sane) {
             return fail(fmt::format("fusion[{}] has a weight that is not below 1000", i));
         }
@@ -146,7 +161,10 @@ Expected<void> validate(const GenreModel& model) {
     if (auto ok = check_network(model.rhythm, model.classes(), "rhythm"); !ok) {
         return ok;
     }
-    return check_network(model.sound, model.classes(), "sound");
+    if (auto ok = check_network(model.sound, model.classes(), "sound"); !ok) {
+        return ok;
+    }
+    return check_network(model.network, model.classes(), "network");
 }
 
 }  // namespace raks::audio

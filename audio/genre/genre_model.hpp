@@ -9,6 +9,8 @@
 #include "audio/features/mfcc.hpp"
 #include "audio/genre/bar_patterns.hpp"
 #include "audio/genre/pattern_network.hpp"
+#include "audio/network/network_input.hpp"
+#include "audio/network/recurrent_network.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "models/gaussian_hmm.hpp"
@@ -46,6 +48,7 @@ struct GenreFusion {
     float mfcc = 0.0F;     ///< times nats a frame of each class' model: 1 / temperature
     float rhythm = 1.0F;   ///< times ln of the rhythm network's chances
     float sound = 1.0F;    ///< times ln of the sound network's chances
+    float network = 1.0F;  ///< times mean ln of the recurrent network's chances
     float unknown = 0.0F;  ///< added to what is none of the genres
 };
 
@@ -61,6 +64,9 @@ struct GenreModel {
     std::optional<models::GaussianHmm> similarity;
     PatternNetwork rhythm;  ///< of the patterns over bar and beat; classes: genres, then none
     PatternNetwork sound;   ///< of the spectrum's shape, the bands' onsets and the swing; the same
+    /// Hears every hop (genre_listener.hpp): inputs NetworkInput::kSize; outputs: genres, then
+    /// none.
+    RecurrentNetwork network{{.inputs = NetworkInput::kSize}};
     std::array<GenreFusion, kGenreWindows.size()> fusion;
     std::string made_with;    ///< the command
     std::string attribution;  ///< of the music that it was learnt from

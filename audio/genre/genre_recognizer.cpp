@@ -74,6 +74,7 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
         sliding.reset();
     }
     patterns_.reset();
+    listener_.reset();
     next_pattern_ = kGenreWindows.size();
     judged_ = {};
     heard_ = 0;
@@ -92,6 +93,7 @@ void GenreRecognizer::advance(const MfccVector& mfcc,
                               MusicState& state) noexcept RAKS_NONBLOCKING {
     if (is_genre_evidence(state)) {
         score_frame(mfcc);
+        listener_.next(model_->network, mel);
         if (patterns_.add(mel, state.grid, state.time)) {
             next_pattern_ = 0;
         }
@@ -157,7 +159,7 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     const int segments = kGenreWindows[window];
     const int blocks = segments * kBlocksASegment;
     const bool has_mfcc = sliding_.front().blocks_heard() >= blocks;
-    judgement.is_full = judged_[window].is_heard && has_mfcc;
+    judgement.is_full = judged_[window].is_heard && has_mfcc && listener_.blocks() >= blocks;
     if (!judgement.is_full) {
         return judgement;
     }
@@ -167,11 +169,14 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     const float mfcc = uses_mfcc(evidence) ? fusion.mfcc : 0.0F;
     const float rhythm = uses_rhythm(evidence) ? fusion.rhythm : 0.0F;
     const float sound = uses_sound(evidence) ? fusion.sound : 0.0F;
+    const float network = uses_network(evidence) ? fusion.network : 0.0F;
+    std::array<float, PatternNetwork::kMaxClasses> heard{};
+    listener_.log_chances(blocks, std::span(heard).first(classes));
     const std::span<float> logs = std::span(judgement.log_chances).first(classes);
     for (std::size_t c = 0; c < classes; ++c) {
         const double nats = sliding_[c].score(blocks) / (blocks * kBlock);
         logs[c] = mfcc * static_cast<float>(nats) + rhythm * judged_[window].rhythm[c] +
-                  sound * judged_[window].sound[c];
+                  sound * judged_[window].sound[c] + network * heard[c];
     }
     logs.back() += fusion.unknown;
     normalize_logs(logs);

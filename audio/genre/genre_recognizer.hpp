@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audio/genre/bar_patterns.hpp"
+#include "audio/genre/genre_listener.hpp"
 #include "audio/genre/genre_model.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
@@ -25,15 +26,20 @@ namespace raks::audio {
 [[nodiscard]] double frame_density(std::span<const double> log_emissions) noexcept;
 
 /// Which parts of a model speak.
-enum class GenreEvidence : std::uint8_t { fused, mfcc, mfcc_similarity, rhythm, sound };
+enum class GenreEvidence : std::uint8_t { fused, mfcc, mfcc_similarity, rhythm, sound, network };
 [[nodiscard]] constexpr bool uses_mfcc(GenreEvidence evidence) noexcept {
-    return evidence != GenreEvidence::rhythm && evidence != GenreEvidence::sound;
+    return evidence == GenreEvidence::fused || evidence == GenreEvidence::mfcc ||
+           evidence == GenreEvidence::mfcc_similarity;
 }
 [[nodiscard]] constexpr bool uses_rhythm(GenreEvidence evidence) noexcept {
     return evidence == GenreEvidence::rhythm || evidence == GenreEvidence::fused;
 }
 [[nodiscard]] constexpr bool uses_sound(GenreEvidence evidence) noexcept {
     return evidence == GenreEvidence::sound || evidence == GenreEvidence::fused;
+}
+
+[[nodiscard]] constexpr bool uses_network(GenreEvidence evidence) noexcept {
+    return evidence == GenreEvidence::network || evidence == GenreEvidence::fused;
 }
 
 struct GenreSettings {
@@ -49,11 +55,11 @@ struct GenreSettings {
 ///
 /// MFCC: one HMM a genre, forward score of the sliding window (models/sliding_score.hpp: exact,
 /// from products of blocks of 100 ms). Rhythm and sound: two pattern networks on BarPatterns, every
-/// half second. All are fused by the weights of the window's length; until a window is full the
-/// longest that is full speaks. The decision changes only when another class leads by a margin for
-/// a while; silence and sound without a beat keep it.
+/// half second. Network: a recurrent network hears every hop. All are fused by the weights of the
+/// window's length; until a window is full the longest that is full speaks. The decision changes
+/// only when another class leads by a margin for a while; silence and sound without a beat keep it.
 ///
-/// Threads: one. Real-time: all but create. Cost: about 10 us a hop with six genres, bounded: the
+/// Threads: one. Real-time: all but create. Cost: about 13 us a hop with six genres, bounded: the
 /// models' emissions each hop, the walks over blocks spread over the hops between.
 class GenreRecognizer {
  public:
@@ -97,6 +103,7 @@ class GenreRecognizer {
     std::vector<double> selected_;
     std::vector<double> similarity_work_;
     BarPatterns patterns_;
+    GenreListener listener_;
     /// By window: ln chances by rhythm and by sound alone.
     struct Patterns {
         bool is_heard = false;

@@ -123,6 +123,7 @@ constexpr std::array kEvidence = {std::pair{GenreEvidence::mfcc, "mfcc"},
                                   std::pair{GenreEvidence::mfcc_similarity, "mfcc+igs"},
                                   std::pair{GenreEvidence::rhythm, "rhythm"},
                                   std::pair{GenreEvidence::sound, "sound"},
+                                  std::pair{GenreEvidence::network, "network"},
                                   std::pair{GenreEvidence::fused, "fused"}};
 
 void add_rows(const audio::GenreModel& model,
@@ -134,9 +135,8 @@ void add_rows(const audio::GenreModel& model,
             continue;
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
-            const audio::GenreFusion fusion = evidence == GenreEvidence::fused
-                                                  ? model.fusion[window]
-                                                  : audio::GenreFusion{1.0F, 1.0F, 1.0F, 0.0F};
+            const audio::GenreFusion fusion =
+                evidence == GenreEvidence::fused ? model.fusion[window] : audio::GenreFusion{.mfcc = 1.0F};
             std::vector<audio::WindowScore::Values> logs;
             logs.reserve(scores.size());
             for (const audio::WindowScore& score : scores) {

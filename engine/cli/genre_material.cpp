@@ -216,6 +216,15 @@ Expected<GenreMaterial> gather(const GenreOptions& options, const audio::Hearing
         }
         std::move(more->begin(), more->end(), std::back_inserter(material.pieces));
     }
+    if (!options.beats_corpus.empty()) {
+        using Families = audio::WrittenCorpusPlan::Families;
+        auto more = audio::read_beats_corpus(
+            options.beats_corpus, options.leaves_out_families ? Families::always : Families::all);
+        if (!more) {
+            return fail(more.error());
+        }
+        std::move(more->begin(), more->end(), std::back_inserter(material.pieces));
+    }
     std::erase_if(material.pieces, [&](const audio::HeardPiece& piece) {
         const auto& left_out = options.left_out;
         return std::find(left_out.begin(), left_out.end(), name_of(piece.genre)) != left_out.end();

@@ -15,6 +15,7 @@ struct GenreOptions {
     std::filesystem::path index;
     std::filesystem::path output;
     std::filesystem::path cache;
+    std::filesystem::path beats_corpus;
     std::filesystem::path report;
     int synthesize = 0;
     int test_pieces = 140;

@@ -11,7 +11,8 @@
 namespace raks::cli {
 namespace {
 
-constexpr const char* kEvidenceNames[] = {"fused", "MFCC", "MFCC+IGS", "rhythm", "sound"};
+constexpr const char* kEvidenceNames[] = {
+    "fused", "MFCC", "MFCC+IGS", "rhythm", "sound", "network"};
 
 /// ln chances of all these windows by some of the evidence; the model's fusion, or one fitted here.
 std::vector<audio::WindowScore::Values> fused_scores(std::span<const audio::WindowScore> scores,
@@ -51,6 +52,7 @@ audio::GenrePage page_of(const std::string& title,
                                          GenreEvidence::mfcc_similarity,
                                          GenreEvidence::rhythm,
                                          GenreEvidence::sound,
+                                         GenreEvidence::network,
                                          GenreEvidence::fused}) {
         if (evidence == GenreEvidence::mfcc_similarity && !has_similarity) {
             continue;

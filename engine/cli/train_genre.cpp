@@ -1,11 +1,15 @@
 // The program raks-train-genre, that `raks train genre` starts: it alone needs FluidSynth and a
 // BLAS, which the dancing program should not load.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +49,9 @@ void add_options(CLI::App& app, GenreOptions& options) {
                    "report how music played with these is heard; not learnt from");
     app.add_option("--test-pieces", options.test_pieces, "of each kind of written test; 0: none")
         ->check(CLI::Range(0, 10'000));
+    app.add_option("--beats-corpus",
+                   options.beats_corpus,
+                   "music that `raks train beats --corpus` kept: the network learns from it, too");
     app.add_option("--cache", options.cache, "folder that keeps what was heard between runs");
     app.add_option("--report", options.report, "X.html: how recordings are told apart, by artist");
     app.add_option("--leave-out", options.left_out, "genres not to learn");
@@ -71,6 +78,21 @@ void add_options(CLI::App& app, GenreOptions& options) {
         ->check(CLI::Range(2, 128));
     app.add_option("--steps", options.plan.rhythm.steps, "of its training")
         ->check(CLI::Range(10, 1'000'000));
+    app.add_option(
+           "--network-units", options.plan.network.units, "of each layer of the recurrent network")
+        ->check(CLI::Range(4, 128));
+    app.add_option("--network-steps",
+                   options.plan.network.written_steps,
+                   "of its training on written music: batches of 24 x 10 s")
+        ->check(CLI::Range(1, 1'000'000));
+    app.add_option("--tuning-steps",
+                   options.plan.network.tuning_steps,
+                   "more of them with recordings among it")
+        ->check(CLI::Range(0, 1'000'000));
+    app.add_option("--network-recorded-share",
+                   options.plan.network.recorded_share,
+                   "of what these are drawn from")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_option("--recorded-share",
                    options.plan.rhythm.recorded_share,
                    "of what is drawn, where there are recordings and written music")
@@ -158,6 +180,22 @@ std::string attribution_of(const std::vector<audio::MusicFile>& files,
     return text + fmt::format("{}", fmt::join(credits, "; "));
 }
 
+/// What an earlier run has learnt from written music; null if it left nothing that fits.
+std::shared_ptr<const audio::RecurrentNetwork> load_weights(
+    const std::filesystem::path& path,
+    std::size_t classes,
+    const audio::NetworkTrainingPlan& plan) {
+    auto network = std::make_shared<audio::RecurrentNetwork>(audio::RecurrentNetwork::Shape{
+        audio::NetworkInput::kSize, plan.units, plan.layers, classes});
+    const std::span<float> weights = network->parameters();
+    const auto bytes = read_file(path, weights.size_bytes());
+    if (!bytes || bytes->size() != weights.size_bytes()) {
+        return nullptr;
+    }
+    std::memcpy(weights.data(), bytes->data(), bytes->size());
+    return network;
+}
+
 /// Pieces that the final model may learn from.
 std::vector<const audio::HeardPiece*> free_pieces(const GenreOptions& options,
                                                   const GenreMaterial& material) {
@@ -174,6 +212,50 @@ std::vector<const audio::HeardPiece*> free_pieces(const GenreOptions& options,
         }
     }
     return free;
+}
+
+/// The recurrent network that has learnt from the written music; kept between runs.
+std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOptions& options,
+                                                               const GenreMaterial& material,
+                                                               const std::vector<Genre>& genres) {
+    const audio::NetworkTrainingPlan& plan = options.plan.network;
+    std::vector<const audio::HeardPiece*> pieces;
+    std::vector<std::size_t> classes;
+    for (const audio::HeardPiece& piece : material.pieces) {
+        pieces.push_back(&piece);
+        classes.push_back(audio::class_of(piece.genre, genres));
+    }
+    const std::filesystem::path kept =
+        options.cache / fmt::format("network-{}-{}x{}-{}-{}-{}.weights",
+                                    genres.size() + 1,
+                                    plan.layers,
+                                    plan.units,
+                                    plan.written_steps,
+                                    pieces.size(),
+                                    plan.seed);
+    if (auto known =
+            options.cache.empty() ? nullptr : load_weights(kept, genres.size() + 1, plan)) {
+        return known;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    auto network = std::make_shared<const audio::RecurrentNetwork>(audio::train_on_written(
+        pieces, classes, genres.size() + 1, plan, [&](const audio::NetworkTrainingProgress& now) {
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+            std::fprintf(stderr,
+                         "raks: network: step %d of %d, loss %.3f, of pieces kept out %.3f, "
+                         "%.0f s left\n",
+                         now.step,
+                         now.steps,
+                         now.training_loss,
+                         now.validation_loss,
+                         spent.count() * (now.steps - now.step) / now.step);
+        }));
+    if (!options.cache.empty()) {
+        const auto weights = network->parameters();
+        static_cast<void>(write_file(
+            kept, {reinterpret_cast<const char*>(weights.data()), weights.size_bytes()}));
+    }
+    return network;
 }
 
 /// Scores of pieces by models that did not hear their artist; prints how good they are.
@@ -218,6 +300,8 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
         return fail(material.error());
     }
     const std::vector<Genre> genres = audio::genres_of(material->pieces);
+    options.plan.network.start = *network;
+    options.plan.written_network = written_network(options, *material, genres);
     std::vector<audio::WindowScore> held_out;
     if (!options.skips_validation) {
         auto scores = validate_by_group(options, *material, genres);
@@ -249,8 +333,9 @@ int main(int argc, char** argv) try {
     CLI::App app("learns which dance music is for", "raks train genre");
     add_options(app, options);
     CLI11_PARSE(app, argc, argv);
-    options.plan.mfcc.threads = options.threads;
-    options.plan.mfcc.seed = options.plan.rhythm.seed = options.plan.sound.seed = options.seed;
+    options.plan.mfcc.threads = options.plan.network.threads = options.threads;
+    options.plan.mfcc.seed = options.plan.rhythm.seed = options.plan.sound.seed =
+        options.plan.network.seed = options.seed;
     options.plan.mfcc.recorded_share = options.plan.sound.recorded_share =
         options.plan.rhythm.recorded_share;
     if (options.leaves_out_energy) {

@@ -318,7 +318,8 @@ void play_lead(Band& band) {
 void add_band(std::span<const BassLine> bass,
               std::span<const Comping> comping,
               Score& score,
-              Dice& dice) {
+              Dice& dice,
+              const BandChances& chances) {
     constexpr std::array kAnyBass = {BassLine::eighths,
                                      BassLine::quarters,
                                      BassLine::octaves,
@@ -336,9 +337,9 @@ void add_band(std::span<const BassLine> bass,
                                         Comping::random_cell};
     const BassLine line = dice.pick<BassLine>(bass.empty() ? std::span(kAnyBass) : bass);
     const Comping chords = dice.pick<Comping>(comping.empty() ? std::span(kAnyComping) : comping);
-    const bool has_bass = dice.chance(0.85);
-    const bool has_chords = dice.chance(0.8);
-    const bool has_lead = dice.chance(0.55);
+    const bool has_bass = dice.chance(chances.bass);
+    const bool has_chords = dice.chance(chances.chords);
+    const bool has_lead = dice.chance(chances.lead);
     Band band(score, dice);
     const int bar_beats = band.beats() > 0 ? band.beats_in_bar(0) : 4;
     const std::vector<bool> bass_cell = random_cell(bar_beats, true, dice);

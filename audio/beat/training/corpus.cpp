@@ -31,6 +31,7 @@ constexpr int kNonMusic = 12;
 /// What one excerpt is made from.
 struct Piece {
     std::string family;
+    std::string style;
     Performance performance;
     std::vector<float> samples;  // filled already when it is our own generator's
 };
@@ -61,6 +62,9 @@ class PieceMaker {
             auto& set = stretch.set == "groove"     ? (stretch.is_fill ? fills_ : groove_)
                         : stretch.set == "freedoom" ? freedoom_
                                                     : lieder_;
+            if (stretch.set == "groove" && !stretch.is_fill) {
+                groove_styles_.push_back(stretch.style);
+            }
             set.push_back(std::move(stretch.score));
         }
         for (const RhythmStyle& style : rhythm_styles()) {
@@ -71,9 +75,9 @@ class PieceMaker {
     /// What is no music and has no beat.
     [[nodiscard]] Piece make_non_music(Dice& dice) const {
         if (dice.chance(0.35)) {
-            return {"none", notes_without_pulse(seconds_, dice), {}};
+            return {"none", "no pulse", notes_without_pulse(seconds_, dice), {}};
         }
-        return {"none", {}, noise_of_people(SoundfontPlayer::kRate, seconds_, dice)};
+        return {"none", "people", {}, noise_of_people(SoundfontPlayer::kRate, seconds_, dice)};
     }
 
     [[nodiscard]] Piece make(Dice& dice) const {
@@ -88,13 +92,14 @@ class PieceMaker {
             return from_groove(dice);
         }
         if (kind < 0.74 && !freedoom_.empty()) {
-            return {"game", perform(dice.pick<Score>(freedoom_), seconds_, dice), {}};
+            return {"game", "game", perform(dice.pick<Score>(freedoom_), seconds_, dice), {}};
         }
         if (kind < 0.82 && !lieder_.empty()) {
             return from_lied(dice);
         }
         if (kind < 0.91) {
-            return {"piano", perform(keyboard_score(kMostBeats, dice), seconds_, dice), {}};
+            return {
+                "piano", "piano", perform(keyboard_score(kMostBeats, dice), seconds_, dice), {}};
         }
         return from_own_generator(dice);
     }
@@ -115,17 +120,21 @@ class PieceMaker {
         if (dice.chance(0.65)) {
             add_band(style.bass, style.comping, score, dice);
         }
-        return {std::string(style.family), perform(score, seconds_, dice), {}};
+        return {
+            std::string(style.family), std::string(style.name), perform(score, seconds_, dice), {}};
     }
     [[nodiscard]] Piece from_free(Dice& dice) const {
         Score score = free_drum_score(kMostBeats, dice);
         if (dice.chance(0.6)) {
             add_band({}, {}, score, dice);
         }
-        return {"free", perform(score, seconds_, dice), {}};
+        return {"free", "free", perform(score, seconds_, dice), {}};
     }
     [[nodiscard]] Piece from_groove(Dice& dice) const {
-        Score score = dice.pick<Score>(groove_);
+        // As a pick of the scores themselves: the same draw.
+        const auto chosen = static_cast<std::size_t>(
+            &dice.pick<Score>(std::span<const Score>(groove_)) - groove_.data());
+        Score score = groove_[chosen];
         const int beats = static_cast<int>(score.bar_position.size());
         const int bar = *std::max_element(score.bar_position.begin(), score.bar_position.end());
         if (beats > kMostBeats) {
@@ -135,7 +144,7 @@ class PieceMaker {
         if (dice.chance(0.7)) {
             add_band({}, {}, score, dice);
         }
-        return {"groove", perform(score, seconds_, dice), {}};
+        return {"groove", "groove " + groove_styles_[chosen], perform(score, seconds_, dice), {}};
     }
     [[nodiscard]] Piece from_lied(Dice& dice) const {
         Score score = dice.pick<Score>(lieder_);
@@ -147,7 +156,7 @@ class PieceMaker {
             note.velocity = loudness + (off < 0.05 ? accent : 0.0) + dice.normal(8.0);
             note.program = is_piano ? 0 : note.program;
         }
-        return {"piano", perform(score, seconds_, dice), {}};
+        return {"piano", "lied", perform(score, seconds_, dice), {}};
     }
     [[nodiscard]] Piece from_own_generator(Dice& dice) const {
         MusicPlan plan;
@@ -163,7 +172,7 @@ class PieceMaker {
         plan.rate = SampleRate(SoundfontPlayer::kRate);
         plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
         plan.first_beat_seconds = dice.uniform(0.0, 0.5);
-        Piece piece{"own", {}, {}};
+        Piece piece{"own", "own " + std::string(name_of(plan.style)), {}, {}};
         if (auto music = generate(plan)) {
             piece.samples = std::move(music->samples);
             for (const ReferenceBeat& beat : music->beats) {
@@ -178,6 +187,7 @@ class PieceMaker {
     double seconds_;
     double total_weight_ = 0.0;
     std::vector<Score> groove_;
+    std::vector<std::string> groove_styles_;  // of each
     std::vector<Score> fills_;
     std::vector<Score> freedoom_;
     std::vector<Score> lieder_;
@@ -209,6 +219,7 @@ Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
     }
     augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
     return TrainingExcerpt{std::move(piece.family),
+                           std::move(piece.style),
                            listen(piece.samples, SoundfontPlayer::kRate),
                            std::move(piece.performance.beats)};
 }

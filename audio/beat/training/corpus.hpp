@@ -14,6 +14,7 @@ namespace raks::audio {
 struct TrainingExcerpt {
     std::string
         family;  ///< of music, to leave it out: "salsa", "pop", "piano", ...; "none": no music
+    std::string style;       ///< within it: a rhythm's name, "groove rock", "own salsa", "lied"
     std::vector<float> mel;  ///< hops x 36 magnitudes, 10 ms a hop
     std::vector<PlayedBeat> beats;
     [[nodiscard]] std::size_t hops() const { return mel.size() / 36; }

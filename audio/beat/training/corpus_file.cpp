@@ -10,7 +10,7 @@ namespace raks::audio {
 namespace {
 
 constexpr std::string_view kMagic = "RAKSBEAT";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kLargest = std::size_t{4} << 30U;
 
 template <class T>
@@ -46,16 +46,18 @@ class Bytes {
 bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
     std::vector<std::uint64_t> sizes;
     std::vector<char> family;
+    std::vector<char> style;
     std::vector<double> beats;
-    if (!bytes.take(3, sizes) || !bytes.take(sizes[0], family) ||
-        !bytes.take(sizes[1], excerpt.mel) || sizes[2] > kLargest ||
-        !bytes.take(2 * sizes[2], beats)) {
+    if (!bytes.take(4, sizes) || !bytes.take(sizes[0], family) || !bytes.take(sizes[1], style) ||
+        !bytes.take(sizes[2], excerpt.mel) || sizes[3] > kLargest ||
+        !bytes.take(2 * sizes[3], beats)) {
         return false;
     }
     for (std::size_t i = 0; i < beats.size(); i += 2) {
         excerpt.beats.push_back({beats[i], static_cast<int>(beats[i + 1])});
     }
     excerpt.family.assign(family.begin(), family.end());
+    excerpt.style.assign(style.begin(), style.end());
     return true;
 }
 
@@ -66,10 +68,11 @@ Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
     std::string bytes(kMagic);
     put(bytes, &kVersion, 1);
     for (const TrainingExcerpt& excerpt : corpus) {
-        const std::array<std::uint64_t, 3> sizes = {
-            excerpt.family.size(), excerpt.mel.size(), excerpt.beats.size()};
+        const std::array<std::uint64_t, 4> sizes = {
+            excerpt.family.size(), excerpt.style.size(), excerpt.mel.size(), excerpt.beats.size()};
         put(bytes, sizes.data(), sizes.size());
         put(bytes, excerpt.family.data(), excerpt.family.size());
+        put(bytes, excerpt.style.data(), excerpt.style.size());
         put(bytes, excerpt.mel.data(), excerpt.mel.size());
         std::vector<double> beats;  // two numbers a beat: a struct's padding holds anything
         for (const PlayedBeat& beat : excerpt.beats) {
@@ -93,7 +96,8 @@ Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& 
     std::memcpy(&version, view.data() + kMagic.size(), sizeof(version));
     if (version != kVersion) {
         return fail(path.string() + ": version " + std::to_string(version) +
-                    " of a corpus, this program reads 1");
+                    " of a corpus, this program reads " + std::to_string(kVersion) +
+                    "; delete it to make it anew");
     }
     Bytes bytes(view.substr(kMagic.size() + sizeof(version)));
     std::vector<TrainingExcerpt> corpus;

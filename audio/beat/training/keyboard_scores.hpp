@@ -1,6 +1,6 @@
 #pragma once
 
-#include "audio/beat/training/dice.hpp"
+#include "audio/math/dice.hpp"
 #include "audio/beat/training/score.hpp"
 
 namespace raks::audio {

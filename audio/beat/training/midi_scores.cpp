@@ -184,6 +184,7 @@ struct IndexRow {
     bool is_fill = false;
     double bpm = 120.0;
     std::string signature;
+    std::string style;
 };
 
 Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
@@ -220,7 +221,8 @@ Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
                         cells[columns["set"]],
                         cells[columns["kind"]] == "fill",
                         std::strtod(cells[columns["bpm_quarter"]].c_str(), nullptr),
-                        cells[columns["time_signature"]]});
+                        cells[columns["time_signature"]],
+                        columns.count("style") > 0 ? cells[columns["style"]] : std::string()});
     }
     return rows;
 }
@@ -252,7 +254,7 @@ void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiSt
             continue;
         }
         MidiStretch stretch{
-            score_of(song, from, to, *metre, row.set == "groove"), row.set, row.is_fill};
+            score_of(song, from, to, *metre, row.set == "groove"), row.set, row.style, row.is_fill};
         stretch.score.is_expressive = row.set == "lieder";
         const double bpm = stretch.score.bpm;
         if (row.set == "lieder") {

@@ -80,11 +80,11 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
     const double jitter = dice.log_uniform(0.001, score.is_expressive ? 0.020 : 0.010);
     const double drop = dice.uniform(0.0, 0.06);
     const double ghosts = dice.uniform(0.0, 0.06);
-    const bool leaves_out = dice.chance(0.5);
+    const bool leaves_out = dice.chance(0.5) && !score.is_complete;
     const double start = dice.uniform(0.0, 0.6);  // silence before the first beat
 
     // In some pieces the drums pause for a while, in others all but one instrument do.
-    const bool has_break = score.has_drums && dice.chance(0.35);
+    const bool has_break = score.has_drums && dice.chance(0.35) && !score.is_complete;
     const bool is_solo = dice.chance(0.3);
     const double break_from = dice.uniform(8.0, std::max(9.0, wanted - 12.0));
     const double break_to = break_from + dice.uniform(4.0, 17.0);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "audio/beat/training/dice.hpp"
+#include "audio/math/dice.hpp"
 #include "audio/beat/training/score.hpp"
 
 namespace raks::audio {

@@ -1,21 +1,14 @@
 #include "audio/beat/training/train_network.hpp"
 
-#include <cblas.h>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
-#include <thread>
 
-#include "audio/beat/training/network_trainer.hpp"
 #include "audio/beat/training/training_batches.hpp"
-#include "base/time.hpp"
+#include "audio/network/training/network_descent.hpp"
 
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kShards = 4;  // of a batch, summed in order whatever the threads
-constexpr int kWarmUpSteps = 30;
 constexpr int kReportEvery = 100;
 constexpr std::size_t kValidationEvery = 16;
 constexpr std::size_t kValidationHops = 2000;
@@ -26,20 +19,23 @@ struct BatchShape {
     std::size_t hops = 1000;
 };
 
-double mean_loss(double sum, const std::vector<TrainingBatch>& batches) {
-    double frames = 0.0;
-    for (const TrainingBatch& batch : batches) {
-        frames += static_cast<double>(batch.steps * batch.chunks);
-    }
-    return sum / frames;
+/// Output biases at what is rare.
+BeatNetwork fresh_network(const NetworkPlan& plan) {
+    BeatNetwork network(plan.units, plan.layers, plan.lookahead);
+    initialize(network, plan.seed);
+    constexpr std::array kBiases = {-3.0F, -4.0F, -3.0F};
+    std::copy(kBiases.begin(),
+              kBiases.end(),
+              network.parameters().begin() + static_cast<std::ptrdiff_t>(network.output_biases()));
+    return network;
 }
 
 class NetworkTrainer {
  public:
     NetworkTrainer(const std::vector<TrainingExcerpt>& corpus, const NetworkPlan& plan)
         : plan_(plan),
-          network_(plan.start ? *plan.start : BeatNetwork(plan.units, plan.layers, plan.lookahead)),
-          adam_(network_.parameters().size()) {
+          network_(plan.start ? *plan.start : fresh_network(plan)),
+          descent_(network_, plan.threads) {
         std::vector<const TrainingExcerpt*> kept;
         for (std::size_t i = 0; i < corpus.size(); ++i) {
             if (corpus[i].hops() > 0) {
@@ -53,10 +49,6 @@ class NetworkTrainer {
             validation_.push_back(
                 plain_batch({first, first + count}, kValidationHops, network_.lookahead()));
         }
-        if (!plan.start) {
-            initialize(network_, plan.seed);
-        }
-        openblas_set_num_threads(1);
     }
 
     BeatNetwork run(const std::function<void(const NetworkProgress&, const BeatNetwork&)>& report) {
@@ -66,11 +58,12 @@ class NetworkTrainer {
         int since = 0;
         for (int step = 0; step < total; ++step) {
             const bool is_long = step >= plan_.steps;
-            loss += train_step(
-                step, is_long ? BatchShape{16, 2000} : BatchShape{}, rate_at(step, total));
+            loss += train_step(step,
+                               is_long ? BatchShape{16, 2000} : BatchShape{},
+                               rate_at(plan_.rate, step, total));
             ++since;
             if ((step + 1) % kReportEvery == 0 || step + 1 == total) {
-                report({step + 1, total, loss / since, validate()}, network_);
+                report({step + 1, total, loss / since, descent_.loss_of(validation_)}, network_);
                 loss = 0.0;
                 since = 0;
             }
@@ -79,72 +72,24 @@ class NetworkTrainer {
     }
 
  private:
-    [[nodiscard]] double rate_at(int step, int total) const {
-        const double warm_up = std::min(1.0, (step + 1.0) / kWarmUpSteps);
-        return plan_.rate * warm_up * 0.5 * (1.0 + std::cos(std::numbers::pi * step / total));
-    }
-
-    /// Runs work(i) for i = 0 .. count - 1 on the plan's threads.
-    template <class Work>
-    void share(std::size_t count, const Work& work) const {
-        const auto threads = static_cast<std::size_t>(std::max(1, plan_.threads));
-        std::vector<std::jthread> running;
-        for (std::size_t first = 0; first < std::min(threads, count); ++first) {
-            running.emplace_back([first, threads, count, &work] {
-                const FlushToZeroScope flush_to_zero;
-                for (std::size_t i = first; i < count; i += threads) {
-                    work(i);
-                }
-            });
-        }
-    }
-
     double train_step(int step, const BatchShape& shape, double rate) {
-        std::vector<std::vector<float>> gradients(kShards);
-        std::array<double, kShards> losses{};
-        const std::size_t chunks = shape.chunks / kShards;
-        share(kShards, [&](std::size_t shard) {
+        constexpr std::size_t kShards = NetworkDescent::kShards;
+        return descent_.step(rate, [&](std::size_t shard) {
             Dice dice(plan_.seed, 1000 + static_cast<std::uint64_t>(step) * kShards + shard);
-            const TrainingBatch batch = draw_batch(
-                training_, chunks, shape.hops, network_.lookahead(), plan_.cut_chance, dice);
-            gradients[shard].assign(network_.parameters().size(), 0.0F);
-            losses[shard] = gradients_[shard].accumulate(network_, batch, gradients[shard]);
+            return draw_batch(training_,
+                              shape.chunks / kShards,
+                              shape.hops,
+                              network_.lookahead(),
+                              plan_.cut_chance,
+                              dice);
         });
-        const double frames = static_cast<double>(shape.chunks * shape.hops);
-        const auto scale = static_cast<float>(1.0 / frames);
-        double loss = losses[0];
-        for (std::size_t shard = 1; shard < kShards; ++shard) {
-            loss += losses[shard];
-            for (std::size_t i = 0; i < gradients[0].size(); ++i) {
-                gradients[0][i] += gradients[shard][i];
-            }
-        }
-        for (float& value : gradients[0]) {
-            value *= scale;
-        }
-        adam_.step(gradients[0], rate, network_.parameters());
-        return loss / frames;
-    }
-
-    double validate() {
-        std::vector<double> losses(validation_.size());
-        share(validation_.size(), [&](std::size_t i) {
-            NetworkGradient gradient;
-            losses[i] = gradient.accumulate(network_, validation_[i], {});
-        });
-        double sum = 0.0;
-        for (const double loss : losses) {
-            sum += loss;
-        }
-        return validation_.empty() ? 0.0 : mean_loss(sum, validation_);
     }
 
     NetworkPlan plan_;
     BeatNetwork network_;
-    Adam adam_;
+    NetworkDescent descent_;
     std::vector<const TrainingExcerpt*> training_;
     std::vector<TrainingBatch> validation_;
-    std::array<NetworkGradient, kShards> gradients_;
 };
 
 }  // namespace

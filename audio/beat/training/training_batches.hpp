@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "audio/beat/training/corpus.hpp"
-#include "audio/beat/training/dice.hpp"
-#include "audio/beat/training/network_trainer.hpp"
+#include "audio/math/dice.hpp"
+#include "audio/network/training/network_gradient.hpp"
 
 namespace raks::audio {
 

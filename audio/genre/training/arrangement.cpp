@@ -11,6 +11,7 @@
 namespace raks::audio {
 namespace {
 
+constexpr double kComplete = 0.8;
 constexpr int kBandLead = 2;  // the channel that add_band writes its melody on
 constexpr int kMelody = 3;
 constexpr int kSecond = 4;
@@ -175,9 +176,11 @@ void remove_channel(int channel, Score& score) {
 
 Score arrange(const GenreStyle& style, int beats, Dice& dice) {
     Score score = drum_score(*style.style, beats, dice);
+    // Most of the time all of a genre plays: what is left in a break may be any music.
+    score.is_complete = style.genre != Genre::unknown && dice.chance(kComplete);
     const Palette& palette = palette_of(style.genre);
     if (dice.chance(palette.band_chance)) {
-        add_band(style.style->bass, style.style->comping, score, dice);
+        add_band(style.style->bass, style.style->comping, score, dice, palette.players);
     }
     reinstrument(palette, score, dice);
     const int tonic = dice.whole(0, 11);
@@ -194,7 +197,7 @@ Score arrange(const GenreStyle& style, int beats, Dice& dice) {
         remove_channel(1, score);  // no chords: the drone is all harmony there is
         melody.drone(palette);
     }
-    if (style.genre == Genre::rock && dice.chance(0.7)) {
+    if (style.genre == Genre::rock && dice.chance(0.85)) {
         melody.fifths(palette);
     }
     // Orchestras play oriental melodies without drums, and waltzes.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "audio/beat/training/dice.hpp"
 #include "audio/beat/training/score.hpp"
 #include "audio/genre/training/genre_styles.hpp"
+#include "audio/math/dice.hpp"
 
 namespace raks::audio {
 

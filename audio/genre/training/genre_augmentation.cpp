@@ -6,6 +6,10 @@
 namespace raks::audio {
 
 void augment_for_genre(int rate, std::vector<float>& samples, Dice& dice) {
+    if (dice.chance(0.35)) {
+        change_gain(-dice.uniform(0.0, 30.0), samples);
+        return;
+    }
     if (dice.chance(0.3)) {
         add_room(rate, dice.uniform(0.15, 0.9), dice.uniform(0.15, 0.7), samples, dice);
     }

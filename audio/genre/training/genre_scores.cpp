@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "audio/genre/genre_listener.hpp"
 #include "models/hmm_scorer.hpp"
 #include "models/sliding_score.hpp"
 
@@ -132,6 +133,29 @@ std::size_t class_of(Genre genre, std::span<const Genre> genres) noexcept {
                                     genres.begin());
 }
 
+namespace {
+
+void hear_with_network(const GenreModel& model,
+                       const HeardPiece& piece,
+                       std::span<WindowScore> scores) {
+    static_assert(GenreListener::kBlockHops == kBlock);
+    GenreListener listener;
+    std::size_t next = 0;  // window; they ascend by their ends
+    for (std::size_t frame = 0; frame < piece.frames.size(); ++frame) {
+        const std::span<const float> mel(piece.mel);
+        listener.next(model.network,
+                      mel.subspan(frame * BarPatterns::kMelBands)
+                          .first<static_cast<std::size_t>(BarPatterns::kMelBands)>());
+        const auto end = static_cast<int>(frame) + 1;
+        for (; next < scores.size() && piece.windows[next].end_frame == end; ++next) {
+            listener.log_chances(piece.windows[next].segments * kBlocksASegment,
+                                 std::span(scores[next].network).first(model.classes()));
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<WindowScore> score_piece(const GenreModel& model,
                                      const HeardPiece& piece,
                                      std::size_t piece_index) {
@@ -155,6 +179,7 @@ std::vector<WindowScore> score_piece(const GenreModel& model,
         model.sound.standardize(window.features, window.segments, inputs);
         model.sound.log_chances(inputs, std::span(score.sound).first(model.classes()));
     }
+    hear_with_network(model, piece, scores);
     Streams streams(model);
     std::size_t next = 0;  // window; they ascend by their ends
     // The scores of a window are known one block after its end: the last frame is held that long.
@@ -181,7 +206,8 @@ WindowScore::Values fuse(const WindowScore& score,
     for (std::size_t c = 0; c < classes; ++c) {
         logs[c] = (uses_mfcc(evidence) ? fusion.mfcc * mfcc[c] : 0.0F) +
                   (uses_rhythm(evidence) ? fusion.rhythm * score.rhythm[c] : 0.0F) +
-                  (uses_sound(evidence) ? fusion.sound * score.sound[c] : 0.0F);
+                  (uses_sound(evidence) ? fusion.sound * score.sound[c] : 0.0F) +
+                  (uses_network(evidence) ? fusion.network * score.network[c] : 0.0F);
     }
     logs[classes - 1] += fusion.unknown;
     normalize_logs(std::span(logs).first(classes));
@@ -190,13 +216,13 @@ WindowScore::Values fuse(const WindowScore& score,
 
 namespace {
 
-/// Slope of the weighted negative log-likelihood in (mfcc, rhythm, sound, unknown).
-std::array<double, 4> fusion_slope(std::span<const WindowScore* const> scores,
+/// Slope of the weighted negative log-likelihood in (mfcc, rhythm, sound, network, unknown).
+std::array<double, 5> fusion_slope(std::span<const WindowScore* const> scores,
                                    const std::vector<double>& weights,
                                    const GenreFusion& fusion,
                                    GenreEvidence evidence,
                                    std::size_t classes) {
-    std::array<double, 4> slope{};
+    std::array<double, 5> slope{};
     for (std::size_t i = 0; i < scores.size(); ++i) {
         const WindowScore& score = *scores[i];
         const auto logs = fuse(score, fusion, evidence, classes);
@@ -208,7 +234,8 @@ std::array<double, 4> fusion_slope(std::span<const WindowScore* const> scores,
             slope[0] += error * static_cast<double>(mfcc[c]);
             slope[1] += error * static_cast<double>(score.rhythm[c]);
             slope[2] += error * static_cast<double>(score.sound[c]);
-            slope[3] += c + 1 == classes ? error : 0.0;
+            slope[3] += error * static_cast<double>(score.network[c]);
+            slope[4] += c + 1 == classes ? error : 0.0;
         }
     }
     return slope;
@@ -229,16 +256,17 @@ GenreFusion fit_fusion(std::span<const WindowScore> scores,
     GenreFusion fusion{uses_mfcc(evidence) ? 1.0F : 0.0F,
                        uses_rhythm(evidence) ? 1.0F : 0.0F,
                        uses_sound(evidence) ? 1.0F : 0.0F,
+                       uses_network(evidence) ? 1.0F : 0.0F,
                        0.0F};
     const std::vector<double> weights = balanced_weights(used);
-    // Adam on four numbers; the likelihood is concave in them.
-    std::array<double, 4> first{};
-    std::array<double, 4> second{};
+    // Adam on five numbers; the likelihood is concave in them.
+    std::array<double, 5> first{};
+    std::array<double, 5> second{};
     constexpr int kSteps = 300;
     for (int step = 1; step <= kSteps && !used.empty(); ++step) {
         const auto slope = fusion_slope(used, weights, fusion, evidence, classes);
-        const std::array<float*, 4> values = {
-            &fusion.mfcc, &fusion.rhythm, &fusion.sound, &fusion.unknown};
+        const std::array<float*, 5> values = {
+            &fusion.mfcc, &fusion.rhythm, &fusion.sound, &fusion.network, &fusion.unknown};
         for (std::size_t k = 0; k < values.size(); ++k) {
             first[k] = 0.9 * first[k] + 0.1 * slope[k];
             second[k] = 0.99 * second[k] + 0.01 * slope[k] * slope[k];
@@ -250,6 +278,7 @@ GenreFusion fit_fusion(std::span<const WindowScore> scores,
         fusion.mfcc = uses_mfcc(evidence) ? std::max(0.0F, fusion.mfcc) : 0.0F;
         fusion.rhythm = uses_rhythm(evidence) ? std::max(0.0F, fusion.rhythm) : 0.0F;
         fusion.sound = uses_sound(evidence) ? std::max(0.0F, fusion.sound) : 0.0F;
+        fusion.network = uses_network(evidence) ? std::max(0.0F, fusion.network) : 0.0F;
     }
     return fusion;
 }

@@ -25,6 +25,7 @@ struct WindowScore {
                           ///< a model
     Values rhythm{};      ///< ln chance
     Values sound{};       ///< ln chance
+    Values network{};     ///< mean ln chance of the hops
 };
 
 /// Class of a genre in a model: those that it does not know count as none.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "audio/beat/training/styles/general_midi_drums.hpp"
 
@@ -232,6 +233,13 @@ constexpr std::array kEntries = {
     Entry{"jazz waltz", Genre::waltz, kHeldOut},
 };
 
+/// Neighbours of rock and house that a dancer may take for either: not learnt from.
+bool is_between(std::string_view name) {
+    constexpr std::array<std::string_view, 4> kBetween = {
+        "rockabilly", "shuffle", "half-time shuffle", "sparse"};
+    return std::find(kBetween.begin(), kBetween.end(), name) != kBetween.end();
+}
+
 std::vector<GenreStyle> make_table() {
     std::vector<GenreStyle> table;
     const auto add = [&table](const RhythmStyle& style) {
@@ -239,7 +247,7 @@ std::vector<GenreStyle> make_table() {
             kEntries.begin(), kEntries.end(), [&](const Entry& e) { return e.name == style.name; });
         if (found != kEntries.end()) {
             table.push_back({&style, found->genre, found->use});
-        } else if (style.family != "latin") {
+        } else if (style.family != "latin" && !is_between(style.name)) {
             // Latin rhythms that are not named above are neither salsa nor clearly something else.
             table.push_back({&style});
         }
@@ -257,51 +265,88 @@ std::span<const GenreStyle> genre_styles() {
     return table;
 }
 
+std::optional<GenreStyle> genre_of_style(std::string_view name) {
+    for (const GenreStyle& style : genre_styles()) {
+        if (style.style->name == name) {
+            return style;
+        }
+    }
+    struct Played {
+        std::string_view name;
+        Genre genre;
+    };
+    constexpr std::array kPlayed = {Played{"own salsa", Genre::salsa},
+                                    Played{"own maqsum", Genre::belly},
+                                    Played{"own house", Genre::house},
+                                    Played{"groove rock", Genre::rock},
+                                    Played{"groove hiphop", Genre::hiphop},
+                                    Played{"groove jazz", Genre::unknown},
+                                    Played{"groove funk", Genre::unknown},
+                                    Played{"piano", Genre::unknown},
+                                    Played{"lied", Genre::unknown},
+                                    Played{"people", Genre::unknown},
+                                    Played{"no pulse", Genre::unknown},
+                                    Played{"free", Genre::unknown},
+                                    Played{"own clicks", Genre::unknown}};
+    const auto* const found =
+        std::find_if(kPlayed.begin(), kPlayed.end(), [name](const Played& played) {
+            return played.name == name || name.starts_with(std::string(played.name) + "-");
+        });
+    return found == kPlayed.end() ? std::nullopt : std::optional(GenreStyle{nullptr, found->genre});
+}
+
 const Palette& palette_of(Genre genre) {
     // Numbers: General MIDI. 104-111 are plucked and blown instruments of other continents.
     static const std::array<Palette, kGenreCount> palettes = {{
         {{32, 33, 35, 43},
-         {0, 1, 2, 3, 0, 24, 25, 61},
-         {56, 57, 61, 64, 65, 66, 73, 71, 0, 11, 60},
+         {0, 0, 1, 2, 3, 24, 61},
+         {56, 57, 61, 56, 64, 65, 66, 73, 11},
          {0, 0, 0, 8},
-         0.92,
-         0.6},
-        {{43, 42, 49, 32, 35},
-         {48, 49, 50, 51, 52, 104, 46, 15, 92},
-         {104, 105, 106, 107, 15, 24, 68, 69, 71, 72, 73, 74, 75, 77, 110, 111, 40, 41, 42, 48},
+         0.97,
+         0.6,
+         {.bass = 0.95, .chords = 0.9, .lead = 0.3}},
+        {{43, 42, 49, 32},
+         {48, 49, 50, 51, 104, 46, 15},
+         {104, 105, 106, 107, 15, 68, 69, 71, 72, 73, 75, 77, 110, 111, 40, 41, 48},
          {0, 0, 8, 48},
          0.95,
-         0.85},
-        {{38, 39, 38, 87, 36},
-         {80, 81, 89, 90, 91, 94, 62, 63, 4, 16, 50},
-         {80, 81, 82, 84, 87, 98, 99, 62, 85},
-         {24, 25, 24, 25, 0},
          0.9,
-         0.5},
-        {{32, 33, 35, 38, 39},
-         {4, 5, 0, 48, 7, 16, 26, 89, 2},
-         {4, 11, 65, 56, 80, 53, 26, 8, 85},
-         {25, 24, 0, 8, 16},
-         0.9,
-         0.4},
-        {{33, 34, 33, 36, 37},
-         {27, 29, 30, 28, 30, 29, 16, 18, 26},
-         {29, 30, 27, 26, 18, 53, 84},
-         {0, 16, 8, 0},
+         {.bass = 0.6, .chords = 0.5, .lead = 0.2}},
+        {{38, 39, 38, 87},
+         {80, 81, 89, 90, 91, 94, 62, 63, 4, 50},
+         {80, 81, 82, 84, 87, 98, 99, 62},
+         {24, 25, 24, 25},
+         0.97,
+         0.5,
+         {.bass = 0.95, .chords = 0.85, .lead = 0.2}},
+        {{38, 39, 33, 35, 32},
+         {4, 5, 4, 0, 48, 7, 89, 2, 88},
+         {4, 11, 65, 56, 80, 53, 8, 75},
+         {25, 25, 24, 8, 0},
          0.95,
-         0.6},
+         0.4,
+         {.bass = 0.95, .chords = 0.85, .lead = 0.2}},
+        {{33, 34, 33, 36, 37},
+         {29, 30, 28, 30, 29, 27, 18},
+         {29, 30, 27, 26, 18, 84},
+         {0, 16, 0, 16},
+         1.0,
+         0.6,
+         {.bass = 0.95, .chords = 0.9, .lead = 0.3}},
         {{43, 32, 42, 58, 43},
          {0, 21, 48, 22, 23, 40, 46, 24, 1},
          {40, 21, 73, 71, 68, 0, 22, 48, 60},
          {0, 40, 48},
-         0.98,
-         0.8},
+         1.0,
+         0.8,
+         {.bass = 1.0, .chords = 1.0, .lead = 0.4}},
         {{32, 33, 34, 35, 36, 38, 39, 43},
          {0, 4, 11, 16, 21, 24, 25, 27, 48, 61, 89},
          {0, 11, 21, 22, 26, 40, 42, 52, 56, 60, 65, 68, 71, 73, 75, 81},
          {0, 0, 8, 16, 24, 25, 32, 40},
          0.85,
-         0.6},
+         0.6,
+         {}},
     }};
     return palettes[static_cast<std::size_t>(genre)];
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "audio/beat/training/band.hpp"
 #include "audio/beat/training/styles/rhythm_styles.hpp"
 #include "base/music_state.hpp"
 
@@ -18,6 +20,7 @@ struct Palette {
     std::vector<int> kits;
     double band_chance = 0.9;  ///< that more than drums plays
     double lead_chance = 0.5;  ///< that a melody of the genre's own plays
+    BandChances players;       ///< of the band
 };
 [[nodiscard]] const Palette& palette_of(Genre genre);
 
@@ -33,5 +36,10 @@ struct GenreStyle {
 
 /// All rhythms that a genre is written from: those of the beat tracker's training, and some more.
 [[nodiscard]] std::span<const GenreStyle> genre_styles();
+
+/// What music of this style is danced as (unknown: none of the dances), by the name that the beat
+/// tracker's training gives it: a rhythm's, "groove rock", "own salsa", "piano". Nothing where it
+/// is neither clearly a dance nor clearly none.
+[[nodiscard]] std::optional<GenreStyle> genre_of_style(std::string_view name);
 
 }  // namespace raks::audio

@@ -77,6 +77,15 @@ Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
     model.similarity = std::move(mfcc->similarity);
     model.rhythm = train_patterns(pieces, classes, genres.size() + 1, plan.rhythm);
     model.sound = train_patterns(pieces, classes, genres.size() + 1, plan.sound);
+    const auto learnt =
+        plan.written_network
+            ? plan.written_network
+            : std::make_shared<const RecurrentNetwork>(train_on_written(
+                  pieces, classes, genres.size() + 1, plan.network, [](const auto&) {}));
+    if (learnt->outputs() != model.classes()) {
+        return fail("the recurrent network knows other genres than these pieces have");
+    }
+    model.network = tune_network(*learnt, pieces, classes, plan.network);
     return model;
 }
 
@@ -88,8 +97,6 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pi
     const auto fold_of = [&](const HeardPiece& piece) {
         return folds.at((piece.is_recorded() ? "r " : "w ") + piece.group);
     };
-    // Of written music every third piece: there is enough of it to fit four weights to.
-    const auto is_scored = [&](std::size_t i) { return !pieces[i].is_recorded() && i % 3 == 0; };
     std::vector<WindowScore> scores;
     for (int fold = 0; fold < plan.folds; ++fold) {
         std::vector<const HeardPiece*> training;
@@ -97,7 +104,7 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pi
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             if (fold_of(pieces[i]) != fold) {
                 training.push_back(&pieces[i]);
-            } else if (pieces[i].kind == HeardPiece::Kind::recorded || is_scored(i)) {
+            } else if (pieces[i].kind == HeardPiece::Kind::recorded || is_kept_out(pieces[i], i)) {
                 held_out.push_back(i);
             }
         }

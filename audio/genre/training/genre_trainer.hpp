@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "audio/genre/training/genre_scores.hpp"
 #include "audio/genre/training/heard_piece.hpp"
 #include "audio/genre/training/mfcc_trainer.hpp"
+#include "audio/genre/training/network_trainer.hpp"
 #include "audio/genre/training/pattern_trainer.hpp"
 #include "base/expected.hpp"
 
@@ -19,6 +21,10 @@ struct GenreTrainingPlan {
     MfccTrainingPlan mfcc;
     PatternTrainingPlan rhythm = rhythm_training();
     PatternTrainingPlan sound = sound_training();
+    NetworkTrainingPlan network;
+    /// What train_on_written made of all written pieces, so that no fold learns them again. None:
+    /// each model learns from its own pieces.
+    std::shared_ptr<const RecurrentNetwork> written_network;
     int folds = 3;  ///< >= 2
 };
 
@@ -31,9 +37,9 @@ struct GenreTrainingPlan {
                                                 std::span<const Genre> genres,
                                                 const GenreTrainingPlan& plan);
 
-/// Scores of every recording, and of a third of the written pieces, by a model that heard no piece
-/// of its group: groups are dealt to folds, genre by genre. `on_fold(done, all)` is called after
-/// each. Errors: as train_genres.
+/// Scores of every recording, and of the written pieces that are kept out, by a model that heard no
+/// piece of its group: groups are dealt to folds, genre by genre. `on_fold(done, all)` is called
+/// after each. Errors: as train_genres.
 [[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
     std::span<const HeardPiece> pieces,
     std::span<const Genre> genres,

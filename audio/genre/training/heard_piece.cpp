@@ -11,7 +11,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::string_view kMagic = "raks-genre-pieces-2\n";
+constexpr std::string_view kMagic = "raks-genre-pieces-3\n";
 constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
 
 class Listener final : public MusicAnalyzer::Sink {
@@ -25,6 +25,7 @@ class Listener final : public MusicAnalyzer::Sink {
         }
         piece_.frames.push_back(analyzer_.mfcc());
         const auto mel = analyzer_.mel_magnitudes().first<BarPatterns::kMelBands>();
+        piece_.mel.insert(piece_.mel.end(), mel.begin(), mel.end());
         if (patterns_.add(mel, state.grid, state.time) && ++closed_ % 2 == 0) {
             keep_windows();
         }
@@ -136,6 +137,7 @@ Expected<void> save_pieces(std::span<const HeardPiece> pieces, const std::filesy
         packer.put(piece.genre);
         packer.put(piece.kind);
         packer.put_list(piece.frames);
+        packer.put_list(piece.mel);
         packer.put_list(piece.windows);
     }
     return write_file(path, packer.take());
@@ -158,7 +160,11 @@ Expected<std::vector<HeardPiece>> load_pieces(const std::filesystem::path& path)
         piece.genre = unpacker.take<Genre>();
         piece.kind = unpacker.take<HeardPiece::Kind>();
         piece.frames = unpacker.take_list<std::vector<MfccVector>>();
+        piece.mel = unpacker.take_list<std::vector<float>>();
         piece.windows = unpacker.take_list<std::vector<HeardWindow>>();
+        if (piece.mel.size() != piece.frames.size() * BarPatterns::kMelBands) {
+            return fail(path.string() + ": frames of two kinds differ in number; remove the file");
+        }
         for (const HeardWindow& window : piece.windows) {
             const bool fits = window.segments >= 1 && window.segments <= BarPatterns::kSegments &&
                               window.end_frame >= window.segments * BarPatterns::kSegmentHops &&

@@ -38,8 +38,12 @@ struct HeardPiece {
     };
     Kind kind = Kind::recorded;
     std::vector<MfccVector> frames;
+    std::vector<float> mel;            ///< of each frame BarPatterns::kMelBands magnitudes
     std::vector<HeardWindow> windows;  ///< every second, of each length that was full
 
+    [[nodiscard]] std::size_t hops() const noexcept {
+        return mel.size() / static_cast<std::size_t>(BarPatterns::kMelBands);
+    }
     [[nodiscard]] bool is_recorded() const noexcept {
         return kind == Kind::recorded || kind == Kind::altered;
     }

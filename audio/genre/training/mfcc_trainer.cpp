@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "audio/beat/training/dice.hpp"
+#include "audio/math/dice.hpp"
 #include "models/hmm_scorer.hpp"
 #include "models/hmm_training.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "audio/beat/training/dice.hpp"
+#include "audio/math/dice.hpp"
 #include "base/assert.hpp"
 
 namespace raks::audio {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "audio/beat/training/dice.hpp"
+#include "audio/math/dice.hpp"
 
 namespace raks::audio {
 

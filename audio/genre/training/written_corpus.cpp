@@ -1,8 +1,10 @@
 #include "audio/genre/training/written_corpus.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
+#include "audio/beat/training/corpus.hpp"
 #include "audio/beat/training/keyboard_scores.hpp"
 #include "audio/beat/training/non_music.hpp"
 #include "audio/beat/training/performance.hpp"
@@ -26,13 +28,16 @@ struct WrittenPiece {
     std::vector<float> samples;  // of what no soundfont plays
 };
 
+bool is_among(const GenreStyle& style, WrittenCorpusPlan::Families families) {
+    const bool is_held_out = style.use == GenreStyle::Use::held_out;
+    return families == WrittenCorpusPlan::Families::all ||
+           (families == WrittenCorpusPlan::Families::held_out) == is_held_out;
+}
+
 std::vector<GenreStyle> styles_of(Genre genre, WrittenCorpusPlan::Families families) {
     std::vector<GenreStyle> chosen;
     for (const GenreStyle& style : genre_styles()) {
-        const bool is_held_out = style.use == GenreStyle::Use::held_out;
-        const bool fits = families == WrittenCorpusPlan::Families::all ||
-                          (families == WrittenCorpusPlan::Families::held_out) == is_held_out;
-        if (style.genre == genre && fits) {
+        if (style.genre == genre && is_among(style, families)) {
             chosen.push_back(style);
         }
     }
@@ -60,6 +65,26 @@ WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
     return piece;
 }
 
+/// No drums, and strings, winds, choirs or soft synthesizers in a free tempo for the rest.
+void make_orchestral(Score& score, Dice& dice) {
+    std::erase_if(score.notes, [](const ScoreNote& note) { return note.channel == kDrumChannel; });
+    score.has_drums = false;
+    score.is_expressive = true;
+    std::array<int, 16> programs{};
+    for (int& program : programs) {
+        program =
+            dice.pick({40, 42, 46, 48, 49, 52, 53, 60, 68, 71, 73, 88, 89, 91, 92, 95, 24, 0});
+    }
+    for (ScoreNote& note : score.notes) {
+        note.program = programs[static_cast<std::size_t>(note.channel)];
+    }
+}
+
+/// A piano in bars of three may play a waltz.
+bool is_in_three(const Score& score) {
+    return *std::max_element(score.bar_position.begin(), score.bar_position.end()) == 3;
+}
+
 /// Music to no dance of ours, and what is no music.
 WrittenPiece other_piece(const WrittenCorpusPlan& plan, Dice& dice) {
     const double kind = dice.uniform();
@@ -72,16 +97,21 @@ WrittenPiece other_piece(const WrittenCorpusPlan& plan, Dice& dice) {
     if (kind < 0.22) {
         return {"no pulse", Genre::unknown, notes_without_pulse(plan.seconds, dice), {}};
     }
-    if (kind < 0.38) {
-        return {
-            "piano", Genre::unknown, perform(keyboard_score(kBeats, dice), plan.seconds, dice), {}};
+    if (kind < 0.34) {
+        Score score = keyboard_score(kBeats, dice);
+        for (int tries = 0; is_in_three(score) && tries < 20; ++tries) {
+            score = keyboard_score(kBeats, dice);
+        }
+        return {"piano", Genre::unknown, perform(score, plan.seconds, dice), {}};
     }
     const auto styles = styles_of(Genre::unknown, WrittenCorpusPlan::Families::all);
     const GenreStyle& style = dice.pick<GenreStyle>(styles);
-    return {std::string(style.style->name),
-            Genre::unknown,
-            perform(arrange(style, kBeats, dice), plan.seconds, dice),
-            {}};
+    Score score = arrange(style, kBeats, dice);
+    if (kind < 0.46) {
+        make_orchestral(score, dice);
+        return {"orchestra", Genre::unknown, perform(score, plan.seconds, dice), {}};
+    }
+    return {std::string(style.style->name), Genre::unknown, perform(score, plan.seconds, dice), {}};
 }
 
 WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) {
@@ -102,7 +132,8 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
 
 Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
-    const auto genre = static_cast<Genre>(number % kGenreCount);
+    // What is none of the dances is of more kinds than any dance: two pieces a round.
+    const auto genre = static_cast<Genre>(std::min(number % (kGenreCount + 1), kGenreCount - 1));
     WrittenPiece piece = draw_piece(plan, genre, dice);
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortest && tries < 20;
@@ -139,6 +170,35 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
 }
 
 }  // namespace
+
+Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path& file,
+                                                    WrittenCorpusPlan::Families families) {
+    auto corpus = load_corpus(file);
+    if (!corpus) {
+        return fail(corpus.error());
+    }
+    const auto is_in_three_beats = [](const TrainingExcerpt& excerpt) {
+        return std::all_of(excerpt.beats.begin(), excerpt.beats.end(), [](const auto& beat) {
+            return beat.bar_position <= 3;
+        });
+    };
+    std::vector<HeardPiece> pieces;
+    for (TrainingExcerpt& excerpt : *corpus) {
+        const auto style = genre_of_style(excerpt.style);
+        const bool is_kept = style && is_among(*style, families) &&
+                             !(excerpt.family == "piano" && is_in_three_beats(excerpt));
+        if (!is_kept) {
+            continue;
+        }
+        HeardPiece& piece = pieces.emplace_back();
+        piece.name = excerpt.style + " of the beat tracker's";
+        piece.group = excerpt.style + "/beats";
+        piece.genre = style->genre;
+        piece.kind = HeardPiece::Kind::written;
+        piece.mel = std::move(excerpt.mel);
+    }
+    return pieces;
+}
 
 Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan) {
     const auto count = static_cast<std::size_t>(plan.pieces);

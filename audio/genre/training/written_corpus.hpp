@@ -15,7 +15,7 @@ struct WrittenCorpusPlan {
     enum class Families : std::uint8_t { always, held_out, all };
     Families families = Families::all;
     int first = 0;          ///< number of the first piece
-    int pieces = 70;        ///< genres in turn, "none of them" among them
+    int pieces = 70;        ///< genres in turn, then twice "none of them"
     double seconds = 16.0;  ///< of each
     std::uint64_t seed = 1;
     int threads = 2;
@@ -28,5 +28,12 @@ struct WrittenCorpusPlan {
 /// s of CPU each. Groups are "style/soundfont".
 /// Errors: a soundfont cannot be read.
 [[nodiscard]] Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan);
+
+/// What the beat tracker's training has played (`raks train beats --corpus FILE`), as far as it is
+/// clearly a dance or clearly none; pieces without frames and windows, for the recurrent network
+/// alone. Bars of three on a piano are left out: some are waltzes.
+/// Errors: as load_corpus.
+[[nodiscard]] Expected<std::vector<HeardPiece>> read_beats_corpus(
+    const std::filesystem::path& file, WrittenCorpusPlan::Families families);
 
 }  // namespace raks::audio

@@ -93,13 +93,14 @@ TEST_F(TrainingFiles, mangled_midi_ends_in_an_error_or_a_score) {
 
 TEST_F(TrainingFiles, a_kept_corpus_is_the_same_again) {
     std::vector<TrainingExcerpt> corpus(2);
-    corpus[0] = {"salsa", std::vector<float>(36 * 7, 0.25F), {{0.5, 1}, {1.0, 2}}};
-    corpus[1] = {"", {}, {}};
+    corpus[0] = {"salsa", "mambo", std::vector<float>(36 * 7, 0.25F), {{0.5, 1}, {1.0, 2}}};
+    corpus[1] = {"", "", {}, {}};
     ASSERT_TRUE(save_corpus(corpus, folder_ / "corpus"));
     const auto read = load_corpus(folder_ / "corpus");
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->size(), 2U);
     EXPECT_EQ((*read)[0].family, "salsa");
+    EXPECT_EQ((*read)[0].style, "mambo");
     EXPECT_EQ((*read)[0].hops(), 7U);
     EXPECT_EQ((*read)[0].beats[1].bar_position, 2);
     EXPECT_EQ((*read)[0].mel, corpus[0].mel);
@@ -107,7 +108,7 @@ TEST_F(TrainingFiles, a_kept_corpus_is_the_same_again) {
 
 TEST_F(TrainingFiles, a_damaged_corpus_is_refused) {
     std::vector<TrainingExcerpt> corpus(1);
-    corpus[0] = {"pop", std::vector<float>(36 * 3, 1.0F), {{0.5, 1}}};
+    corpus[0] = {"pop", "funk", std::vector<float>(36 * 3, 1.0F), {{0.5, 1}}};
     ASSERT_TRUE(save_corpus(corpus, folder_ / "corpus"));
     const std::string good = *read_file(folder_ / "corpus");
     for (std::size_t length = 0; length < good.size(); ++length) {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include "audio/beat/training/network_trainer.hpp"
+#include "audio/beat/network/beat_network.hpp"
+#include "audio/network/training/network_gradient.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {
@@ -32,9 +33,12 @@ TrainingBatch random_batch(std::size_t steps, std::size_t chunks) {
     return batch;
 }
 
-TEST(NetworkTraining, gradient_is_that_of_finite_differences) {
+class NetworkTrainingLoss : public testing::TestWithParam<TrainingBatch::Loss> {};
+
+TEST_P(NetworkTrainingLoss, gradient_is_that_of_finite_differences) {
     BeatNetwork network = small_network();
-    const TrainingBatch batch = random_batch(7, 3);
+    TrainingBatch batch = random_batch(7, 3);
+    batch.loss = GetParam();
     NetworkGradient gradient;
     std::vector<float> analytic(network.parameters().size());
     gradient.accumulate(network, batch, analytic);
@@ -50,6 +54,21 @@ TEST(NetworkTraining, gradient_is_that_of_finite_differences) {
         EXPECT_NEAR(static_cast<double>(analytic[i]), numeric, 2e-3 + 0.01 * std::abs(numeric))
             << "parameter " << i;
     }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both,
+                         NetworkTrainingLoss,
+                         testing::Values(TrainingBatch::Loss::logistic,
+                                         TrainingBatch::Loss::softmax));
+
+TEST(NetworkTraining, a_choice_among_equals_costs_the_logarithm_of_their_number) {
+    const RecurrentNetwork network({NetworkInput::kSize, 4, 1, 5});  // all 0: it knows nothing
+    TrainingBatch batch{2, 1, std::vector<float>(2 * NetworkInput::kSize), {}, {}};
+    batch.loss = TrainingBatch::Loss::softmax;
+    batch.targets = {0, 1, 0, 0, 0, 0, 0, 0, 0.5F, 0.5F};
+    batch.weights.assign(10, 3.0F);
+    NetworkGradient gradient;
+    EXPECT_NEAR(gradient.accumulate(network, batch, {}), 2 * 3.0 * std::log(5.0), 1e-5);
 }
 
 TEST(NetworkTraining, listener_hears_what_the_trainer_computes) {

@@ -59,6 +59,24 @@ TEST(GenreFile, faults_are_said_with_their_field) {
               "fusion[0].seconds must be 0.5");
 }
 
+TEST(GenreFile, version_1_reads_with_a_network_that_has_no_say) {
+    std::string old = genre_text(test::small_genre_model());
+    old = replaced(old, "\"version\": 2", "\"version\": 1");
+    const std::size_t network = old.find("\"network\": {");
+    ASSERT_NE(network, std::string::npos);
+    old.erase(network, old.find("\"fusion\"") - network);
+    const auto read = parse_genre(old);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->fusion[0].network, 0.0F);
+    EXPECT_EQ(read->network.outputs(), 3U);
+}
+
+TEST(GenreFile, a_network_of_another_size_is_refused) {
+    const std::string good = genre_text(test::small_genre_model());
+    EXPECT_EQ(error_of(replaced(good, "\"layers\": 1", "\"layers\": 2")),
+              "network.parameters has 727 numbers, 4 units in 2 layers have 839");
+}
+
 TEST(GenreFile, another_feature_size_is_refused) {
     GenreModel model = test::small_genre_model();
     model.features.energy = GenreFeatures::Energy::left_out;

@@ -34,6 +34,11 @@ HeardPiece made_piece(Genre genre, int number, double spread = 0.6) {
         }
         vector[0] += static_cast<float>(place);
         vector[3] -= static_cast<float>(place);
+        const std::size_t loud = 5 * static_cast<std::size_t>(genre);
+        for (std::size_t band = 0; band < BarPatterns::kMelBands; ++band) {
+            const bool is_loud = band >= loud && band < loud + 5;
+            piece.mel.push_back(static_cast<float>((is_loud ? 8.0 : 1.0) + random.uniform(draw++)));
+        }
     }
     for (int end = 100; end <= 600; end += 100) {
         for (const int segments : kGenreWindows) {
@@ -75,6 +80,10 @@ GenreTrainingPlan small_plan() {
     plan.rhythm.rate = 5e-3;
     plan.sound.parts.clear();
     plan.sound.steps = 100;
+    plan.network.units = 8;
+    plan.network.layers = 1;
+    plan.network.tuning_steps = 30;
+    plan.network.tuning_rate = 2e-2;
     plan.folds = 3;
     return plan;
 }
@@ -92,6 +101,7 @@ TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
                                          GenreEvidence::mfcc_similarity,
                                          GenreEvidence::rhythm,
                                          GenreEvidence::sound,
+                                         GenreEvidence::network,
                                          GenreEvidence::fused}) {
         const GenreFusion fusion = fit_fusion(*scores, 3, 4, evidence);
         std::vector<WindowScore::Values> logs;

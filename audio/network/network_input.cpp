@@ -1,4 +1,4 @@
-#include "audio/beat/network/network_input.hpp"
+#include "audio/network/network_input.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "audio/beat/network/beat_network.hpp"
+#include "audio/network/recurrent_network.hpp"
 
 namespace raks::audio {
 
@@ -13,18 +13,22 @@ namespace raks::audio {
 struct TrainingBatch {
     std::size_t steps = 0;
     std::size_t chunks = 0;
-    std::vector<float> inputs;   ///< steps x chunks x NetworkInput::kSize
-    std::vector<float> targets;  ///< steps x chunks x BeatNetwork::kOutputs, each 0 to 1
+    std::vector<float> inputs;   ///< steps x chunks x the network's inputs
+    std::vector<float> targets;  ///< steps x chunks x its outputs, each 0 to 1
     std::vector<float> weights;  ///< of each target in the loss, the same shape
+    /// logistic: each output is a chance of its own, binary cross-entropy. softmax: together they
+    /// are one choice, cross-entropy.
+    enum class Loss : std::uint8_t { logistic, softmax };
+    Loss loss = Loss::logistic;
 };
 
-/// Weighted binary cross-entropy of a batch, a sum over outputs, a mean over frames; and its
-/// gradient by every parameter, backward through time over the whole chunk.
+/// Weighted cross-entropy of a batch, a sum over outputs and frames, and its gradient by every
+/// parameter, backward through time over the whole chunk.
 class NetworkGradient {
  public:
     /// Adds the gradient of this batch's summed loss to `gradient` (as long as the parameters);
     /// empty: only the loss. Returns the summed loss (not divided by frames).
-    double accumulate(const BeatNetwork& network,
+    double accumulate(const RecurrentNetwork& network,
                       const TrainingBatch& batch,
                       std::span<float> gradient);
 
@@ -35,17 +39,17 @@ class NetworkGradient {
         std::vector<float> reset, keep, candidate, product;  // steps x chunks x units
         std::vector<float> hidden;  // (steps + 1) x chunks x units: the first is 0
     };
-    void forward(const BeatNetwork& network,
+    void forward(const RecurrentNetwork& network,
                  std::size_t layer,
                  const float* below,
                  const TrainingBatch& batch);
-    void backward(const BeatNetwork& network,
+    void backward(const RecurrentNetwork& network,
                   std::size_t layer,
                   const float* below,
                   const TrainingBatch& batch,
                   std::vector<float>& from_above,
                   std::span<float> gradient);
-    double output_loss(const BeatNetwork& network, const TrainingBatch& batch);
+    void forward_outputs(const RecurrentNetwork& network, const TrainingBatch& batch);
 
     std::vector<LayerTrace> traces_;
     std::vector<float> output_gradient_;  // steps x chunks x outputs
@@ -64,7 +68,7 @@ class Adam {
     std::int64_t steps_ = 0;
 };
 
-/// Uniform weights of deviation 1 / sqrt(units), output biases at what is rare: -3, -4, -3.
-void initialize(BeatNetwork& network, std::uint64_t seed);
+/// Uniform weights in +-1 / sqrt(units).
+void initialize(RecurrentNetwork& network, std::uint64_t seed);
 
 }  // namespace raks::audio

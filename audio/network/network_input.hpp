@@ -8,9 +8,9 @@
 
 namespace raks::audio {
 
-/// What the beat network sees of one hop, from its mel magnitudes over a running level (so that a
-/// quiet recording looks like a loud one): for each band the rise against the maximum of three
-/// bands two hops ago, and for each two bands how loud they are.
+/// What the networks of beat and genre see of one hop, from its mel magnitudes over a running level
+/// (so that a quiet recording looks like a loud one): for each band the rise against the maximum of
+/// three bands two hops ago, and for each two bands how loud they are.
 ///
 /// Threads: one. Real-time: yes.
 class NetworkInput {

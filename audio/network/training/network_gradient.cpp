@@ -1,4 +1,4 @@
-#include "audio/beat/training/network_trainer.hpp"
+#include "audio/network/training/network_gradient.hpp"
 
 #include <cblas.h>
 #include <algorithm>
@@ -70,13 +70,56 @@ void add_columns(std::size_t rows, std::size_t width, const float* values, float
     }
 }
 
+/// The loss of these logits, which become its gradient by them.
+double logistic_loss(const TrainingBatch& batch, std::span<float> logits) {
+    double loss = 0.0;
+    for (std::size_t i = 0; i < logits.size(); ++i) {
+        const double logit = static_cast<double>(logits[i]);
+        const double target = static_cast<double>(batch.targets[i]);
+        const double weight = static_cast<double>(batch.weights[i]);
+        // log(1 + e^l) - t l, without overflow.
+        loss += weight *
+                (std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit))) - target * logit);
+        const double probability = 1.0 / (1.0 + std::exp(-logit));
+        logits[i] = static_cast<float>(weight * (probability - target));
+    }
+    return loss;
+}
+
+double softmax_loss(const TrainingBatch& batch, std::size_t outputs, std::span<float> logits) {
+    double loss = 0.0;
+    for (std::size_t from = 0; from < logits.size(); from += outputs) {
+        const std::span<float> frame = logits.subspan(from, outputs);
+        const double highest = static_cast<double>(*std::max_element(frame.begin(), frame.end()));
+        double sum = 0.0;
+        for (const float logit : frame) {
+            sum += std::exp(static_cast<double>(logit) - highest);
+        }
+        const double all = highest + std::log(sum);
+        double weight = 0.0;  // of the frame: that of all its targets
+        for (std::size_t i = 0; i < outputs; ++i) {
+            const double share = static_cast<double>(batch.weights[from + i]) *
+                                 static_cast<double>(batch.targets[from + i]);
+            loss += share * (all - static_cast<double>(frame[i]));
+            weight += share;
+        }
+        for (std::size_t i = 0; i < outputs; ++i) {
+            const double share = static_cast<double>(batch.weights[from + i]) *
+                                 static_cast<double>(batch.targets[from + i]);
+            frame[i] =
+                static_cast<float>(weight * std::exp(static_cast<double>(frame[i]) - all) - share);
+        }
+    }
+    return loss;
+}
+
 }  // namespace
 
-void NetworkGradient::forward(const BeatNetwork& network,
+void NetworkGradient::forward(const RecurrentNetwork& network,
                               std::size_t index,
                               const float* below,
                               const TrainingBatch& batch) {
-    const BeatNetwork::Layer& layer = network.layers()[index];
+    const RecurrentNetwork::Layer& layer = network.layers()[index];
     LayerTrace& trace = traces_[index];
     const float* const parameters = network.parameters().data();
     const std::size_t frames = batch.steps * batch.chunks;
@@ -131,45 +174,32 @@ void NetworkGradient::forward(const BeatNetwork& network,
     }
 }
 
-double NetworkGradient::output_loss(const BeatNetwork& network, const TrainingBatch& batch) {
-    const LayerTrace& top = traces_.back();
+void NetworkGradient::forward_outputs(const RecurrentNetwork& network, const TrainingBatch& batch) {
     const std::size_t frames = batch.steps * batch.chunks;
-    constexpr std::size_t kOutputs = BeatNetwork::kOutputs;
+    const std::size_t outputs = network.outputs();
     const float* const parameters = network.parameters().data();
-    output_gradient_.resize(frames * kOutputs);
+    output_gradient_.resize(frames * outputs);
     for (std::size_t frame = 0; frame < frames; ++frame) {
         std::copy_n(
-            parameters + network.output_biases(), kOutputs, &output_gradient_[frame * kOutputs]);
+            parameters + network.output_biases(), outputs, &output_gradient_[frame * outputs]);
     }
     multiply(frames,
-             kOutputs,
+             outputs,
              network.units(),
-             &top.hidden[batch.chunks * network.units()],
+             &traces_.back().hidden[batch.chunks * network.units()],
              parameters + network.output_weights(),
              Right::plain,
              1.0F,
              output_gradient_.data());
-    double loss = 0.0;
-    for (std::size_t i = 0; i < output_gradient_.size(); ++i) {
-        const double logit = static_cast<double>(output_gradient_[i]);
-        const double target = static_cast<double>(batch.targets[i]);
-        const double weight = static_cast<double>(batch.weights[i]);
-        // log(1 + e^l) - t l, without overflow.
-        loss += weight *
-                (std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit))) - target * logit);
-        const double probability = 1.0 / (1.0 + std::exp(-logit));
-        output_gradient_[i] = static_cast<float>(weight * (probability - target));
-    }
-    return loss;
 }
 
-void NetworkGradient::backward(const BeatNetwork& network,
+void NetworkGradient::backward(const RecurrentNetwork& network,
                                std::size_t index,
                                const float* below,
                                const TrainingBatch& batch,
                                std::vector<float>& from_above,
                                std::span<float> gradient) {
-    const BeatNetwork::Layer& layer = network.layers()[index];
+    const RecurrentNetwork::Layer& layer = network.layers()[index];
     LayerTrace& trace = traces_[index];
     const float* const parameters = network.parameters().data();
     const std::size_t units = layer.units;
@@ -234,7 +264,7 @@ void NetworkGradient::backward(const BeatNetwork& network,
     }
 }
 
-double NetworkGradient::accumulate(const BeatNetwork& network,
+double NetworkGradient::accumulate(const RecurrentNetwork& network,
                                    const TrainingBatch& batch,
                                    std::span<float> gradient) {
     const std::size_t layers = network.layers().size();
@@ -246,24 +276,27 @@ double NetworkGradient::accumulate(const BeatNetwork& network,
     for (std::size_t layer = 0; layer < layers; ++layer) {
         forward(network, layer, below(layer), batch);
     }
-    const double loss = output_loss(network, batch);
+    forward_outputs(network, batch);
+    const double loss = batch.loss == TrainingBatch::Loss::logistic
+                            ? logistic_loss(batch, output_gradient_)
+                            : softmax_loss(batch, network.outputs(), output_gradient_);
     if (gradient.empty()) {
         return loss;
     }
     const std::size_t frames = batch.steps * batch.chunks;
-    constexpr std::size_t kOutputs = BeatNetwork::kOutputs;
+    const std::size_t outputs = network.outputs();
     const float* const top = &traces_.back().hidden[batch.chunks * network.units()];
     add_outer(network.units(),
-              kOutputs,
+              outputs,
               frames,
               top,
               output_gradient_.data(),
               &gradient[network.output_weights()]);
-    add_columns(frames, kOutputs, output_gradient_.data(), &gradient[network.output_biases()]);
+    add_columns(frames, outputs, output_gradient_.data(), &gradient[network.output_biases()]);
     from_above_.resize(frames * network.units());
     multiply(frames,
              network.units(),
-             kOutputs,
+             outputs,
              output_gradient_.data(),
              network.parameters().data() + network.output_weights(),
              Right::transposed,
@@ -300,18 +333,12 @@ void Adam::step(std::span<float> gradient, double rate, std::span<float> paramet
     }
 }
 
-void initialize(BeatNetwork& network, std::uint64_t seed) {
+void initialize(RecurrentNetwork& network, std::uint64_t seed) {
     const CounterRandom random(seed);
     const double span = std::sqrt(1.0 / static_cast<double>(network.units()));
     const std::span<float> parameters = network.parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         parameters[i] = static_cast<float>(span * (2.0 * random.uniform(i) - 1.0));
-    }
-    const std::size_t biases = network.output_biases();
-    parameters[biases] = -3.0F;
-    parameters[biases + 1] = -4.0F;
-    for (std::size_t output = 2; output < BeatNetwork::kOutputs; ++output) {
-        parameters[biases + output] = -3.0F;
     }
 }
 

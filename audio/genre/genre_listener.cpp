@@ -1,0 +1,43 @@
+#include "audio/genre/genre_listener.hpp"
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+
+namespace raks::audio {
+
+void GenreListener::next(const RecurrentNetwork& network,
+                         std::span<const float, BarPatterns::kMelBands> mel) noexcept
+    RAKS_NONBLOCKING {
+    RecurrentStream::Logits logits = stream_.next(network, input_.next(mel));
+    const std::span<float> logs = std::span(logits).first(network.outputs());
+    normalize_logs(logs);
+    for (std::size_t c = 0; c < logs.size(); ++c) {
+        open_[c] += std::max(kLeastLog, logs[c]);
+    }
+    if (++open_hops_ < kBlockHops) {
+        return;
+    }
+    newest_ = (newest_ + 1) % kBlocks;
+    ring_[static_cast<std::size_t>(newest_)] = open_;
+    closed_ = std::min(closed_ + 1, kBlocks);
+    open_ = {};
+    open_hops_ = 0;
+}
+
+void GenreListener::log_chances(int blocks, std::span<float> out) const noexcept RAKS_NONBLOCKING {
+    RAKS_ASSERT(blocks >= 1 && blocks <= this->blocks() && out.size() <= open_.size());
+    std::fill(out.begin(), out.end(), 0.0F);
+    for (int back = 0; back < blocks; ++back) {
+        const Sums& sums = ring_[static_cast<std::size_t>((newest_ + kBlocks - back) % kBlocks)];
+        for (std::size_t c = 0; c < out.size(); ++c) {
+            out[c] += sums[c];
+        }
+    }
+    const float scale = 1.0F / static_cast<float>(blocks * kBlockHops);
+    for (float& log : out) {
+        log *= scale;
+    }
+}
+
+}  // namespace raks::audio

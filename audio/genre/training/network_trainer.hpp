@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "audio/genre/training/heard_piece.hpp"
+#include "audio/network/recurrent_network.hpp"
+
+namespace raks::audio {
+
+/// How the recurrent network learns: first from written music, of which there is much, then some
+/// steps more with recordings among it.
+struct NetworkTrainingPlan {
+    std::size_t units = 64;
+    std::size_t layers = 2;
+    int written_steps = 1'500;  ///< batches of 24 stretches of 10 s
+    double written_rate = 4e-3;
+    int tuning_steps = 250;
+    double tuning_rate = 1e-3;
+    double recorded_share = 0.4;  ///< of a tuning batch, where a class has recordings
+    double cut_chance = 0.33;     ///< that another piece begins within a stretch
+    /// Weights to begin with, where its layers fit: a network of the same inputs that knows rhythm
+    /// already. None: drawn.
+    std::shared_ptr<const RecurrentNetwork> start;
+    std::uint64_t seed = 1;
+    int threads = 2;
+};
+
+/// Mean cross-entropy a hop: of what was learnt from since the last report, and of pieces kept out.
+struct NetworkTrainingProgress {
+    int step = 0;
+    int steps = 0;
+    double training_loss = 0.0;
+    double validation_loss = 0.0;
+};
+using ReportNetwork = std::function<void(const NetworkTrainingProgress&)>;
+
+/// Whether the network is not to learn from piece `index` while it learns from written music: every
+/// ninth written piece, to see how it fares and to weigh it with.
+[[nodiscard]] inline bool is_kept_out(const HeardPiece& piece, std::size_t index) noexcept {
+    return !piece.is_recorded() && index % 9 == 4;
+}
+
+/// Learns from the written pieces, but for those kept out. `classes[i]`: of pieces[i], below
+/// `class_count`. Each class is drawn alike often, each piece of a class alike often; each is heard
+/// slower or faster (by up to 8 %), through drawn equalizers and in noise. The same plan and pieces
+/// give the same weights on one machine, for any number of threads. `report`: every 50 steps.
+[[nodiscard]] RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pieces,
+                                                std::span<const std::size_t> classes,
+                                                std::size_t class_count,
+                                                const NetworkTrainingPlan& plan,
+                                                const ReportNetwork& report);
+
+/// Goes on from `start` with recordings (altered copies, too) among written music.
+[[nodiscard]] RecurrentNetwork tune_network(const RecurrentNetwork& start,
+                                            std::span<const HeardPiece* const> pieces,
+                                            std::span<const std::size_t> classes,
+                                            const NetworkTrainingPlan& plan);
+
+}  // namespace raks::audio

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "audio/math/dice.hpp"
+#include "audio/network/network_input.hpp"
+
+namespace raks::audio {
+
+/// How a stretch of music is heard while a network learns: slower or faster, through other rooms
+/// and loudspeakers, in noise. Works on the mel magnitudes that the front end gives (hops x
+/// NetworkInput::kBands), so that each piece is played once and heard many times.
+struct MelHearing {
+    double first_hop = 0.0;  ///< in the piece
+    double stretch = 1.0;    ///< hops of the piece a hop that is heard
+    std::array<float, NetworkInput::kBands> gain{};
+    float noise = 0.0F;  ///< share of the piece's mean magnitude, on every band
+
+    /// From the piece's begin, unchanged.
+    [[nodiscard]] static MelHearing plain();
+    /// Drawn so that `hops` hops fit if the piece is long enough: time stretched by up to
+    /// exp(+-most_stretch), a smooth curve over the bands, some of them damped, noise.
+    [[nodiscard]] static MelHearing draw(std::size_t piece_hops,
+                                         std::size_t hops,
+                                         double most_stretch,
+                                         Dice& dice);
+};
+
+/// Calls put(t, frame) for `hops` hops, `input` going on from what it has heard. `dice`: draws the
+/// noise; null: none. Behind the piece's end its last hop is held.
+template <class Put>
+void hear_mel(std::span<const float> mel,
+              const MelHearing& hearing,
+              std::size_t hops,
+              NetworkInput& input,
+              Dice* dice,
+              const Put& put);
+
+/// Mel magnitudes at a place between hops. `mel`: at least one hop.
+[[nodiscard]] std::array<float, NetworkInput::kBands> magnitudes_at(std::span<const float> mel,
+                                                                    double hop);
+[[nodiscard]] float mean_magnitude(std::span<const float> mel);
+
+template <class Put>
+void hear_mel(std::span<const float> mel,
+              const MelHearing& hearing,
+              std::size_t hops,
+              NetworkInput& input,
+              Dice* dice,
+              const Put& put) {
+    const float floor = hearing.noise > 0.0F ? hearing.noise * mean_magnitude(mel) : 0.0F;
+    for (std::size_t t = 0; t < hops; ++t) {
+        auto bands =
+            magnitudes_at(mel, hearing.first_hop + static_cast<double>(t) * hearing.stretch);
+        for (std::size_t band = 0; band < bands.size(); ++band) {
+            const float hiss = floor > 0.0F && dice != nullptr
+                                   ? floor * static_cast<float>(dice->uniform(0.5, 1.5))
+                                   : 0.0F;
+            bands[band] = bands[band] * hearing.gain[band] + hiss;
+        }
+        put(t, input.next(bands));
+    }
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,92 @@
+#include "audio/genre/genre_listener.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/random.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr std::size_t kClasses = 4;
+using Mel = std::array<float, BarPatterns::kMelBands>;
+
+RecurrentNetwork random_network() {
+    RecurrentNetwork network({NetworkInput::kSize, 8, 2, kClasses});
+    const CounterRandom random(5);
+    for (std::size_t i = 0; i < network.parameters().size(); ++i) {
+        network.parameters()[i] = static_cast<float>(0.4 * random.normal(i));
+    }
+    return network;
+}
+
+std::vector<Mel> random_music(std::size_t hops) {
+    const CounterRandom random(6);
+    std::vector<Mel> music(hops);
+    for (std::size_t i = 0; i < hops * music[0].size(); ++i) {
+        music[i / music[0].size()][i % music[0].size()] =
+            static_cast<float>(5.0 * random.uniform(i));
+    }
+    return music;
+}
+
+std::array<float, kClasses> chances(const GenreListener& listener, int blocks) {
+    std::array<float, kClasses> out{};
+    listener.log_chances(blocks, out);
+    return out;
+}
+
+TEST(GenreListener, a_window_is_the_mean_of_its_hops) {
+    const RecurrentNetwork network = random_network();
+    const std::vector<Mel> music = random_music(2'345);  // longer than the ring
+    GenreListener listener;
+    NetworkInput input;
+    RecurrentStream stream;
+    std::vector<std::array<double, kClasses>> hops;
+    for (const Mel& mel : music) {
+        listener.next(network, mel);
+        auto logits = stream.next(network, input.next(mel));
+        const std::span<float> logs = std::span(logits).first(kClasses);
+        normalize_logs(logs);
+        auto& hop = hops.emplace_back();
+        std::transform(logs.begin(), logs.end(), hop.begin(), [](float log) {
+            return static_cast<double>(std::max(log, GenreListener::kLeastLog));
+        });
+    }
+    ASSERT_EQ(listener.blocks(), GenreListener::kBlocks);
+    const std::size_t end = hops.size() / 10 * 10;  // whole blocks
+    for (const int blocks : {1, 5, 50, GenreListener::kBlocks}) {
+        const auto heard = chances(listener, blocks);
+        const auto count = static_cast<std::size_t>(10 * blocks);
+        for (std::size_t c = 0; c < kClasses; ++c) {
+            double sum = 0.0;
+            for (std::size_t hop = end - count; hop < end; ++hop) {
+                sum += hops[hop][c];
+            }
+            EXPECT_NEAR(static_cast<double>(heard[c]), sum / static_cast<double>(count), 1e-4);
+        }
+    }
+}
+
+TEST(GenreListener, reset_forgets) {
+    const RecurrentNetwork network = random_network();
+    const std::vector<Mel> music = random_music(100);
+    GenreListener once;
+    GenreListener twice;
+    for (const Mel& mel : random_music(300)) {
+        twice.next(network, mel);
+    }
+    twice.reset();
+    EXPECT_EQ(twice.blocks(), 0);
+    for (const Mel& mel : music) {
+        once.next(network, mel);
+        twice.next(network, mel);
+    }
+    EXPECT_EQ(chances(once, 10), chances(twice, 10));
+}
+
+}  // namespace
+}  // namespace raks::audio
