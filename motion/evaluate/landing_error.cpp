@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 #include "motion/figures/foot_events.hpp"
 
@@ -9,6 +11,7 @@ namespace raks::motion {
 namespace {
 
 constexpr double kEarliest = -0.4;  // beats from the count, as learn_feet has it
+constexpr double kFarthest = 0.5;   // beats from when it is due
 constexpr double kNearEnd = 1.0;    // seconds
 constexpr double kNear = 0.080;     // seconds
 
@@ -18,19 +21,56 @@ double beat_at(std::span<const double> count_times, std::size_t k) {
     return count_times[first + 1] - count_times[first];
 }
 
-/// Times of the landings in [from, to), seconds.
-std::vector<double> landings_between(std::span<const double> moments,
-                                     double frames_per_second,
-                                     double from,
-                                     double to) {
-    std::vector<double> times;
-    for (const double moment : moments) {
-        const double time = moment / frames_per_second;
-        if (time >= from && time < to) {
-            times.push_back(time);
+/// A landing that people make at a count, and when it is due.
+struct DueLanding {
+    const HeardCount* heard = nullptr;
+    double time = 0.0;             // seconds
+    std::optional<double> landed;  // of the landing that lies nearest, seconds
+};
+
+/// A foot that comes down twice a count has no one moment at which it should.
+bool is_one_landing(const LandingOffset& offset, const FigureModel& figure, int least_repeats) {
+    constexpr double kOnce = 1.1;  // landings a repeat
+    return offset.repeats >= least_repeats && offset.repeats <= kOnce * figure.repeats;
+}
+
+/// Each landing goes to the due one that is nearest to it, and counts there if no other is nearer.
+void give_landings(std::span<const double> times, std::vector<DueLanding>& due) {
+    for (const double time : times) {
+        const auto away = [&](const DueLanding& one) {
+            return std::abs(time - one.time) / one.heard->beat;
+        };
+        const auto nearest =
+            std::min_element(due.begin(), due.end(), [&](const auto& a, const auto& b) {
+                return away(a) < away(b);
+            });
+        if (nearest == due.end() || away(*nearest) > kFarthest) {
+            continue;
         }
+        const bool is_nearer = !nearest->landed || std::abs(time - nearest->time) <
+                                                       std::abs(*nearest->landed - nearest->time);
+        nearest->landed = is_nearer ? time : *nearest->landed;
     }
-    return times;
+}
+
+/// Landings in the time of the counts.
+std::size_t landings_within(std::span<const double> times, std::span<const HeardCount> counts) {
+    return static_cast<std::size_t>(std::count_if(times.begin(), times.end(), [&](double time) {
+        return std::any_of(counts.begin(), counts.end(), [&](const HeardCount& heard) {
+            const double from = heard.time + kEarliest * heard.beat;
+            return time >= from && time < from + heard.beat;
+        });
+    }));
+}
+
+/// Counts that are not so near the track's ends that the low-pass has no future there.
+std::vector<HeardCount> judged_counts(const BodyTrack& track, std::span<const HeardCount> counts) {
+    const double end = static_cast<double>(track.frames() - 1) / track.frames_per_second;
+    std::vector<HeardCount> judged;
+    std::copy_if(counts.begin(), counts.end(), std::back_inserter(judged), [&](const auto& heard) {
+        return heard.time + kEarliest * heard.beat >= kNearEnd && heard.time <= end - kNearEnd;
+    });
+    return judged;
 }
 
 }  // namespace
@@ -75,29 +115,37 @@ LandingReport landing_errors(const BodyTrack& track,
     if (track.frames() < 2) {
         return report;
     }
-    const double end = static_cast<double>(track.frames() - 1) / track.frames_per_second;
+    const std::vector<HeardCount> judged = judged_counts(track, counts);
     for (const Side side : kSides) {
-        const std::vector<double> moments = landings(track.feet, side, track.frames_per_second);
-        for (const HeardCount& heard : counts) {
-            const double from = heard.time + kEarliest * heard.beat;
-            if (from < kNearEnd || heard.time > end - kNearEnd) {
-                continue;
-            }
+        std::vector<double> times = landings(track.feet, side, track.frames_per_second);
+        for (double& time : times) {
+            time /= track.frames_per_second;
+        }
+        std::vector<DueLanding> due;
+        for (const HeardCount& heard : judged) {
             const LandingOffset& offset =
                 heard.figure->landings[static_cast<std::size_t>(side)][heard.count];
-            const std::vector<double> found =
-                landings_between(moments, track.frames_per_second, from, from + heard.beat);
-            if (offset.repeats < least_repeats) {
-                report.unexpected += found.size();
-            } else if (found.empty()) {
-                ++report.missing;
-            } else {
-                report.unexpected += found.size() - 1;
-                const double error = found[0] - heard.time - offset.median.count() * heard.beat;
-                report.landings.push_back(
-                    {side, static_cast<int>(heard.count) + 1, found[0], error, heard.figure});
+            if (is_one_landing(offset, *heard.figure, least_repeats)) {
+                due.push_back(
+                    {&heard, heard.time + offset.median.count() * heard.beat, std::nullopt});
             }
         }
+        give_landings(times, due);
+        std::size_t expected = 0;
+        for (const DueLanding& one : due) {
+            if (!one.landed) {
+                ++report.missing;
+                continue;
+            }
+            ++expected;
+            report.landings.push_back({side,
+                                       static_cast<int>(one.heard->count) + 1,
+                                       *one.landed,
+                                       *one.landed - one.time,
+                                       one.heard->figure});
+        }
+        const std::size_t all = landings_within(times, judged);
+        report.unexpected += all - std::min(all, expected);
     }
     summarize(report);
     return report;

@@ -44,8 +44,9 @@ struct HeardCount {
 ///
 /// `count_times`: seconds of the counts heard, from a count 1 on, ascending; not the dancer's own
 /// phase. Counts near the track's ends (1 s) are left out: the low-pass has no future there. A
-/// landing belongs to the count from which it lies in [-0.4, 0.6) beats, as in training; offsets
-/// learnt from less than `least_repeats` landings are not expected.
+/// landing belongs to the learnt one (count + offset) that is nearest, at most half a beat away:
+/// steps between the beats lie where the windows of two counts meet. Offsets learnt from less than
+/// `least_repeats` landings are not expected, nor where a foot comes down twice a count.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
                                            const FigureModel& figure,

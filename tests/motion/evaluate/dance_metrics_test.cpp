@@ -78,6 +78,7 @@ void add_step(BodyTrack& track, Side side, double end) {
 FigureModel two_steps() {
     FigureModel figure;
     figure.beats = 8;
+    figure.repeats = 5;
     for (auto& side : figure.landings) {
         side.resize(8);
     }
@@ -126,6 +127,35 @@ TEST(LandingErrors, count_steps_that_are_missing_or_not_expected) {
     EXPECT_EQ(report.landings.size(), 1U);
     EXPECT_EQ(report.missing, 3U);
     EXPECT_EQ(report.unexpected, 1U);
+}
+
+TEST(LandingErrors, a_step_between_the_beats_belongs_to_its_own_count_however_late) {
+    FigureModel figure = two_steps();
+    figure.landings[0][0] = {5, Beats(0.5), Beats(0.05)};
+    figure.landings[0][1] = {5, Beats(0.0), Beats(0.05)};  // and at once the next one
+    std::vector<double> counts;
+    for (int k = 0; k < 16; ++k) {
+        counts.push_back(2.0 + 0.5 * k);
+    }
+    BodyTrack track = standing(900);
+    add_step(track, Side::left, 2.25 + 0.09);  // 0.18 beats late: past the middle of both counts
+    add_step(track, Side::left, 6.25 + 0.09);
+    const LandingReport report = landing_errors(track, figure, counts);
+    ASSERT_EQ(report.landings.size(), 2U);
+    EXPECT_EQ(report.landings[0].count, 1);
+    EXPECT_NEAR(report.landings[0].error, 0.09 - 0.035, 0.02);
+    EXPECT_EQ(report.unexpected, 0U);
+}
+
+TEST(LandingErrors, expect_nothing_where_a_foot_comes_down_twice_a_count) {
+    FigureModel figure = two_steps();
+    figure.landings[0][0] = {10, Beats(-0.1), Beats(0.2)};  // of 5 repeats
+    std::vector<double> counts;
+    for (int k = 0; k < 16; ++k) {
+        counts.push_back(2.0 + 0.5 * k);
+    }
+    const LandingReport report = landing_errors(standing(900), figure, counts);
+    EXPECT_EQ(report.missing, 2U);  // the right foot's
 }
 
 }  // namespace
