@@ -35,10 +35,13 @@ std::ptrdiff_t shift_floor(double samples_per_beat) {
     return static_cast<std::ptrdiff_t>(0.2 * samples_per_beat);
 }
 
-/// Runs of `value` in a closed row; empty when the whole row is one.
+/// Runs of `value` in a closed row.
 std::vector<ContactWindow> runs_of(const std::vector<bool>& row, bool value) {
     std::vector<ContactWindow> runs;
     const std::size_t size = row.size();
+    if (std::find(row.begin(), row.end(), !value) == row.end()) {
+        return {{0, size}};
+    }
     for (std::size_t i = 0; i < size; ++i) {
         if (row[i] != value || row[wrap(static_cast<std::ptrdiff_t>(i) - 1, size)] == value) {
             continue;

@@ -65,27 +65,35 @@ FloorMove couple_of(std::span<const FigureModel> figures, const FigureGrammar* g
     return move;
 }
 
-/// One place a foot for the starts of all figures: their mean.
-StartPlaces common_places(std::span<const FigureModel> figures,
-                          const std::vector<FigureTracks>& tracks,
-                          const std::vector<FigureWay>& ways,
-                          const Skeleton& skeleton) {
-    std::array<glm::vec2, 2> sums{};
-    std::array<float, 2> counts{};
+/// The same place a foot for all: their mean.
+void share_places(std::vector<StartPlaces>& places) {
+    for (std::size_t s = 0; s < kSides.size(); ++s) {
+        glm::vec2 sum{};
+        float count = 0.0F;
+        for (const StartPlaces& own : places) {
+            sum += own[s].value_or(glm::vec2(0.0F));
+            count += own[s] ? 1.0F : 0.0F;
+        }
+        for (StartPlaces& own : places) {
+            own[s] = count > 0.0F ? std::optional(sum / count) : std::nullopt;
+        }
+    }
+}
+
+/// Where the feet stand as each figure starts.
+std::vector<StartPlaces> start_places(std::span<const FigureModel> figures,
+                                      const std::vector<FigureTracks>& tracks,
+                                      const std::vector<FigureWay>& ways,
+                                      const Skeleton& skeleton,
+                                      FigureGrammar::Starts starts) {
+    std::vector<StartPlaces> places;
     for (std::size_t i = 0; i < figures.size(); ++i) {
-        const StartPlaces own = learnt_places(figures[i], tracks[i], ways[i], skeleton);
-        for (std::size_t s = 0; s < own.size(); ++s) {
-            sums[s] += own[s].value_or(glm::vec2(0.0F));
-            counts[s] += own[s] ? 1.0F : 0.0F;
-        }
+        places.push_back(learnt_places(figures[i], tracks[i], ways[i], skeleton));
     }
-    StartPlaces common;
-    for (std::size_t s = 0; s < common.size(); ++s) {
-        if (counts[s] > 0.0F) {
-            common[s] = sums[s] / counts[s];
-        }
+    if (starts == FigureGrammar::Starts::common) {
+        share_places(places);
     }
-    return common;
+    return places;
 }
 
 /// Where the first figure is danced, on average: in the middle of the stage, facing the audience.
@@ -120,7 +128,7 @@ struct Baking {
     std::span<const FigureModel> figures;
     const std::vector<FigureTracks>& tracks;
     const std::vector<FigureWay>& ways;
-    const StartPlaces& places;
+    const std::vector<StartPlaces>& places;  // by figure
     const Skeleton& skeleton;
     Generator generator = Generator::trajectories;
 
@@ -145,7 +153,7 @@ struct Baking {
                 tracks[figure],
                 varied,
                 ways[figure],
-                places,
+                places[figure],
                 n > 0 ? &places_of_steps : nullptr,
                 skeleton};
     }
@@ -186,7 +194,12 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     content.choreography =
         Choreography(grammar != nullptr ? *grammar : FigureGrammar::uniform(names));
     const std::vector<FigureWay> ways = closed_ways(figures, skeleton, grammar);
-    const StartPlaces places = common_places(figures, tracks, ways, skeleton);
+    const std::vector<StartPlaces> places =
+        start_places(figures,
+                     tracks,
+                     ways,
+                     skeleton,
+                     grammar != nullptr ? grammar->starts : FigureGrammar::Starts::common);
 
     const Baking baking{figures, tracks, ways, places, skeleton, generator};
     constexpr std::size_t kPassages = DanceContent::kPassages;

@@ -122,6 +122,10 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     const auto whole = static_cast<std::ptrdiff_t>(samples);
     const std::ptrdiff_t around = kAround * samples_per_beat;
     std::vector<PlannedContact> planned;
+    if (!windows.empty() && windows.front().length == samples) {  // it never leaves the floor
+        planned.push_back({{0, samples + 2 * static_cast<std::size_t>(around)}, start_place, {}});
+        return planned;
+    }
     for (int turn = -2; turn <= 1; ++turn) {
         for (std::size_t w = 0; w < windows.size(); ++w) {
             const auto first = static_cast<std::ptrdiff_t>(windows[w].first) + turn * whole;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/dance/easing.hpp"
+#include "motion/dance/hand_clearing.hpp"
 #include "motion/dance/leg_ik.hpp"
 
 namespace raks::motion {
@@ -198,7 +199,14 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
 }
 
 Pose FigureSequence::at(Beats phase) const noexcept {
-    const double at = phase.count();
+    Pose pose = free_at(phase.count());
+    if (content_->generator == Generator::trajectories) {
+        clear_hands(content_->skeleton, pose);
+    }
+    return pose;
+}
+
+Pose FigureSequence::free_at(double at) const noexcept {
     if (before_ && at < current_.start + margin_between(*before_, current_)) {
         return joined(*before_, current_, at);
     }

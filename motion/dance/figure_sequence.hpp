@@ -66,6 +66,8 @@ class FigureSequence {
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
     [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
+    /// Before hands are kept out of the body.
+    [[nodiscard]] Pose free_at(double phase) const noexcept;
     /// Beats on either side of a change in which both are danced: two joins never meet.
     [[nodiscard]] double margin_between(const Danced& before, const Danced& after) const noexcept;
     [[nodiscard]] Pose joined(const Danced& before,

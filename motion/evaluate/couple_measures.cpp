@@ -1,72 +1,15 @@
 #include "motion/evaluate/couple_measures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "motion/skeleton/body_capsules.hpp"
 
 #include <glm/geometric.hpp>
 
 namespace raks::motion {
 namespace {
-
-/// A stretch of the body: everything within `radius` of a line; metres of the mannequin.
-struct Capsule {
-    glm::vec3 from{};
-    glm::vec3 to{};
-    float radius = 0.0F;
-};
-using BodyCapsules = std::array<Capsule, 9>;
-
-// Girth of the mannequin (render/avatar): the trunk is two flanks, 0.29 m wide and 0.17 m deep.
-constexpr float kFlank = 0.06F;
-constexpr float kTrunkRadius = 0.085F;
-constexpr float kHeadRadius = 0.08F;
-constexpr float kThighRadius = 0.07F;
-constexpr float kShinRadius = 0.05F;
-constexpr float kHeadHeight = 0.14F;  // of the head's middle over its joint and below its crown
-
-BodyCapsules capsules_of(const Skeleton& skeleton, const Pose& pose) {
-    const WorldPose world = world_pose(skeleton, pose);
-    BodyCapsules capsules;
-    std::size_t at = 0;
-    for (const Side side : kSides) {
-        const float aside = side == Side::left ? kFlank : -kFlank;
-        const auto joint = [&](Bone left) { return world.position(on_side(left, side)); };
-        capsules[at++] = {world.point(Bone::hips, {aside, 0.0F, 0.0F}),
-                          world.point(Bone::upper_chest, {aside, 0.05F, 0.0F}),
-                          kTrunkRadius};
-        capsules[at++] = {joint(Bone::left_upper_leg), joint(Bone::left_lower_leg), kThighRadius};
-        capsules[at++] = {joint(Bone::left_lower_leg), joint(Bone::left_foot), kShinRadius};
-        capsules[at++] = {joint(Bone::left_foot), joint(Bone::left_toes), 0.5F * kShinRadius};
-    }
-    capsules[at] = {world.position(Bone::neck),
-                    world.point(Bone::head, {0.0F, kHeadHeight, 0.0F}),
-                    kHeadRadius};
-    return capsules;
-}
-
-/// Least distance between the points of two segments (Ericson 2005, "Real-Time Collision
-/// Detection", 5.1.9). Neither is a point.
-float distance_of(const Capsule& one, const Capsule& other) {
-    const glm::vec3 a = one.to - one.from;
-    const glm::vec3 b = other.to - other.from;
-    const glm::vec3 between = one.from - other.from;
-    const float aa = glm::dot(a, a);
-    const float bb = glm::dot(b, b);
-    const float ab = glm::dot(a, b);
-    const float ac = glm::dot(a, between);
-    const float bc = glm::dot(b, between);
-    const float slant = aa * bb - ab * ab;
-    constexpr float kParallel = 1e-9F;
-    const float first =
-        slant > kParallel ? std::clamp((ab * bc - ac * bb) / slant, 0.0F, 1.0F) : 0.0F;
-    const float free = (ab * first + bc) / bb;
-    const float second = std::clamp(free, 0.0F, 1.0F);
-    const float s = std::clamp((ab * second - ac) / aa, 0.0F, 1.0F);
-    return glm::distance(one.from + s * a, other.from + second * b);
-}
 
 double angle_past(const WorldPose& who, const glm::vec3& other) {
     const glm::vec3 ahead = who.rotation(Bone::hips) * glm::vec3(0.0F, 0.0F, 1.0F);
@@ -79,10 +22,10 @@ double angle_past(const WorldPose& who, const glm::vec3& other) {
 
 double body_clearance(const Skeleton& skeleton, const Pose& one, const Pose& other) {
     float least = 1e9F;
-    const BodyCapsules others = capsules_of(skeleton, other);
-    for (const Capsule& a : capsules_of(skeleton, one)) {
+    const BodyCapsules others = body_capsules(world_pose(skeleton, other));
+    for (const Capsule& a : body_capsules(world_pose(skeleton, one))) {
         for (const Capsule& b : others) {
-            least = std::min(least, distance_of(a, b) - a.radius - b.radius);
+            least = std::min(least, nearness(a, b).metres);
         }
     }
     return static_cast<double>(least);

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kFormat = "raks-dance";
 constexpr std::int64_t kVersion = 1;
+constexpr std::array<std::string_view, 2> kStartsNames = {"common", "own"};  // by Starts
 constexpr double kLargestWeight = 1e6;
 constexpr double kFarthest = 10.0;      // metres
 constexpr double kFarthestAside = 1.0;  // metres
@@ -28,8 +29,15 @@ class GrammarReader {
     explicit GrammarReader(const std::string& name) : name_(name) {}
 
     Expected<FigureGrammar> read(const toml::table& root) {
-        if (auto ok = check_keys(
-                root, {"format", "version", "dance", "beats_per_bar", "lead", "follow", "figure"});
+        if (auto ok = check_keys(root,
+                                 {"format",
+                                  "version",
+                                  "dance",
+                                  "beats_per_bar",
+                                  "starts",
+                                  "lead",
+                                  "follow",
+                                  "figure"});
             !ok) {
             return fail(std::move(ok.error()));
         }
@@ -55,6 +63,13 @@ class GrammarReader {
             return fail(name_ + ": beats_per_bar must be a number from 2 to 12");
         }
         grammar.beats_per_bar = static_cast<int>(bar);
+        const auto starts = root["starts"].value_or(
+            std::string(root.contains("starts") ? "" : kStartsNames.front()));
+        const auto named = std::find(kStartsNames.begin(), kStartsNames.end(), starts);
+        if (named == kStartsNames.end()) {
+            return fail(name_ + ": starts must be \"common\" or \"own\"");
+        }
+        grammar.starts = static_cast<FigureGrammar::Starts>(named - kStartsNames.begin());
         for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
             if (auto ok = read_place(root, role, grammar); !ok) {
                 return fail(std::move(ok.error()));

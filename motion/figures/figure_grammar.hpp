@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -31,8 +32,14 @@ struct FigureGrammar {
         glm::dvec2 turn_point{0.0, 0.0};
         double heading = 0.0;  ///< on the stage, where figures start; radians
     };
+    /// Where the feet stand as figures start.
+    enum class Starts : std::uint8_t {
+        common,  ///< all in one place a foot: figures from people's takes begin alike
+        own,     ///< each in its own: written figures have a stance each, the dancer steps over
+    };
     std::string dance;
     int beats_per_bar = 4;
+    Starts starts = Starts::common;
     std::vector<Place> places;  ///< by role; none: each about its own
     std::vector<Rule> rules;    ///< by figure; the dance begins with the first
 
@@ -44,7 +51,8 @@ struct FigureGrammar {
 };
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
-/// 12; 4 if left out), and one [[figure]] each with name, energy and `after` = { figure = weight,
+/// 12; 4 if left out), starts ("common" if left out, or "own"), and one [[figure]] each with name,
+/// energy and `after` = { figure = weight,
 /// ... }; for couples [lead] and [follow] with turn_point = [left, forward] and heading in degrees,
 /// and with a figure lead_aside and follow_aside = [left, forward].
 /// Errors, one line: not readable, not TOML, another format, a newer version, unknown keys and

@@ -5,10 +5,12 @@
 
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/foot_lock.hpp"
+#include "motion/dance/hand_clearing.hpp"
 #include "motion/dance/idle.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/leg_ik.hpp"
 #include "motion/dance/trajectory.hpp"
+#include "motion/skeleton/body_capsules.hpp"
 #include "tests/motion/dance/stage.hpp"
 
 #include <glm/geometric.hpp>
@@ -115,6 +117,51 @@ TEST(ContactWindows, close_short_gaps_and_drop_short_contacts) {
     ASSERT_EQ(windows.size(), 1U);
     EXPECT_NEAR(static_cast<double>(windows[0].first), 0.0, 1.0);
     EXPECT_NEAR(static_cast<double>(windows[0].length), 16.0, 2.0);
+}
+
+TEST(ContactWindows, a_foot_that_never_leaves_the_floor_stands_all_the_time) {
+    std::array<double, kContactBins> chance{};
+    chance.fill(1.0);
+    const auto windows = contact_windows(chance, 4, 192);
+    ASSERT_EQ(windows.size(), 1U);
+    EXPECT_EQ(windows[0].first, 0U);
+    EXPECT_EQ(windows[0].length, 192U);
+}
+
+/// An arm that swings from the side to the front of the body, lower and lower: at 0 it is free.
+Pose arm_along_body(float angle) {
+    Pose pose;
+    pose.hips_position.y = mannequin_skeleton().hips_height();
+    pose.rotation(Bone::left_upper_arm) = glm::angleAxis(-angle, glm::vec3(0, 0, 1));
+    pose.rotation(Bone::left_lower_arm) = glm::angleAxis(-0.5F, glm::vec3(0, 1, 0));
+    return pose;
+}
+
+TEST(ClearHands, brings_a_hand_out_of_the_body_and_leaves_a_free_one_alone) {
+    Pose free = arm_along_body(0.3F);
+    const Pose before = free;
+    clear_hands(mannequin_skeleton(), free);
+    EXPECT_EQ(free.rotation(Bone::left_upper_arm), before.rotation(Bone::left_upper_arm));
+    bool was_inside = false;
+    for (float angle = 1.0F; angle < 1.75F; angle += 0.05F) {
+        Pose pose = arm_along_body(angle);
+        was_inside = was_inside || hand_clearance(mannequin_skeleton(), pose).metres < -0.02;
+        clear_hands(mannequin_skeleton(), pose);
+        EXPECT_GT(hand_clearance(mannequin_skeleton(), pose).metres, -0.005) << angle;
+    }
+    EXPECT_TRUE(was_inside);
+}
+
+TEST(ClearHands, moves_a_hand_smoothly_as_it_comes_near) {
+    const auto wrist = [](float angle) {
+        Pose pose = arm_along_body(angle);
+        clear_hands(mannequin_skeleton(), pose);
+        return world_pose(mannequin_skeleton(), pose).position(Bone::left_hand);
+    };
+    constexpr float kStep = 0.01F;  // radians: 5 mm of the hand by itself
+    for (float angle = 0.3F; angle < 1.75F; angle += kStep) {
+        EXPECT_LT(glm::distance(wrist(angle), wrist(angle + kStep)), 0.02F) << angle;
+    }
 }
 
 TEST(DancePhase, is_monotone_and_close_to_the_music_on_a_ramp) {

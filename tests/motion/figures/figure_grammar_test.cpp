@@ -56,6 +56,23 @@ TEST(FigureGrammar, reads_how_far_a_couple_goes_aside) {
     }
 }
 
+TEST(FigureGrammar, reads_where_figures_start) {
+    const auto common = parse_grammar(kGood, "x.toml");
+    ASSERT_TRUE(common);
+    EXPECT_EQ(common->starts, FigureGrammar::Starts::common);
+    const auto own = parse_grammar(
+        replaced("dance = \"salsa\"", "dance = \"salsa\"\nstarts = \"own\""), "x.toml");
+    ASSERT_TRUE(own) << own.error().message;
+    EXPECT_EQ(own->starts, FigureGrammar::Starts::own);
+    for (const char* const bad : {"\"mine\"", "1", "\"\""}) {
+        const auto refused = parse_grammar(
+            replaced("dance = \"salsa\"", std::string("dance = \"salsa\"\nstarts = ") + bad),
+            "x.toml");
+        ASSERT_FALSE(refused) << bad;
+        EXPECT_NE(refused.error().message.find("starts must be"), std::string::npos);
+    }
+}
+
 TEST(FigureGrammar, the_shipped_one_is_read) {
     const auto grammar = load_grammar(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa.toml");
     ASSERT_TRUE(grammar) << grammar.error().message;

@@ -1,0 +1,86 @@
+#include "motion/skeleton/body_capsules.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion {
+namespace {
+
+// Girth of the mannequin (render/avatar): the trunk is two flanks, 0.29 m wide and 0.17 m deep.
+constexpr float kFlank = 0.06F;
+constexpr float kTrunkRadius = 0.085F;
+constexpr float kHeadRadius = 0.08F;
+constexpr float kThighRadius = 0.07F;
+constexpr float kShinRadius = 0.05F;
+constexpr float kHeadHeight = 0.14F;  // of the head's middle over its joint and below its crown
+constexpr float kForearmRadius = 0.03F;
+constexpr float kHandRadius = 0.02F;  // half its thickness: a palm may rest on the body
+
+}  // namespace
+
+BodyCapsules body_capsules(const WorldPose& world) noexcept {
+    BodyCapsules capsules;
+    std::size_t at = 0;
+    for (const Side side : kSides) {
+        const float aside = side == Side::left ? kFlank : -kFlank;
+        const auto joint = [&](Bone left) { return world.position(on_side(left, side)); };
+        capsules[at++] = {world.point(Bone::hips, {aside, 0.0F, 0.0F}),
+                          world.point(Bone::upper_chest, {aside, 0.05F, 0.0F}),
+                          kTrunkRadius};
+        capsules[at++] = {joint(Bone::left_upper_leg), joint(Bone::left_lower_leg), kThighRadius};
+        capsules[at++] = {joint(Bone::left_lower_leg), joint(Bone::left_foot), kShinRadius};
+        capsules[at++] = {joint(Bone::left_foot), joint(Bone::left_toes), 0.5F * kShinRadius};
+    }
+    capsules[at] = {world.position(Bone::neck),
+                    world.point(Bone::head, {0.0F, kHeadHeight, 0.0F}),
+                    kHeadRadius};
+    return capsules;
+}
+
+// Ericson 2005, "Real-Time Collision Detection", 5.1.9.
+Nearness nearness(const Capsule& one, const Capsule& other) noexcept {
+    const glm::vec3 a = one.to - one.from;
+    const glm::vec3 b = other.to - other.from;
+    const glm::vec3 between = one.from - other.from;
+    const float aa = glm::dot(a, a);
+    const float bb = glm::dot(b, b);
+    const float ab = glm::dot(a, b);
+    const float ac = glm::dot(a, between);
+    const float bc = glm::dot(b, between);
+    const float slant = aa * bb - ab * ab;
+    constexpr float kParallel = 1e-9F;
+    const float first =
+        slant > kParallel ? std::clamp((ab * bc - ac * bb) / slant, 0.0F, 1.0F) : 0.0F;
+    const float free = (ab * first + bc) / bb;
+    const float second = std::clamp(free, 0.0F, 1.0F);
+    const float s = std::clamp((ab * second - ac) / aa, 0.0F, 1.0F);
+    const glm::vec3 away = one.from + s * a - (other.from + second * b);
+    return {away, glm::length(away) - one.radius - other.radius};
+}
+
+std::array<Capsule, 2> hand_capsules(const WorldPose& world, Side side) noexcept {
+    const auto joint = [&](Bone left) { return world.position(on_side(left, side)); };
+    const glm::vec3 wrist = joint(Bone::left_hand);
+    return {{{glm::mix(joint(Bone::left_lower_arm), wrist, 0.5F), wrist, kForearmRadius},
+             {wrist, joint(Bone::left_middle_intermediate), kHandRadius}}};
+}
+
+HandClearance hand_clearance(const Skeleton& skeleton, const Pose& pose) noexcept {
+    const WorldPose world = world_pose(skeleton, pose);
+    const BodyCapsules body = body_capsules(world);
+    HandClearance least{Side::left, kBodyCapsuleNames[0], 1e9};
+    for (const Side side : kSides) {
+        for (const Capsule& hand : hand_capsules(world, side)) {
+            for (std::size_t part = 0; part < body.size(); ++part) {
+                const auto metres = static_cast<double>(nearness(hand, body[part]).metres);
+                if (metres < least.metres) {
+                    least = {side, kBodyCapsuleNames[part], metres};
+                }
+            }
+        }
+    }
+    return least;
+}
+
+}  // namespace raks::motion
