@@ -89,6 +89,18 @@ Expected<engine::TrialCast> cast_of(const EvalDanceArguments& arguments,
         static_cast<std::size_t>(report.role)};
 }
 
+/// The figures of a written dance, each by itself.
+Expected<std::vector<engine::DancedWrittenFigure>> written_of(const EvalDanceArguments& arguments,
+                                                              const DanceReport& report) {
+    const auto library =
+        engine::load_dance(report.dance, report.role, engine::form_of(arguments.settings));
+    if (!library) {
+        return fail(library.error());
+    }
+    return engine::danced_written_figures(
+        report.dance, *library, static_cast<std::uint64_t>(report.seed));
+}
+
 Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
                                                motion::DanceRole role,
                                                const Figures& figures) {
@@ -143,6 +155,11 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
         return fail(people.error());
     }
     report.people = std::move(*people);
+    auto written = written_of(arguments, report);
+    if (!written) {
+        return fail(written.error());
+    }
+    report.written = std::move(*written);
     {
         ProgressLine progress("dancing");
         for (const engine::DanceTrial& trial : *trials) {

@@ -75,6 +75,26 @@ Json landings_of(const motion::LandingReport& report) {
     return landings;
 }
 
+Json written_of(const DanceReport& report) {
+    Json figures = Json::array();
+    for (const engine::DancedWrittenFigure& figure : report.written) {
+        const motion::TakeMeasures& is = figure.measures;
+        figures.push_back({{"figure", figure.name},
+                           {"hip_travel_cm_a_beat", is.hip_travel},
+                           {"toe_contacts_a_bar", is.toe_contacts},
+                           {"hand_delay_beats", is.hand_delay},
+                           {"jerk_rms", is.jerk_rms},
+                           {"jerk_p999", is.jerk_p999},
+                           {"slip_p90_m", is.slip_p90},
+                           {"repeat_distance_m", is.repeat_distance},
+                           {"hand_clearance_m", is.hand_clearance},
+                           {"hand_near", is.hand_near},
+                           {"least_knee_degrees", is.least_knee},
+                           {"faults", figure.faults}});
+    }
+    return figures;
+}
+
 /// Names of what lies outside its bound, or is missing where a bound asks for it.
 Json outside_of(const MeasuredDance& dance, const JerkStandard& jerk) {
     Json outside = Json::array();
@@ -129,6 +149,9 @@ std::string to_json(const DanceReport& report) {
         }
     }
     document["figures"] = figures_of(report.trials);
+    if (!report.written.empty()) {
+        document["written_figures"] = written_of(report);
+    }
     if (!report.people.empty()) {
         auto& takes = document["people"]["takes"] = Json::array();
         for (const MeasuredDance& take : report.people) {

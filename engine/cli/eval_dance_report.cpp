@@ -144,6 +144,47 @@ std::string figures_table(const DanceReport& report) {
     return "Figures (medians; speed by pace)\n\n" + text_table(rows) + "\n";
 }
 
+/// Two repeats of one figure: salsa's absolute values.
+bool is_varied(const engine::DancedWrittenFigure& figure) {
+    return kRepeatDistance.holds(figure.measures.repeat_distance);
+}
+
+/// Nothing where the dance was captured.
+std::string written_table(const DanceReport& report) {
+    if (report.written.empty()) {
+        return "";
+    }
+    std::vector<Row> rows = {{"figure",
+                              "hips cm a beat",
+                              "contacts a bar",
+                              "hands behind head, beats",
+                              "jerk rms",
+                              "p99.9",
+                              "slip p90 cm",
+                              "repeats apart cm",
+                              "hand clear cm",
+                              "least knee deg"}};
+    std::string faults;
+    for (const engine::DancedWrittenFigure& figure : report.written) {
+        const motion::TakeMeasures& is = figure.measures;
+        rows.push_back({figure.name + (figure.faults.empty() ? "" : " !"),
+                        number(is.hip_travel, 1),
+                        number(is.toe_contacts, 1),
+                        number(is.hand_delay, 2),
+                        number(is.jerk_rms, 0),
+                        number(is.jerk_p999, 0),
+                        number(1e2 * is.slip_p90, 1),
+                        number(1e2 * is.repeat_distance, 1) + (is_varied(figure) ? "" : "!"),
+                        number(1e2 * is.hand_clearance, 1),
+                        number(is.least_knee, 0)});
+        for (const std::string& fault : figure.faults) {
+            faults += fault + "\n";
+        }
+    }
+    return "Each figure by itself on a perfect beat, against what its file expects\n\n" +
+           text_table(rows) + "\n" + faults + (faults.empty() ? "" : "\n");
+}
+
 /// The bounds of jerk are people's own at their own tempo; the filter spares no faster dance.
 std::string paces_table(const DanceReport& report) {
     const auto jerks = jerk_by_pace(report.people);
@@ -199,6 +240,10 @@ std::string verdict(const DanceReport& report) {
                 outside += value && bound->holds(*value) ? 0U : 1U;
             }
         }
+    }
+    for (const engine::DancedWrittenFigure& figure : report.written) {
+        bounded += 2;  // its file's expectations; two repeats apart
+        outside += (figure.faults.empty() ? 0U : 1U) + (is_varied(figure) ? 0U : 1U);
     }
     return fmt::format(
         "{} of {} values that have a bound are within it\n", bounded - outside, bounded);
@@ -294,7 +339,8 @@ std::string to_text(const DanceReport& report) {
     if (people) {
         text += paces_table(report);
     }
-    return text + figures_table(report) + couple_table(report) + verdict(report);
+    return text + figures_table(report) + written_table(report) + couple_table(report) +
+           verdict(report);
 }
 
 }  // namespace raks::cli

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/dance_trial.hpp"
+#include "engine/figure_alone.hpp"
 #include "motion/evaluate/captured_dance.hpp"
 
 namespace raks::cli {
@@ -46,7 +47,8 @@ struct DanceReport {
     std::string generator = "trajectories";
     std::int64_t seed = 1;
     std::vector<MeasuredDance> trials;
-    std::vector<MeasuredDance> people;  ///< by take, empty without clips
+    std::vector<MeasuredDance> people;                 ///< by take, empty without clips
+    std::vector<engine::DancedWrittenFigure> written;  ///< each by itself; empty: captured
 };
 
 /// Captured takes as rows of the report. What only a dancer has (pace, re-anchors) stays empty.
@@ -75,6 +77,9 @@ struct DanceQuantity {
 inline constexpr Bound kCoupleHands = {.highest = 0.25};  ///< metres, p90 in the basic
 /// Metres: legs that step between one another touch; trunks that pass do not.
 inline constexpr Bound kCoupleClosest = {.lowest = -0.05};
+
+/// Metres between two repeats of a written figure; people's salsa: 11.6.
+inline constexpr Bound kRepeatDistance = {0.06, 0.14};
 
 /// One figure over several dances.
 struct FigureSummary {

@@ -51,7 +51,7 @@ struct Track {
 };
 
 /// Which part of the foot lands, and what it does then.
-enum class Landing : std::uint8_t {
+enum class FootLanding : std::uint8_t {
     ball,        ///< the ball first, then the heel comes down
     flat,        ///< all at once
     heel,        ///< the heel first, then the ball comes down
@@ -65,7 +65,7 @@ struct FootStep {
     std::optional<glm::dvec2> to;  ///< ball's place in the figure's frame, cm; none: the same
     double air = 0.5;              ///< beats off the floor
     std::optional<double> lift;    ///< cm; none: by the distance; at most 1: a slide
-    Landing on = Landing::ball;
+    FootLanding on = FootLanding::ball;
     double turn = 0.0;                   ///< of the foot's toes, against the figure's front
     std::optional<double> weight = 1.0;  ///< on this foot after it, [0, 1]; none: no change
     double land = 0.0;                   ///< lands so much after `at`, beats

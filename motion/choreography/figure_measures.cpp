@@ -7,9 +7,11 @@
 #include <string_view>
 
 #include "motion/choreography/figure_evaluation.hpp"
+#include "motion/choreography/joint_limits.hpp"
 #include "motion/evaluate/body_track.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/repeat_distance.hpp"
+#include "motion/skeleton/body_capsules.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -48,31 +50,48 @@ std::vector<double> speeds_of(const BodyTrack& track, std::initializer_list<Bone
     return speeds;
 }
 
-/// Frames by which `late` follows `early`: where their correlation is greatest within `reach`.
-double delay_of(const std::vector<double>& early,
-                const std::vector<double>& late,
-                std::ptrdiff_t reach) {
-    const auto mean = [](const std::vector<double>& values) {
-        double sum = 0.0;
-        for (const double value : values) {
-            sum += value;
-        }
-        return sum / static_cast<double>(values.size());
-    };
-    const double early_mean = mean(early);
-    const double late_mean = mean(late);
+double mean_of(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+}
+
+/// How alike both go, by how many frames `late` follows `early`, from -reach on.
+std::vector<double> likeness_by_shift(const std::vector<double>& early,
+                                      const std::vector<double>& late,
+                                      std::ptrdiff_t reach) {
+    const double early_mean = mean_of(early);
+    const double late_mean = mean_of(late);
     const auto count = static_cast<std::ptrdiff_t>(early.size());
-    double best = -1e300;
-    double delay = 0.0;
+    std::vector<double> likeness;
     for (std::ptrdiff_t shift = -reach; shift <= reach; ++shift) {
         double sum = 0.0;
         for (std::ptrdiff_t i = reach; i < count - reach; ++i) {
             sum += (early[static_cast<std::size_t>(i)] - early_mean) *
                    (late[static_cast<std::size_t>(i + shift)] - late_mean);
         }
-        if (sum > best) {
-            best = sum;
-            delay = static_cast<double>(shift);
+        likeness.push_back(sum);
+    }
+    return likeness;
+}
+
+/// Frames by which `late` follows `early`: of the shifts at which they go about as alike as they
+/// can, the least. (What repeats each beat fits half a beat earlier nearly as well as later.)
+double delay_of(const std::vector<double>& early,
+                const std::vector<double>& late,
+                std::ptrdiff_t reach) {
+    constexpr double kAboutAsAlike = 0.8;
+    const std::vector<double> likeness = likeness_by_shift(early, late, reach);
+    const double best = *std::max_element(likeness.begin(), likeness.end());
+    double delay = static_cast<double>(reach);
+    for (std::size_t i = 0; i < likeness.size(); ++i) {
+        const bool is_peak = (i == 0 || likeness[i] >= likeness[i - 1]) &&
+                             (i + 1 == likeness.size() || likeness[i] >= likeness[i + 1]);
+        const auto shift = static_cast<double>(static_cast<std::ptrdiff_t>(i) - reach);
+        if (is_peak && likeness[i] >= kAboutAsAlike * best && std::abs(shift) < std::abs(delay)) {
+            delay = shift;
         }
     }
     return delay;
@@ -89,28 +108,68 @@ void check_range(const std::optional<ValueRange>& range,
     }
 }
 
+/// Between every two repeats, the median; metres.
+double distance_of_repeats(const FigureTake& take, const BodyTrack& track) {
+    std::vector<FigureShape> shapes;
+    for (int repeat = 0; repeat < take.repeats; ++repeat) {
+        std::vector<double> times;
+        for (int beat = 0; beat <= take.beats; ++beat) {
+            times.push_back((repeat * take.beats + beat - take.first_beat) *
+                            take.tempo.seconds_per_beat());
+        }
+        if (const auto shape = figure_shape(track, times)) {
+            shapes.push_back(*shape);
+        }
+    }
+    return percentile(repeat_distances(shapes), 0.5);
+}
+
+double knee_bend(const Pose& pose, Side side) noexcept {
+    const glm::quat& knee = pose.rotation(on_side(Bone::left_lower_leg, side));
+    const double w = std::min(1.0, std::abs(static_cast<double>(knee.w)));
+    return 2.0 * std::acos(w) * 180.0 / M_PI;
+}
+
+/// What each pose must hold to by itself.
+void measure_poses(const FigureTake& take, const Skeleton& skeleton, TakeMeasures& measures) {
+    measures.hand_clearance = 1e9;
+    measures.least_knee = 180.0;
+    const double beats_a_frame = 1.0 / (take.tempo.seconds_per_beat() * take.frames_per_second);
+    for (std::size_t i = 0; i < take.poses.size(); ++i) {
+        const Pose& pose = take.poses[i];
+        for (const Side side : kSides) {
+            measures.least_knee = std::min(measures.least_knee, knee_bend(pose, side));
+        }
+        const HandClearance hand = hand_clearance(skeleton, pose);
+        if (hand.metres < measures.hand_clearance) {
+            const double beat = take.first_beat + static_cast<double>(i) * beats_a_frame;
+            measures.hand_clearance = hand.metres;
+            measures.hand_near = fmt::format("{} hand, {}, beat {:.1f}",
+                                             hand.hand == Side::left ? "left" : "right",
+                                             hand.part,
+                                             beat - take.beats * std::floor(beat / take.beats));
+        }
+        const auto joint = worst_joint(pose);
+        if (joint && joint->beyond() > measures.joint_excess) {
+            measures.joint_excess = joint->beyond();
+            measures.joint = joint->joint;
+        }
+    }
+}
+
 }  // namespace
 
-FigureMeasures measure_figure(const AuthoredDance& dance,
-                              const AuthoredFigure& figure,
-                              const Skeleton& skeleton) {
-    const int sides = figure.is_mirrored ? 2 : 1;
-    EvaluationOptions options;
-    options.written = options.tempo = dance.written;
-    options.repeats = kRepeats * sides;
-    options.margin = 0.5;
-    const EvaluatedFigure evaluated = evaluate_figure(figure, skeleton, options);
-    const BodyTrack track = body_track(skeleton, evaluated.poses, options.frames_per_second);
-    const double beats = static_cast<double>(options.repeats) * figure.beats + 2.0 * options.margin;
+TakeMeasures measure_take(const FigureTake& take, const Skeleton& skeleton) {
+    const BodyTrack track = body_track(skeleton, take.poses, take.frames_per_second);
+    const double frames_a_beat = take.tempo.seconds_per_beat() * take.frames_per_second;
+    const double beats = static_cast<double>(take.poses.size() - 1) / frames_a_beat;
 
-    FigureMeasures measures;
+    TakeMeasures measures;
     constexpr double kCentimetres = 100.0;
     measures.hip_travel = kCentimetres * hip_path(track) / beats;
     const ContactReport contacts = contacts_of(track, 0.0);
-    measures.toe_contacts =
-        static_cast<double>(contacts.slips.size()) * dance.beats_per_bar / beats;
+    measures.toe_contacts = static_cast<double>(contacts.slips.size()) * take.beats_per_bar / beats;
     measures.slip_p90 = contacts.slip_p90;
-    const double frames_a_beat = 1.0 / evaluated.beats_per_frame;
     measures.hand_delay = delay_of(speeds_of(track, {Bone::head}),
                                    speeds_of(track, {Bone::left_hand, Bone::right_hand}),
                                    static_cast<std::ptrdiff_t>(0.5 * frames_a_beat)) /
@@ -118,24 +177,33 @@ FigureMeasures measure_figure(const AuthoredDance& dance,
     const JerkReport jerk = jerk_of(track);
     measures.jerk_rms = jerk.rms;
     measures.jerk_p999 = jerk.p999;
-    std::vector<FigureShape> shapes;
-    for (int repeat = 0; repeat < kRepeats; ++repeat) {
-        std::vector<double> times;
-        for (int beat = 0; beat <= figure.beats * sides; ++beat) {
-            times.push_back((options.margin + repeat * figure.beats * sides + beat) *
-                            options.tempo.seconds_per_beat());
-        }
-        if (const auto shape = figure_shape(track, times)) {
-            shapes.push_back(*shape);
-        }
-    }
-    measures.repeat_distance = percentile(repeat_distances(shapes), 0.5);
+    measures.repeat_distance = distance_of_repeats(take, track);
+    measure_poses(take, skeleton, measures);
     return measures;
+}
+
+TakeMeasures measure_figure(const AuthoredDance& dance,
+                            const AuthoredFigure& figure,
+                            const Skeleton& skeleton) {
+    const int sides = figure.is_mirrored ? 2 : 1;
+    EvaluationOptions options;
+    options.written = options.tempo = dance.written;
+    options.repeats = kRepeats * sides;
+    options.margin = 0.5;
+    const EvaluatedFigure evaluated = evaluate_figure(figure, skeleton, options);
+    return measure_take({evaluated.poses,
+                         options.frames_per_second,
+                         options.tempo,
+                         evaluated.first_beat,
+                         figure.beats * sides,
+                         kRepeats,
+                         dance.beats_per_bar},
+                        skeleton);
 }
 
 std::vector<std::string> faults_in_measures(const AuthoredDance& dance,
                                             const AuthoredFigure& figure,
-                                            const FigureMeasures& measures) {
+                                            const TakeMeasures& measures) {
     const FigureExpectation& expected = figure.expectation;
     const std::string where = where_in(dance, figure);
     std::vector<std::string> faults;
@@ -147,6 +215,26 @@ std::vector<std::string> faults_in_measures(const AuthoredDance& dance,
     const JerkBound bound = expected.jerk.value_or(JerkBound{});
     check_range(ValueRange{0.0, bound.rms}, measures.jerk_rms, "jerk rms is", where, faults);
     check_range(ValueRange{0.0, bound.p999}, measures.jerk_p999, "jerk p99.9 is", where, faults);
+    return faults;
+}
+
+std::vector<std::string> faults_in_poses(const AuthoredDance& dance,
+                                         const AuthoredFigure& figure,
+                                         const TakeMeasures& measures) {
+    const std::string where = where_in(dance, figure);
+    std::vector<std::string> faults;
+    if (measures.hand_clearance < -kMostHandDepth) {
+        faults.push_back(fmt::format("{}: a hand goes {:.1f} cm into the body ({})",
+                                     where,
+                                     -100.0 * measures.hand_clearance,
+                                     measures.hand_near));
+    }
+    if (measures.joint_excess > 0.0) {
+        faults.push_back(fmt::format("{}: {} is {:.0f} degrees beyond its limits",
+                                     where,
+                                     measures.joint,
+                                     measures.joint_excess));
+    }
     return faults;
 }
 

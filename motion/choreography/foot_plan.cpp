@@ -44,7 +44,7 @@ struct PlacedStep {
     double from_yaw = 0.0;
     double to_yaw = 0.0;
     double lift = 0.0;  // metres
-    Landing on = Landing::ball;
+    FootLanding on = FootLanding::ball;
     double leaves = 0.0;  // pitch when it leaves the floor
 };
 
@@ -80,31 +80,31 @@ double share_after_landing(double distance, double seconds) {
     return std::min(1.0 - s, kLatest);
 }
 
-double resting_pitch(Landing on) {
+double resting_pitch(FootLanding on) {
     switch (on) {
-        case Landing::touch:
+        case FootLanding::touch:
             return kTouchPitch;
-        case Landing::heel_touch:
+        case FootLanding::heel_touch:
             return kHeelTouchPitch;
         default:
             return 0.0;
     }
 }
 
-double landing_pitch(Landing on) {
+double landing_pitch(FootLanding on) {
     constexpr double kBall = 16.0 * kDegree;
     constexpr double kFlat = 3.0 * kDegree;
     constexpr double kHeel = -14.0 * kDegree;
     switch (on) {
-        case Landing::ball:
+        case FootLanding::ball:
             return kBall;
-        case Landing::flat:
+        case FootLanding::flat:
             return kFlat;
-        case Landing::heel:
+        case FootLanding::heel:
             return kHeel;
-        case Landing::touch:
+        case FootLanding::touch:
             return kTouchPitch;
-        case Landing::heel_touch:
+        case FootLanding::heel_touch:
             return kHeelTouchPitch;
     }
     return 0.0;

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "motion/choreography/figure_evaluation.hpp"
+#include "motion/choreography/figure_measures.hpp"
 #include "motion/choreography/joint_limits.hpp"
+#include "motion/skeleton/body_capsules.hpp"
 
 namespace raks::motion {
 namespace {
@@ -23,6 +25,12 @@ const ReachMiss* worst_miss(const EvaluatedFigure& evaluated) {
     return is_far ? &*worst : nullptr;
 }
 
+double beat_of(const EvaluatedFigure& evaluated, std::size_t frame) {
+    const double beat =
+        evaluated.first_beat + static_cast<double>(frame) * evaluated.beats_per_frame;
+    return beat - evaluated.beats * std::floor(beat / evaluated.beats);
+}
+
 struct JointFault {
     JointExcess joint;
     double beat = 0.0;
@@ -33,12 +41,71 @@ std::optional<JointFault> worst_joint_of(const EvaluatedFigure& evaluated) {
     for (std::size_t i = 0; i < evaluated.poses.size(); ++i) {
         const auto joint = worst_joint(evaluated.poses[i]);
         if (joint && (!worst || joint->beyond() > worst->joint.beyond())) {
-            const double beat =
-                evaluated.first_beat + static_cast<double>(i) * evaluated.beats_per_frame;
-            worst = {*joint, beat - evaluated.beats * std::floor(beat / evaluated.beats)};
+            worst = {*joint, beat_of(evaluated, i)};
         }
     }
     return worst;
+}
+
+struct HandFault {
+    HandClearance hand;
+    double beat = 0.0;
+};
+
+std::optional<HandFault> deepest_hand_of(const EvaluatedFigure& evaluated,
+                                         const Skeleton& skeleton) {
+    std::optional<HandFault> deepest;
+    for (std::size_t i = 0; i < evaluated.poses.size(); ++i) {
+        const HandClearance hand = hand_clearance(skeleton, evaluated.poses[i]);
+        if (hand.metres < (deepest ? deepest->hand.metres : -kMostHandDepth)) {
+            deepest = {hand, beat_of(evaluated, i)};
+        }
+    }
+    return deepest;
+}
+
+/// Of all tempos, the worst of each kind.
+struct WorstFaults {
+    std::optional<ReachMiss> miss;
+    std::optional<JointFault> joint;
+    std::optional<HandFault> hand;
+};
+
+std::vector<std::string> lines_of(const AuthoredDance& dance,
+                                  const AuthoredFigure& figure,
+                                  const WorstFaults& worst) {
+    std::vector<std::string> faults;
+    if (worst.miss) {
+        faults.push_back(
+            fmt::format("{}: beat {:.4g}: {} foot cannot be reached: {:.0f} cm too "
+                        "far; bring it nearer or bend the carrying knee more",
+                        where_in(dance, figure),
+                        worst.miss->beat,
+                        worst.miss->foot == Side::left ? "left" : "right",
+                        100.0 * worst.miss->metres));
+    }
+    if (worst.joint) {
+        faults.push_back(
+            fmt::format("{}: beat {:.2f}: {} comes to {:.0f} degrees, must stay "
+                        "within {:.0f} to {:.0f}",
+                        where_in(dance, figure),
+                        worst.joint->beat,
+                        worst.joint->joint.joint,
+                        worst.joint->joint.degrees,
+                        worst.joint->joint.lowest,
+                        worst.joint->joint.highest));
+    }
+    if (worst.hand) {
+        faults.push_back(
+            fmt::format("{}: beat {:.2f}: {} hand goes {:.1f} cm into the {}; move "
+                        "the arm (up, front, bend) away from it",
+                        where_in(dance, figure),
+                        worst.hand->beat,
+                        worst.hand->hand.hand == Side::left ? "left" : "right",
+                        -100.0 * worst.hand->hand.metres,
+                        worst.hand->hand.part));
+    }
+    return faults;
 }
 
 }  // namespace
@@ -47,8 +114,7 @@ std::vector<std::string> faults_in_motion(const AuthoredDance& dance,
                                           const AuthoredFigure& figure,
                                           const Skeleton& skeleton) {
     constexpr double kFramesPerSecond = 30.0;
-    std::optional<ReachMiss> miss;
-    std::optional<JointFault> joint;
+    WorstFaults worst;
     for (const Bpm tempo : {dance.slowest, dance.written, dance.fastest}) {
         EvaluationOptions options;
         options.written = dance.written;
@@ -58,36 +124,19 @@ std::vector<std::string> faults_in_motion(const AuthoredDance& dance,
         options.frames_per_second = kFramesPerSecond;
         const EvaluatedFigure evaluated = evaluate_figure(figure, skeleton, options);
         const ReachMiss* const far = worst_miss(evaluated);
-        if (far != nullptr && (!miss || far->metres > miss->metres)) {
-            miss = *far;
+        if (far != nullptr && (!worst.miss || far->metres > worst.miss->metres)) {
+            worst.miss = *far;
         }
         const auto out = worst_joint_of(evaluated);
-        if (out && (!joint || out->joint.beyond() > joint->joint.beyond())) {
-            joint = out;
+        if (out && (!worst.joint || out->joint.beyond() > worst.joint->joint.beyond())) {
+            worst.joint = out;
+        }
+        const auto deep = deepest_hand_of(evaluated, skeleton);
+        if (deep && (!worst.hand || deep->hand.metres < worst.hand->hand.metres)) {
+            worst.hand = deep;
         }
     }
-    std::vector<std::string> faults;
-    if (miss) {
-        faults.push_back(
-            fmt::format("{}: beat {:.4g}: {} foot cannot be reached: {:.0f} cm too "
-                        "far; bring it nearer or bend the carrying knee more",
-                        where_in(dance, figure),
-                        miss->beat,
-                        miss->foot == Side::left ? "left" : "right",
-                        100.0 * miss->metres));
-    }
-    if (joint) {
-        faults.push_back(
-            fmt::format("{}: beat {:.2f}: {} comes to {:.0f} degrees, must stay "
-                        "within {:.0f} to {:.0f}",
-                        where_in(dance, figure),
-                        joint->beat,
-                        joint->joint.joint,
-                        joint->joint.degrees,
-                        joint->joint.lowest,
-                        joint->joint.highest));
-    }
-    return faults;
+    return lines_of(dance, figure, worst);
 }
 
 }  // namespace raks::motion

@@ -36,7 +36,7 @@ void read_landing(const toml::table& table, TomlComplaints& complaints, FootStep
         complaints.complain(*table.get("on"), unknown_name("part of the foot", on, kLandings));
         return;
     }
-    step.on = static_cast<Landing>(found - kLandings.begin());
+    step.on = static_cast<FootLanding>(found - kLandings.begin());
 }
 
 FootStep read_step(const toml::table& table,

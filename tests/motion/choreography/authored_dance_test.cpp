@@ -32,7 +32,7 @@ TEST(AuthoredDance, is_read_as_it_is_written) {
     EXPECT_EQ(figure.beats, 4);
     EXPECT_EQ(figure.line, 22U);
     ASSERT_EQ(figure.steps.size(), 2U);
-    EXPECT_EQ(figure.steps[0].on, Landing::heel);
+    EXPECT_EQ(figure.steps[0].on, FootLanding::heel);
     EXPECT_EQ(figure.steps[0].air, 0.6);
     EXPECT_EQ(figure.steps[1].foot, Side::right);
     EXPECT_EQ(figure.steps[1].weight, 0.2);

@@ -146,7 +146,7 @@ TEST(FigureMeasures, the_shipped_dances_do_what_their_files_expect) {
                                                "/config/choreographies/" + name + ".toml");
         ASSERT_TRUE(dance) << dance.error().message;
         for (const AuthoredFigure& figure : dance->figures) {
-            const FigureMeasures measures = measure_figure(*dance, figure, mannequin_skeleton());
+            const TakeMeasures measures = measure_figure(*dance, figure, mannequin_skeleton());
             for (const std::string& fault : faults_in_measures(*dance, figure, measures)) {
                 ADD_FAILURE() << fault;
             }

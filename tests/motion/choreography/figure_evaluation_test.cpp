@@ -229,6 +229,33 @@ TEST(MotionCheck, the_shipped_dances_can_be_danced_at_every_tempo) {
     }
 }
 
+TEST(MotionFaults, a_hand_in_the_body_is_named_with_beat_and_depth) {
+    // The left arm hangs along the thigh and turns in front of it, bent, so that the hand is in it.
+    const AuthoredDance dance =
+        dance_of(replaced("body.chest.yaw",
+                          "body.arm.l.up = -88\nbody.arm.l.bend = 4\nbody.hip.roll = 14\n"
+                          "body.arm.l.elbow = 0\nbody.chest.yaw"));
+    const auto faults = faults_in_motion(dance, dance.figures[0], mannequin_skeleton());
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(faults[0].find("figure \"rock_step\": beat "), std::string::npos) << faults[0];
+    EXPECT_NE(faults[0].find(" hand goes "), std::string::npos) << faults[0];
+    EXPECT_NE(faults[0].find(" cm into the "), std::string::npos) << faults[0];
+}
+
+TEST(MotionFaults, no_hand_of_a_shipped_figure_goes_through_the_body) {
+    for (const char* const name : {"belly", "hiphop", "house", "rock", "waltz"}) {
+        const auto dance = load_authored_dance(std::string(RAKS_SOURCE_DIR) +
+                                               "/config/choreographies/" + name + ".toml");
+        ASSERT_TRUE(dance) << dance.error().message;
+        for (const AuthoredFigure& figure : dance->figures) {
+            for (const std::string& fault :
+                 faults_in_motion(*dance, figure, mannequin_skeleton())) {
+                ADD_FAILURE() << fault;
+            }
+        }
+    }
+}
+
 TEST(JointLimits, find_the_joint_that_is_furthest_out) {
     Pose pose;
     pose.rotation(Bone::left_lower_leg) = glm::angleAxis(0.5F, glm::vec3(1, 0, 0));
