@@ -114,6 +114,32 @@ FloorMove stage_of(const LibraryFigure& figure) {
     return stage;
 }
 
+/// The stance that a figure begins from: between the balls, facing as the feet do.
+FloorMove stance_before(const LibraryFigure& figure, const Skeleton& skeleton) {
+    Pose pose;
+    figure.passages.front().at(-FigurePassage::kMargin, pose);
+    const WorldPose world = world_pose(skeleton, pose);
+    FloorMove stance;
+    glm::dvec2 facing{0.0, 0.0};
+    for (const Side side : kSides) {
+        const glm::vec3 ball = foot_point(world, side, skeleton.ball);
+        stance.offset += 0.5 * glm::dvec2(ball.x, ball.z);
+        const double heading =
+            heading_of(glm::dquat(world.rotation(on_side(Bone::left_foot, side))));
+        facing += glm::dvec2(std::sin(heading), std::cos(heading));
+    }
+    stance.heading = std::atan2(facing.x, facing.y);
+    return stance;
+}
+
+/// Figures with a stance of their own begin where the first one would.
+void place_figures(const Skeleton& skeleton, std::vector<LibraryFigure>& figures) {
+    const FloorMove first = stance_before(figures.front(), skeleton);
+    for (LibraryFigure& figure : figures) {
+        figure.place = first * inverse(stance_before(figure, skeleton));
+    }
+}
+
 /// Arms of varied positions keep their lengths, and stay where they can be mixed.
 void hold_arms(const FigureModel& model,
                const PartModel& part,
@@ -228,6 +254,9 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
             figure.passages.push_back(std::move(*baked[i * kPassages + n]));
         }
         content.figures.push_back(std::move(figure));
+    }
+    if (grammar != nullptr && grammar->starts == FigureGrammar::Starts::own) {
+        place_figures(skeleton, content.figures);
     }
     content.stage = stage_of(content.figures.front());
     content.couple = couple_of(figures, grammar);

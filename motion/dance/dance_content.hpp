@@ -19,6 +19,9 @@ struct LibraryFigure {
     std::string name;
     int beats = 8;
     FloorMove move;  ///< from its start to its end
+    /// From its frame to the dance's: so that the feet are where they were when it begins. (A frame
+    /// is that of the hips on count 1, which may be turned or aside.)
+    FloorMove place;
     bool turns_half = false;
     Nanos landing_delay{};  ///< of its steps at its learnt tempo; landing_delay.hpp
     std::vector<FigurePassage> passages;

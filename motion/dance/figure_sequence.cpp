@@ -12,8 +12,9 @@ namespace {
 
 // A foot that two figures plant farther apart than this would be seen to slide, metres.
 constexpr float kSeenToSlide = 0.03F;
-// It goes over while either figure steps with it, if that takes as long as this, in beats; else it
-// makes a step of its own: the left one before the change, the right one after it.
+// It goes over with the step that the next figure makes with it, so that this comes down when it
+// should, else with the one that the last figure makes, if they take as long as this, in beats;
+// else by a step of its own: the left one before the change, the right one after it.
 constexpr double kLeastSwing = 0.25;
 constexpr double kStepNearest = 0.1;
 constexpr double kStepFarthest = 0.7;
@@ -64,7 +65,7 @@ FloorMove floor_of(const DanceContent& content, const FloorMove& stage, bool is_
     if (is_turned) {
         for (const LibraryFigure& figure : content.figures) {
             if (figure.turns_half) {
-                return stage * figure.move;
+                return stage * figure.place * figure.move * inverse(figure.place);
             }
         }
     }
@@ -121,7 +122,8 @@ void FigureSequence::jump(Beats phase) noexcept {
 
 Pose FigureSequence::pose_of(const Danced& danced, double phase) const noexcept {
     const Pose pose = motion::pose_of(*content_, danced.choice, phase - danced.start);
-    return floor_of(*content_, stage_, danced.is_turned)(pose);
+    const FloorMove& place = content_->figures[danced.choice.figure].place;
+    return (floor_of(*content_, stage_, danced.is_turned) * place)(pose);
 }
 
 double FigureSequence::margin_between(const Danced& before, const Danced& after) const noexcept {
@@ -152,11 +154,10 @@ Pose FigureSequence::joined(const Danced& before,
 std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
     const Danced& before, const Danced& after) const noexcept {
     const double margin = margin_between(before, after);
-    std::array<float, 2> apart{};      // while it rests in both, at most
-    std::array<FootJoin, 2> swings{};  // the longest time in which either steps with it
-    std::array<double, 2> since{};     // of the swing that is looked at
-    since.fill(-margin);
-    std::array<std::array<glm::vec3, 2>, 2> last{};  // by figure, foot
+    std::array<float, 2> apart{};                     // while it rests in both, at most
+    std::array<std::array<FootJoin, 2>, 2> swings{};  // by figure, foot: the longest
+    std::array<std::array<double, 2>, 2> since{};     // the swing that is looked at began
+    std::array<std::array<glm::vec3, 2>, 2> last{};   // by figure, foot
     for (int look = 0; look <= kLooks; ++look) {
         const double beat = margin * (2.0 * look / kLooks - 1.0);
         const std::array<WorldPose, 2> poses = {
@@ -167,33 +168,36 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
             bool rests = look > 0;
             for (std::size_t figure = 0; figure < poses.size(); ++figure) {
                 const glm::vec3 place = poses[figure].position(on_side(Bone::left_foot, side));
-                rests = rests && glm::distance(place, last[figure][s]) < kRests;
+                const bool is_still = glm::distance(place, last[figure][s]) < kRests;
                 last[figure][s] = place;
-            }
-            if (!rests) {
-                if (beat - since[s] > swings[s].to - swings[s].from) {
-                    swings[s] = {since[s], beat, false};
+                rests = rests && is_still;
+                if (look == 0 || is_still) {
+                    since[figure][s] = beat;
+                } else if (beat - since[figure][s] >
+                           swings[figure][s].to - swings[figure][s].from) {
+                    swings[figure][s] = {since[figure][s], beat, false};
                 }
-                continue;
             }
-            since[s] = beat;
-            glm::vec3 between = last[1][s] - last[0][s];
-            between.y = 0.0F;
-            apart[s] = std::max(apart[s], glm::length(between));
+            if (rests) {
+                glm::vec3 between = last[1][s] - last[0][s];
+                between.y = 0.0F;
+                apart[s] = std::max(apart[s], glm::length(between));
+            }
         }
     }
     std::array<FootJoin, 2> joins{};
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
-        if (apart[s] <= kSeenToSlide) {
-            continue;
+        const auto lasts = [](const FootJoin& swing) { return swing.to - swing.from; };
+        if (lasts(swings[1][s]) >= kLeastSwing) {
+            joins[s] = swings[1][s];
+        } else if (apart[s] > kSeenToSlide && lasts(swings[0][s]) >= kLeastSwing) {
+            joins[s] = swings[0][s];
+        } else if (apart[s] > kSeenToSlide) {
+            const double scale = margin / FigurePassage::kMargin;
+            const double first = side == Side::left ? -kStepFarthest : kStepNearest;
+            joins[s] = {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
         }
-        const double scale = margin / FigurePassage::kMargin;
-        const double first = side == Side::left ? -kStepFarthest : kStepNearest;
-        joins[s] =
-            swings[s].to - swings[s].from >= kLeastSwing
-                ? swings[s]
-                : FootJoin{scale * first, scale * (first + kStepFarthest - kStepNearest), true};
     }
     return joins;
 }
