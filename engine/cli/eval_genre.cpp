@@ -92,7 +92,9 @@ Expected<HeardFile> hear(const audio::MusicFile& file,
     if (!music) {
         return fail(music.error());
     }
-    audio::damage(damage, music->rate.hertz(), music->samples);
+    if (auto done = audio::damage(damage, music->rate.hertz(), music->samples); !done) {
+        return fail(done.error());
+    }
     HeardFile heard;
     heard.piece.name = file.name;
     heard.piece.group = file.group;
@@ -135,8 +137,9 @@ void add_rows(const audio::GenreModel& model,
             continue;
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
-            const audio::GenreFusion fusion =
-                evidence == GenreEvidence::fused ? model.fusion[window] : audio::GenreFusion{.mfcc = 1.0F};
+            const audio::GenreFusion fusion = evidence == GenreEvidence::fused
+                                                  ? model.fusion[window]
+                                                  : audio::GenreFusion{.mfcc = 1.0F};
             std::vector<audio::WindowScore::Values> logs;
             logs.reserve(scores.size());
             for (const audio::WindowScore& score : scores) {
@@ -205,6 +208,9 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
             if (damage == 0) {
                 evaluation.shown.push_back(std::move(heard[i]->shown));
             }
+        }
+        if (damage > 0 && scores.empty() && !heard.empty() && !heard.front()) {
+            evaluation.skipped.push_back(heard.front().error().message);
         }
         add_rows(**model, scores, std::string(audio::kDamageNames[damage]), evaluation);
     }

@@ -48,8 +48,14 @@ Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
         if (copy > 0) {
             audio::Dice dice(options.seed + 1000, number * 64 + static_cast<std::size_t>(copy));
             piece.kind = audio::HeardPiece::Kind::altered;
-            audio::change_speed(dice.uniform(0.92, 1.08), samples);
-            audio::augment_for_genre(music->rate.hertz(), samples, dice);
+            if (options.effects.has(audio::SoundEffect::speed)) {
+                audio::change_speed(dice.uniform(0.92, 1.08), samples);
+            }
+            const auto altered =
+                audio::augment_for_genre(music->rate.hertz(), samples, dice, options.effects);
+            if (!altered) {
+                return fail(file.path.string() + ": " + altered.error().message);
+            }
         }
         if (auto heard = audio::hear_piece(samples, music->rate, hearing, piece); !heard) {
             return fail(file.path.string() + ": " + heard.error().message);
@@ -91,6 +97,17 @@ Expected<Recordings> hear_recordings(const std::vector<audio::MusicFile>& files,
     return recordings;
 }
 
+/// What tells music altered in one way from music altered in another: nothing if all may happen.
+std::string without(const audio::SoundEffects& effects) {
+    std::string suffix;
+    for (std::size_t i = 0; i < std::size(audio::kSoundEffectNames); ++i) {
+        if (!effects.has(static_cast<audio::SoundEffect>(i))) {
+            suffix += fmt::format("-no-{}", audio::kSoundEffectNames[i]);
+        }
+    }
+    return suffix;
+}
+
 /// What was kept under this name, or what `make` gives, which is then kept.
 template <class Make>
 Expected<std::vector<audio::HeardPiece>> cached(const GenreOptions& options,
@@ -121,7 +138,9 @@ Expected<std::vector<audio::HeardPiece>> gather_recordings(
         }
         return std::move(recordings->pieces);
     };
-    return cached(options, fmt::format("recordings-{}-{}", files.size(), options.altered), make);
+    const std::string name = fmt::format(
+        "recordings-{}-{}-codec{}", files.size(), options.altered, without(options.effects));
+    return cached(options, name, make);
 }
 
 /// The music asked for, written. What may be left out is written apart, so that a model without it
@@ -169,13 +188,19 @@ Expected<std::vector<audio::HeardPiece>> written(const GenreOptions& options,
     const int all = plan.pieces;
     plan.hearing = hearing;
     plan.threads = options.threads;
+    plan.effects = options.effects;
+    plan.edition = static_cast<audio::WrittenCorpusPlan::Edition>(options.edition);
+    const bool is_altered = plan.augmentation == audio::WrittenCorpusPlan::Augmentation::on;
+    const std::string variant = (options.edition > 1 ? "-second" : "") +
+                                (is_altered ? without(options.effects) : std::string());
     const auto start = std::chrono::steady_clock::now();
     std::vector<audio::HeardPiece> pieces;
     for (plan.first = 0; plan.first < all; plan.first += kChunk) {
         plan.pieces = std::min(kChunk, all - plan.first);
-        auto chunk = cached(options,
-                            fmt::format("{}-{}-{}-{}", name, plan.seed, plan.first, plan.pieces),
-                            [&] { return audio::write_corpus(plan); });
+        auto chunk =
+            cached(options,
+                   fmt::format("{}-{}-{}-{}{}", name, plan.seed, plan.first, plan.pieces, variant),
+                   [&] { return audio::write_corpus(plan); });
         if (!chunk) {
             return chunk;
         }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "audio/beat/training/sound_augmentation.hpp"
 #include "audio/genre/training/genre_trainer.hpp"
 
 namespace raks::cli {
@@ -18,6 +19,7 @@ struct GenreOptions {
     std::filesystem::path beats_corpus;
     std::filesystem::path report;
     int synthesize = 0;
+    int edition = 1;  // of the written music
     int test_pieces = 140;
     std::vector<std::filesystem::path> soundfonts;
     std::vector<std::filesystem::path> test_soundfonts;
@@ -27,6 +29,8 @@ struct GenreOptions {
     bool trains_on_free_alone = false;
     bool skips_validation = false;
     int altered = 2;
+    std::vector<std::string> left_out_effects;  // names of SoundEffect
+    audio::SoundEffects effects;
     bool leaves_out_energy = false;
     audio::GenreTrainingPlan plan;
     std::uint64_t seed = 1;

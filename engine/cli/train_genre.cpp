@@ -16,6 +16,7 @@
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
+#include "audio/io/lossy_codec.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "engine/cli/genre_material.hpp"
@@ -42,6 +43,10 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option(
            "--synthesize", options.synthesize, "pieces of music to write, play and learn from")
         ->check(CLI::Range(0, 100'000));
+    app.add_option("--edition",
+                   options.edition,
+                   "of the written music; 1: without lossy codecs and lower sampling rates")
+        ->check(CLI::Range(1, 2));
     app.add_option(
         "--soundfont", options.soundfonts, "SF2 or SF3 to play it with; one is drawn a piece");
     app.add_option("--test-soundfont",
@@ -67,6 +72,12 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option(
            "--altered", options.altered, "damaged copies of each recording to learn from; 0: none")
         ->check(CLI::Range(0, 50));
+    app.add_option("--without",
+                   options.left_out_effects,
+                   "what is not to happen to music: " +
+                       fmt::format("{}", fmt::join(audio::kSoundEffectNames, ", ")))
+        ->check(CLI::IsMember(std::vector<std::string>(std::begin(audio::kSoundEffectNames),
+                                                       std::end(audio::kSoundEffectNames))));
     app.add_option("--states", options.plan.mfcc.states, "of each genre's HMM")
         ->check(CLI::Range(1, 16));
     app.add_option("--mixtures", options.plan.mfcc.mixtures, "Gaussians a state")
@@ -289,11 +300,31 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& 
     return scores;
 }
 
+/// Which effects may happen; says it once where FFmpeg cannot encode.
+void choose_effects(GenreOptions& options) {
+    for (const std::string& name : options.left_out_effects) {
+        const auto* const known = std::find(
+            std::begin(audio::kSoundEffectNames), std::end(audio::kSoundEffectNames), name);
+        options.effects.leave_out(
+            static_cast<audio::SoundEffect>(known - std::begin(audio::kSoundEffectNames)));
+    }
+    for (const auto codec : {audio::LossyCodec::mp3, audio::LossyCodec::opus}) {
+        std::vector<float> silence(4'410);
+        const auto passed = audio::pass_lossy_codec(codec, 44'100, 64'000, silence);
+        if (!passed && options.effects.has(audio::SoundEffect::codec)) {
+            std::fprintf(
+                stderr, "raks: %s; goes on without lossy codecs\n", passed.error().message.c_str());
+            options.effects.leave_out(audio::SoundEffect::codec);
+        }
+    }
+}
+
 Expected<void> run(GenreOptions& options, const std::string& command) {
     auto network = engine::load_beat_network();
     if (!network) {
         return fail(network.error());
     }
+    choose_effects(options);
     const audio::HearingPlan hearing{*network, options.plan.features.cepstral_mean};
     const auto material = cli::gather(options, hearing);
     if (!material) {

@@ -38,7 +38,8 @@ struct Corner {
 };
 
 Corner corner(double hertz, double rate, double q) {
-    const double angle = 2.0 * std::numbers::pi * hertz / rate;
+    constexpr double kHighest = 0.45;  // of the rate: above half of it a filter is unstable
+    const double angle = 2.0 * std::numbers::pi * std::min(hertz / rate, kHighest);
     return {std::cos(angle), std::sin(angle) / (2.0 * q)};
 }
 
@@ -130,33 +131,41 @@ void add_noise(std::vector<float>& samples, Dice& dice) {
 
 }  // namespace
 
-void augment_sound(int sample_rate, std::vector<float>& samples, Dice& dice) {
+void augment_sound(int sample_rate,
+                   std::vector<float>& samples,
+                   Dice& dice,
+                   const SoundEffects& effects) {
     const double rate = sample_rate;
-    if (dice.chance(0.25)) {
+    const auto happens = [&](SoundEffect effect, double chance) {
+        return effects.has(effect) && dice.chance(chance);
+    };
+    if (happens(SoundEffect::voice, 0.25)) {
         add_voice(rate, samples, dice);
     }
-    const int bells = dice.whole(0, 2);
+    const int bells = effects.has(SoundEffect::equalizer) ? dice.whole(0, 2) : 0;
     for (int i = 0; i < bells; ++i) {
         bell(dice.log_uniform(60.0, 9000.0), rate, dice.uniform(-9.0, 9.0)).run(samples);
     }
-    if (dice.chance(0.3)) {
+    if (happens(SoundEffect::overdrive, 0.3)) {
         const double drive = dice.uniform(1.0, 5.0);
         for (float& sample : samples) {
             sample = static_cast<float>(std::tanh(drive * static_cast<double>(sample)) / drive);
         }
     }
-    if (dice.chance(0.25)) {
+    if (happens(SoundEffect::band, 0.25)) {
         low_pass(dice.log_uniform(3000.0, 12'000.0), rate).run(samples);
     }
-    if (dice.chance(0.15)) {
+    if (happens(SoundEffect::band, 0.15)) {
         high_pass(dice.uniform(60.0, 250.0), rate).run(samples);
     }
-    if (dice.chance(0.4)) {
+    if (happens(SoundEffect::noise, 0.4)) {
         add_noise(samples, dice);
     }
-    const auto gain = static_cast<float>(std::pow(10.0, -dice.uniform(0.0, 30.0) / 20.0));
-    for (float& sample : samples) {
-        sample *= gain;
+    if (effects.has(SoundEffect::gain)) {
+        const auto gain = static_cast<float>(std::pow(10.0, -dice.uniform(0.0, 30.0) / 20.0));
+        for (float& sample : samples) {
+            sample *= gain;
+        }
     }
 }
 

@@ -1,25 +1,52 @@
 #include "audio/genre/training/genre_augmentation.hpp"
 
-#include "audio/beat/training/sound_augmentation.hpp"
 #include "audio/genre/training/sound_damage.hpp"
+#include "audio/io/lossy_codec.hpp"
 
 namespace raks::audio {
+namespace {
 
-void augment_for_genre(int rate, std::vector<float>& samples, Dice& dice) {
-    if (dice.chance(0.35)) {
+/// What happens between the record and the room.
+void augment_sounding(int rate,
+                      std::vector<float>& samples,
+                      Dice& dice,
+                      const SoundEffects& effects) {
+    const auto happens = [&](SoundEffect effect, double chance) {
+        return effects.has(effect) && dice.chance(chance);
+    };
+    if (happens(SoundEffect::gain, 0.35)) {
         change_gain(-dice.uniform(0.0, 30.0), samples);
         return;
     }
-    if (dice.chance(0.3)) {
+    if (happens(SoundEffect::room, 0.3)) {
         add_room(rate, dice.uniform(0.15, 0.9), dice.uniform(0.15, 0.7), samples, dice);
     }
-    if (dice.chance(0.3)) {
+    if (happens(SoundEffect::band, 0.3)) {
         cut_above(rate, dice.log_uniform(3'000.0, 9'000.0), samples);
     }
-    if (dice.chance(0.25)) {
+    if (happens(SoundEffect::noise, 0.25)) {
         add_white_noise(dice.uniform(6.0, 30.0), samples, dice);
     }
-    augment_sound(rate, samples, dice);
+    augment_sound(rate, samples, dice, effects);
+}
+
+}  // namespace
+
+Expected<void> augment_for_genre(int rate,
+                                 std::vector<float>& samples,
+                                 Dice& dice,
+                                 const SoundEffects& effects) {
+    augment_sounding(rate, samples, dice, effects);
+    if (effects.has(SoundEffect::resampling) && dice.chance(0.1)) {
+        change_rate(rate, dice.log_uniform(11'025.0, 32'000.0), samples);
+    }
+    if (effects.has(SoundEffect::codec) && dice.chance(0.3)) {
+        const auto codec = dice.chance(0.5) ? LossyCodec::mp3 : LossyCodec::opus;
+        // Steps that encoders of MP3 know, too.
+        const int bits = dice.pick({16'000, 24'000, 32'000, 48'000, 64'000, 96'000});
+        return pass_lossy_codec(codec, rate, bits, samples);
+    }
+    return {};
 }
 
 }  // namespace raks::audio

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audio/io/lossy_codec.hpp"
+
 namespace raks::audio {
 namespace {
 
@@ -97,7 +99,18 @@ void change_speed(double ratio, std::vector<float>& samples) {
     samples = std::move(result);
 }
 
-void damage(Damage kind, int rate, std::vector<float>& samples) {
+void change_rate(int rate, double low_rate, std::vector<float>& samples) {
+    const double ratio = rate / low_rate;
+    if (ratio <= 1.0) {
+        return;
+    }
+    const std::size_t size = samples.size();
+    change_speed(ratio, samples);
+    change_speed(1.0 / ratio, samples);
+    samples.resize(size);
+}
+
+Expected<void> damage(Damage kind, int rate, std::vector<float>& samples) {
     Dice dice(13, static_cast<std::uint64_t>(kind));
     switch (kind) {
         case Damage::none:
@@ -108,6 +121,8 @@ void damage(Damage kind, int rate, std::vector<float>& samples) {
         case Damage::low_pass_4_khz:
             cut_above(rate, 4'000.0, samples);
             break;
+        case Damage::mp3_24_kbit:
+            return pass_lossy_codec(LossyCodec::mp3, rate, 24'000, samples);
         case Damage::noise_10_db:
             add_white_noise(10.0, samples, dice);
             break;
@@ -115,6 +130,7 @@ void damage(Damage kind, int rate, std::vector<float>& samples) {
             add_room(rate, 0.6, 0.5, samples, dice);
             break;
     }
+    return {};
 }
 
 }  // namespace raks::audio

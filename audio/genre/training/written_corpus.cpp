@@ -152,7 +152,15 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
         piece.samples = player->play(piece.performance, room);
     }
     if (plan.augmentation == WrittenCorpusPlan::Augmentation::on) {
-        augment_for_genre(SoundfontPlayer::kRate, piece.samples, dice);
+        SoundEffects effects = plan.effects;
+        if (plan.edition == WrittenCorpusPlan::Edition::first) {
+            effects.leave_out(SoundEffect::codec);
+            effects.leave_out(SoundEffect::resampling);
+        }
+        if (auto done = augment_for_genre(SoundfontPlayer::kRate, piece.samples, dice, effects);
+            !done) {
+            return fail(done.error());
+        }
     }
     HeardPiece heard;
     heard.name = piece.name + " " + std::to_string(number);

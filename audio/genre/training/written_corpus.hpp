@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "audio/beat/training/sound_augmentation.hpp"
 #include "audio/genre/training/heard_piece.hpp"
 #include "base/expected.hpp"
 
@@ -21,6 +22,11 @@ struct WrittenCorpusPlan {
     int threads = 2;
     enum class Augmentation : std::uint8_t { on, off };
     Augmentation augmentation = Augmentation::on;
+    SoundEffects effects{};  ///< what may happen to a piece
+    /// The same number is always the same music: what a model was learnt from can be written again.
+    /// First: no lossy codecs, no lower sampling rates.
+    enum class Edition : std::uint8_t { first = 1, second };
+    Edition edition = Edition::first;
     HearingPlan hearing;
 };
 
