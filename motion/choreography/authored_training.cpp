@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "motion/choreography/curves.hpp"
 #include "motion/choreography/figure_evaluation.hpp"
 #include "motion/choreography/motion_check.hpp"
+#include "motion/choreography/repeat_plan.hpp"
 
 namespace raks::motion {
 namespace {
@@ -94,6 +96,36 @@ void round_off(FigureModel& model) {
     }
 }
 
+/// How far both hands are closed over one repetition, without noise: fingers are no joints of a
+/// figure, they follow its phase.
+std::array<std::vector<double>, 2> fists_of(const AuthoredDance& dance,
+                                            const AuthoredFigure& figure) {
+    constexpr double kStill = 0.02;  // less is no movement
+    EvaluationOptions how;
+    how.written = how.tempo = dance.written;
+    how.repeats = figure.is_mirrored ? 2 : 1;
+    how.margin = 0.0;
+    how.noise = 0.0;
+    const RepeatPlan plan = plan_repeats(figure, how);
+    const double beats = static_cast<double>(how.repeats) * figure.beats;
+    std::array<std::vector<double>, 2> fists;
+    for (const Side side : kSides) {
+        const std::vector<double> values =
+            control_values(plan, on_side(Control::left_hand_fist, side));
+        std::vector<double>& fist = fists[static_cast<std::size_t>(side)];
+        for (std::size_t bin = 0; bin < kContactBins; ++bin) {
+            const double beat = (static_cast<double>(bin) + 0.5) * beats / kContactBins;
+            const double value = value_at(values, plan.frames_of(beat));
+            fist.push_back(std::clamp(std::round(100.0 * value) / 100.0, 0.0, 1.0));
+        }
+        const auto [least, most] = std::minmax_element(fist.begin(), fist.end());
+        if (*most - *least < kStill) {
+            fist.resize(1);
+        }
+    }
+    return fists;
+}
+
 }  // namespace
 
 AuthoredMaterial authored_material(const AuthoredDance& dance,
@@ -157,6 +189,7 @@ Expected<AuthoredTrainingResult> train_authored_figure(const AuthoredDance& danc
     AuthoredTrainingResult result{
         std::move(trained->model), trained->log_likelihood, material.repeats.size()};
     round_off(result.model);
+    result.model.fist = fists_of(dance, figure);
     return result;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "motion/skeleton/hand_shape.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -74,46 +76,6 @@ double soft_least(double value, double limit, double width) noexcept {
 /// Softly at least 0.
 double soft_positive(double value, double width) noexcept {
     return -soft_least(-value, 0.0, width);
-}
-
-struct FingerCurl {
-    Bone bone;        // left
-    double straight;  // degrees of an open hand
-    double fist;      // and of a fist
-};
-constexpr std::array<FingerCurl, 15> kFingers = {{
-    {Bone::left_index_proximal, 2, 72},
-    {Bone::left_index_intermediate, 5, 92},
-    {Bone::left_index_distal, 3, 55},
-    {Bone::left_middle_proximal, 4, 76},
-    {Bone::left_middle_intermediate, 7, 95},
-    {Bone::left_middle_distal, 4, 58},
-    {Bone::left_ring_proximal, 6, 78},
-    {Bone::left_ring_intermediate, 9, 95},
-    {Bone::left_ring_distal, 5, 58},
-    {Bone::left_little_proximal, 7, 80},
-    {Bone::left_little_intermediate, 9, 90},
-    {Bone::left_little_distal, 5, 58},
-    {Bone::left_thumb_metacarpal, 4, 26},
-    {Bone::left_thumb_proximal, 6, 34},
-    {Bone::left_thumb_distal, 8, 48},
-}};
-
-bool is_thumb(Bone left) noexcept {
-    return left == Bone::left_thumb_metacarpal || left == Bone::left_thumb_proximal ||
-           left == Bone::left_thumb_distal;
-}
-
-void set_fingers(Side side, double fist, Pose& pose) noexcept {
-    constexpr glm::dvec3 kFingerAxis{0.0, 0.0, -1.0};
-    constexpr glm::dvec3 kThumbAxis{0.0, -0.70710678, -0.70710678};
-    for (const FingerCurl& finger : kFingers) {
-        const double angle = (finger.straight + fist * (finger.fist - finger.straight)) * kDegree;
-        const glm::dquat q =
-            glm::angleAxis(angle, is_thumb(finger.bone) ? kThumbAxis : kFingerAxis);
-        const glm::dquat own = side == Side::left ? q : glm::dquat(q.w, q.x, -q.y, -q.z);
-        set(pose, on_side(finger.bone, side), own);
-    }
 }
 
 /// Toes stay flat on the floor under a raised heel, and in the air bend no more than the floor
@@ -245,7 +207,7 @@ void set_arm(const Skeleton& skeleton, Side side, const BodyFrame& frame, Pose& 
     set(pose, upper, glm::conjugate(shoulder) * upper_world);
     set(pose, lower, glm::conjugate(upper_world) * lower_world * half_turn);
     set(pose, end, half_turn * glm::angleAxis(-sign * arm.hand_bend, kZ));
-    set_fingers(side, arm.fist, pose);
+    set_hand_shape(side, arm.fist, pose);
 }
 
 glm::dvec3 centre_of_mass(const Skeleton& skeleton, const Pose& pose) noexcept {

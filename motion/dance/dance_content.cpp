@@ -11,6 +11,7 @@
 #include "motion/dance/relaxed_hands.hpp"
 #include "motion/dance/variation.hpp"
 #include "motion/figures/figure_trainer.hpp"
+#include "motion/skeleton/hand_shape.hpp"
 
 namespace raks::motion {
 namespace {
@@ -185,6 +186,26 @@ struct Baking {
     }
 };
 
+/// The value of a closed curve of bins at a phase, straight between their middles.
+double value_of(std::span<const double> bins, double beat, int beats) noexcept {
+    const auto size = static_cast<double>(bins.size());
+    const double at = beat * size / beats - 0.5;
+    const double wrapped = at - size * std::floor(at / size);
+    const auto i = std::min(static_cast<std::size_t>(wrapped), bins.size() - 1);
+    const double share = wrapped - static_cast<double>(i);
+    return bins[i] + share * (bins[(i + 1) % bins.size()] - bins[i]);
+}
+
+/// Where the figure says how far hands are closed.
+void shape_hands(const LibraryFigure& figure, double beat, Pose& pose) noexcept {
+    for (const Side side : kSides) {
+        const std::vector<double>& fist = figure.fist[static_cast<std::size_t>(side)];
+        if (!fist.empty()) {
+            set_hand_shape(side, value_of(fist, beat, figure.beats), pose);
+        }
+    }
+}
+
 }  // namespace
 
 Expected<DanceContent> make_content(std::span<const FigureModel> figures,
@@ -244,6 +265,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
         LibraryFigure figure;
         figure.name = figures[i].name;
         figure.beats = figures[i].beats;
+        figure.fist = figures[i].fist;
         figure.move = ways[i].move;
         figure.turns_half = ways[i].half_turns % 2 != 0;
         if (generator == Generator::trajectories) {
@@ -279,6 +301,7 @@ FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t n
 Pose pose_of(const DanceContent& content, const FigureChoice& choice, double beat) noexcept {
     const LibraryFigure& figure = content.figures[choice.figure];
     Pose pose = content.rest;
+    shape_hands(figure, beat, pose);
     figure.passages[choice.body].at(beat, pose);
     if (content.generator == Generator::frames) {
         // One other draw's, or repeats would be the same one time in eight; a mean of two would not

@@ -23,6 +23,7 @@ struct LibraryFigure {
     /// is that of the hips on count 1, which may be turned or aside.)
     FloorMove place;
     bool turns_half = false;
+    std::array<std::vector<double>, 2> fist;  ///< as FigureModel has it
     Nanos landing_delay{};  ///< of its steps at its learnt tempo; landing_delay.hpp
     std::vector<FigurePassage> passages;
 };

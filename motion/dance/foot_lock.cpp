@@ -15,6 +15,7 @@ namespace {
 // How smoothly heel and ball take turns in carrying the foot, and the hips sink; beats.
 constexpr double kHeightSigma = 0.04;
 constexpr double kSinkSigma = 0.14;
+constexpr float kDeepest = 0.002F;       // metres that a sole dips where that is smooth
 constexpr double kReleaseBeats = 0.3;    // beats until a foot that was let go is wholly free
 constexpr float kFloorSoftness = 0.02F;  // metres over the floor where a free foot feels it
 constexpr float kToeSoftness = 0.15F;    // radians of the heel's rise where the toes begin to bend
@@ -150,7 +151,11 @@ FootTrack foot_track(const Skeleton& skeleton,
         track.toes.push_back(toe_bend(skeleton, track.rotation[i], track.lock[i]));
         track.standing.push_back(-lowest_of_sole(skeleton, side, track.rotation[i], track.toes[i]));
     }
+    const std::vector<float> exact = track.standing;
     track.standing = smoothed(track.standing, kHeightSigma * samples_per_beat);
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        track.standing[i] = soft_max(track.standing[i], exact[i] - kDeepest, kDeepest);
+    }
     return track;
 }
 

@@ -178,6 +178,15 @@ void read_feet(const Field& root, FigureModel& model) {
     }
 }
 
+void read_hands(const Field& root, FigureModel& model) {
+    if (!root.has("fist")) {
+        return;
+    }
+    for (std::size_t side = 0; side < kSideNames.size(); ++side) {
+        model.fist[side] = root["fist"][kSideNames[side]].numbers();
+    }
+}
+
 FigureModel figure_of(const Field& root) {
     FigureModel model;
     model.name = root["name"].text();
@@ -206,6 +215,7 @@ FigureModel figure_of(const Field& root) {
         model.parts.push_back(part_of(parts[p], model));
     }
     read_feet(root, model);
+    read_hands(root, model);
     return model;
 }
 
@@ -245,6 +255,9 @@ std::string figure_text(const FigureModel& model) {
         json["landings"][name] = Json::array();
         for (const LandingOffset& landing : model.landings[side]) {
             json["landings"][name].push_back(json_of(landing));
+        }
+        if (!model.fist[side].empty()) {
+            json["fist"][name] = model.fist[side];
         }
     }
     return models::json_text(json);

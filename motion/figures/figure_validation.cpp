@@ -271,6 +271,26 @@ Expected<void> check_head(const FigureModel& model) {
     return {};
 }
 
+Expected<void> check_hands(const FigureModel& model) {
+    for (std::size_t side = 0; side < kSideNames.size(); ++side) {
+        const std::vector<double>& fist = model.fist[side];
+        if (fist.empty() != model.fist[0].empty() ||
+            (fist.size() > 1 && fist.size() != kContactBins)) {
+            return fail(fmt::format("fist.{} has {} numbers, must have 1 or {}, or both hands none",
+                                    kSideNames[side],
+                                    fist.size(),
+                                    kContactBins));
+        }
+        for (std::size_t j = 0; j < fist.size(); ++j) {
+            if (!(fist[j] >= 0.0 && fist[j] <= 1.0)) {
+                return fail(fmt::format(
+                    "fist.{}[{}] is {}, must lie in [0, 1]", kSideNames[side], j, fist[j]));
+            }
+        }
+    }
+    return {};
+}
+
 Expected<void> check_feet(const FigureModel& model) {
     for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t j = 0; j < kContactBins; ++j) {
@@ -332,6 +352,9 @@ Expected<void> validate(const FigureModel& model) {
         if (auto ok = check_timing(name, model.parts[p], model.beats); !ok) {
             return ok;
         }
+    }
+    if (auto ok = check_hands(model); !ok) {
+        return ok;
     }
     return check_feet(model);
 }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/dance_files.hpp"
 
 namespace raks::engine {
@@ -27,6 +30,23 @@ TEST(WrittenFigures, dance_as_their_files_expect) {
         }
     }
     EXPECT_EQ(figures, 28U);
+}
+
+TEST(WrittenFigures, close_their_hands_as_written) {
+    const auto library = load_dance("rock", motion::DanceRole::lead, DanceForm());
+    ASSERT_TRUE(library) << library.error().message;
+    const std::vector<std::string_view> names = (*library)->figure_names();
+    const auto bend_of = [&](std::string_view figure) {
+        FigureOnBeat on;
+        on.tempo = Bpm(138.0);
+        on.figure =
+            static_cast<std::size_t>(std::find(names.begin(), names.end(), figure) - names.begin());
+        const double beats[] = {1.0};
+        const auto poses = dance_alone(*library, on, beats);
+        return poses ? std::abs((*poses)[0].rotation(motion::Bone::left_middle_proximal).z) : -1.0F;
+    };
+    EXPECT_GT(bend_of("pogo"), 0.5F);  // a fist: over 60 degrees
+    EXPECT_LT(bend_of("step_clap"), 0.2F);
 }
 
 TEST(WrittenFigures, a_captured_dance_has_none) {

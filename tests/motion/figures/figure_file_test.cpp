@@ -27,6 +27,15 @@ TEST(FigureFile, reads_back_the_same_bits) {
     EXPECT_EQ(again->landings[0].size(), 8U);
 }
 
+TEST(FigureFile, keeps_how_far_hands_are_closed) {
+    FigureModel model = good_model();
+    model.fist = {std::vector<double>{0.25}, std::vector<double>(kContactBins, 0.5)};
+    model.fist[1][7] = 0.75;
+    const auto read = parse_figure(figure_text(model), "x.json");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->fist, model.fist);
+}
+
 TEST(FigureFile, is_saved_whole_and_loaded) {
     const std::filesystem::path path =
         std::filesystem::path(::testing::TempDir()) / "raks_known_figure.json";
@@ -115,6 +124,15 @@ TEST(FigureValidation, names_the_first_wrong_field) {
          "net_displacement[1] is nan, must lie in [-100, 100]"},
         {[](FigureModel& m) { m.contact[1][63] = 1.5; },
          "contact.right[63] is 1.5, must lie in [0, 1]"},
+        {[](FigureModel& m) {
+             m.fist = {std::vector<double>{0.5}, std::vector<double>{1.2}};
+         },
+         "fist.right[0] is 1.2, must lie in [0, 1]"},
+        {[](FigureModel& m) {
+             m.fist = {std::vector<double>{0.5}, std::vector<double>(3, 0.5)};
+         },
+         "fist.right has 3 numbers, must have 1 or 64"},
+        {[](FigureModel& m) { m.fist[0] = {0.5}; }, "fist.right has 0 numbers"},
         {[](FigureModel& m) { m.landings[0].pop_back(); },
          "landings.left has 7 numbers, must have 8"},
         {[](FigureModel& m) { m.landings[0][2].deviation = Beats(-1.0); },

@@ -1,0 +1,52 @@
+#include "motion/skeleton/hand_shape.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace raks::motion {
+namespace {
+
+struct FingerCurl {
+    Bone bone;        // left
+    double straight;  // degrees of an open hand
+    double fist;      // and of a fist
+};
+constexpr std::array<FingerCurl, 15> kFingers = {{
+    {Bone::left_index_proximal, 2, 72},
+    {Bone::left_index_intermediate, 5, 92},
+    {Bone::left_index_distal, 3, 55},
+    {Bone::left_middle_proximal, 4, 76},
+    {Bone::left_middle_intermediate, 7, 95},
+    {Bone::left_middle_distal, 4, 58},
+    {Bone::left_ring_proximal, 6, 78},
+    {Bone::left_ring_intermediate, 9, 95},
+    {Bone::left_ring_distal, 5, 58},
+    {Bone::left_little_proximal, 7, 80},
+    {Bone::left_little_intermediate, 9, 90},
+    {Bone::left_little_distal, 5, 58},
+    {Bone::left_thumb_metacarpal, 4, 26},
+    {Bone::left_thumb_proximal, 6, 34},
+    {Bone::left_thumb_distal, 8, 48},
+}};
+
+bool is_thumb(Bone left) noexcept {
+    return left == Bone::left_thumb_metacarpal || left == Bone::left_thumb_proximal ||
+           left == Bone::left_thumb_distal;
+}
+
+}  // namespace
+
+void set_hand_shape(Side side, double fist, Pose& pose) noexcept {
+    constexpr double kDegree = M_PI / 180.0;
+    constexpr glm::dvec3 kFingerAxis{0.0, 0.0, -1.0};
+    constexpr glm::dvec3 kThumbAxis{0.0, -0.70710678, -0.70710678};
+    for (const FingerCurl& finger : kFingers) {
+        const double angle = (finger.straight + fist * (finger.fist - finger.straight)) * kDegree;
+        const glm::dquat q =
+            glm::angleAxis(angle, is_thumb(finger.bone) ? kThumbAxis : kFingerAxis);
+        const glm::dquat own = side == Side::left ? q : glm::dquat(q.w, q.x, -q.y, -q.z);
+        pose.rotation(on_side(finger.bone, side)) = glm::quat(glm::normalize(own));
+    }
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "motion/skeleton/pose.hpp"
+
+namespace raks::motion {
+
+/// The fingers of a hand from open and flat (`fist` 0) to a fist with the thumb beside it (1).
+/// Threads: any. Real-time: yes.
+void set_hand_shape(Side side, double fist, Pose& pose) noexcept;
+
+}  // namespace raks::motion
