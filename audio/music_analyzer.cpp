@@ -170,6 +170,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
 void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept {
     TrackedHop tracked;
     tracked.hop = state.hop;
+    tracked.mel_magnitudes = onsets.mel_magnitudes();
     tracked.heard_until = state.heard_until;
     tracked.onset_strength = onset.strength;
     tracked.quiet_hops = quiet_hops;

@@ -11,6 +11,8 @@ constexpr float kMetreChange = 0.02F;   // a bar
 constexpr float kLeak = 0.003F;         // a beat: the count may have been wrong
 constexpr float kPriorDownbeat = 0.3F;  // how often a beat is one
 constexpr float kTrust = 0.8F;          // beats of a bar are not heard independently
+constexpr float kLikeFirst = 0.5F;      // share of the bar's middles that sound like its first beat
+constexpr float kChangeTrust = 0.6F;    // ln of likelihood a standard deviation of change
 constexpr float kStay = 1.3F;           // by which another place must be likelier to be told
 
 }  // namespace
@@ -62,15 +64,28 @@ void BarBelief::next_beat(long number) noexcept RAKS_NONBLOCKING {
     tell();
 }
 
-void BarBelief::observe(float downbeat) noexcept RAKS_NONBLOCKING {
-    const float first = std::pow(std::clamp(downbeat, 0.02F, 0.98F) / kPriorDownbeat, kTrust);
-    const float other =
-        std::pow((1.0F - std::clamp(downbeat, 0.02F, 0.98F)) / (1.0F - kPriorDownbeat), kTrust);
+void BarBelief::observe_downbeat(float probability) noexcept RAKS_NONBLOCKING {
+    const float downbeat = std::clamp(probability, 0.02F, 0.98F);
+    const float first = std::pow(downbeat / kPriorDownbeat, kTrust);
+    const float other = std::pow((1.0F - downbeat) / (1.0F - kPriorDownbeat), kTrust);
+    weigh(first, kLikeFirst * first + (1.0F - kLikeFirst) * other, other);
+}
+
+void BarBelief::observe_change(float deviations) noexcept RAKS_NONBLOCKING {
+    weigh(std::exp(kChangeTrust * deviations), 1.0F, 1.0F);
+}
+
+/// Likelihoods of what was heard of the last beat, at the first beat of a bar, in its middle (of 4
+/// and 6) and elsewhere.
+void BarBelief::weigh(float first, float middle, float other) noexcept {
     float total = 0.0F;
-    for (Positions& places : probability_) {
-        for (std::size_t place = 0; place < places.size(); ++place) {
-            places[place] *= place == 0 ? first : other;
-            total += places[place];
+    for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
+        const auto beats = static_cast<std::size_t>(kMetres[metre]);
+        const std::size_t half = beats == 4 || beats == 6 ? beats / 2 : kLongest;
+        for (std::size_t place = 0; place < beats; ++place) {
+            float& value = probability_[metre][place];
+            value *= place == 0 ? first : place == half ? middle : other;
+            total += value;
         }
     }
     for (Positions& places : probability_) {

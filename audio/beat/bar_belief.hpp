@@ -7,8 +7,8 @@
 namespace raks::audio {
 
 /// Which beat of the bar comes next, and how many a bar has: a forward recursion over metre x
-/// position, one step a beat, fed with how much each beat sounded like a downbeat. The metre may
-/// change at a downbeat.
+/// position, one step a beat, fed with how much each beat sounded like a downbeat and how much the
+/// sound changed at it. The metre may change at a downbeat.
 ///
 /// Threads: one. Real-time: yes.
 class BarBelief {
@@ -19,8 +19,12 @@ class BarBelief {
     /// time (a jump of the count moves the bar along).
     void next_beat(long number) noexcept RAKS_NONBLOCKING;
 
-    /// The last beat was a downbeat with this probability, [0, 1].
-    void observe(float downbeat) noexcept RAKS_NONBLOCKING;
+    /// The last beat was a downbeat with this probability, [0, 1]. The middle of a bar of 4 or 6
+    /// may sound like one, too: such bars are not taken for two short ones for that.
+    void observe_downbeat(float probability) noexcept RAKS_NONBLOCKING;
+
+    /// The sound changed so much at the last beat, see BeatChange.
+    void observe_change(float deviations) noexcept RAKS_NONBLOCKING;
 
     /// The user says which beat is the first of a bar: held until reset().
     void hold(long number) noexcept RAKS_NONBLOCKING;
@@ -42,6 +46,7 @@ class BarBelief {
     using Positions = std::array<float, kLongest>;
 
     void step() noexcept;
+    void weigh(float first, float middle, float other) noexcept;
     void tell() noexcept;
 
     std::array<Positions, kMetres.size()> probability_{};

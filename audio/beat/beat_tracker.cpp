@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raks::audio {
 namespace {
@@ -58,6 +59,9 @@ double wrapped(double phase) { return phase - std::round(phase); }
 void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     pointer_.reset();
     bars_.reset();
+    changes_.reset();
+    changing_beat_ = 0;
+    change_ = 0.0F;
     taps_.reset();
     position_ = 0.0;
     beats_per_hop_ = 1.0 / 50;
@@ -97,6 +101,7 @@ void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAK
         confidence_ *= kSilentDecay;
     } else {
         listen(hop);
+        hear_change(hop);
         rate_beat(hop);
         rate_confidence(hop);
     }
@@ -176,6 +181,18 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
     mass_ += kMassShare * (estimate.mass - mass_);
 }
 
+/// What changed at a beat is known when the next one comes.
+void BeatTracker::hear_change(const TrackedHop& hop) noexcept {
+    const long beat = std::lround(std::floor(position_));
+    if (beat != changing_beat_) {
+        changing_beat_ = beat;
+        change_ = changes_.next_beat();
+    }
+    if (hop.mel_magnitudes.size() == OnsetDetector::kMelBands) {
+        changes_.hear(hop.mel_magnitudes.first<OnsetDetector::kMelBands>());
+    }
+}
+
 /// Once all that belongs to a beat was heard: how strong it was, and whether it begins a bar.
 void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     constexpr int kAround = 2;  // hops on either side of the beat
@@ -198,10 +215,11 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     beats_rated_ = std::min(beats_rated_ + 1, 8);
     const float contrast = hop.has_evidence ? most.beat : strength;
     contrast_ += (contrast - contrast_) / static_cast<float>(beats_rated_);
+    bars_.observe_change(std::exchange(change_, 0.0F));
     bars_.next_beat(beat);
     // A beat that was hardly heard says nothing of the bar.
     if (hop.has_evidence && most.beat > kLeastEvidence) {
-        bars_.observe(most.downbeat / most.beat);
+        bars_.observe_downbeat(most.downbeat / most.beat);
     }
 }
 

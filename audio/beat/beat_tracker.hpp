@@ -5,6 +5,7 @@
 
 #include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/bar_belief.hpp"
+#include "audio/beat/beat_change.hpp"
 #include "audio/beat/beat_pointer.hpp"
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/beat/tap_tempo.hpp"
@@ -19,6 +20,9 @@ struct TrackedHop {
     HopIndex hop = 0;
     StreamTime heard_until{};  ///< end of the audio behind this hop
     float onset_strength = 0.0F;
+    /// Of the hop's mel bands (OnsetDetector::kMelBands of them, or none: changes of the sound are
+    /// not heard); valid during advance() alone.
+    std::span<const float> mel_magnitudes;
     bool has_evidence = false;  ///< a network listens
     int evidence_lag = 0;       ///< hops by which its evidence is late
     BeatEvidence evidence;      ///< about the hop `evidence_lag` ago
@@ -68,6 +72,7 @@ class BeatTracker {
     void listen(const TrackedHop& hop) noexcept;
     void run_alone() noexcept;
     void follow(const PointerEstimate& estimate, int lag_hops) noexcept;
+    void hear_change(const TrackedHop& hop) noexcept;
     void rate_beat(const TrackedHop& hop) noexcept;
     void rate_confidence(const TrackedHop& hop) noexcept;
     void publish(HopIndex hop, MusicState& state) const noexcept;
@@ -88,6 +93,11 @@ class BeatTracker {
     int hops_without_ = 0;           // hops since a network last heard anything like a beat
     int hops_apart_ = 0;             // hops in a row in which belief and grid disagreed
     int hops_heard_ = 0;             // hops with evidence since reset or jump
+
+    // How much the sound changes at the beats.
+    BeatChange changes_;
+    long changing_beat_ = 0;  // that goes on
+    float change_ = 0.0F;     // at the beat before it
 
     // Confidence.
     std::array<Heard, kRecent> heard_{};  // by hop, ring
