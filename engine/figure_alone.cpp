@@ -1,7 +1,9 @@
 #include "engine/figure_alone.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -13,8 +15,8 @@
 namespace raks::engine {
 namespace {
 
-// The dancer has settled into the figure by then, and figures of 3, 4, 6 and 8 beats begin there.
-constexpr double kBeatsBefore = 24.0;
+constexpr double kBeatsBefore = 20.0;  // the dancer has settled into the figure by then
+constexpr double kEarliest = 2.0;      // beats before a count 1 that poses are asked for, at most
 constexpr int kRepeats = 6;
 constexpr double kFramesPerSecond = 60.0;
 constexpr double kMargin = 0.5;  // beats before the first and after the last repeat
@@ -31,6 +33,12 @@ MusicState steady_music(HopIndex hop, const FigureOnBeat& on) {
     state.level_dbfs = -16.0F;
     state.genre = Genre::salsa;
     return state;
+}
+
+/// The beat of the music on which the figure begins again, kEarliest from now on.
+double next_count_one(const motion::DancerStatus& status, double now) {
+    const double begun = std::round(now - status.phase);
+    return begun + status.counts * std::ceil((now + kEarliest - begun) / status.counts);
 }
 
 Expected<motion::TakeMeasures> measure_alone(
@@ -83,13 +91,18 @@ Expected<std::vector<motion::Pose>> dance_alone(
     dancer.command({Kind::lock_figure, {}, 1.0});
     const auto track = std::make_unique<motion::PoseTrack>();
     std::vector<motion::Pose> poses;
+    std::optional<double> count_one;  // beat of the music
     for (HopIndex hop = 0; poses.size() < beats.size(); ++hop) {
         const MusicState state = steady_music(hop, on);
         dancer.advance(state, *track);
+        const double now = state.grid.beats_at(state.time).count();
+        if (!count_one && now > kBeatsBefore) {
+            count_one = next_count_one(dancer.status(), now);
+        }
         const auto next = [&] {
-            return state.grid.time_of(Beats(kBeatsBefore + beats[poses.size()]));
+            return state.grid.time_of(Beats(*count_one + beats[poses.size()]));
         };
-        while (poses.size() < beats.size() && next() <= state.time) {
+        while (count_one && poses.size() < beats.size() && next() <= state.time) {
             poses.push_back(track->at(next()));
         }
     }

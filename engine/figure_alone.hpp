@@ -24,7 +24,7 @@ struct FigureOnBeat {
 };
 
 /// The poses at `beats` (ascending, from -2 on), counted from a count 1 of the figure by which the
-/// dancer has settled into it. For figures of 1, 2, 3, 4, 6, 8, 12 or 24 beats.
+/// dancer has settled into it.
 /// Errors: those of Dancer::prepare. Threads: workers. Real-time: no (some 10 ms a second).
 [[nodiscard]] Expected<std::vector<motion::Pose>> dance_alone(
     const std::shared_ptr<const motion::DanceLibrary>& library,
