@@ -219,6 +219,8 @@ Json fusion_json(const GenreModel& model) {
 
 }  // namespace
 
+std::string features_text(const GenreFeatures& features) { return features_json(features).dump(); }
+
 std::string genre_text(const GenreModel& model) {
     Json json = {{"format", kGenreFormat},
                  {"version", kGenreVersion},

@@ -16,6 +16,9 @@ inline constexpr int kGenreVersion = 2;
 /// JSON text of a model (docs/file_formats.md); numbers with six digits.
 [[nodiscard]] std::string genre_text(const GenreModel& model);
 
+/// What the numbers of a model are about, as its file says it: two that differ do not fit.
+[[nodiscard]] std::string features_text(const GenreFeatures& features);
+
 /// Reads (version 1, too, which has no recurrent network) and validates. Errors, one line without
 /// the file: no JSON, another format, a newer version, a field that is missing or does not fit,
 /// features that this program does not hear.

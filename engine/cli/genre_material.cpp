@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
+#include <ctime>
 #include <iterator>
 #include <utility>
 
-#include "audio/genre/training/genre_augmentation.hpp"
-#include "audio/genre/training/sound_damage.hpp"
-#include "audio/io/audio_file.hpp"
-#include "base/parallel.hpp"
+#include "base/hash.hpp"
+#include "engine/cli/genre_hearing.hpp"
 
 #include <fmt/format.h>
 
@@ -19,205 +17,74 @@ namespace {
 
 constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-struct Recordings {
-    std::vector<audio::HeardPiece> pieces;
-    std::vector<std::string> skipped;  // why
-    double seconds = 0.0;              // of music
-};
-
-/// One recording: clean, then its altered copies.
-Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
-                                                   std::size_t number,
-                                                   const GenreOptions& options,
-                                                   const audio::HearingPlan& hearing) {
-    const auto music = audio::read_all_mono(file.path);
-    if (!music) {
-        return fail(music.error());
-    }
-    std::vector<audio::HeardPiece> pieces;
-    for (int copy = 0; copy <= options.altered; ++copy) {
-        std::vector<float> samples = music->samples;
-        audio::HeardPiece& piece = pieces.emplace_back();
-        piece.name = file.name;
-        piece.group = file.group;
-        piece.genre = file.genre;
-        if (copy > 0) {
-            audio::Dice dice(options.seed + 1000, number * 64 + static_cast<std::size_t>(copy));
-            piece.kind = audio::HeardPiece::Kind::altered;
-            if (options.effects.has(audio::SoundEffect::speed)) {
-                audio::change_speed(dice.uniform(0.92, 1.08), samples);
-            }
-            const auto altered =
-                audio::augment_for_genre(music->rate.hertz(), samples, dice, options.effects);
-            if (!altered) {
-                return fail(file.path.string() + ": " + altered.error().message);
-            }
-        }
-        if (auto heard = audio::hear_piece(samples, music->rate, hearing, piece); !heard) {
-            return fail(file.path.string() + ": " + heard.error().message);
-        }
-        if (copy == 0 && piece.windows.empty()) {
-            return fail(file.path.string() + ": is silent or shorter than 1 s");
-        }
-    }
-    return pieces;
-}
-
-Expected<Recordings> hear_recordings(const std::vector<audio::MusicFile>& files,
-                                     const GenreOptions& options,
-                                     const audio::HearingPlan& hearing) {
-    std::vector<Expected<std::vector<audio::HeardPiece>>> heard(files.size(), fail("not heard"));
-    run_parallel(files.size(), options.threads, [&](std::size_t i) {
-        heard[i] = hear_file(files[i], i, options, hearing);
-    });
-    Recordings recordings;
-    for (auto& pieces : heard) {
-        if (!pieces) {
-            recordings.skipped.push_back(pieces.error().message);
-            continue;
-        }
-        std::move(pieces->begin(), pieces->end(), std::back_inserter(recordings.pieces));
-    }
-    for (const std::string& reason : recordings.skipped) {
-        std::fprintf(stderr, "raks: skipped %s\n", reason.c_str());
-    }
-    if (!recordings.skipped.empty()) {
-        std::fprintf(
-            stderr, "raks: %zu of %zu files skipped\n", recordings.skipped.size(), files.size());
-    }
-    if (options.is_strict && !recordings.skipped.empty()) {
-        return fail(fmt::format("{} files cannot be read (--strict): {}",
-                                recordings.skipped.size(),
-                                recordings.skipped.front()));
-    }
-    return recordings;
-}
-
-/// What tells music altered in one way from music altered in another: nothing if all may happen.
-std::string without(const audio::SoundEffects& effects) {
-    std::string suffix;
-    for (std::size_t i = 0; i < std::size(audio::kSoundEffectNames); ++i) {
-        if (!effects.has(static_cast<audio::SoundEffect>(i))) {
-            suffix += fmt::format("-no-{}", audio::kSoundEffectNames[i]);
-        }
-    }
-    return suffix;
-}
-
-/// What was kept under this name, or what `make` gives, which is then kept.
-template <class Make>
-Expected<std::vector<audio::HeardPiece>> cached(const GenreOptions& options,
-                                                const std::string& name,
-                                                const Make& make) {
-    const std::filesystem::path path = options.cache / (name + ".pieces");
-    if (!options.cache.empty() && std::filesystem::exists(path)) {
-        return audio::load_pieces(path);
-    }
-    auto pieces = make();
-    if (pieces && !options.cache.empty()) {
-        if (auto saved = audio::save_pieces(*pieces, path); !saved) {
-            return fail(saved.error());
-        }
-    }
-    return pieces;
-}
-
-/// The files asked for, heard.
-Expected<std::vector<audio::HeardPiece>> gather_recordings(
-    const GenreOptions& options,
-    const audio::HearingPlan& hearing,
-    const std::vector<audio::MusicFile>& files) {
-    const auto make = [&]() -> Expected<std::vector<audio::HeardPiece>> {
-        auto recordings = hear_recordings(files, options, hearing);
-        if (!recordings) {
-            return fail(recordings.error());
-        }
-        return std::move(recordings->pieces);
-    };
-    const std::string name = fmt::format(
-        "recordings-{}-{}-codec{}", files.size(), options.altered, without(options.effects));
-    return cached(options, name, make);
-}
-
-/// The music asked for, written. What may be left out is written apart, so that a model without it
-/// learns the same music else.
-Expected<std::vector<audio::HeardPiece>> gather_written(const GenreOptions& options,
-                                                        const audio::HearingPlan& hearing) {
-    if (options.soundfonts.empty()) {
-        return fail("--synthesize needs --soundfont X.sf2: what the music is played with");
-    }
-    using Families = audio::WrittenCorpusPlan::Families;
-    struct Part {
-        const char* name;
-        Families families;
-        int pieces;
-    };
-    std::vector<Part> parts = {{"written", Families::always, options.synthesize}};
-    if (!options.leaves_out_families) {
-        parts.push_back({"written-rest", Families::held_out, options.synthesize / kRestShare});
-    }
-    std::vector<audio::HeardPiece> pieces;
-    for (const Part& part : parts) {
-        auto more = written(options,
-                            hearing,
-                            part.name,
-                            {.soundfonts = options.soundfonts,
-                             .families = part.families,
-                             .pieces = part.pieces,
-                             .seed = options.seed,
-                             .hearing = {}});
-        if (!more) {
-            return more;
-        }
-        std::move(more->begin(), more->end(), std::back_inserter(pieces));
-    }
-    return pieces;
-}
-
-}  // namespace
-
-Expected<std::vector<audio::HeardPiece>> written(const GenreOptions& options,
-                                                 const audio::HearingPlan& hearing,
-                                                 const std::string& name,
-                                                 audio::WrittenCorpusPlan plan) {
-    constexpr int kChunk = 70;
-    const int all = plan.pieces;
-    plan.hearing = hearing;
-    plan.threads = options.threads;
-    plan.effects = options.effects;
-    plan.edition = static_cast<audio::WrittenCorpusPlan::Edition>(options.edition);
-    const bool is_altered = plan.augmentation == audio::WrittenCorpusPlan::Augmentation::on;
-    const std::string variant = (options.edition > 1 ? "-second" : "") +
-                                (is_altered ? without(options.effects) : std::string());
+/// Hears chunks; those that `is_wanted(i)` refuses stay empty.
+template <class IsWanted>
+Expected<std::vector<audio::HeardUnit>> hear_chunks(const GenreOptions& options,
+                                                    const std::vector<WrittenChunk>& chunks,
+                                                    const IsWanted& is_wanted) {
     const auto start = std::chrono::steady_clock::now();
-    std::vector<audio::HeardPiece> pieces;
-    for (plan.first = 0; plan.first < all; plan.first += kChunk) {
-        plan.pieces = std::min(kChunk, all - plan.first);
-        auto chunk =
-            cached(options,
-                   fmt::format("{}-{}-{}-{}{}", name, plan.seed, plan.first, plan.pieces, variant),
-                   [&] { return audio::write_corpus(plan); });
-        if (!chunk) {
-            return chunk;
+    const std::clock_t computed = std::clock();
+    std::vector<audio::HeardUnit> units(chunks.size());
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        if (is_wanted(i)) {
+            auto pieces = hear_chunk(options, chunks[i]);
+            if (!pieces) {
+                return fail(pieces.error());
+            }
+            units[i].pieces = std::move(*pieces);
         }
-        std::move(chunk->begin(), chunk->end(), std::back_inserter(pieces));
-        const double done = static_cast<double>(pieces.size()) / all;
-        std::fprintf(stderr,
-                     "raks: %s: %zu of %d pieces played and heard, %.0f s left\n",
-                     name.c_str(),
-                     pieces.size(),
-                     all,
-                     seconds_since(start) * (1.0 - done) / done);
+        ++done;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        std::fprintf(
+            stderr,
+            "raks: %s: %zu of %zu chunks played and heard (%.0f s of computing), %.0f s "
+            "left\n",
+            chunks[i].name.c_str(),
+            done,
+            chunks.size(),
+            static_cast<double>(std::clock() - computed) / CLOCKS_PER_SEC,
+            spent.count() * static_cast<double>(chunks.size() - done) / static_cast<double>(done));
     }
-    return pieces;
+    return units;
 }
 
-Expected<GenreMaterial> gather(const GenreOptions& options, const audio::HearingPlan& hearing) {
-    GenreMaterial material;
+/// The music asked for, to be written. What may be left out is written apart, so that a model
+/// without it learns the same music else.
+std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
+                                     const audio::HearingPlan& hearing) {
+    using Families = audio::WrittenCorpusPlan::Families;
+    audio::WrittenCorpusPlan plan{.soundfonts = options.soundfonts,
+                                  .families = Families::always,
+                                  .pieces = options.synthesize,
+                                  .seed = options.seed,
+                                  .hearing = {}};
+    std::vector<WrittenChunk> chunks = chunks_of(options, hearing, "written", plan);
+    if (!options.leaves_out_families) {
+        plan.families = Families::held_out;
+        plan.pieces = options.synthesize / kRestShare;
+        auto rest = chunks_of(options, hearing, "written-rest", plan);
+        std::move(rest.begin(), rest.end(), std::back_inserter(chunks));
+    }
+    return chunks;
+}
+
+std::string credit_of_written(const GenreOptions& options) {
+    if (options.synthesize == 0) {
+        return {};
+    }
+    std::string text = "Music written by this program, played with soundfonts";
+    for (const auto& soundfont : options.soundfonts) {
+        text += " " + soundfont.filename().string();
+    }
+    return text + ". ";
+}
+
+/// All units of this machine's share; recordings first.
+Expected<audio::HeardMaterial> hear_all(const GenreOptions& options,
+                                        const audio::HearingPlan& hearing) {
+    audio::HeardMaterial material;
+    material.written_with = credit_of_written(options);
     if (!options.folder.empty()) {
         auto listed = options.index.empty() ? audio::list_music(options.folder)
                                             : audio::list_music(options.folder, options.index);
@@ -228,18 +95,114 @@ Expected<GenreMaterial> gather(const GenreOptions& options, const audio::Hearing
         if (auto distinct = audio::check_distinct(material.files); !distinct) {
             return fail(distinct.error());
         }
-        auto heard = gather_recordings(options, hearing, material.files);
-        if (!heard) {
-            return fail(heard.error());
-        }
-        material.pieces = std::move(*heard);
+        material.units = hear_recordings(material.files, options, hearing);
     }
     if (options.synthesize > 0) {
-        auto more = gather_written(options, hearing);
+        if (options.soundfonts.empty()) {
+            return fail("--synthesize needs --soundfont X.sf2: what the music is played with");
+        }
+        const std::size_t first = material.units.size();
+        auto more = hear_chunks(options, all_chunks(options, hearing), [&](std::size_t i) {
+            return options.share.has(first + i);
+        });
         if (!more) {
             return fail(more.error());
         }
-        std::move(more->begin(), more->end(), std::back_inserter(material.pieces));
+        std::move(more->begin(), more->end(), std::back_inserter(material.units));
+    }
+    return material;
+}
+
+/// Says which recordings were left out.
+Expected<void> report_faults(const GenreOptions& options, const audio::HeardMaterial& material) {
+    std::size_t skipped = 0;
+    const std::string* first = nullptr;
+    for (const audio::HeardUnit& unit : material.units) {
+        if (!unit.fault.empty()) {
+            std::fprintf(stderr, "raks: skipped %s\n", unit.fault.c_str());
+            first = first == nullptr ? &unit.fault : first;
+            ++skipped;
+        }
+    }
+    if (skipped > 0) {
+        std::fprintf(stderr, "raks: %zu of %zu files skipped\n", skipped, material.files.size());
+    }
+    if (options.is_strict && skipped > 0) {
+        return fail(fmt::format("{} of {} files cannot be used (--strict): {}",
+                                skipped,
+                                material.files.size(),
+                                *first));
+    }
+    return {};
+}
+
+/// All that shapes what is heard, in one line.
+std::string plan_text(const GenreOptions& options,
+                      const audio::HearingPlan& hearing,
+                      const audio::HeardMaterial& material) {
+    std::uint64_t files = hash_of("");
+    for (const audio::MusicFile& file : material.files) {
+        files =
+            hash_of(fmt::format("{} {} {}\n", file.name, file.group, name_of(file.genre)), files);
+    }
+    return fmt::format("hearing {:x} files {:x} altered {} seed {} edition {} written {} {} {}{}",
+                       name_of_hearing(hearing, options.plan.features),
+                       files,
+                       options.altered,
+                       options.seed,
+                       options.edition,
+                       options.synthesize,
+                       options.leaves_out_families ? "always" : "all",
+                       material.written_with,
+                       without(options.effects));
+}
+
+}  // namespace
+
+Expected<std::vector<audio::HeardPiece>> written(const GenreOptions& options,
+                                                 const audio::HearingPlan& hearing,
+                                                 const std::string& name,
+                                                 const audio::WrittenCorpusPlan& plan) {
+    auto units =
+        hear_chunks(options, chunks_of(options, hearing, name, plan), [](auto) { return true; });
+    if (!units) {
+        return fail(units.error());
+    }
+    std::vector<audio::HeardPiece> pieces;
+    for (audio::HeardUnit& unit : *units) {
+        std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(pieces));
+    }
+    return pieces;
+}
+
+Expected<void> write_shard(const GenreOptions& options,
+                           const audio::HearingPlan& hearing,
+                           const std::string& command) {
+    auto material = hear_all(options, hearing);
+    if (!material) {
+        return fail(material.error());
+    }
+    if (auto reported = report_faults(options, *material); !reported) {
+        return reported;
+    }
+    const std::string plan = plan_text(options, hearing, *material);
+    return audio::save_shard({options.share, plan, command, std::move(*material)}, options.output);
+}
+
+Expected<GenreMaterial> gather(const GenreOptions& options, const audio::HearingPlan& hearing) {
+    auto heard =
+        options.shards.empty() ? hear_all(options, hearing) : audio::merge_shards(options.shards);
+    if (!heard) {
+        return fail(heard.error());
+    }
+    if (auto reported = report_faults(options, *heard); !reported) {
+        return fail(reported.error());
+    }
+    GenreMaterial material;
+    material.files = std::move(heard->files);
+    material.written_with = std::move(heard->written_with);
+    for (audio::HeardUnit& unit : heard->units) {
+        std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(material.pieces));
     }
     if (!options.beats_corpus.empty()) {
         using Families = audio::WrittenCorpusPlan::Families;
@@ -254,6 +217,9 @@ Expected<GenreMaterial> gather(const GenreOptions& options, const audio::Hearing
         const auto& left_out = options.left_out;
         return std::find(left_out.begin(), left_out.end(), name_of(piece.genre)) != left_out.end();
     });
+    if (material.pieces.empty() && !material.files.empty()) {
+        return fail(fmt::format("none of the {} files can be learnt from", material.files.size()));
+    }
     if (material.pieces.empty()) {
         return fail("no music: name a folder, or --synthesize N with --soundfont X.sf2");
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "audio/genre/training/genre_trainer.hpp"
+#include "audio/genre/training/heard_shard.hpp"
 #include "audio/genre/training/music_folder.hpp"
 #include "audio/genre/training/written_corpus.hpp"
 #include "base/expected.hpp"
@@ -14,19 +15,28 @@ namespace raks::cli {
 /// Music to learn from: the files, and all of it (written music, too) as heard.
 struct GenreMaterial {
     std::vector<audio::MusicFile> files;
+    std::string written_with;  ///< credit of the written music, or empty
     std::vector<audio::HeardPiece> pieces;
 };
 
-/// Reads and hears the folder's music, clean and damaged, and writes what is asked for. Files that
-/// cannot be read are named on stderr and left out. Errors: no music at all, two genres with the
-/// same files, with --strict the first file that cannot be read.
+/// Reads and hears the folder's music, clean and damaged, and writes what is asked for; or merges
+/// the shards that are named. Files that cannot be read are named on stderr, counted and left out.
+/// Errors: no music at all, two genres with the same files, with --strict the first file that
+/// cannot be read; of shards: as merge_shards.
 [[nodiscard]] Expected<GenreMaterial> gather(const GenreOptions& options,
                                              const audio::HearingPlan& hearing);
 
+/// Hears this machine's share of all that into a file. `command`: is kept in it.
+/// Errors: as gather; the file cannot be written.
+[[nodiscard]] Expected<void> write_shard(const GenreOptions& options,
+                                         const audio::HearingPlan& hearing,
+                                         const std::string& command);
+
 /// Written music, chunk by chunk: what a stopped run has finished is found again by the next.
-[[nodiscard]] Expected<std::vector<audio::HeardPiece>> written(const GenreOptions& options,
-                                                               const audio::HearingPlan& hearing,
-                                                               const std::string& name,
-                                                               audio::WrittenCorpusPlan plan);
+[[nodiscard]] Expected<std::vector<audio::HeardPiece>> written(
+    const GenreOptions& options,
+    const audio::HearingPlan& hearing,
+    const std::string& name,
+    const audio::WrittenCorpusPlan& plan);
 
 }  // namespace raks::cli

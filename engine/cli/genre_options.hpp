@@ -7,6 +7,7 @@
 
 #include "audio/beat/training/sound_augmentation.hpp"
 #include "audio/genre/training/genre_trainer.hpp"
+#include "audio/genre/training/heard_shard.hpp"
 
 namespace raks::cli {
 
@@ -17,6 +18,9 @@ struct GenreOptions {
     std::filesystem::path output;
     std::filesystem::path cache;
     std::filesystem::path beats_corpus;
+    std::string share_text;  // "i/n"
+    audio::ShardNumber share;
+    std::vector<std::filesystem::path> shards;  // to merge
     std::filesystem::path report;
     int synthesize = 0;
     int edition = 1;  // of the written music

@@ -58,6 +58,9 @@ void add_options(CLI::App& app, GenreOptions& options) {
                    options.beats_corpus,
                    "music that `raks train beats --corpus` kept: the network learns from it, too");
     app.add_option("--cache", options.cache, "folder that keeps what was heard between runs");
+    app.add_option("--shard",
+                   options.share_text,
+                   "i/n: hear share i of n into -o FILE, for `raks train genre merge`");
     app.add_option("--report", options.report, "X.html: how recordings are told apart, by artist");
     app.add_option("--leave-out", options.left_out, "genres not to learn");
     app.add_flag("--leave-out-families",
@@ -172,23 +175,14 @@ Expected<void> test_on_written(const GenreOptions& options,
     return {};
 }
 
-std::string attribution_of(const std::vector<audio::MusicFile>& files,
-                           const GenreOptions& options) {
-    std::string text;
-    if (options.synthesize > 0) {
-        text = "Music written by this program, played with soundfonts";
-        for (const auto& soundfont : options.soundfonts) {
-            text += " " + soundfont.filename().string();
-        }
-        text += ". ";
-    }
+std::string attribution_of(const GenreMaterial& material, const GenreOptions& options) {
     std::set<std::string> credits;
-    for (const audio::MusicFile& file : files) {
+    for (const audio::MusicFile& file : material.files) {
         if (!file.credit.empty() && (file.may_train || !options.trains_on_free_alone)) {
             credits.insert(file.credit);
         }
     }
-    return text + fmt::format("{}", fmt::join(credits, "; "));
+    return fmt::format("{}{}", material.written_with, fmt::join(credits, "; "));
 }
 
 /// What an earlier run has learnt from written music; null if it left nothing that fits.
@@ -320,12 +314,37 @@ void choose_effects(GenreOptions& options) {
 }
 
 Expected<void> run(GenreOptions& options, const std::string& command) {
+    if (!options.share_text.empty()) {
+        auto share = audio::parse_shard_number(options.share_text);
+        if (!share) {
+            return fail(share.error());
+        }
+        if (options.output.empty()) {
+            return fail("--shard needs -o FILE: where its share is kept");
+        }
+        options.share = *share;
+    }
+    const std::filesystem::path folder = options.output.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        return fail(folder.string() + ": no such folder: nothing can be written there");
+    }
     auto network = engine::load_beat_network();
     if (!network) {
         return fail(network.error());
     }
+    if (!options.cache.empty()) {
+        std::error_code error;
+        std::filesystem::create_directories(options.cache, error);
+        if (error) {
+            return fail(options.cache.string() +
+                        ": no folder can be made here: " + error.message());
+        }
+    }
     choose_effects(options);
     const audio::HearingPlan hearing{*network, options.plan.features.cepstral_mean};
+    if (!options.share_text.empty()) {
+        return cli::write_shard(options, hearing, command);
+    }
     const auto material = cli::gather(options, hearing);
     if (!material) {
         return fail(material.error());
@@ -347,7 +366,7 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
     }
     audio::calibrate(held_out, *model);
     model->made_with = command;
-    model->attribution = attribution_of(material->files, options);
+    model->attribution = attribution_of(*material, options);
     if (!options.output.empty()) {
         if (auto saved = audio::save_genre(*model, options.output); !saved) {
             return saved;
@@ -363,7 +382,14 @@ int main(int argc, char** argv) try {
     GenreOptions options;
     CLI::App app("learns which dance music is for", "raks train genre");
     add_options(app, options);
-    CLI11_PARSE(app, argc, argv);
+    CLI::App* const merge = app.add_subcommand("merge", "learns from the shards of --shard");
+    merge->fallthrough();
+    merge->add_option("shards", options.shards, "of all shares")->required();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& wrong) {
+        return app.exit(wrong) == 0 ? 0 : 2;
+    }
     options.plan.mfcc.threads = options.plan.network.threads = options.threads;
     options.plan.mfcc.seed = options.plan.rhythm.seed = options.plan.sound.seed =
         options.plan.network.seed = options.seed;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -37,6 +39,22 @@ std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces, int f
         }
     }
     return fold_of;
+}
+
+/// Whether something of each genre is left to learn from while something is held out.
+Expected<void> check_groups(std::span<const HeardPiece> pieces, std::span<const Genre> genres) {
+    std::map<Genre, std::set<std::string>> groups;
+    for (const HeardPiece& piece : pieces) {
+        groups[piece.genre].insert((piece.is_recorded() ? "r " : "w ") + piece.group);
+    }
+    for (const Genre genre : genres) {
+        if (groups[genre].size() < 2) {
+            return fail(std::string(name_of(genre)) +
+                        ": all its music is one file or by one artist, so that none can be held "
+                        "out; add music, or use --no-validation");
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -93,6 +111,9 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pi
                                                   std::span<const Genre> genres,
                                                   const GenreTrainingPlan& plan,
                                                   const std::function<void(int, int)>& on_fold) {
+    if (auto enough = check_groups(pieces, genres); !enough) {
+        return fail(enough.error());
+    }
     const std::map<std::string, int> folds = deal_groups(pieces, plan.folds);
     const auto fold_of = [&](const HeardPiece& piece) {
         return folds.at((piece.is_recorded() ? "r " : "w ") + piece.group);

@@ -39,7 +39,7 @@ struct GenreTrainingPlan {
 
 /// Scores of every recording, and of the written pieces that are kept out, by a model that heard no
 /// piece of its group: groups are dealt to folds, genre by genre. `on_fold(done, all)` is called
-/// after each. Errors: as train_genres.
+/// after each. Errors: as train_genres; a genre all of whose pieces are of one group.
 [[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
     std::span<const HeardPiece> pieces,
     std::span<const Genre> genres,

@@ -1,12 +1,13 @@
 #include "audio/genre/training/heard_piece.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <type_traits>
+#include <utility>
 
 #include "audio/genre/genre_recognizer.hpp"
+#include "audio/genre/training/packed_pieces.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/file.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::audio {
 namespace {
@@ -49,67 +50,6 @@ class Listener final : public MusicAnalyzer::Sink {
     int closed_ = 0;
 };
 
-/// Writes plain values and lists of them one after the other.
-class Packer {
- public:
-    template <class T>
-    void put(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-    template <class List>
-    void put_list(const List& list) {
-        put(static_cast<std::uint32_t>(list.size()));
-        bytes_.append(reinterpret_cast<const char*>(list.data()),
-                      list.size() * sizeof(typename List::value_type));
-    }
-    [[nodiscard]] std::string take() { return std::move(bytes_); }
-
- private:
-    std::string bytes_{kMagic};
-};
-
-/// Reads them back; after a fault everything is empty.
-class Unpacker {
- public:
-    explicit Unpacker(std::string_view bytes) : left_(bytes) {}
-    [[nodiscard]] bool is_good() const { return is_good_; }
-    [[nodiscard]] bool at_end() const { return left_.empty(); }
-
-    template <class T>
-    T take() {
-        static_assert(std::is_trivially_copyable_v<T>);
-        T value{};
-        if (has(sizeof value)) {
-            std::memcpy(&value, left_.data(), sizeof value);
-            left_.remove_prefix(sizeof value);
-        }
-        return value;
-    }
-    template <class List>
-    List take_list() {
-        constexpr std::size_t kSize = sizeof(typename List::value_type);
-        const std::size_t count = take<std::uint32_t>();
-        List list;
-        if (has(count * kSize)) {
-            list.resize(count);
-            std::memcpy(list.data(), left_.data(), count * kSize);
-            left_.remove_prefix(count * kSize);
-        }
-        return list;
-    }
-
- private:
-    bool has(std::size_t bytes) {
-        is_good_ = is_good_ && bytes <= left_.size();
-        left_ = is_good_ ? left_ : std::string_view{};
-        return is_good_;
-    }
-
-    std::string_view left_;
-    bool is_good_ = true;
-};
-
 }  // namespace
 
 Expected<void> hear_piece(std::span<const float> samples,
@@ -130,15 +70,9 @@ Expected<void> hear_piece(std::span<const float> samples,
 }
 
 Expected<void> save_pieces(std::span<const HeardPiece> pieces, const std::filesystem::path& path) {
-    Packer packer;
+    Packer packer(kMagic);
     for (const HeardPiece& piece : pieces) {
-        packer.put_list(piece.name);
-        packer.put_list(piece.group);
-        packer.put(piece.genre);
-        packer.put(piece.kind);
-        packer.put_list(piece.frames);
-        packer.put_list(piece.mel);
-        packer.put_list(piece.windows);
+        pack_piece(piece, packer);
     }
     return write_file(path, packer.take());
 }
@@ -153,32 +87,12 @@ Expected<std::vector<HeardPiece>> load_pieces(const std::filesystem::path& path)
     }
     Unpacker unpacker(std::string_view(*bytes).substr(kMagic.size()));
     std::vector<HeardPiece> pieces;
-    while (!unpacker.at_end() && unpacker.is_good()) {
-        HeardPiece& piece = pieces.emplace_back();
-        piece.name = unpacker.take_list<std::string>();
-        piece.group = unpacker.take_list<std::string>();
-        piece.genre = unpacker.take<Genre>();
-        piece.kind = unpacker.take<HeardPiece::Kind>();
-        piece.frames = unpacker.take_list<std::vector<MfccVector>>();
-        piece.mel = unpacker.take_list<std::vector<float>>();
-        piece.windows = unpacker.take_list<std::vector<HeardWindow>>();
-        if (piece.mel.size() != piece.frames.size() * BarPatterns::kMelBands) {
-            return fail(path.string() + ": frames of two kinds differ in number; remove the file");
+    while (!unpacker.at_end()) {
+        auto piece = unpack_piece(unpacker);
+        if (!piece) {
+            return fail(fmt::format("{}: {}; remove it", path.string(), piece.error().message));
         }
-        for (const HeardWindow& window : piece.windows) {
-            const bool fits = window.segments >= 1 && window.segments <= BarPatterns::kSegments &&
-                              window.end_frame >= window.segments * BarPatterns::kSegmentHops &&
-                              window.end_frame <= static_cast<int>(piece.frames.size());
-            if (!fits) {
-                return fail(path.string() + ": a window lies outside its piece; remove the file");
-            }
-        }
-        if (piece.genre > Genre::unknown || piece.kind > HeardPiece::Kind::written_held_out) {
-            return fail(path.string() + ": is damaged; remove it");
-        }
-    }
-    if (!unpacker.is_good()) {
-        return fail(path.string() + ": is cut short; remove it");
+        pieces.push_back(std::move(*piece));
     }
     return pieces;
 }

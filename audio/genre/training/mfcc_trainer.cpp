@@ -90,17 +90,37 @@ GaussianHmm ergodic_start(const models::TrainingSet& set, int states, Dice& dice
     return model;
 }
 
-/// Doubles mixtures until there are enough, with some iterations after each step.
-Expected<GaussianHmm> train_model(models::TrainingSet set,
-                                  const MfccTrainingPlan& plan,
-                                  const std::string& name) {
+/// Frames that the stretches of these pieces are drawn from.
+Eigen::Index frames_of(const Pieces& pieces) {
+    Eigen::Index frames = 0;
+    for (const HeardPiece* piece : pieces) {
+        const auto own = static_cast<Eigen::Index>(piece->frames.size());
+        frames += own >= kStretch ? own : 0;
+    }
+    return frames;
+}
+
+Eigen::Index frames_of(const models::TrainingSet& set) {
     Eigen::Index frames = 0;
     for (const Frames& sequence : set.sequences) {
         frames += sequence.rows();
     }
+    return frames;
+}
+
+/// Doubles mixtures until there are enough, with some iterations after each step. `heard`: frames
+/// that there are, of which the set's are drawn (some of them more than once).
+Expected<GaussianHmm> train_model(models::TrainingSet set,
+                                  Eigen::Index heard,
+                                  const MfccTrainingPlan& plan,
+                                  const std::string& name) {
+    const Eigen::Index frames = std::min(heard, frames_of(set));
     const Eigen::Index dimension = set.sequences.empty() ? 0 : set.sequences.front().cols();
     const Eigen::Index parameters = 2 * dimension * plan.states * plan.mixtures;
-    if (frames == 0 || frames < parameters) {
+    if (frames == 0) {
+        return fail(name + ": no half second of sound to learn from; add music");
+    }
+    if (frames < parameters) {
         return fail(
             fmt::format("{}: {} frames of sound, fewer than the {} parameters of its "
                         "model; add music or lower --states and --mixtures",
@@ -204,14 +224,16 @@ Expected<MfccModels> train_mfcc(std::span<const HeardPiece* const> pieces,
             }
         }
         sets[genre].sequences = draw_stretches(own, features, plan, 10 + genre);
-        auto model = train_model(sets[genre], plan, std::string(name_of(genres[genre])));
+        auto model =
+            train_model(sets[genre], frames_of(own), plan, std::string(name_of(genres[genre])));
         if (!model) {
             return fail(model.error());
         }
         result.genres.push_back(std::move(*model));
     }
-    all.sequences = draw_stretches(Pieces(pieces.begin(), pieces.end()), features, plan, 9);
-    auto background = train_model(std::move(all), plan, "all music");
+    const Pieces every(pieces.begin(), pieces.end());
+    all.sequences = draw_stretches(every, features, plan, 9);
+    auto background = train_model(std::move(all), frames_of(every), plan, "all music");
     if (!background) {
         return fail(background.error());
     }
@@ -222,13 +244,15 @@ Expected<MfccModels> train_mfcc(std::span<const HeardPiece* const> pieces,
         if (!sorted) {
             return fail(sorted.error());
         }
-        auto similarity = train_model(std::move(sorted->confused), plan, "similarity");
+        const Eigen::Index confused = frames_of(sorted->confused);
+        auto similarity = train_model(std::move(sorted->confused), confused, plan, "similarity");
         if (!similarity) {
             break;  // the genres confuse too few frames for a model
         }
         result.similarity = std::move(*similarity);
         for (std::size_t genre = 0; genre < current.size(); ++genre) {
-            if (auto model = train_model(std::move(sorted->own[genre]), plan, "own")) {
+            const Eigen::Index own = frames_of(sorted->own[genre]);
+            if (auto model = train_model(std::move(sorted->own[genre]), own, plan, "own")) {
                 current[genre] = std::move(*model);
             }
         }

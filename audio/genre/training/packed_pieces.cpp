@@ -1,0 +1,49 @@
+#include "audio/genre/training/packed_pieces.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace raks::audio {
+
+void pack_piece(const HeardPiece& piece, Packer& packer) {
+    packer.put_list(piece.name);
+    packer.put_list(piece.group);
+    packer.put(piece.genre);
+    packer.put(piece.kind);
+    packer.put_list(piece.frames);
+    packer.put_list(piece.mel);
+    packer.put_list(piece.windows);
+}
+
+Expected<HeardPiece> unpack_piece(Unpacker& unpacker) {
+    HeardPiece piece;
+    piece.name = unpacker.take_list<std::string>();
+    piece.group = unpacker.take_list<std::string>();
+    piece.genre = unpacker.take<Genre>();
+    piece.kind = unpacker.take<HeardPiece::Kind>();
+    piece.frames = unpacker.take_list<std::vector<MfccVector>>();
+    piece.mel = unpacker.take_list<std::vector<float>>();
+    piece.windows = unpacker.take_list<std::vector<HeardWindow>>();
+    if (!unpacker.is_good()) {
+        return fail("is cut short");
+    }
+    if (piece.mel.size() != piece.frames.size() * BarPatterns::kMelBands) {
+        return fail("frames of two kinds differ in number");
+    }
+    const bool fit =
+        std::all_of(piece.windows.begin(), piece.windows.end(), [&](const HeardWindow& window) {
+            return window.segments >= 1 && window.segments <= BarPatterns::kSegments &&
+                   window.end_frame >= window.segments * BarPatterns::kSegmentHops &&
+                   window.end_frame <= static_cast<int>(piece.frames.size());
+        });
+    if (!fit) {
+        return fail("a window lies outside its piece");
+    }
+    if (piece.genre > Genre::unknown || piece.kind > HeardPiece::Kind::written_held_out) {
+        return fail("is damaged");
+    }
+    return piece;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,198 @@
+// raks train genre on folders of music as users have them: a few files, damaged ones, shares.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "audio/io/audio_file.hpp"
+#include "audio/synth/music_generator.hpp"
+#include "base/file.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+using audio::Style;
+
+class TrainGenre : public ProgramTest {
+ protected:
+    void write(const std::string& name, const std::string& bytes) const {
+        fs::create_directories(fs::path(path(name)).parent_path());
+        ASSERT_TRUE(write_file(path(name), bytes));
+    }
+    void write_music(const std::string& name,
+                     Style style,
+                     std::uint64_t seed,
+                     double seconds = 8.0) const {
+        audio::MusicPlan plan;
+        plan.style = style;
+        plan.tempo = {{0.0, style == Style::salsa ? 180.0 : 118.0}};
+        plan.seconds = seconds;
+        plan.seed = seed;
+        plan.channels = 1;
+        plan.rate = SampleRate(32'000);
+        const auto music = audio::generate(plan);
+        ASSERT_TRUE(music) << music.error().message;
+        fs::create_directories(fs::path(path(name)).parent_path());
+        ASSERT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
+    }
+    void write_silence(const std::string& name, std::size_t samples) const {
+        fs::create_directories(fs::path(path(name)).parent_path());
+        ASSERT_TRUE(
+            audio::write_wav(path(name), std::vector<float>(samples), 1, SampleRate(16'000)));
+    }
+    /// Three dances, two files each.
+    void write_folder(const std::string& name) const {
+        for (const std::uint64_t seed : {1U, 2U}) {
+            const std::string file = "/" + std::to_string(seed) + ".wav";
+            write_music(name + "/salsa" + file, Style::salsa, seed);
+            write_music(name + "/belly" + file, Style::maqsum, seed);
+            write_music(name + "/house" + file, Style::house, seed);
+        }
+    }
+    /// As small a model as learns at all.
+    [[nodiscard]] ProcessResult train(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"train", "genre"});
+        for (const char* const word : {"--states=1",
+                                       "--mixtures=1",
+                                       "--steps=20",
+                                       "--network-units=8",
+                                       "--network-steps=1",
+                                       "--tuning-steps=1",
+                                       "--similarity=0",
+                                       "--altered=1"}) {
+            arguments.emplace_back(word);
+        }
+        return run(arguments);
+    }
+    /// The model's text without the command that made it.
+    [[nodiscard]] std::string model(const std::string& name) const {
+        const auto text = read_file(path(name));
+        return text ? std::regex_replace(*text, std::regex("\"made_with\":[^\n]*"), "") : "missing";
+    }
+    void expect_failure(const ProcessResult& result, const std::string& last_line) const {
+        EXPECT_EQ(result.exit_code, 1);
+        EXPECT_TRUE(result.err.ends_with("raks: " + last_line + "\n")) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
+};
+
+TEST_F(TrainGenre, shares_that_are_merged_give_the_model_of_one_machine) {
+    write_folder("music");
+    const std::string music = path("music");
+    const ProcessResult whole = train({music, "--no-validation", "-o", path("whole.json")});
+    ASSERT_EQ(whole.exit_code, 0) << whole.err;
+    for (const std::string share : {"1", "2"}) {
+        const ProcessResult part =
+            train({music, "--shard", share + "/2", "-o", path(share + ".shard")});
+        ASSERT_EQ(part.exit_code, 0) << part.err;
+    }
+    const std::string first = path("1.shard");
+    const std::string second = path("2.shard");
+    const ProcessResult merged =
+        train({"merge", second, first, "--no-validation", "-o", path("merged.json")});
+    ASSERT_EQ(merged.exit_code, 0) << merged.err;
+    EXPECT_NE(model("whole.json"), "missing");
+    EXPECT_EQ(model("merged.json"), model("whole.json"));
+    expect_failure(train({"merge", first, "-o", path("x.json")}),
+                   "of 2 shards these are missing: 2; name all of them");
+    expect_failure(train({music, "--shard", "3/2", "-o", path("x")}),
+                   "--shard is '3/2', must be i/n: share 1 to n, n up to 1000");
+    expect_failure(train({"merge", path("whole.json"), "-o", path("x.json")}),
+                   path("whole.json") + ": is no shard that raks train genre --shard made");
+}
+
+TEST_F(TrainGenre, a_stopped_run_goes_on_from_its_cache) {
+    write_folder("music");
+    const auto run_once = [&](const std::string& name) {
+        return train({path("music"), "--no-validation", "--cache", path("kept"), "-o", path(name)});
+    };
+    const ProcessResult first = run_once("first.json");
+    ASSERT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_NE(first.err.find("min of recordings heard"), std::string::npos) << first.err;
+    const ProcessResult second = run_once("second.json");
+    ASSERT_EQ(second.exit_code, 0) << second.err;
+    EXPECT_EQ(second.err.find("min of recordings heard"), std::string::npos) << second.err;
+    EXPECT_EQ(model("second.json"), model("first.json"));
+}
+
+TEST_F(TrainGenre, a_damaged_file_is_named_skipped_and_counted_or_fails_when_strict) {
+    write_folder("music");
+    write("music/rock/damaged.mp3", "no music\n");
+    write_silence("music/house/silent.wav", 48'000);
+    const ProcessResult result =
+        train({path("music"), "--no-validation", "-o", path("model.json")});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("raks: skipped " + path("music/rock/damaged.mp3") + ": "),
+              std::string::npos)
+        << result.err;
+    EXPECT_NE(result.err.find("raks: skipped " + path("music/house/silent.wav") +
+                              ": is silent or shorter than 1 s\n"),
+              std::string::npos)
+        << result.err;
+    EXPECT_NE(result.err.find("raks: 2 of 8 files skipped\n"), std::string::npos) << result.err;
+    EXPECT_TRUE(fs::exists(path("model.json")));
+    expect_failure(train({path("music"), "--strict", "-o", path("strict.json")}),
+                   "2 of 8 files cannot be used (--strict): " + path("music/house/silent.wav") +
+                       ": is silent or shorter than 1 s");
+    EXPECT_FALSE(fs::exists(path("strict.json")));
+}
+
+TEST_F(TrainGenre, folders_that_hold_too_little_are_told_what_they_lack) {
+    write_music("one/salsa/a.wav", Style::salsa, 1);
+    expect_failure(train({path("one"), "-o", path("x.json")}),
+                   "salsa: all its music is one file or by one artist, so that none can be held "
+                   "out; add music, or use --no-validation");
+    write_silence("silent/salsa/a.wav", 40'000);
+    write_silence("silent/rock/a.wav", 50'000);
+    expect_failure(train({path("silent"), "-o", path("x.json")}),
+                   "none of the 2 files can be learnt from");
+    write_music("twins/salsa/a.wav", Style::salsa, 1, 2.0);
+    write_music("twins/rock/b.wav", Style::salsa, 1, 2.0);
+    expect_failure(train({path("twins"), "-o", path("x.json")}),
+                   path("twins/rock/b.wav") + " and " + path("twins/salsa/a.wav") +
+                       " are the same file under two genres; remove one");
+    write_music("short/salsa/a.wav", Style::salsa, 1, 2.0);
+    const ProcessResult few = run({"train", "genre", path("short"), "--no-validation"});
+    EXPECT_EQ(few.exit_code, 1);
+    EXPECT_TRUE(std::regex_search(
+        few.err,
+        std::regex("\nraks: salsa: [0-9]+ frames of sound, fewer than the 1248 parameters "
+                   "of its model; add music or lower --states and --mixtures\n")))
+        << few.err;
+    expect_failure(train({path("one"), "-o", path("nowhere/x.json")}),
+                   path("nowhere") + ": no such folder: nothing can be written there");
+}
+
+TEST_F(TrainGenre, wrong_usage_says_so) {
+    for (const char* const word : {"--polka", "--without=drums", "--altered=-1"}) {
+        const ProcessResult result = run({"train", "genre", path("music"), word});
+        EXPECT_EQ(result.exit_code, 2) << word;
+        EXPECT_NE(result.err, "") << word;
+    }
+}
+
+TEST_F(TrainGenre, a_model_of_other_features_is_refused) {
+    write_music("a.wav", Style::salsa, 1, 2.0);
+    fs::create_directories(path("music/salsa"));
+    fs::rename(path("a.wav"), path("music/salsa/a.wav"));
+    const ProcessResult made = train({path("music"), "--no-validation", "-o", path("model.json")});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const auto text = read_file(path("model.json"));
+    ASSERT_TRUE(text);
+    write("other.json", std::regex_replace(*text, std::regex("htk-39"), "htk-26"));
+    const ProcessResult result =
+        run({"eval", "genre", path("music"), "--model", path("other.json")});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find("features.mfcc is 'htk-26', this program hears 'htk-39': train the "
+                              "model again"),
+              std::string::npos)
+        << result.err;
+}
+
+}  // namespace
+}  // namespace raks::test
