@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "audio/beat/training/sound_augmentation.hpp"
+#include "audio/genre/training/genre_samples.hpp"
 #include "audio/genre/training/genre_trainer.hpp"
 #include "audio/genre/training/heard_shard.hpp"
 
@@ -18,7 +19,9 @@ struct GenreOptions {
     std::filesystem::path output;
     std::filesystem::path cache;
     std::filesystem::path beats_corpus;
-    std::string share_text;  // "i/n"
+    std::filesystem::path add_to;                                              // a model
+    int sample_kilobytes = static_cast<int>(audio::kMostSampleBytes / 1'000);  // of each genre
+    std::string share_text;                                                    // "i/n"
     audio::ShardNumber share;
     std::vector<std::filesystem::path> shards;  // to merge
     std::filesystem::path report;

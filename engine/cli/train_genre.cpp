@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -19,6 +21,7 @@
 #include "audio/io/lossy_codec.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
+#include "engine/cli/genre_adding.hpp"
 #include "engine/cli/genre_material.hpp"
 #include "engine/cli/genre_tables.hpp"
 #include "engine/cli/training_program.hpp"
@@ -58,6 +61,14 @@ void add_options(CLI::App& app, GenreOptions& options) {
                    options.beats_corpus,
                    "music that `raks train beats --corpus` kept: the network learns from it, too");
     app.add_option("--cache", options.cache, "folder that keeps what was heard between runs");
+    app.add_option("--add-to",
+                   options.add_to,
+                   "MODEL.json: learn the folder's genres beside those it knows, from the sample "
+                   "that was kept of their music");
+    app.add_option("--samples",
+                   options.sample_kilobytes,
+                   "kB a genre that are kept of the music beside the model, for --add-to; 0: none")
+        ->check(CLI::Range(0, static_cast<int>(audio::kMostSampleBytes / 1'000)));
     app.add_option("--shard",
                    options.share_text,
                    "i/n: hear share i of n into -o FILE, for `raks train genre merge`");
@@ -313,24 +324,21 @@ void choose_effects(GenreOptions& options) {
     }
 }
 
-Expected<void> run(GenreOptions& options, const std::string& command) {
+/// What can be known to be wrong before hours of work; makes the cache's folder.
+Expected<void> check_options(GenreOptions& options) {
     if (!options.share_text.empty()) {
         auto share = audio::parse_shard_number(options.share_text);
         if (!share) {
             return fail(share.error());
         }
-        if (options.output.empty()) {
-            return fail("--shard needs -o FILE: where its share is kept");
-        }
         options.share = *share;
+    }
+    if (options.output.empty() && !(options.share_text.empty() && options.add_to.empty())) {
+        return fail("--shard and --add-to need -o FILE: where to keep what they make");
     }
     const std::filesystem::path folder = options.output.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder)) {
         return fail(folder.string() + ": no such folder: nothing can be written there");
-    }
-    auto network = engine::load_beat_network();
-    if (!network) {
-        return fail(network.error());
     }
     if (!options.cache.empty()) {
         std::error_code error;
@@ -341,17 +349,32 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
         }
     }
     choose_effects(options);
-    const audio::HearingPlan hearing{*network, options.plan.features.cepstral_mean};
-    if (!options.share_text.empty()) {
-        return cli::write_shard(options, hearing, command);
-    }
-    const auto material = cli::gather(options, hearing);
+    return {};
+}
+
+/// Learns, and keeps the model and its sample. `base`: what is added to, or none.
+Expected<void> learn(GenreOptions& options,
+                     const audio::HearingPlan& hearing,
+                     const cli::GenreBase* base,
+                     const std::string& command) {
+    auto material = cli::gather(options, hearing);
     if (!material) {
         return fail(material.error());
     }
+    std::set<Genre> renewed;
+    for (const audio::HeardPiece& piece : material->pieces) {
+        renewed.insert(piece.genre);
+    }
+    if (base != nullptr) {
+        const auto& kept = base->samples.pieces;
+        material->pieces.insert(material->pieces.begin(), kept.begin(), kept.end());
+    }
+    const std::clock_t start = std::clock();
     const std::vector<Genre> genres = audio::genres_of(material->pieces);
-    options.plan.network.start = *network;
-    options.plan.written_network = written_network(options, *material, genres);
+    options.plan.written_network =
+        base != nullptr ? std::make_shared<const audio::RecurrentNetwork>(audio::with_outputs(
+                              *base->samples.written_network, base->samples.genres, genres))
+                        : written_network(options, *material, genres);
     std::vector<audio::WindowScore> held_out;
     if (!options.skips_validation) {
         auto scores = validate_by_group(options, *material, genres);
@@ -360,20 +383,68 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
         }
         held_out = std::move(*scores);
     }
-    auto model = audio::train_genres(free_pieces(options, *material), genres, options.plan);
+    const std::clock_t validated = std::clock();
+    const auto pieces = free_pieces(options, *material);
+    auto model = audio::train_genres(pieces, genres, options.plan);
     if (!model) {
         return fail(model.error());
     }
+    std::fprintf(stderr,
+                 "raks: learnt in %.1f s of computing, after %.1f s to learn from written music "
+                 "and to validate\n",
+                 static_cast<double>(std::clock() - validated) / CLOCKS_PER_SEC,
+                 static_cast<double>(validated - start) / CLOCKS_PER_SEC);
     audio::calibrate(held_out, *model);
     model->made_with = command;
     model->attribution = attribution_of(*material, options);
+    if (base != nullptr) {
+        cli::keep_known(*base, renewed, *model);
+        model->fusion = held_out.empty() ? base->model->fusion : model->fusion;
+        model->made_with = base->model->made_with + "; " + command;
+        const std::string& known = base->model->attribution;
+        const bool are_both = !known.empty() && !model->attribution.empty();
+        model->attribution = known + (are_both ? "; " : "") + model->attribution;
+    }
     if (!options.output.empty()) {
         if (auto saved = audio::save_genre(*model, options.output); !saved) {
+            return saved;
+        }
+        if (auto saved = cli::keep_samples(options, hearing, genres, pieces); !saved) {
             return saved;
         }
     }
     const bool is_tested = options.synthesize > 0 && options.test_pieces > 0;
     return is_tested ? test_on_written(options, hearing, *model) : Expected<void>{};
+}
+
+Expected<void> run(GenreOptions& options, const std::string& command) {
+    if (auto checked = check_options(options); !checked) {
+        return checked;
+    }
+    auto network = engine::load_beat_network();
+    if (!network) {
+        return fail(network.error());
+    }
+    options.plan.network.start = *network;
+    std::optional<cli::GenreBase> base;
+    if (!options.add_to.empty()) {
+        auto loaded = cli::load_base(options.add_to);
+        if (!loaded) {
+            return fail(loaded.error());
+        }
+        base = std::move(*loaded);
+        options.plan.features = base->model->features;
+    }
+    const audio::HearingPlan hearing{*network, options.plan.features.cepstral_mean};
+    if (!options.share_text.empty()) {
+        return cli::write_shard(options, hearing, command);
+    }
+    if (base) {
+        if (auto fits = cli::check_hearing(*base, options.add_to, hearing); !fits) {
+            return fits;
+        }
+    }
+    return learn(options, hearing, base ? &*base : nullptr, command);
 }
 
 }  // namespace

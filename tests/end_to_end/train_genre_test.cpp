@@ -167,6 +167,44 @@ TEST_F(TrainGenre, folders_that_hold_too_little_are_told_what_they_lack) {
                    path("nowhere") + ": no such folder: nothing can be written there");
 }
 
+TEST_F(TrainGenre, a_genre_is_added_without_the_music_of_the_others) {
+    write_folder("music");
+    fs::create_directories(path("more"));
+    fs::rename(path("music/belly"), path("more/belly"));
+    const ProcessResult first = train({path("music"), "--no-validation", "-o", path("two.json")});
+    ASSERT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_LT(fs::file_size(path("two.samples")), 2U * 2'000'000U + 200'000U);
+    fs::remove_all(path("music"));
+    const std::string two = path("two.json");
+    const ProcessResult second = train({path("more"), "--add-to", two, "-o", path("three.json")});
+    ASSERT_EQ(second.exit_code, 0) << second.err;
+    const std::string text = model("three.json");
+    EXPECT_TRUE(std::regex_search(text,
+                                  std::regex("\"genres\": *\\[\\s*\"salsa\",\\s*\"belly\",\\s*"
+                                             "\"house\"\\s*\\]")))
+        << text.substr(0, 900);
+    EXPECT_TRUE(fs::exists(path("three.samples"))) << "a fourth can be added";
+
+    expect_failure(train({path("more"), "--add-to", two}),
+                   "--shard and --add-to need -o FILE: where to keep what they make");
+    fs::copy(path("three.samples"), path("two.samples"), fs::copy_options::overwrite_existing);
+    expect_failure(train({path("more"), "--add-to", two, "-o", path("x.json")}),
+                   path("two.samples") + ": is of another model than two.json; train it again");
+    fs::remove(path("two.samples"));
+    expect_failure(train({path("more"), "--add-to", two, "-o", path("x.json")}),
+                   path("two.samples") +
+                       ": is not there: what two.json was learnt from was not kept; train it again "
+                       "with all its music");
+    auto bytes = read_file(path("three.samples"));
+    ASSERT_TRUE(bytes);
+    bytes->at(30) = bytes->at(30) == '0' ? '1' : '0';  // in the name of the hearing
+    write("three.samples", *bytes);
+    expect_failure(train({path("more"), "--add-to", path("three.json"), "-o", path("x.json")}),
+                   path("three.samples") +
+                       ": was heard with other features or another beat network than this program "
+                       "has; train the model again");
+}
+
 TEST_F(TrainGenre, wrong_usage_says_so) {
     for (const char* const word : {"--polka", "--without=drums", "--altered=-1"}) {
         const ProcessResult result = run({"train", "genre", path("music"), word});
