@@ -19,6 +19,7 @@ namespace raks::motion {
 namespace {
 
 constexpr int kRepeats = 6;
+constexpr double kLeastKnee = 5.0;  // degrees
 
 std::size_t index_in_body(Bone bone) {
     return static_cast<std::size_t>(std::find(kBodyBones.begin(), kBodyBones.end(), bone) -
@@ -124,10 +125,14 @@ double distance_of_repeats(const FigureTake& take, const BodyTrack& track) {
     return percentile(repeat_distances(shapes), 0.5);
 }
 
-double knee_bend(const Pose& pose, Side side) noexcept {
-    const glm::quat& knee = pose.rotation(on_side(Bone::left_lower_leg, side));
-    const double w = std::min(1.0, std::abs(static_cast<double>(knee.w)));
-    return 2.0 * std::acos(w) * 180.0 / M_PI;
+/// Between the lines of thigh and shin; degrees.
+double knee_bend(const Skeleton& skeleton, const Pose& pose, Side side) noexcept {
+    const Bone shin = on_side(Bone::left_lower_leg, side);
+    const Bone foot = on_side(Bone::left_foot, side);
+    const glm::dvec3 thigh_line = glm::normalize(glm::dvec3(skeleton.offsets[index_of(shin)]));
+    const glm::dvec3 shin_line = glm::normalize(glm::dquat(pose.rotation(shin)) *
+                                                glm::dvec3(skeleton.offsets[index_of(foot)]));
+    return std::acos(std::clamp(glm::dot(thigh_line, shin_line), -1.0, 1.0)) * 180.0 / M_PI;
 }
 
 /// What each pose must hold to by itself.
@@ -138,7 +143,7 @@ void measure_poses(const FigureTake& take, const Skeleton& skeleton, TakeMeasure
     for (std::size_t i = 0; i < take.poses.size(); ++i) {
         const Pose& pose = take.poses[i];
         for (const Side side : kSides) {
-            measures.least_knee = std::min(measures.least_knee, knee_bend(pose, side));
+            measures.least_knee = std::min(measures.least_knee, knee_bend(skeleton, pose, side));
         }
         const HandClearance hand = hand_clearance(skeleton, pose);
         if (hand.metres < measures.hand_clearance) {
@@ -228,6 +233,12 @@ std::vector<std::string> faults_in_poses(const AuthoredDance& dance,
                                      where,
                                      -100.0 * measures.hand_clearance,
                                      measures.hand_near));
+    }
+    if (measures.least_knee < kLeastKnee) {
+        faults.push_back(fmt::format("{}: a knee locks: {:.1f} degrees of bend, must be {:.0f}",
+                                     where,
+                                     measures.least_knee,
+                                     kLeastKnee));
     }
     if (measures.joint_excess > 0.0) {
         faults.push_back(fmt::format("{}: {} is {:.0f} degrees beyond its limits",
