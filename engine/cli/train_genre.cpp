@@ -48,7 +48,7 @@ void add_options(CLI::App& app, GenreOptions& options) {
         ->check(CLI::Range(0, 100'000));
     app.add_option("--edition",
                    options.edition,
-                   "of the written music; 1: without lossy codecs and lower sampling rates")
+                   "of the written music; 1: without quarter tones, oud and lossy codecs")
         ->check(CLI::Range(1, 2));
     app.add_option(
         "--soundfont", options.soundfonts, "SF2 or SF3 to play it with; one is drawn a piece");

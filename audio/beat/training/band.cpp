@@ -106,7 +106,8 @@ class Band {
  private:
     void add(int channel, int program, double at, double length, int key, double velocity) {
         if (at >= 0.0) {
-            score_.notes.push_back({at, length, channel, key, program, velocity * level(channel)});
+            score_.notes.push_back(
+                {at, length, channel, key, program, velocity * level(channel), 0.0});
         }
     }
     [[nodiscard]] double level(int channel) const {

@@ -120,7 +120,8 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
                             note.channel,
                             std::clamp(note.key, 0, 127),
                             note.program,
-                            std::clamp(static_cast<int>(std::lround(velocity)), 8, 127)};
+                            std::clamp(static_cast<int>(std::lround(velocity)), 8, 127),
+                            note.cents};
         played.notes.push_back(sounding);
         if (note.channel == kDrumChannel && dice.chance(ghosts)) {
             sounding.time += dice.pick({0.25, 0.5, 0.125}) * 60.0 / bpm;

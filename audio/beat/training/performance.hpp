@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "audio/math/dice.hpp"
 #include "audio/beat/training/score.hpp"
+#include "audio/math/dice.hpp"
 
 namespace raks::audio {
 
@@ -15,6 +15,7 @@ struct PlayedNote {
     int key = 36;
     int program = 0;
     int velocity = 90;
+    double cents = 0.0;  ///< above the key; of all notes that its channel plays then
 };
 
 struct PlayedBeat {

@@ -14,6 +14,7 @@ struct ScoreNote {
     int key = 36;
     int program = 0;         ///< General MIDI's, from 0; of drums: the kit
     double velocity = 90.0;  ///< 1 to 127, rounded when played
+    double cents = 0.0;      ///< above the key, -100 to 100: quarter tones
 };
 
 /// Music on paper: the beats are at 0, 1, 2, ...

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t kDelay = 110;  // samples: measured on clicks
 
+constexpr int kNoBend = 8'192;  // MIDI's middle; the whole way up is two semitones
+constexpr double kBendOfCent = 8'192 / 200.0;
+
 /// A note starts or ends.
 struct PlayerEvent {
     std::size_t sample = 0;
@@ -79,6 +82,12 @@ SoundfontPlayer& SoundfontPlayer::operator=(SoundfontPlayer&&) noexcept = defaul
 SoundfontPlayer::~SoundfontPlayer() = default;
 
 Expected<SoundfontPlayer> SoundfontPlayer::open(const std::filesystem::path& soundfont) {
+    // The first synthesizer fills FluidSynth's tables, and a second thread's would play before they
+    // are full: now and then a run's first pieces differed.
+    [[maybe_unused]] static const bool are_tables_full = [] {
+        const Synth first;
+        return first.synth != nullptr;
+    }();
     auto synth = std::make_unique<Synth>();
     if (synth->synth == nullptr ||
         fluid_synth_sfload(synth->synth, soundfont.c_str(), 1) == FLUID_FAILED) {
@@ -95,6 +104,8 @@ std::vector<float> SoundfontPlayer::play(const Performance& performance, const P
     fluid_synth_set_reverb_group_level(synth, -1, room.level);
     std::array<int, 16> programs{};
     programs.fill(-1);
+    std::array<int, 16> bends{};
+    bends.fill(kNoBend);
     const auto total = static_cast<std::size_t>(performance.seconds * kRate);
     std::vector<float> mono;
     mono.reserve(total + kDelay);
@@ -109,6 +120,12 @@ std::vector<float> SoundfontPlayer::play(const Performance& performance, const P
             fluid_synth_program_change(synth, note.channel, note.program);
             fluid_synth_cc(synth, note.channel, 91, static_cast<int>(127 * room.level));
             program = note.program;
+        }
+        int& bend = bends[static_cast<std::size_t>(note.channel)];
+        const int wanted = kNoBend + static_cast<int>(std::lround(kBendOfCent * note.cents));
+        if (event.is_on && bend != wanted) {
+            fluid_synth_pitch_bend(synth, note.channel, wanted);
+            bend = wanted;
         }
         if (event.is_on) {
             fluid_synth_noteon(synth, note.channel, note.key, note.velocity);

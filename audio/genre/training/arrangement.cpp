@@ -13,22 +13,31 @@ namespace {
 
 constexpr double kComplete = 0.8;
 constexpr int kBandLead = 2;  // the channel that add_band writes its melody on
-constexpr int kMelody = 3;
+constexpr int kMelody = kMelodyChannel;
 constexpr int kSecond = 4;
 constexpr int kDrone = 5;
 
+/// Degrees of an octave, quarter tones above the tonic.
 using Scale = std::array<int, 7>;
+constexpr int kOctave = 24;
 constexpr std::array<Scale, 5> kMaqamat = {{
-    {0, 1, 4, 5, 7, 8, 10},  // hijaz
-    {0, 1, 4, 5, 7, 8, 11},  // hijazkar
-    {0, 2, 3, 5, 7, 8, 11},  // nahawand
-    {0, 1, 3, 5, 7, 8, 10},  // kurd
-    {0, 2, 3, 6, 7, 9, 10},  // nikriz
+    {0, 2, 8, 10, 14, 16, 20},  // hijaz
+    {0, 2, 8, 10, 14, 16, 22},  // hijazkar
+    {0, 4, 6, 10, 14, 16, 22},  // nahawand
+    {0, 2, 6, 10, 14, 16, 20},  // kurd
+    {0, 4, 6, 12, 14, 18, 20},  // nikriz
+}};
+constexpr std::array<Scale, 5> kQuarterToneMaqamat = {{
+    {0, 4, 7, 10, 14, 18, 21},  // rast
+    {0, 3, 6, 10, 14, 16, 20},  // bayati
+    {0, 3, 7, 11, 14, 17, 21},  // sikah
+    {0, 3, 6, 8, 14, 16, 20},   // saba
+    {0, 3, 7, 9, 15, 17, 21},   // huzam
 }};
 constexpr std::array<Scale, 3> kWesternScales = {{
-    {0, 2, 4, 5, 7, 9, 11},
-    {0, 2, 3, 5, 7, 8, 10},
-    {0, 2, 3, 5, 7, 9, 10},
+    {0, 4, 8, 10, 14, 18, 22},
+    {0, 4, 6, 10, 14, 16, 20},
+    {0, 4, 6, 10, 14, 18, 20},
 }};
 
 /// How a melody moves.
@@ -126,7 +135,7 @@ class MelodyWriter {
         int root = 0;
         for (double at = 0.0; at < static_cast<double>(score_.bar_position.size()); at += step) {
             if (score_.bar_position[static_cast<std::size_t>(at)] == 1 && dice_.chance(0.5)) {
-                root = scale_[static_cast<std::size_t>(dice_.whole(0, 6))];
+                root = scale_[static_cast<std::size_t>(dice_.whole(0, 6))] / 2;
             }
             note(kDrone, program, at, 0.9 * step, 40 + (tonic_ + root) % 12, 95.0);
             note(kDrone, program, at, 0.9 * step, 47 + (tonic_ + root) % 12, 90.0);
@@ -136,12 +145,12 @@ class MelodyWriter {
  private:
     void add(int channel, int program, double at, double length, int degree, double velocity) {
         const int inside = std::max(degree, 0);
-        const int key =
-            55 + tonic_ + scale_[static_cast<std::size_t>(inside % 7)] + 12 * (inside / 7);
-        note(channel, program, at, length, key, velocity);
+        const int quarters = scale_[static_cast<std::size_t>(inside % 7)] + kOctave * (inside / 7);
+        note(channel, program, at, length, 55 + tonic_ + quarters / 2, velocity);
+        score_.notes.back().cents = 50.0 * (quarters % 2);
     }
     void note(int channel, int program, double at, double length, int key, double velocity) {
-        score_.notes.push_back({at, length, channel, key, program, velocity});
+        score_.notes.push_back({at, length, channel, key, program, velocity, 0.0});
     }
 
     Score& score_;
@@ -174,7 +183,7 @@ void remove_channel(int channel, Score& score) {
 
 }  // namespace
 
-Score arrange(const GenreStyle& style, int beats, Dice& dice) {
+Score arrange(const GenreStyle& style, int beats, Dice& dice, OrientalScales scales) {
     Score score = drum_score(*style.style, beats, dice);
     // Most of the time all of a genre plays: what is left in a break may be any music.
     score.is_complete = style.genre != Genre::unknown && dice.chance(kComplete);
@@ -185,15 +194,18 @@ Score arrange(const GenreStyle& style, int beats, Dice& dice) {
     reinstrument(palette, score, dice);
     const int tonic = dice.whole(0, 11);
     const bool is_maqam = style.genre == Genre::belly;
-    MelodyWriter melody(score,
-                        is_maqam ? dice.pick<Scale>(kMaqamat) : dice.pick<Scale>(kWesternScales),
-                        tonic,
-                        dice);
+    const bool has_quarters =
+        is_maqam && scales == OrientalScales::quarter_tones && dice.chance(0.6);
+    const Scale& scale = has_quarters ? dice.pick<Scale>(kQuarterToneMaqamat)
+                         : is_maqam   ? dice.pick<Scale>(kMaqamat)
+                                      : dice.pick<Scale>(kWesternScales);
+    MelodyWriter melody(score, scale, tonic, dice);
     if (dice.chance(palette.lead_chance)) {
         remove_channel(kBandLead, score);
         melody.write(manner_of(style.genre, dice), palette);
     }
-    if (is_maqam && dice.chance(0.5)) {
+    // No player of chords has quarter tones.
+    if (is_maqam && (dice.chance(0.5) || has_quarters)) {
         remove_channel(1, score);  // no chords: the drone is all harmony there is
         melody.drone(palette);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "audio/beat/training/corpus.hpp"
@@ -12,6 +13,8 @@
 #include "audio/genre/training/arrangement.hpp"
 #include "audio/genre/training/genre_augmentation.hpp"
 #include "audio/genre/training/genre_styles.hpp"
+#include "audio/genre/training/oud.hpp"
+#include "audio/genre/training/sound_damage.hpp"
 #include "audio/synth/music_generator.hpp"
 #include "base/parallel.hpp"
 
@@ -114,6 +117,52 @@ WrittenPiece other_piece(const WrittenCorpusPlan& plan, Dice& dice) {
     return {std::string(style.style->name), Genre::unknown, perform(score, plan.seconds, dice), {}};
 }
 
+OrientalScales scales_of(const WrittenCorpusPlan& plan) {
+    return plan.edition == WrittenCorpusPlan::Edition::first ? OrientalScales::semitones
+                                                             : OrientalScales::quarter_tones;
+}
+
+/// Takes the melody out of a performance.
+std::vector<OudNote> take_melody(Performance& performance) {
+    std::vector<OudNote> melody;
+    for (const PlayedNote& note : performance.notes) {
+        if (note.channel == kMelodyChannel) {
+            const double semitones = note.key - 69 + note.cents / 100.0;
+            melody.push_back({note.time,
+                              note.length,
+                              440.0 * std::exp2(semitones / 12.0),
+                              note.velocity / 127.0});
+        }
+    }
+    std::erase_if(performance.notes,
+                  [](const PlayedNote& note) { return note.channel == kMelodyChannel; });
+    return melody;
+}
+
+/// Plays with a soundfont; of the second edition an oud of ours may play an oriental melody.
+std::vector<float> play_piece(const WrittenCorpusPlan& plan,
+                              WrittenPiece& piece,
+                              SoundfontPlayer& player,
+                              const PlayerRoom& room,
+                              Dice& dice) {
+    std::vector<OudNote> melody;
+    if (plan.edition != WrittenCorpusPlan::Edition::first && piece.genre == Genre::belly &&
+        dice.chance(0.5)) {
+        melody = take_melody(piece.performance);
+    }
+    std::vector<float> samples = player.play(piece.performance, room);
+    if (melody.empty()) {
+        return samples;
+    }
+    std::vector<float> oud = play_oud(melody, SoundfontPlayer::kRate, samples.size());
+    add_room(SoundfontPlayer::kRate, 0.3, 0.4 * room.level, oud, dice);
+    const auto level = static_cast<float>(dice.uniform(0.2, 0.8));
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i] = (samples[i] + level * oud[i]) / (1.0F + level);
+    }
+    return samples;
+}
+
 WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) {
     if (genre == Genre::unknown) {
         return other_piece(plan, dice);
@@ -126,7 +175,7 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
     const GenreStyle& style = dice.pick<GenreStyle>(styles);
     return {std::string(style.style->name),
             genre,
-            perform(arrange(style, kBeats, dice), plan.seconds, dice),
+            perform(arrange(style, kBeats, dice, scales_of(plan)), plan.seconds, dice),
             {}};
 }
 
@@ -149,7 +198,7 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
         if (!player) {
             return fail(player.error());
         }
-        piece.samples = player->play(piece.performance, room);
+        piece.samples = play_piece(plan, piece, *player, room, dice);
     }
     if (plan.augmentation == WrittenCorpusPlan::Augmentation::on) {
         SoundEffects effects = plan.effects;

@@ -24,7 +24,7 @@ struct WrittenCorpusPlan {
     Augmentation augmentation = Augmentation::on;
     SoundEffects effects{};  ///< what may happen to a piece
     /// The same number is always the same music: what a model was learnt from can be written again.
-    /// First: no lossy codecs, no lower sampling rates.
+    /// First: no lossy codecs, no lower sampling rates, no quarter tones, no oud.
     enum class Edition : std::uint8_t { first = 1, second };
     Edition edition = Edition::first;
     HearingPlan hearing;
