@@ -43,7 +43,7 @@ class FigurePassage {
 
     /// Carries the tracks over to `skeleton` along `way`. The feet step as in `steps` (the tracks
     /// as learnt) and rest, each time, a little aside, as `random` says (none: not); where the
-    /// figure begins and ends at `places`, as in all figures of the dance. Threads: workers.
+    /// figure begins and ends at `places`. Threads: workers.
     /// Real-time: no (some ms).
     FigurePassage(const FigureModel& model,
                   const FigureTracks& steps,
