@@ -25,20 +25,20 @@ constexpr int kHopsToStop = 150;            // of no music before settling
 constexpr double kDownbeatWindow = 0.5;     // beats: how late after a downbeat one may still start
 constexpr double kEarliestToSettle = 0.15;  // seconds sooner than a change of dance needs
 constexpr std::size_t kQueuedCommands = 16;
-// Seconds by which the mean landing was later per unit of pace (`raks eval dance`, salsa, paces
-// 0.74 to 1.41).
-constexpr double kLandingLeadByPace = 0.035;
+// Seconds, times 1 - 1 / pace: by how much the mean landing was later (`raks eval dance`, salsa,
+// lead and follow, paces 0.70 to 1.41).
+constexpr double kLandingLeadByPace = 0.06;
 constexpr Nanos kMostLandingLead = std::chrono::milliseconds(60);
 constexpr double kLeadShare =
     0.01;  // a hop: the lead of another figure is gone over to in a second
 constexpr double kPaceShare = 0.01;  // a hop
 
 /// How far ahead of the phase the pose is, for steps that come down so late at the learnt tempo.
-/// The last slowing of a step takes the same share of a beat at any tempo, so the moment at which a
-/// foot is seen to have landed comes the later the faster the dance is for its learnt tempo.
+/// A landing is seen where a foot is slower than so many metres a second, whatever the tempo, so it
+/// comes the later in the last slowing of a step the faster the dance is for its learnt tempo.
 Nanos landing_lead(Nanos delay, double pace) noexcept {
     return std::clamp(delay, -kMostLandingLead, kMostLandingLead) +
-           nanos_from_seconds(kLandingLeadByPace * (std::clamp(pace, 0.6, 1.6) - 1.0));
+           nanos_from_seconds(kLandingLeadByPace * (1.0 - 1.0 / std::clamp(pace, 0.6, 1.6)));
 }
 
 /// Where this dancer's figures start.
@@ -79,6 +79,21 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }
 
+namespace {
+
+/// One metre for both of a couple.
+DanceMetre metre_of(const DanceContent& content, const DanceLibrary* partner) {
+    DanceMetre metre = content.metre;
+    if (partner != nullptr) {
+        const Bpm other = partner->content().metre.learnt_tempo;
+        metre.learnt_tempo = Bpm::from_period(
+            0.5 * (metre.learnt_tempo.seconds_per_beat() + other.seconds_per_beat()));
+    }
+    return metre;
+}
+
+}  // namespace
+
 struct Dancer::State {
     std::shared_ptr<const Repertoire> repertoire;
     Skeleton skeleton;
@@ -87,6 +102,7 @@ struct Dancer::State {
     Genre genre = Genre::unknown;         // its own
     Genre selected = Genre::unknown;      // by command
     FloorMove stage;                      // from where a figure starts
+    DanceMetre metre;                     // by which octave and pace are chosen
     int bars_to_wait = 0;
     FigureSequence sequence;
     FigureWish wish;
@@ -134,6 +150,7 @@ void Dancer::State::take_up(Genre other) noexcept {
     genre = other;
     dance = repertoire->of(other);
     stage = stage_of(content(), part);
+    metre = metre_of(content(), part.partner ? part.partner->of(other) : nullptr);
     wish = FigureWish();
 }
 
@@ -285,8 +302,8 @@ void Dancer::State::decide(const MusicState& music) noexcept {
 }
 
 void Dancer::State::go_on(const MusicState& music) noexcept {
-    const DanceMetre& metre = content().metre;
-    pace += kPaceShare * (phase.rate() / metre.learnt_tempo.beats_per_second() - pace);
+    const double own_rate = content().metre.learnt_tempo.beats_per_second();
+    pace += kPaceShare * (phase.rate() / own_rate - pace);
     const bool has_reanchored = phase.advance(music.grid, metre, sequence.end(), music.time);
     if (has_reanchored) {
         sequence.jump(phase.phase());
@@ -312,11 +329,10 @@ void Dancer::State::start_on_downbeat(const MusicState& music) noexcept {
         if (next != genre) {
             take_up(next);
         }
-        const DanceMetre& metre = content().metre;
         is_dancing = true;
         phase.start(music.grid, now - Beats(since_downbeat), metre, music.time);
         sequence.start(content(), stage, part, stands_turned);
-        pace = phase.rate() / metre.learnt_tempo.beats_per_second();
+        pace = phase.rate() / content().metre.learnt_tempo.beats_per_second();
         delay = sequence.figure().landing_delay;
         change(music.time);
     }

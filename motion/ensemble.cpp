@@ -83,6 +83,7 @@ std::vector<EnsembleMember> members_of(Formation formation,
         part.is_in_couple = true;
         for (const auto& repertoire : {lead, follow}) {
             part.ways = ways_of(seed, members.size());
+            part.partner = repertoire == lead ? follow : lead;
             members.push_back({repertoire, part});
         }
         return members;

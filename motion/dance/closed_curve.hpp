@@ -17,16 +17,20 @@ namespace raks::motion {
 template <typename T>
 [[nodiscard]] std::vector<T> smoothed(const std::vector<T>& values, double sigma) {
     const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3.0 * sigma));
+    std::vector<double> weights;
+    double total = 0.0;
+    for (std::ptrdiff_t step = -reach; step <= reach; ++step) {
+        const double d = static_cast<double>(step) / sigma;
+        weights.push_back(std::exp(-0.5 * d * d));
+        total += weights.back();
+    }
     std::vector<T> result(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         double sum = 0.0;
-        double total = 0.0;
-        for (std::ptrdiff_t step = -reach; step <= reach; ++step) {
-            const double d = static_cast<double>(step) / sigma;
-            const double weight = std::exp(-0.5 * d * d);
-            sum += weight * static_cast<double>(
-                                values[wrap(static_cast<std::ptrdiff_t>(i) + step, values.size())]);
-            total += weight;
+        std::size_t at = wrap(static_cast<std::ptrdiff_t>(i) - reach, values.size());
+        for (const double weight : weights) {
+            sum += weight * static_cast<double>(values[at]);
+            at = at + 1 == values.size() ? 0 : at + 1;
         }
         result[i] = static_cast<T>(sum / total);
     }

@@ -6,6 +6,7 @@
 
 #include "base/random.hpp"
 #include "motion/dance/arm_directions.hpp"
+#include "motion/dance/detail.hpp"
 #include "motion/dance/frame_generator.hpp"
 #include "motion/dance/landing_delay.hpp"
 #include "motion/dance/relaxed_hands.hpp"
@@ -18,7 +19,16 @@ namespace {
 
 constexpr std::size_t kWorkers = 2;
 constexpr std::uint64_t kPassageStream = 100;
+constexpr std::uint64_t kDetailStream = 1000;
 constexpr std::uint64_t kWaysStream = 2;
+constexpr int kAims = 2;  // looks at each passage, until its steps come down when people's did
+// Of the missing accelerations (detail.hpp). More than all: the takes were learnt through a
+// low-pass of 10 Hz, their jerk is measured without. With these each joint's jerk is people's own;
+// steps are left softer, or they would be seen to land twice.
+constexpr double kTorsoDetail = 1.22;
+constexpr double kArmDetail = 0.95;
+constexpr double kPlaceDetail = 1.5;
+constexpr double kStepDetail = 0.4;
 
 /// Ways that close: figures that end turned by an odd number of half turns all turn about one
 /// point, so that two of them lead back; the others come back by themselves. The point is the
@@ -151,21 +161,30 @@ void hold_arms(const FigureModel& model,
     }
 }
 
+double detail_of(const PartModel& part) {
+    if (part.features == FigureFeatures::positions) {
+        return kPlaceDetail;
+    }
+    return part.part == Part::upper ? kArmDetail : kTorsoDetail;
+}
+
 struct Baking {
     std::span<const FigureModel> figures;
     const std::vector<FigureTracks>& tracks;
     const std::vector<FigureWay>& ways;
-    const std::vector<StartPlaces>& places;  // by figure
+    const std::vector<Footing>& footings;
+    double lost = 0.0;  // detail.hpp
     const Skeleton& skeleton;
     Generator generator = Generator::trajectories;
 
     /// Passage n of a figure; the first trajectory is danced as learnt.
     [[nodiscard]] FigurePassage passage(std::size_t figure, std::size_t n) const {
         if (generator == Generator::frames) {
-            return {
-                figures[figure], drawn_tracks(figures[figure], figure, n), ways[figure], skeleton};
+            return FigurePassage(free_figure(
+                figures[figure], drawn_tracks(figures[figure], figure, n), ways[figure], skeleton));
         }
         FigureTracks varied = tracks[figure];
+        FigureTracks steps = tracks[figure];
         const std::uint64_t stream = kPassageStream + n * (kParts.size() + 1);
         for (const PartModel& part : figures[figure].parts) {
             const auto p = static_cast<std::size_t>(part.part);
@@ -174,15 +193,32 @@ struct Baking {
                 vary(part, CounterRandom(figure, stream + p), varied[p]);
                 hold_arms(figures[figure], part, tracks[figure][p], varied[p]);
             }
+            const CounterRandom quick(figure, kDetailStream + n * kParts.size() + p);
+            add_detail(part, quick, lost * detail_of(part), varied[p]);
+            if (part.part == Part::lower) {
+                add_detail(part, quick, lost * kStepDetail, steps[p]);
+            }
         }
         const CounterRandom places_of_steps(figure, stream + kParts.size());
-        return {figures[figure],
-                tracks[figure],
-                varied,
-                ways[figure],
-                places[figure],
-                n > 0 ? &places_of_steps : nullptr,
-                skeleton};
+        return planted(figure,
+                       free_figure(figures[figure], steps, ways[figure], skeleton),
+                       free_poses(figures[figure], varied, ways[figure], skeleton),
+                       n > 0 ? &places_of_steps : nullptr);
+    }
+
+    /// With feet that come down when people's did.
+    [[nodiscard]] FigurePassage planted(std::size_t figure,
+                                        const FreeFigure& steps,
+                                        const std::vector<Pose>& body,
+                                        const CounterRandom* random) const {
+        const FigureModel& model = figures[figure];
+        Footing footing = footings[figure];
+        FigurePassage passage(model, steps, body, ways[figure], footing, random, skeleton);
+        for (int i = 0; i < kAims; ++i) {
+            aim_landings(model, passage, skeleton, footing.landings);
+            passage = FigurePassage(model, steps, body, ways[figure], footing, random, skeleton);
+        }
+        return passage;
     }
 };
 
@@ -248,7 +284,17 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                      skeleton,
                      grammar != nullptr ? grammar->starts : FigureGrammar::Starts::common);
 
-    const Baking baking{figures, tracks, ways, places, skeleton, generator};
+    // A dance was learnt from people or written, as a whole: a slow figure alone may look like
+    // either.
+    double lost = 1.0;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        lost = std::min(lost, detail_lost(figures[i], tracks[i]));
+    }
+    std::vector<Footing> footings;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        footings.push_back({places[i], figures[i].landings, lost > 0.0});
+    }
+    const Baking baking{figures, tracks, ways, footings, lost, skeleton, generator};
     constexpr std::size_t kPassages = DanceContent::kPassages;
     std::vector<std::optional<FigurePassage>> baked(figures.size() * kPassages);
     {

@@ -3,86 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/dance/arm_directions.hpp"
 #include "motion/dance/contact_windows.hpp"
-#include "motion/dance/trajectory.hpp"
-#include "motion/figures/figure_trainer.hpp"
 #include "motion/figures/foot_events.hpp"
 
 namespace raks::motion {
 namespace {
 
-// Poses between the model's samples: then a pose every few ms needs no more than a straight line.
-constexpr int kFiner = 2;
-// Danced beyond both ends while the feet are planted, so that those know what comes.
-constexpr int kAround = 2;        // beats
+// A mean step slower than the first, m/s at its fastest, is hardly seen as one (0.6 by the rule of
+// landings, at any pace): it is danced as one reach. One faster than the second goes its own way.
+constexpr double kSlowStep = 0.9;
+constexpr double kBriskStep = 1.3;
 constexpr float kAside = 0.035F;  // metres, deviation of a step's place between repeats
-
-/// One figure and `kAround` beats of itself before and after, feet free.
-struct Stretch {
-    int samples_per_beat = 48;
-    std::vector<Pose> poses;
-    std::array<std::vector<PlannedContact>, 2> contacts;
-};
-
-std::vector<Pose> free_poses(const FigureModel& model,
-                             const FigureTracks& tracks,
-                             const FigureWay& way,
-                             const Skeleton& skeleton) {
-    const double scale = static_cast<double>(skeleton.hips_height()) / model.source_hips_height;
-    const int samples_per_beat = model.samples_per_beat * kFiner;
-    FigureTracks fine;
-    for (std::size_t part = 0; part < fine.size(); ++part) {
-        fine[part] = upsampled(tracks[part], kFiner);
-    }
-    const NetMotion net{way.move.offset / scale, M_PI * way.half_turns};
-    const FeatureTrack& root = root_of(model, fine);
-    std::vector<RootPlace> places = integrate_root(root, samples_per_beat, {}, scale, net);
-    const auto rows = static_cast<std::ptrdiff_t>(root.rows());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const double half_way = std::sin(M_PI * static_cast<double>(i) / static_cast<double>(rows));
-        places[i].position += half_way * half_way * way.aside;
-    }
-    std::vector<Pose> poses;
-    const std::ptrdiff_t around = kAround * samples_per_beat;
-    for (std::ptrdiff_t i = -around; i < rows + around; ++i) {
-        const FloorMove move = i < 0 ? inverse(way.move) : i >= rows ? way.move : FloorMove{};
-        const auto row = static_cast<std::size_t>((i + rows) % rows);
-        poses.push_back(move(pose_of_features(model, fine, row, places[row], scale, skeleton)));
-    }
-    return poses;
-}
-
-/// The faster toe tip at its fastest, at the learnt tempo, before feet are planted; metres a
-/// second.
-double peak_toe_speed(const FigureModel& model,
-                      const FigureTracks& tracks,
-                      const Skeleton& skeleton) {
-    const FigureWay way{0, {0.0, model.net_displacement}};
-    const std::vector<Pose> poses = free_poses(model, tracks, way, skeleton);
-    const double samples_per_beat = static_cast<double>(model.samples_per_beat) * kFiner;
-    std::vector<std::array<SourceFoot, 2>> feet;
-    for (const Pose& pose : poses) {
-        const WorldPose world = world_pose(skeleton, pose);
-        std::array<SourceFoot, 2> both;
-        for (const Side side : kSides) {
-            const auto s = static_cast<std::size_t>(side);
-            both[s].ankle = glm::dvec3(world.position(on_side(Bone::left_foot, side)));
-            both[s].toe_tip = glm::dvec3(foot_point(world, side, skeleton.toe_tip));
-        }
-        feet.push_back(both);
-    }
-    double peak = 0.0;
-    const double rate = samples_per_beat * model.learnt_tempo.beats_per_second();
-    for (const Side side : kSides) {
-        const std::vector<double> speeds =
-            toe_speed(feet, side, rate, FootRules{}.contact_low_pass_hz);
-        // Not where the figure joins itself.
-        const auto around = static_cast<std::ptrdiff_t>(kAround * samples_per_beat);
-        peak = std::max(peak, *std::max_element(speeds.begin() + around, speeds.end() - around));
-    }
-    return peak;
-}
 
 /// The contact of a foot that lies nearest to the figure's start; `size`: none near it.
 std::size_t contact_at_start(const std::vector<ContactWindow>& windows,
@@ -109,21 +40,24 @@ std::size_t contact_at_start(const std::vector<ContactWindow>& windows,
 std::vector<PlannedContact> contacts_of(const FigureModel& model,
                                         Side side,
                                         const FigureWay& way,
-                                        const std::optional<glm::vec2>& start_place,
+                                        const Footing& footing,
                                         int samples_per_beat) {
     const auto s = static_cast<std::size_t>(side);
+    const std::optional<glm::vec2>& start_place = footing.places[s];
     const auto samples = static_cast<std::size_t>(model.beats * samples_per_beat);
     const std::vector<ContactWindow> windows =
         start_at_landings(contact_windows(model.contact[s], model.beats, samples),
-                          model.landings[s],
+                          footing.landings[s],
                           samples_per_beat,
                           samples);
     const std::size_t at_start = contact_at_start(windows, samples_per_beat, samples);
     const auto whole = static_cast<std::ptrdiff_t>(samples);
-    const std::ptrdiff_t around = kAround * samples_per_beat;
+    const std::ptrdiff_t around = kBeatsAround * samples_per_beat;
     std::vector<PlannedContact> planned;
     if (!windows.empty() && windows.front().length == samples) {  // it never leaves the floor
-        planned.push_back({{0, samples + 2 * static_cast<std::size_t>(around)}, start_place, {}});
+        PlannedContact& contact = planned.emplace_back();
+        contact.window = {0, samples + 2 * static_cast<std::size_t>(around)};
+        contact.place = start_place;
         return planned;
     }
     for (int turn = -2; turn <= 1; ++turn) {
@@ -135,9 +69,9 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
             if (to - from < samples_per_beat / 4) {
                 continue;
             }
-            PlannedContact contact{
-                {static_cast<std::size_t>(from + around), static_cast<std::size_t>(to - from)},
-                std::nullopt};
+            PlannedContact contact;
+            contact.window = {static_cast<std::size_t>(from + around),
+                              static_cast<std::size_t>(to - from)};
             const std::ptrdiff_t centre = (first + end) / 2;
             if (w == at_start && start_place) {
                 if (std::abs(centre) < whole / 2) {
@@ -155,19 +89,46 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     return planned;
 }
 
-Stretch free_stretch(const FigureModel& model,
-                     const FigureTracks& tracks,
-                     const FigureWay& way,
-                     const StartPlaces& places,
-                     const Skeleton& skeleton) {
-    Stretch stretch;
-    stretch.samples_per_beat = model.samples_per_beat * kFiner;
-    stretch.poses = free_poses(model, tracks, way, skeleton);
+/// When the foot of each contact comes to rest by itself, at the learnt tempo: as landings are
+/// seen, but for those who never do.
+void find_arrivals(const std::vector<double>& speed, std::vector<PlannedContact>& contacts) {
+    const FootRules rules;
+    for (std::size_t c = 1; c < contacts.size(); ++c) {
+        contacts[c].is_mean = true;
+        const ContactWindow& window = contacts[c].window;
+        const std::size_t left = contacts[c - 1].window.first + contacts[c - 1].window.length - 1;
+        const std::size_t middle = window.first + window.length / 2;
+        if (left >= window.first || middle >= speed.size()) {
+            continue;
+        }
+        const auto begin = speed.begin();
+        const auto fastest = std::max_element(begin + static_cast<std::ptrdiff_t>(left),
+                                              begin + static_cast<std::ptrdiff_t>(window.first));
+        contacts[c].reach =
+            std::clamp((kBriskStep - *fastest) / (kBriskStep - kSlowStep), 0.0, 1.0);
+        const auto end = begin + static_cast<std::ptrdiff_t>(middle);
+        const auto slow =
+            std::find_if(fastest, end, [&](double v) { return v < rules.landing_speed; });
+        if (*fastest > rules.step_speed && slow != end) {
+            contacts[c].arrival = static_cast<double>(slow - begin);
+        }
+    }
+}
+
+/// The contacts of both feet.
+std::array<std::vector<PlannedContact>, 2> contacts_of(const FigureModel& model,
+                                                       const FreeFigure& steps,
+                                                       const FigureWay& way,
+                                                       const Footing& footing) {
+    std::array<std::vector<PlannedContact>, 2> contacts;
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
-        stretch.contacts[s] = contacts_of(model, side, way, places[s], stretch.samples_per_beat);
+        contacts[s] = contacts_of(model, side, way, footing, steps.samples_per_beat);
+        if (footing.is_mean) {
+            find_arrivals(steps.foot_speeds[s], contacts[s]);
+        }
     }
-    return stretch;
+    return contacts;
 }
 
 /// Steps of one repeat do not fall where those of the last did.
@@ -183,59 +144,28 @@ void step_aside(const CounterRandom& random, Side side, std::vector<PlannedConta
 
 }  // namespace
 
-FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton) {
-    FigureTracks likely;
-    for (const PartModel& part : model.parts) {
-        likely[static_cast<std::size_t>(part.part)] = most_likely_trajectory(part, model.samples());
-    }
-    const auto widened = [&](double amount) {
-        FigureTracks tracks = likely;
-        for (const PartModel& part : model.parts) {
-            // Arms follow the hold, not the count: their speed is no measure.
-            restore_variance(part,
-                             part.part == Part::upper ? 1.0 : amount,
-                             tracks[static_cast<std::size_t>(part.part)]);
-        }
-        if (model.features == FigureFeatures::positions) {
-            restore_arms(model.part(Part::upper),
-                         source_body(model),
-                         tracks[static_cast<std::size_t>(Part::upper)]);
-        }
-        return tracks;
-    };
-    const double scale = static_cast<double>(skeleton.hips_height()) / model.source_hips_height;
-    double low = 0.0;
-    double high = 1.0;
-    constexpr int kHalvings = 5;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        const double speed = peak_toe_speed(model, widened(middle), skeleton);
-        (speed < scale * model.peak_toe_speed ? low : high) = middle;
-    }
-    return widened(0.5 * (low + high));
-}
-
 StartPlaces learnt_places(const FigureModel& model,
                           const FigureTracks& tracks,
                           const FigureWay& way,
                           const Skeleton& skeleton) {
-    const Stretch stretch = free_stretch(model, tracks, way, {}, skeleton);
+    const FreeFigure figure = free_figure(model, tracks, way, skeleton);
+    const auto contacts = contacts_of(model, figure, way, {{}, model.landings, false});
     StartPlaces places;
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
-        const std::ptrdiff_t start = kAround * stretch.samples_per_beat;
+        const std::ptrdiff_t start = kBeatsAround * figure.samples_per_beat;
         const auto margin =
-            static_cast<std::ptrdiff_t>(FigurePassage::kMargin * stretch.samples_per_beat);
+            static_cast<std::ptrdiff_t>(FigurePassage::kMargin * figure.samples_per_beat);
         glm::vec2 sum{};
         float count = 0.0F;
-        for (const PlannedContact& contact : stretch.contacts[s]) {
+        for (const PlannedContact& contact : contacts[s]) {
             for (std::size_t k = 0; k < contact.window.length; ++k) {
                 const auto i = static_cast<std::ptrdiff_t>(contact.window.first + k);
                 if (std::abs(i - start) > margin) {
                     continue;
                 }
                 const WorldPose world =
-                    world_pose(skeleton, stretch.poses[static_cast<std::size_t>(i)]);
+                    world_pose(skeleton, figure.poses[static_cast<std::size_t>(i)]);
                 const glm::vec3 ball = foot_point(world, side, skeleton.ball);
                 sum += glm::vec2(ball.x, ball.z);
                 count += 1.0F;
@@ -249,34 +179,29 @@ StartPlaces learnt_places(const FigureModel& model,
 }
 
 FigurePassage::FigurePassage(const FigureModel& model,
-                             const FigureTracks& steps,
-                             const FigureTracks& tracks,
+                             const FreeFigure& steps,
+                             std::vector<Pose> body,
                              const FigureWay& way,
-                             const StartPlaces& places,
+                             const Footing& footing,
                              const CounterRandom* random,
                              const Skeleton& skeleton) {
-    Stretch stretch = free_stretch(model, steps, way, places, skeleton);
-    const std::vector<Pose> stepping = stretch.poses;
-    if (random != nullptr) {
-        stretch.poses = free_poses(model, tracks, way, skeleton);
-        for (const Side side : kSides) {
-            step_aside(*random, side, stretch.contacts[static_cast<std::size_t>(side)]);
+    auto contacts = contacts_of(model, steps, way, footing);
+    for (const Side side : kSides) {
+        if (random != nullptr) {
+            step_aside(*random, side, contacts[static_cast<std::size_t>(side)]);
         }
     }
-    lock_feet(skeleton, stretch.contacts, stretch.samples_per_beat, stepping, stretch.poses);
-    keep(stretch.poses, stretch.samples_per_beat);
+    lock_feet(skeleton, contacts, steps.samples_per_beat, steps.feet, body);
+    keep(body, steps.samples_per_beat);
 }
 
-FigurePassage::FigurePassage(const FigureModel& model,
-                             const FigureTracks& tracks,
-                             const FigureWay& way,
-                             const Skeleton& skeleton) {
-    keep(free_poses(model, tracks, way, skeleton), model.samples_per_beat * kFiner);
+FigurePassage::FigurePassage(const FreeFigure& figure) {
+    keep(figure.poses, figure.samples_per_beat);
 }
 
 void FigurePassage::keep(const std::vector<Pose>& poses, int samples_per_beat) {
     samples_per_beat_ = samples_per_beat;
-    const auto skipped = static_cast<std::size_t>((kAround - kMargin) * samples_per_beat);
+    const auto skipped = static_cast<std::size_t>((kBeatsAround - kMargin) * samples_per_beat);
     for (std::size_t i = skipped; i < poses.size() - skipped + 1; ++i) {
         const Pose& pose = poses[i];
         Sample sample;

@@ -7,32 +7,23 @@
 
 #include "base/beats.hpp"
 #include "base/random.hpp"
-#include "motion/dance/feature_pose.hpp"
-#include "motion/dance/floor_move.hpp"
 #include "motion/dance/foot_lock.hpp"
+#include "motion/dance/free_figure.hpp"
 #include "motion/figures/figure_model.hpp"
-#include "motion/figures/motion_features.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
 
-/// Where a figure leads on the floor, seen from where its count 1 began (hips at the origin,
-/// heading 0). A dance closes when its figures either come back or end half a turn about one common
-/// point.
-struct FigureWay {
-    int half_turns = 0;  ///< of the hips over the figure
-    FloorMove move;      ///< from its start to its end; identity, or half a turn
-    /// In the middle of the figure, besides what was learnt; left, forward of its start; metres.
-    glm::dvec2 aside{0.0, 0.0};
-};
-
-/// A figure's trajectories as learnt; what each passage varies. Torso and legs are widened until
-/// the toes are as fast as people's.
-[[nodiscard]] FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton);
-
 /// Where both balls rest when a figure begins, in the frame of its start; by Side.
 using StartPlaces = std::array<std::optional<glm::vec2>, 2>;
+
+/// How the feet step.
+struct Footing {
+    StartPlaces places;       ///< as in all figures of the dance
+    FigureLandings landings;  ///< at which the contacts are aimed
+    bool is_mean = false;     ///< steps are means of repeats that differ, as people's do
+};
 
 /// One figure danced once, from kMargin before its count 1 to kMargin after its end, with planted
 /// feet, in the frame of its start. Immutable once made.
@@ -41,23 +32,19 @@ class FigurePassage {
     /// Beats before and after, over which it goes over into its neighbours.
     static constexpr double kMargin = 0.75;
 
-    /// Carries the tracks over to `skeleton` along `way`. The feet step as in `steps` (the tracks
-    /// as learnt) and rest, each time, a little aside, as `random` says (none: not); where the
-    /// figure begins and ends at `places`. Threads: workers.
-    /// Real-time: no (some ms).
+    /// The feet step as in `steps` and rest, each time, a little aside, as `random` says (none:
+    /// not); where the figure begins and ends at the footing's places. `body`: the poses above the
+    /// hips, as many as those of `steps`. Threads: workers. Real-time: no (some ms).
     FigurePassage(const FigureModel& model,
-                  const FigureTracks& steps,
-                  const FigureTracks& tracks,
+                  const FreeFigure& steps,
+                  std::vector<Pose> body,
                   const FigureWay& way,
-                  const StartPlaces& places,
+                  const Footing& footing,
                   const CounterRandom* random,
                   const Skeleton& skeleton);
 
-    /// The same tracks as they are: feet free, no contacts.
-    FigurePassage(const FigureModel& model,
-                  const FigureTracks& tracks,
-                  const FigureWay& way,
-                  const Skeleton& skeleton);
+    /// The figure as it is: feet free, no contacts.
+    explicit FigurePassage(const FreeFigure& figure);
 
     /// Sets hips, body and contacts of `pose` at a beat in [-kMargin, beats + kMargin] (clamped);
     /// fingers stay. Threads: any. Real-time: yes.
@@ -102,7 +89,7 @@ class FigurePassage {
         float share;
     };
     [[nodiscard]] Place place_of(double beat) const noexcept;
-    /// Takes the figure with its margins out of poses that begin kAround beats before it.
+    /// Takes the figure with its margins out of poses that begin kBeatsAround beats before it.
     void keep(const std::vector<Pose>& poses, int samples_per_beat);
 
     double samples_per_beat_ = 48.0;

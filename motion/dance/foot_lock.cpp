@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/dance/closed_curve.hpp"
 #include "motion/dance/easing.hpp"
+#include "motion/dance/flight.hpp"
 #include "motion/dance/leg_ik.hpp"
+#include "motion/dance/step_timing.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -15,84 +18,13 @@ namespace {
 // How smoothly heel and ball take turns in carrying the foot, and the hips sink; beats.
 constexpr double kHeightSigma = 0.04;
 constexpr double kSinkSigma = 0.14;
-constexpr float kDeepest = 0.002F;       // metres that a sole dips where that is smooth
-constexpr double kReleaseBeats = 0.3;    // beats until a foot that was let go is wholly free
-constexpr float kFloorSoftness = 0.02F;  // metres over the floor where a free foot feels it
-constexpr float kToeSoftness = 0.15F;    // radians of the heel's rise where the toes begin to bend
-constexpr float kReleaseGlide = 0.3F;    // beats over which the lock's shift fades after a contact
-constexpr float kArrivalGlide = 0.25F;   // and comes up before one: as brisk as people land
-constexpr float kMostToeBend = 0.9F;     // radians
-constexpr double kEdgeBeats = 0.042;     // differences at a contact's ends
-
-/// The larger of both, rounded where they are nearer than `softness`; twice differentiable.
-float soft_max(float a, float b, float softness) {
-    const float apart = std::clamp(std::abs(a - b) / std::max(softness, 1e-9F), 0.0F, 1.0F);
-    const float near = 1.0F - apart;
-    return std::max(a, b) + softness * near * near * near / 6.0F;
-}
-
-/// Value, speed and acceleration of a curve at one sample; per sample.
-struct Jet {
-    glm::vec3 value{};
-    glm::vec3 speed{};
-    glm::vec3 acceleration{};
-};
-
-/// The quintic that leaves as `from` says and arrives `length` samples later as `to` says.
-class Quintic {
- public:
-    Quintic(const Jet& from, const Jet& to, float length) : length_(length) {
-        const glm::vec3 speed = from.speed * length;
-        const glm::vec3 bend = 0.5F * from.acceleration * length * length;
-        const glm::vec3 way = to.value - from.value - speed - bend;
-        const glm::vec3 gain = to.speed * length - speed - 2.0F * bend;
-        const glm::vec3 turn = to.acceleration * length * length - 2.0F * bend;
-        terms_ = {from.value,
-                  speed,
-                  bend,
-                  10.0F * way - 4.0F * gain + 0.5F * turn,
-                  -15.0F * way + 7.0F * gain - turn,
-                  6.0F * way - 3.0F * gain + 0.5F * turn};
-    }
-    [[nodiscard]] glm::vec3 at(float sample) const {
-        const float t = sample / length_;
-        glm::vec3 value = terms_[5];
-        for (std::size_t i = 5; i-- > 0;) {
-            value = value * t + terms_[i];
-        }
-        return value;
-    }
-
- private:
-    float length_ = 1.0F;
-    std::array<glm::vec3, 6> terms_{};
-};
-
-/// What the lock moves an ankle by during one flight: it leaves the contact before with its value,
-/// speed and acceleration, fades out, and comes up to those of the contact after.
-class Glide {
- public:
-    Glide(const Jet& from, const Jet& to, float length, float samples_per_beat)
-        : length_(length),
-          release_(std::min(length, kReleaseGlide * samples_per_beat)),
-          arrival_(std::min(length, kArrivalGlide * samples_per_beat)),
-          leave_(from, {}, release_),
-          arrive_({}, to, arrival_) {}
-    [[nodiscard]] glm::vec3 at(float sample) const {
-        const float before_end = length_ - sample;
-        glm::vec3 value{};
-        value += sample < release_ ? leave_.at(sample) : glm::vec3(0.0F);
-        value += before_end < arrival_ ? arrive_.at(arrival_ - before_end) : glm::vec3(0.0F);
-        return value;
-    }
-
- private:
-    float length_;
-    float release_;
-    float arrival_;
-    Quintic leave_;
-    Quintic arrive_;
-};
+constexpr float kDeepest = 0.002F;        // metres that a sole dips where that is smooth
+constexpr double kReleaseBeats = 0.3;     // beats until a foot that was let go is wholly free
+constexpr float kEasyReach = 0.98F;       // of a leg, x
+constexpr float kFloorSoftness = 0.02F;   // metres over the floor where a free foot feels it
+constexpr float kToeSoftness = 0.15F;     // radians of the heel's rise where the toes begin to bend
+constexpr float kMostToeBend = 0.9F;      // radians
+constexpr double kFlightBandwidth = 4.0;  // of a foot in the air, cycles a beat
 
 /// One foot over the whole figure.
 struct FootTrack {
@@ -138,16 +70,16 @@ FootTrack foot_track(const Skeleton& skeleton,
                      Side side,
                      const std::vector<PlannedContact>& contacts,
                      double samples_per_beat,
-                     const std::vector<Pose>& poses) {
+                     const std::vector<FootTarget>& stepping) {
     FootTrack track;
     const auto ramp = static_cast<std::ptrdiff_t>(std::lround(kReleaseBeats * samples_per_beat));
-    track.lock = locks(contacts, ramp, poses.size());
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        const WorldPose world = world_pose(skeleton, poses[i]);
-        const Bone foot = on_side(Bone::left_foot, side);
-        track.ankle.push_back(world.position(foot));
-        track.rotation.push_back(world.rotation(foot));
-        track.from_ball.push_back(world.position(foot) - foot_point(world, side, skeleton.ball));
+    track.lock = locks(contacts, ramp, stepping.size());
+    const glm::vec3 ball = skeleton.ball * glm::vec3(side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F);
+    for (const FootTarget& place : in_time(contacts, stepping)) {
+        const std::size_t i = track.ankle.size();
+        track.ankle.push_back(place.ankle);
+        track.rotation.push_back(place.rotation);
+        track.from_ball.push_back(-(place.rotation * ball));
         track.toes.push_back(toe_bend(skeleton, track.rotation[i], track.lock[i]));
         track.standing.push_back(-lowest_of_sole(skeleton, side, track.rotation[i], track.toes[i]));
     }
@@ -167,17 +99,6 @@ glm::vec3 shift_to(const FootTrack& track, const glm::vec3& place, std::ptrdiff_
     return planted - track.ankle[i];
 }
 
-Jet jet_of(const FootTrack& track,
-           const glm::vec3& place,
-           std::ptrdiff_t sample,
-           std::ptrdiff_t reach) {
-    const auto step = static_cast<float>(reach);
-    const glm::vec3 before = shift_to(track, place, sample - reach);
-    const glm::vec3 here = shift_to(track, place, sample);
-    const glm::vec3 after = shift_to(track, place, sample + reach);
-    return {here, (after - before) / (2.0F * step), (after - 2.0F * here + before) / (step * step)};
-}
-
 /// Where the ball of the free foot is on average while it rests.
 glm::vec3 resting_place(const FootTrack& track, const ContactWindow& window) {
     glm::vec3 place{};
@@ -195,10 +116,10 @@ glm::vec3 aside_of(const PlannedContact& contact, const glm::vec3& resting) {
     return {aside.x, 0.0F, aside.y};
 }
 
-/// Moves the ankles so that the ball rests in each window, and glides there between them.
+/// Moves the ankles so that the ball rests in each window, and flies there between them.
 void plant(const std::vector<PlannedContact>& contacts, double samples_per_beat, FootTrack& track) {
-    std::vector<glm::vec3> shift(track.size());
-    const auto reach = std::max<std::ptrdiff_t>(1, std::lround(kEdgeBeats * samples_per_beat));
+    std::vector<bool> rests(track.size());
+    std::vector<glm::vec3> wanted = track.ankle;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const PlannedContact& contact = contacts[c];
         const PlannedContact& next = contacts[(c + 1) % contacts.size()];
@@ -208,24 +129,21 @@ void plant(const std::vector<PlannedContact>& contacts, double samples_per_beat,
         const auto first = static_cast<std::ptrdiff_t>(contact.window.first);
         const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(contact.window.length) - 1;
         for (std::ptrdiff_t i = first; i <= last; ++i) {
-            shift[track.at(i)] = shift_to(track, place, i) + aside;
+            wanted[track.at(i)] += shift_to(track, place, i) + aside;
+            rests[track.at(i)] = true;
         }
         const auto rise = static_cast<std::ptrdiff_t>(
             track.at(static_cast<std::ptrdiff_t>(next.window.first) - last - 1) + 1);
-        const auto length = static_cast<float>(rise);
-        const Glide glide(jet_of(track, place, last, reach),
-                          jet_of(track, next_place, last + rise, reach),
-                          length,
-                          static_cast<float>(samples_per_beat));
-        const glm::vec3 next_aside = aside_of(next, next_place);
+        const glm::vec3 from = shift_to(track, place, last) + aside;
+        const glm::vec3 to = shift_to(track, next_place, last + rise) + aside_of(next, next_place);
         for (std::ptrdiff_t k = 1; k < rise; ++k) {
-            const auto sample = static_cast<float>(k);
-            shift[track.at(last + k)] =
-                glide.at(sample) + glm::mix(aside, next_aside, smootherstep(sample / length));
+            const float share = static_cast<float>(k) / static_cast<float>(rise);
+            wanted[track.at(last + k)] += glm::mix(from, to, smootherstep(share));
         }
     }
+    fly(rests, kFlightBandwidth / samples_per_beat, wanted);
+    track.ankle = std::move(wanted);
     for (std::size_t i = 0; i < track.size(); ++i) {
-        track.ankle[i] += shift[i];
         const float softness = kFloorSoftness * (1.0F - track.lock[i]);
         track.ankle[i].y = soft_max(track.ankle[i].y, track.standing[i], softness);
     }
@@ -251,7 +169,7 @@ std::vector<float> sinking(const Skeleton& skeleton,
                            const std::array<FootTrack, 2>& feet,
                            const std::vector<Pose>& poses,
                            double sigma) {
-    const float reach = kLongestReach * leg_length(skeleton);
+    const float reach = kEasyReach * leg_length(skeleton);
     std::vector<float> sink(poses.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
         for (const Side side : kSides) {
@@ -281,12 +199,12 @@ std::vector<float> sinking(const Skeleton& skeleton,
 void lock_feet(const Skeleton& skeleton,
                const std::array<std::vector<PlannedContact>, 2>& contacts,
                double samples_per_beat,
-               const std::vector<Pose>& stepping,
+               const std::array<std::vector<FootTarget>, 2>& stepping,
                std::vector<Pose>& poses) {
     std::array<FootTrack, 2> feet;
     for (const Side side : kSides) {
         const std::size_t s = static_cast<std::size_t>(side);
-        feet[s] = foot_track(skeleton, side, contacts[s], samples_per_beat, stepping);
+        feet[s] = foot_track(skeleton, side, contacts[s], samples_per_beat, stepping[s]);
     }
     const float height = height_over_floor(feet);
     for (Pose& pose : poses) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/dance/easing.hpp"
+
 #include <glm/geometric.hpp>
 
 namespace raks::motion {
@@ -16,6 +18,12 @@ constexpr float kStraight = 0.02F;  // metres of the knee beside the leg's line
 constexpr float kHeld = 0.3F;
 constexpr float kReleased = 1.3F;
 constexpr float kGrip = 0.06F;  // between both wrists
+// No nearer to the shoulder, of the arm's length (the elbow bent by 127 degrees), and how softly.
+constexpr float kNearest = 0.45F;
+constexpr float kNearestSoftly = 0.2F;
+// No farther (by 37 degrees).
+constexpr float kFarthest = 0.95F;
+constexpr float kFarthestSoftly = 0.15F;
 
 Limb arm_of(const WorldPose& world, Side side) noexcept {
     Limb arm;
@@ -26,6 +34,22 @@ Limb arm_of(const WorldPose& world, Side side) noexcept {
     arm.parent = world.rotation(on_side(Bone::left_shoulder, side));
     arm.ahead = glm::vec3(0, -1, 0);
     return arm;
+}
+
+/// A hand's way to where both meet, as far as its own arm likes to go: nearer to the shoulder the
+/// elbow would fly round, farther it would snap straight.
+glm::vec3 within_reach(const WorldPose& world, const Limb& arm, const glm::vec3& target) noexcept {
+    const glm::vec3 elbow = world.position(arm.lower);
+    const glm::vec3 hand = world.position(arm.end);
+    const float length = glm::distance(arm.root, elbow) + glm::distance(elbow, hand);
+    const glm::vec3 line = target - arm.root;
+    const float reach = glm::length(line);
+    if (reach < kTiny) {
+        return hand;
+    }
+    const float held = soft_max(reach, kNearest * length, kNearestSoftly * length);
+    const float farthest = kFarthest * length;
+    return arm.root - line * (soft_max(-held, -farthest, kFarthestSoftly * length) / reach);
 }
 
 }  // namespace
@@ -95,8 +119,10 @@ void join_hands(const Skeleton& skeleton, Pose& lead, Pose& follow) noexcept {
     const float t = std::clamp((kReleased - apart) / (kReleased - kHeld), 0.0F, 1.0F);
     const float hold = t * t * (3.0F - 2.0F * t);
     const glm::vec3 half_way = 0.5F * hold * (1.0F - kGrip / apart) * (other - own);
-    solve_limb(skeleton, arm_of(a, Side::left), own + half_way, lead);
-    solve_limb(skeleton, arm_of(b, Side::right), other - half_way, follow);
+    const Limb left = arm_of(a, Side::left);
+    const Limb right = arm_of(b, Side::right);
+    solve_limb(skeleton, left, within_reach(a, left, own + half_way), lead);
+    solve_limb(skeleton, right, within_reach(b, right, other - half_way), follow);
 }
 
 }  // namespace raks::motion

@@ -1,9 +1,10 @@
 #include "motion/dance/trajectory.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
+
+#include "motion/dance/banded_system.hpp"
 
 namespace raks::motion {
 namespace {
@@ -17,66 +18,6 @@ constexpr std::size_t kTurns = 3;
 constexpr double kStaticTrust = 6.0;
 constexpr double kMostLost = 0.6;  // of the variance: x 1.6 in amplitude
 
-/// Symmetric positive definite matrix with two bands beside the diagonal, and a right side.
-struct BandedSystem {
-    explicit BandedSystem(std::size_t size) : bands(size), right(size) {}
-    std::vector<std::array<double, 3>> bands;  // [i][k]: element (i, i - k)
-    std::vector<double> right;
-
-    /// Adds w (c^T x - mean)^2, where c has three coefficients at first, first + 1, first + 2
-    /// (those outside the system are left out: the window at the very ends).
-    void add(std::ptrdiff_t first, const std::array<double, 3>& c, double weight, double mean) {
-        const auto size = static_cast<std::ptrdiff_t>(right.size());
-        for (std::ptrdiff_t a = 0; a < 3; ++a) {
-            const std::ptrdiff_t i = first + a;
-            if (i < 0 || i >= size || c[static_cast<std::size_t>(a)] == 0.0) {
-                continue;
-            }
-            right[static_cast<std::size_t>(i)] += weight * mean * c[static_cast<std::size_t>(a)];
-            for (std::ptrdiff_t b = 0; b <= a; ++b) {
-                const std::ptrdiff_t j = first + b;
-                if (j >= 0) {
-                    bands[static_cast<std::size_t>(i)][static_cast<std::size_t>(a - b)] +=
-                        weight * c[static_cast<std::size_t>(a)] * c[static_cast<std::size_t>(b)];
-                }
-            }
-        }
-    }
-
-    static constexpr double kLeastDiagonal = 1e-12;  // of a sound system it is far larger
-
-    /// Cholesky in the bands, then two substitutions. The result is in `right`.
-    void solve() {
-        const std::size_t size = right.size();
-        for (std::size_t i = 0; i < size; ++i) {
-            for (std::size_t k = std::min<std::size_t>(2, i); k > 0; --k) {
-                double sum = bands[i][k];
-                if (k == 1 && i >= 2) {
-                    sum -= bands[i][2] * bands[i - 1][1];
-                }
-                bands[i][k] = sum / bands[i - k][0];
-            }
-            double diagonal = bands[i][0];
-            for (std::size_t k = 1; k <= std::min<std::size_t>(2, i); ++k) {
-                diagonal -= bands[i][k] * bands[i][k];
-            }
-            bands[i][0] = std::sqrt(std::max(diagonal, kLeastDiagonal));
-        }
-        for (std::size_t i = 0; i < size; ++i) {
-            for (std::size_t k = 1; k <= std::min<std::size_t>(2, i); ++k) {
-                right[i] -= bands[i][k] * right[i - k];
-            }
-            right[i] /= bands[i][0];
-        }
-        for (std::size_t i = size; i-- > 0;) {
-            for (std::size_t k = 1; k <= 2 && i + k < size; ++k) {
-                right[i] -= bands[i + k][k] * right[i + k];
-            }
-            right[i] /= bands[i][0];
-        }
-    }
-};
-
 }  // namespace
 
 FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples) {
@@ -87,7 +28,7 @@ FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples) 
         return track;
     }
     for (std::size_t feature = 0; feature < track.columns; ++feature) {
-        BandedSystem system(kTurns * samples);
+        BandedSystem<2> system(kTurns * samples);
         for (std::size_t i = 0; i < kTurns * samples; ++i) {
             const FigureState& state = part.states[part.state_at(i % samples, samples)];
             const auto before = static_cast<std::ptrdiff_t>(i) - 1;
@@ -107,9 +48,9 @@ FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples) 
                        1.0 / state.delta_delta_variance[feature],
                        state.delta_delta_mean[feature]);
         }
-        system.solve();
+        const std::vector<double> solved = system.solve();
         for (std::size_t i = 0; i < samples; ++i) {
-            track.values[i * track.columns + feature] = system.right[samples + i];
+            track.values[i * track.columns + feature] = solved[samples + i];
         }
     }
     return track;

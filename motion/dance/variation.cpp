@@ -1,15 +1,14 @@
 #include "motion/dance/variation.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "motion/dance/closed_curve.hpp"
+#include "motion/dance/feature_draw.hpp"
 
 namespace raks::motion {
 namespace {
@@ -43,21 +42,6 @@ double amount_of(const PartModel& part, std::size_t feature) {
         return kVelocity;
     }
     return feature == static_cast<std::size_t>(RootFeature::height) ? kHeight : kTorso;
-}
-
-/// Lower triangle of the correlation of the part's features.
-Eigen::MatrixXd correlation_root(const PartModel& part) {
-    const auto size = static_cast<Eigen::Index>(part.dimension());
-    Eigen::MatrixXd correlation(size, size);
-    const auto covariance = [&](Eigen::Index i, Eigen::Index j) {
-        return part.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    };
-    for (Eigen::Index i = 0; i < size; ++i) {
-        for (Eigen::Index j = 0; j < size; ++j) {
-            correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
-        }
-    }
-    return correlation.llt().matrixL();
 }
 
 /// The states' deviation of one feature over the phase, without their steps.
@@ -97,17 +81,12 @@ void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& trac
     const FeatureTrack learnt = track;
     const std::size_t samples = track.rows();
     const std::size_t size = part.dimension();
-    const Eigen::MatrixXd root = correlation_root(part);
     // Two coefficients (cosine, sine) a harmonic and feature, correlated over the features.
     std::array<std::array<Eigen::VectorXd, 2>, kHarmonics.size()> coefficients;
-    std::uint64_t draw = 0;
+    FeatureDraw draw(part);
     for (auto& pair : coefficients) {
         for (Eigen::VectorXd& one : pair) {
-            Eigen::VectorXd white(static_cast<Eigen::Index>(size));
-            for (double& value : white) {
-                value = random.normal(draw++);
-            }
-            one = root * white;
+            one = draw.next(random);
         }
     }
     for (std::size_t feature = 0; feature < size; ++feature) {

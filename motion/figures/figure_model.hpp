@@ -141,6 +141,9 @@ struct LandingOffset {
     Beats deviation{};  ///< standard deviation
 };
 
+/// By Side, then by count 1..beats (index 0 is count 1).
+using FigureLandings = std::array<std::vector<LandingOffset>, 2>;
+
 inline constexpr std::size_t kContactBins = 64;  ///< over one figure
 
 struct FigureModel {
@@ -180,8 +183,7 @@ struct FigureModel {
     /// How far each hand is closed, [0, 1] (motion/skeleton/hand_shape.hpp), by Side: one number, or
     /// kContactBins as of `contact`; none: not known, captures have no fingers.
     std::array<std::vector<double>, 2> fist;
-    /// By Side, then by count 1..beats (index 0 is count 1).
-    std::array<std::vector<LandingOffset>, 2> landings;
+    FigureLandings landings;
 
     /// A part that the figure has: positions have no torso.
     [[nodiscard]] const PartModel& part(Part which) const noexcept;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/dance/foot_lock.hpp"
+#include "motion/dance/leg_ik.hpp"
+
+namespace raks::motion {
+
+/// The same steps along the same paths, in time with the contacts. A foot that comes to rest by
+/// itself before its contact begins (PlannedContact::arrival) is danced slower from where it left
+/// the floor on, and the contact's rest makes up for it; one that comes late a little faster. And a
+/// mean over repeats that step at different moments halts on its way or hardly moves, which is seen
+/// as a landing, or as none: such a foot goes, in part, at the speed of one reach (Flash, Hogan
+/// 1985, "The coordination of arm movements").
+///
+/// `feet`: a closed curve, a place a sample. Threads: workers. Real-time: no.
+[[nodiscard]] std::vector<FootTarget> in_time(const std::vector<PlannedContact>& contacts,
+                                              const std::vector<FootTarget>& feet);
+
+}  // namespace raks::motion
