@@ -18,6 +18,7 @@
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
+#include "audio/genre/training/network_outputs.hpp"
 #include "audio/io/lossy_codec.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"

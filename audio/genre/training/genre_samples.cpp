@@ -1,6 +1,7 @@
 #include "audio/genre/training/genre_samples.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -202,39 +203,48 @@ struct Place {
     std::size_t from;
 };
 
+void shuffle(std::vector<Place>& places, Dice& dice) {
+    for (std::size_t i = places.size(); i > 1; --i) {
+        const int other = dice.whole(0, static_cast<int>(i) - 1);
+        std::swap(places[i - 1], places[static_cast<std::size_t>(other)]);
+    }
+}
+
+/// One of each group, then the next of each, until all are taken.
+std::vector<Place> groups_in_turn(std::map<std::string, std::vector<Place>>& groups, Dice& dice) {
+    std::size_t most = 0;
+    for (auto& [name, places] : groups) {
+        shuffle(places, dice);
+        most = std::max(most, places.size());
+    }
+    std::vector<Place> order;
+    for (std::size_t round = 0; round < most; ++round) {
+        for (const auto& [name, places] : groups) {
+            if (round < places.size()) {
+                order.push_back(places[round]);
+            }
+        }
+    }
+    return order;
+}
+
 /// All places of one genre, in the order in which they are taken: groups in turn, recordings and
 /// written music by turns.
 std::vector<Place> order_of(const std::vector<const HeardPiece*>& pieces, Dice& dice) {
-    std::map<std::string, std::vector<Place>> groups[2];
+    std::array<std::map<std::string, std::vector<Place>>, 2> groups;
     for (const HeardPiece* piece : pieces) {
         for (std::size_t from = 0; from == 0 || from + kShortest <= piece->frames.size();
              from += kStretch) {
-            groups[piece->is_recorded() ? 0 : 1][piece->group].push_back({piece, from});
+            groups.at(piece->is_recorded() ? 0 : 1)[piece->group].push_back({piece, from});
         }
     }
-    std::vector<Place> of_kind[2];
-    for (std::size_t kind = 0; kind < 2; ++kind) {
-        for (auto& [name, places] : groups[kind]) {
-            for (std::size_t i = places.size(); i > 1; --i) {
-                const int other = dice.whole(0, static_cast<int>(i) - 1);
-                std::swap(places[i - 1], places[static_cast<std::size_t>(other)]);
-            }
-        }
-        for (std::size_t round = 0, taken = 1; taken > 0; ++round) {
-            taken = 0;
-            for (const auto& [name, places] : groups[kind]) {
-                if (round < places.size()) {
-                    of_kind[kind].push_back(places[round]);
-                    ++taken;
-                }
-            }
-        }
-    }
+    const std::vector<Place> recorded = groups_in_turn(groups[0], dice);
+    const std::vector<Place> written = groups_in_turn(groups[1], dice);
     std::vector<Place> order;
-    for (std::size_t i = 0; i < std::max(of_kind[0].size(), of_kind[1].size()); ++i) {
-        for (const auto& places : of_kind) {
-            if (i < places.size()) {
-                order.push_back(places[i]);
+    for (std::size_t i = 0; i < std::max(recorded.size(), written.size()); ++i) {
+        for (const auto* places : {&recorded, &written}) {
+            if (i < places->size()) {
+                order.push_back((*places)[i]);
             }
         }
     }
@@ -364,35 +374,6 @@ Expected<GenreSamples> load_samples(const fs::path& path) {
             fmt::format("{}: {}; train the model again", path.string(), samples.error().message));
     }
     return samples;
-}
-
-RecurrentNetwork with_outputs(const RecurrentNetwork& network,
-                              std::span<const Genre> known,
-                              std::span<const Genre> genres) {
-    RecurrentNetwork::Shape shape = network.shape();
-    shape.outputs = genres.size() + 1;
-    RecurrentNetwork wide(shape);
-    const auto from = network.parameters();
-    const auto to = wide.parameters();
-    std::copy_n(from.begin(), network.output_weights(), to.begin());
-    const std::size_t none = known.size();
-    std::vector<std::size_t> sources;
-    for (const Genre genre : genres) {
-        const auto found = std::find(known.begin(), known.end(), genre);
-        sources.push_back(static_cast<std::size_t>(found - known.begin()));
-    }
-    sources.push_back(none);
-    const auto shares = static_cast<float>(std::count(sources.begin(), sources.end(), none));
-    for (std::size_t output = 0; output < sources.size(); ++output) {
-        const std::size_t source = sources[output];
-        for (std::size_t unit = 0; unit < network.units(); ++unit) {
-            to[wide.output_weights() + unit * wide.outputs() + output] =
-                from[network.output_weights() + unit * network.outputs() + source];
-        }
-        to[wide.output_biases() + output] =
-            from[network.output_biases() + source] - (source == none ? std::log(shares) : 0.0F);
-    }
-    return wide;
 }
 
 }  // namespace raks::audio

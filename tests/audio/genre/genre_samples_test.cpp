@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "audio/genre/training/network_outputs.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
 
