@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -116,21 +117,29 @@ TEST_F(EvalBeats, writes_what_it_scored_and_scores_it_again_the_same) {
     EXPECT_EQ(both["trackers"][1]["excerpts"], both["trackers"][0]["excerpts"]);
 }
 
+/// Analyze recognises the dance, too, whose tempi are likelier then: a hint moves beats by
+/// microseconds here.
 TEST_F(EvalBeats, hears_what_analyze_tells) {
     ASSERT_EQ(document({"--out", path("heard")})["version"], 1);
     const ProcessResult result = run({"analyze", (corpus() / "salsa_180.wav").string(), "--json"});
     const nlohmann::json analyzed = nlohmann::json::parse(result.out);
-    std::string beats;
+    constexpr double kMillisecond = 0.001;
+    std::istringstream beats(bytes("heard/salsa_180.beats"));
     for (const auto& beat : analyzed["beats"]) {
-        beats += fmt::format(
-            "{:.6f}\t{}\n", beat["time"].get<double>(), beat["bar_position"].get<int>());
+        double time = 0.0;
+        int bar_position = 0;
+        ASSERT_TRUE(beats >> time >> bar_position);
+        EXPECT_NEAR(time, beat["time"].get<double>(), kMillisecond);
+        EXPECT_EQ(bar_position, beat["bar_position"].get<int>()) << time;
     }
-    std::string predicted;
-    for (const double time : analyzed["predicted"]) {
-        predicted += fmt::format("{:.6f}\n", time);
+    std::istringstream predicted(bytes("heard/salsa_180.pred"));
+    for (const double expected : analyzed["predicted"]) {
+        double time = 0.0;
+        ASSERT_TRUE(predicted >> time);
+        EXPECT_NEAR(time, expected, kMillisecond);
     }
-    EXPECT_EQ(bytes("heard/salsa_180.beats"), beats);
-    EXPECT_EQ(bytes("heard/salsa_180.pred"), predicted);
+    std::string left;
+    EXPECT_FALSE(beats >> left || predicted >> left);
 }
 
 TEST_F(EvalBeats, compares_our_methods_with_other_trackers_in_one_table) {
