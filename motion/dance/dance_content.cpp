@@ -320,7 +320,9 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
         }
         for (std::size_t n = 0; n < kPassages; ++n) {
             figure.passages.push_back(std::move(*baked[i * kPassages + n]));
+            figure.passages.back().take_signs_of(figure.passages.front());
         }
+        figure.arms_mix = arm_mixes(figure.passages, figure.beats);
         content.figures.push_back(std::move(figure));
     }
     if (grammar != nullptr && grammar->starts == FigureGrammar::Starts::own) {
@@ -360,6 +362,8 @@ Pose pose_of(const DanceContent& content, const FigureChoice& choice, double bea
     Pose learnt = pose;
     Pose first = pose;
     Pose second = pose;
+    const bool can_mix = figure.arms_mix[choice.arms[0]].test(choice.arms[1]);
+    const float share = can_mix ? choice.arms_share : 0.0F;
     figure.passages.front().arms_at(beat, learnt);
     figure.passages[choice.arms[0]].arms_at(beat, first);
     figure.passages[choice.arms[1]].arms_at(beat, second);
@@ -369,10 +373,8 @@ Pose pose_of(const DanceContent& content, const FigureChoice& choice, double bea
         const Bone bone = FigurePassage::kBones[i];
         const glm::quat back = glm::conjugate(learnt.rotation(bone));
         const auto turn = [&](const Pose& varied) {
-            const glm::quat away = back * varied.rotation(bone);
-            return away.w < 0.0F ? -away : away;
+            return back * varied.rotation(bone);  // not by the shorter way: take_signs_of()
         };
-        const float share = choice.arms_share;
         pose.rotation(bone) = learnt.rotation(bone) *
                               glm::normalize(turn(first) * (1.0F - share) + turn(second) * share);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "base/beats.hpp"
 #include "base/expected.hpp"
+#include "motion/dance/arm_mixes.hpp"
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/choreography.hpp"
 #include "motion/dance/figure_passage.hpp"
@@ -26,13 +28,14 @@ struct LibraryFigure {
     std::array<std::vector<double>, 2> fist;  ///< as FigureModel has it
     Nanos landing_delay{};  ///< of its steps at its learnt tempo; landing_delay.hpp
     std::vector<FigurePassage> passages;
+    ArmMixes arms_mix{};
 };
 
 /// What the dancer reads of a library.
 struct DanceContent {
     /// Ways to dance each figure: two repeats then share legs and torso one time in eight, and
     /// never the arms, which are mixed from two of them.
-    static constexpr int kPassages = 8;
+    static constexpr int kPassages = static_cast<int>(kWays);
 
     Generator generator = Generator::trajectories;
     std::vector<LibraryFigure> figures;

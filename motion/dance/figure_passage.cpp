@@ -206,11 +206,25 @@ void FigurePassage::keep(const std::vector<Pose>& poses, int samples_per_beat) {
         const Pose& pose = poses[i];
         Sample sample;
         for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
-            sample.rotations[bone] = pose.rotation(kBones[bone]);
+            const glm::quat& rotation = pose.rotation(kBones[bone]);
+            const bool is_other_sign =
+                !samples_.empty() && glm::dot(samples_.back().rotations[bone], rotation) < 0.0F;
+            sample.rotations[bone] = is_other_sign ? -rotation : rotation;
         }
         sample.hips = pose.hips_position;
         sample.contact = pose.foot_contact;
         samples_.push_back(sample);
+    }
+}
+
+void FigurePassage::take_signs_of(const FigurePassage& other) {
+    for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
+        if (glm::dot(samples_.front().rotations[bone], other.samples_.front().rotations[bone]) <
+            0.0F) {
+            for (Sample& sample : samples_) {
+                sample.rotations[bone] = -sample.rotations[bone];
+            }
+        }
     }
 }
 

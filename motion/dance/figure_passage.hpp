@@ -46,6 +46,11 @@ class FigurePassage {
     /// The figure as it is: feet free, no contacts.
     explicit FigurePassage(const FreeFigure& figure);
 
+    /// The rotations in the one of both signs in which they lie nearer to those of `other` where
+    /// both begin; each goes on without a jump. So the way round from one passage to another stays
+    /// the same over the figure. Threads: workers. Real-time: no.
+    void take_signs_of(const FigurePassage& other);
+
     /// Sets hips, body and contacts of `pose` at a beat in [-kMargin, beats + kMargin] (clamped);
     /// fingers stay. Threads: any. Real-time: yes.
     void at(double beat, Pose& pose) const noexcept;
