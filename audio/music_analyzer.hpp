@@ -31,7 +31,7 @@ struct AnalyzerConfig {
     /// Says which dance the music is (audio/genre/genre_file.hpp loads the shipped one). None:
     /// always unknown. The tempi of the recognised dance become likelier (hint_genre).
     std::shared_ptr<const GenreModel> genre_model = nullptr;
-    double genre_window = 5.0;  ///< seconds that the genre is judged by, 0.5 to 10
+    double genre_window = 3.0;  ///< seconds that the genre is judged by, 0.5 to 10
 };
 
 /// Beat, tempo, genre, loudness and silence of a stream of mono samples, causal and in real time.

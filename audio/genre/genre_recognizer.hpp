@@ -43,10 +43,10 @@ enum class GenreEvidence : std::uint8_t { fused, mfcc, mfcc_similarity, rhythm, 
 }
 
 struct GenreSettings {
-    double window_seconds = 5.0;  ///< 0.5 to 10, rounded to the model's nearest window
+    double window_seconds = 3.0;  ///< 0.5 to 10, rounded to the model's nearest window
     GenreEvidence evidence = GenreEvidence::fused;
-    float margin = 0.15F;           ///< by which another genre must lead, in chance
-    double switch_seconds = 1.5;    ///< and for how long
+    float margin = 0.1F;            ///< by which another genre must lead, in chance
+    double switch_seconds = 1.0;    ///< and for how long
     double give_up_seconds = 3.0;   ///< the same until nothing known is danced
     float least_confidence = 0.3F;  ///< of the beat: below, a known genre stays (applause)
 };

@@ -194,7 +194,12 @@ std::string attribution_of(const GenreMaterial& material, const GenreOptions& op
             credits.insert(file.credit);
         }
     }
-    return fmt::format("{}{}", material.written_with, fmt::join(credits, "; "));
+    const char* const beats =
+        options.beats_corpus.empty()
+            ? ""
+            : "Music of the beat network's training: Google's Groove MIDI Dataset (CC-BY-4.0), "
+              "OpenScore Lieder (CC0-1.0), patterns of our own. ";
+    return fmt::format("{}{}{}", material.written_with, beats, fmt::join(credits, "; "));
 }
 
 /// What an earlier run has learnt from written music; null if it left nothing that fits.
