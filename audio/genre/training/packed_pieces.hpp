@@ -57,7 +57,7 @@ class Unpacker {
         constexpr std::size_t kSize = sizeof(typename List::value_type);
         const std::size_t count = take<std::uint32_t>();
         List list;
-        if (has(count * kSize)) {
+        if (count > 0 && has(count * kSize)) {
             list.resize(count);
             std::memcpy(list.data(), left_.data(), count * kSize);
             left_.remove_prefix(count * kSize);
