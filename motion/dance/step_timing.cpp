@@ -13,9 +13,7 @@
 namespace raks::motion {
 namespace {
 
-// Of a flight or a contact. Hurried more, feet would be faster than people's.
-constexpr double kMostSlowed = 0.4;
-constexpr double kMostHurried = 0.06;
+constexpr double kMostSlowed = 0.4;     // of a flight or a contact
 constexpr double kOneReach = 0.5;       // its share where a foot halts altogether
 constexpr double kHaltedBelow = 0.15;   // of the highest speed: less is no movement of its own
 constexpr double kShortestPath = 0.05;  // metres
@@ -48,7 +46,7 @@ double between(const FootTarget& a, const FootTarget& b) {
            static_cast<double>(kFootLength * std::sqrt(std::max(0.0F, 2.0F * turn)));
 }
 
-/// Slows the steps that come down too soon, and hurries those that come late a little.
+/// Slows the steps that come down too soon. (Late ones hurried would be faster than people's.)
 void wait(const std::vector<PlannedContact>& contacts, std::vector<double>& times) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const Flight flight = flight_before(contacts, c, times.size());
@@ -58,9 +56,8 @@ void wait(const std::vector<PlannedContact>& contacts, std::vector<double>& time
             continue;
         }
         const auto shorter = static_cast<double>(std::min(flight.length, rest));
-        const double apart = std::clamp(*contacts[c].arrival - static_cast<double>(first),
-                                        -kMostSlowed * shorter,
-                                        kMostHurried * shorter);
+        const double apart = std::clamp(
+            *contacts[c].arrival - static_cast<double>(first), -kMostSlowed * shorter, 0.0);
         for (std::ptrdiff_t k = -flight.length; k <= rest; ++k) {
             const auto whole = static_cast<float>(k < 0 ? flight.length : rest);
             const float near = 1.0F - static_cast<float>(std::abs(k)) / whole;

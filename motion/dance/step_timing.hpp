@@ -9,10 +9,10 @@ namespace raks::motion {
 
 /// The same steps along the same paths, in time with the contacts. A foot that comes to rest by
 /// itself before its contact begins (PlannedContact::arrival) is danced slower from where it left
-/// the floor on, and the contact's rest makes up for it; one that comes late a little faster. And a
-/// mean over repeats that step at different moments halts on its way or hardly moves, which is seen
-/// as a landing, or as none: such a foot goes, in part, at the speed of one reach (Flash, Hogan
-/// 1985, "The coordination of arm movements").
+/// the floor on, and the contact's rest makes up for it. And a mean over repeats that step at
+/// different moments halts on its way or hardly moves, which is seen as a landing, or as none: such
+/// a foot goes, in part, at the speed of one reach (Flash, Hogan 1985, "The coordination of arm
+/// movements"). Steps that are no means (PlannedContact::is_mean) keep their time.
 ///
 /// `feet`: a closed curve, a place a sample. Threads: workers. Real-time: no.
 [[nodiscard]] std::vector<FootTarget> in_time(const std::vector<PlannedContact>& contacts,
