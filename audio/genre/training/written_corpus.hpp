@@ -30,7 +30,7 @@ struct WrittenCorpusPlan {
     /// The same number is always the same music: what a model was learnt from can be written again.
     /// First: no lossy codecs, no lower sampling rates, no quarter tones, no oud.
     enum class Edition : std::uint8_t { first = 1, second };
-    Edition edition = Edition::first;
+    Edition edition = Edition::second;
     HearingPlan hearing;
 };
 
