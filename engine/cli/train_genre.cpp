@@ -21,6 +21,7 @@
 #include "audio/genre/training/network_outputs.hpp"
 #include "audio/io/lossy_codec.hpp"
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "base/parallel.hpp"
 #include "engine/cli/genre_adding.hpp"
 #include "engine/cli/genre_material.hpp"
@@ -243,18 +244,24 @@ std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOption
     const audio::NetworkTrainingPlan& plan = options.plan.network;
     std::vector<const audio::HeardPiece*> pieces;
     std::vector<std::size_t> classes;
+    std::uint64_t music = hash_of("");
     for (const audio::HeardPiece& piece : material.pieces) {
         pieces.push_back(&piece);
         classes.push_back(audio::class_of(piece.genre, genres));
+        if (!piece.is_recorded()) {
+            const std::span<const float> mel = piece.mel;
+            music = hash_of({reinterpret_cast<const char*>(mel.data()), mel.size_bytes()}, music);
+        }
     }
     const std::filesystem::path kept =
-        options.cache / fmt::format("network-{}-{}x{}-{}-{}-{}.weights",
+        options.cache / fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}.weights",
                                     genres.size() + 1,
                                     plan.layers,
                                     plan.units,
                                     plan.written_steps,
                                     pieces.size(),
-                                    plan.seed);
+                                    plan.seed,
+                                    music);
     if (auto known =
             options.cache.empty() ? nullptr : load_weights(kept, genres.size() + 1, plan)) {
         return known;
