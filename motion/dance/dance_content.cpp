@@ -200,9 +200,11 @@ struct Baking {
             }
         }
         const CounterRandom places_of_steps(figure, stream + kParts.size());
+        std::vector<Pose> body = free_poses(figures[figure], varied, ways[figure], skeleton);
+        steady_arms(figures[figure], body);
         return planted(figure,
                        free_figure(figures[figure], steps, ways[figure], skeleton),
-                       free_poses(figures[figure], varied, ways[figure], skeleton),
+                       body,
                        n > 0 ? &places_of_steps : nullptr);
     }
 

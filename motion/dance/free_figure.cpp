@@ -62,20 +62,6 @@ double peak_toe_speed(const FigureModel& model,
     return peak;
 }
 
-/// Arms of places drawn from Gaussians point here and there where they hardly know where to.
-void steady_arms(int samples_per_beat, std::vector<Pose>& poses) {
-    const std::vector<Pose> steady =
-        filtered(poses, low_pass_taps(kArmBandwidth, samples_per_beat));
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        for (const Bone left :
-             {Bone::left_shoulder, Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand}) {
-            for (const Side side : kSides) {
-                poses[i].rotation(on_side(left, side)) = steady[i].rotation(on_side(left, side));
-            }
-        }
-    }
-}
-
 }  // namespace
 
 std::vector<Pose> free_poses(const FigureModel& model,
@@ -102,9 +88,6 @@ std::vector<Pose> free_poses(const FigureModel& model,
         const FloorMove move = i < 0 ? inverse(way.move) : i >= rows ? way.move : FloorMove{};
         const auto row = static_cast<std::size_t>((i + rows) % rows);
         poses.push_back(move(pose_of_features(model, fine, row, places[row], scale, skeleton)));
-    }
-    if (model.features == FigureFeatures::positions) {
-        steady_arms(samples_per_beat, poses);
     }
     return poses;
 }
@@ -139,6 +122,22 @@ FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton) {
         (speed < scale * model.peak_toe_speed ? low : high) = middle;
     }
     return widened(0.5 * (low + high));
+}
+
+void steady_arms(const FigureModel& model, std::vector<Pose>& poses) {
+    if (model.features != FigureFeatures::positions) {
+        return;
+    }
+    const std::vector<Pose> steady =
+        filtered(poses, low_pass_taps(kArmBandwidth, model.samples_per_beat * kFiner));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        for (const Bone left :
+             {Bone::left_shoulder, Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand}) {
+            for (const Side side : kSides) {
+                poses[i].rotation(on_side(left, side)) = steady[i].rotation(on_side(left, side));
+            }
+        }
+    }
 }
 
 FreeFigure free_figure(const FigureModel& model,

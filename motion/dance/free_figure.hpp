@@ -36,7 +36,11 @@ inline constexpr int kBeatsAround = 2;
                                            const FigureWay& way,
                                            const Skeleton& skeleton);
 
-/// The same and what its feet do, by Side.
+/// Of a figure of positions: arms of places drawn from Gaussians point here and there where they
+/// hardly know where to. What is quicker than two cycles a beat is taken off them.
+void steady_arms(const FigureModel& model, std::vector<Pose>& poses);
+
+/// The free poses and what their feet do, by Side.
 struct FreeFigure {
     int samples_per_beat = 48;
     std::vector<Pose> poses;
