@@ -15,7 +15,6 @@
 namespace raks::cli {
 namespace {
 
-constexpr int kOwnShare = 5;   // written pieces a piece of our own synthesizer alone
 constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
 
 /// Hears chunks; those that `is_wanted(i)` refuses stay empty.
@@ -61,11 +60,6 @@ std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
                                   .seed = options.seed,
                                   .hearing = {}};
     std::vector<WrittenChunk> chunks = chunks_of(options, hearing, "written", plan);
-    plan.players = audio::WrittenCorpusPlan::Players::own;
-    plan.pieces = options.synthesize / kOwnShare;
-    auto own = chunks_of(options, hearing, "written-own", plan);
-    std::move(own.begin(), own.end(), std::back_inserter(chunks));
-    plan.players = audio::WrittenCorpusPlan::Players::any;
     if (!options.leaves_out_families) {
         plan.families = Families::held_out;
         plan.pieces = options.synthesize / kRestShare;

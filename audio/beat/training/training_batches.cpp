@@ -17,7 +17,7 @@ constexpr float kWarmUpWeight = 0.2F;
 constexpr float kDownbeatWeight = 2.0F;
 constexpr float kHalfWeight = 0.7F;
 
-constexpr MelVariety kVariety;
+constexpr double kMostStretch = 0.16;  // ln of the ratio
 
 // Where in a chunk another piece may begin.
 constexpr double kEarliestCut = 0.25;  // of the chunk
@@ -135,7 +135,7 @@ TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
             const TrainingExcerpt& excerpt =
                 *dice.pick(std::span<const TrainingExcerpt* const>(from));
             const MelHearing hearing =
-                MelHearing::draw(excerpt.hops(), span.end - span.begin, kVariety, dice);
+                MelHearing::draw(excerpt.hops(), span.end - span.begin, kMostStretch, dice);
             writer.write(chunk, span, excerpt, hearing, input, &dice);
         }
     }

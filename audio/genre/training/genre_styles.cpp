@@ -278,7 +278,6 @@ std::optional<GenreStyle> genre_of_style(std::string_view name) {
     constexpr std::array kPlayed = {Played{"own salsa", Genre::salsa},
                                     Played{"own maqsum", Genre::belly},
                                     Played{"own house", Genre::house},
-                                    Played{"own drums", Genre::rock},
                                     Played{"groove rock", Genre::rock},
                                     Played{"groove hiphop", Genre::hiphop},
                                     Played{"groove jazz", Genre::unknown},

@@ -13,17 +13,17 @@ namespace {
 
 constexpr std::size_t kChunks = 24;  // of a batch
 constexpr std::size_t kHops = 1'000;
-// A dance is known by its tempo, too, less by which soundfont plays it.
-constexpr MelVariety kVariety = {.most_stretch = 0.08, .curve = 0.5, .most_shift = 1.5};
-constexpr float kSmoothing = 0.05F;  // of the labels
+constexpr double kMostStretch = 0.08;  // ln of the ratio: a dance is known by its tempo, too
+constexpr float kSmoothing = 0.05F;    // of the labels
 constexpr int kReportEvery = 50;
 // Nobody knows a dance from its first note: a hop's weight rises from kFirstWeight at the piece's
 // begin to 1 after kKnownHops.
 constexpr float kFirstWeight = 0.03F;
-constexpr std::size_t kKnownHops = 200;
+constexpr std::size_t kKnownHops = 300;
 constexpr double kEarliestCut = 0.25;  // of the stretch
 constexpr double kLatestCut = 0.6;
-// Of a class, altered copies among them; fewer are drawn less often: they would be learnt by heart.
+// Of a class, altered copies among them; where there are fewer they are drawn less often: they
+// would be learnt by heart.
 constexpr double kEnoughRecordings = 24.0;
 constexpr std::size_t kFewestHops = 200;  // of a piece
 
@@ -122,7 +122,7 @@ TrainingBatch draw_batch(
             if (begin < end) {
                 const Drawn drawn = from.draw(dice);
                 const MelHearing hearing =
-                    MelHearing::draw(drawn.piece->hops(), end - begin, kVariety, dice);
+                    MelHearing::draw(drawn.piece->hops(), end - begin, kMostStretch, dice);
                 writer.write(chunk, begin, end, drawn, hearing, input, &dice);
             }
         }

@@ -15,11 +15,11 @@ namespace raks::audio {
 struct NetworkTrainingPlan {
     std::size_t units = 64;
     std::size_t layers = 2;
-    int written_steps = 1'000;  ///< batches of 24 stretches of 10 s
+    int written_steps = 1'500;  ///< batches of 24 stretches of 10 s
     double written_rate = 4e-3;
-    int tuning_steps = 200;
-    double tuning_rate = 1.5e-3;
-    double recorded_share = 0.6;  ///< of a tuning batch, where a class has recordings
+    int tuning_steps = 250;
+    double tuning_rate = 1e-3;
+    double recorded_share = 0.4;  ///< of a tuning batch, where a class has recordings
     double cut_chance = 0.33;     ///< that another piece begins within a stretch
     /// Weights to begin with, where its layers fit: a network of the same inputs that knows rhythm
     /// already. None: drawn.
@@ -45,9 +45,8 @@ using ReportNetwork = std::function<void(const NetworkTrainingProgress&)>;
 
 /// Learns from the written pieces, but for those kept out. `classes[i]`: of pieces[i], below
 /// `class_count`. Each class is drawn alike often, each piece of a class alike often; each is heard
-/// slower or faster (by up to 8 %), through drawn equalizers, its spectrum moved by up to 1.5
-/// bands, and in noise. The same plan and pieces give the same weights on one machine, for any
-/// number of threads. `report`: every 50 steps.
+/// slower or faster (by up to 8 %), through drawn equalizers and in noise. The same plan and pieces
+/// give the same weights on one machine, for any number of threads. `report`: every 50 steps.
 [[nodiscard]] RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pieces,
                                                 std::span<const std::size_t> classes,
                                                 std::size_t class_count,

@@ -47,23 +47,16 @@ std::vector<GenreStyle> styles_of(Genre genre, WrittenCorpusPlan::Families famil
     return chosen;
 }
 
-/// Our own generator's dances: sounds that no soundfont has (darbuka, oud).
+/// Our own generator's salsa, maqsum and house: sounds that no soundfont has (darbuka, oud).
 WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
-    struct Dance {
-        Style style;
-        double lowest_bpm;
-        double highest_bpm;
-    };
-    constexpr std::array<Dance, kGenreCount - 1> kDances = {{{Style::salsa, 150.0, 215.0},
-                                                             {Style::maqsum, 80.0, 145.0},
-                                                             {Style::house, 112.0, 132.0},
-                                                             {Style::hiphop, 72.0, 108.0},
-                                                             {Style::rock, 100.0, 165.0},
-                                                             {Style::waltz, 80.0, 190.0}}};
-    const Dance& dance = kDances.at(static_cast<std::size_t>(genre));
     MusicPlan plan;
-    plan.style = dance.style;
-    plan.tempo = {{0.0, dice.uniform(dance.lowest_bpm, dance.highest_bpm)}};
+    plan.style = genre == Genre::salsa   ? Style::salsa
+                 : genre == Genre::belly ? Style::maqsum
+                                         : Style::house;
+    const double bpm = genre == Genre::salsa   ? dice.uniform(150.0, 215.0)
+                       : genre == Genre::belly ? dice.uniform(80.0, 145.0)
+                                               : dice.uniform(112.0, 132.0);
+    plan.tempo = {{0.0, bpm}};
     plan.seconds = seconds;
     plan.channels = 1;
     plan.rate = SampleRate(SoundfontPlayer::kRate);
@@ -174,9 +167,6 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
     if (genre == Genre::unknown) {
         return other_piece(plan, dice);
     }
-    if (plan.players == WrittenCorpusPlan::Players::own) {
-        return own_piece(genre, plan.seconds, dice);
-    }
     const bool is_ours = genre == Genre::salsa || genre == Genre::belly || genre == Genre::house;
     if (is_ours && plan.families != WrittenCorpusPlan::Families::held_out && dice.chance(0.1)) {
         return own_piece(genre, plan.seconds, dice);
@@ -192,10 +182,7 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
 Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
     // What is none of the dances is of more kinds than any dance: two pieces a round.
-    const bool is_own = plan.players == WrittenCorpusPlan::Players::own;
-    const auto genre =
-        static_cast<Genre>(is_own ? number % (kGenreCount - 1)
-                                  : std::min(number % (kGenreCount + 1), kGenreCount - 1));
+    const auto genre = static_cast<Genre>(std::min(number % (kGenreCount + 1), kGenreCount - 1));
     WrittenPiece piece = draw_piece(plan, genre, dice);
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortest && tries < 20;

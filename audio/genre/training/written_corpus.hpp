@@ -15,10 +15,6 @@ struct WrittenCorpusPlan {
     std::vector<std::filesystem::path> soundfonts;  ///< one is drawn a piece; not empty
     enum class Families : std::uint8_t { always, held_out, all };
     Families families = Families::all;
-    /// any: soundfonts, and now and then our own synthesizer. own: the latter alone, dances in
-    /// turn.
-    enum class Players : std::uint8_t { any, own };
-    Players players = Players::any;
     int first = 0;          ///< number of the first piece
     int pieces = 70;        ///< genres in turn, then twice "none of them"
     double seconds = 16.0;  ///< of each

@@ -19,19 +19,17 @@ MelHearing MelHearing::plain() {
 
 MelHearing MelHearing::draw(std::size_t piece_hops,
                             std::size_t hops,
-                            const MelVariety& variety,
+                            double most_stretch,
                             Dice& dice) {
     MelHearing hearing;
-    hearing.stretch = dice.chance(0.7)
-                          ? std::exp(dice.uniform(-variety.most_stretch, variety.most_stretch))
-                          : 1.0;
+    hearing.stretch = dice.chance(0.7) ? std::exp(dice.uniform(-most_stretch, most_stretch)) : 1.0;
     const double span = static_cast<double>(hops) * hearing.stretch;
     const double room = static_cast<double>(piece_hops) - span;
     hearing.first_hop = dice.uniform(0.0, std::max(0.0, room));
-    // A smooth curve over the bands; of the default, sd 0.45 in the logarithm.
+    // A smooth curve over the bands, sd 0.45 in the logarithm.
     std::array<double, 4> waves{};
     for (double& wave : waves) {
-        wave = dice.normal(variety.curve);
+        wave = dice.normal(0.32);
     }
     const double overall = dice.normal(0.5);
     for (std::size_t band = 0; band < kBands; ++band) {
@@ -54,9 +52,6 @@ MelHearing MelHearing::draw(std::size_t piece_hops,
         gain = dice.chance(0.03) ? 0.0F : gain;
     }
     hearing.noise = dice.chance(0.3) ? static_cast<float>(dice.log_uniform(0.01, 0.4)) : 0.0F;
-    if (variety.most_shift > 0.0) {
-        hearing.shift = dice.uniform(-variety.most_shift, variety.most_shift);
-    }
     return hearing;
 }
 
@@ -72,19 +67,6 @@ std::array<float, kBands> magnitudes_at(std::span<const float> mel, double hop) 
         bands[band] = before + share * (mel[high * kBands + band] - before);
     }
     return bands;
-}
-
-std::array<float, kBands> shifted(const std::array<float, kBands>& bands, double shift) {
-    std::array<float, kBands> moved{};
-    for (std::size_t band = 0; band < kBands; ++band) {
-        const double at =
-            std::clamp(static_cast<double>(band) + shift, 0.0, static_cast<double>(kBands) - 1.0);
-        const auto low = static_cast<std::size_t>(at);
-        const std::size_t high = std::min(low + 1, kBands - 1);
-        const auto share = static_cast<float>(at - static_cast<double>(low));
-        moved[band] = bands[low] + share * (bands[high] - bands[low]);
-    }
-    return moved;
 }
 
 float mean_magnitude(std::span<const float> mel) {

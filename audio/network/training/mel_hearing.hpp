@@ -10,14 +10,6 @@
 
 namespace raks::audio {
 
-/// How far hearings may lie from the piece as it was played.
-struct MelVariety {
-    double most_stretch = 0.16;  ///< ln of the ratio of speeds
-    double curve = 0.32;         ///< deviation of ln gain of each of four waves over the bands
-    double most_shift = 0.0;     ///< bands by which the spectrum may move up or down: other drums,
-                                 ///< other voices
-};
-
 /// How a stretch of music is heard while a network learns: slower or faster, through other rooms
 /// and loudspeakers, in noise. Works on the mel magnitudes that the front end gives (hops x
 /// NetworkInput::kBands), so that each piece is played once and heard many times.
@@ -25,16 +17,15 @@ struct MelHearing {
     double first_hop = 0.0;  ///< in the piece
     double stretch = 1.0;    ///< hops of the piece a hop that is heard
     std::array<float, NetworkInput::kBands> gain{};
-    double shift = 0.0;  ///< bands of the piece above the band that is heard
     float noise = 0.0F;  ///< share of the piece's mean magnitude, on every band
 
     /// From the piece's begin, unchanged.
     [[nodiscard]] static MelHearing plain();
-    /// Drawn so that `hops` hops fit if the piece is long enough: time stretched, a smooth curve
-    /// over the bands, some of them damped, noise.
+    /// Drawn so that `hops` hops fit if the piece is long enough: time stretched by up to
+    /// exp(+-most_stretch), a smooth curve over the bands, some of them damped, noise.
     [[nodiscard]] static MelHearing draw(std::size_t piece_hops,
                                          std::size_t hops,
-                                         const MelVariety& variety,
+                                         double most_stretch,
                                          Dice& dice);
 };
 
@@ -51,9 +42,6 @@ void hear_mel(std::span<const float> mel,
 /// Mel magnitudes at a place between hops. `mel`: at least one hop.
 [[nodiscard]] std::array<float, NetworkInput::kBands> magnitudes_at(std::span<const float> mel,
                                                                     double hop);
-/// The same spectrum moved down by `shift` bands; beyond the ends the last band is held.
-[[nodiscard]] std::array<float, NetworkInput::kBands> shifted(
-    const std::array<float, NetworkInput::kBands>& bands, double shift);
 [[nodiscard]] float mean_magnitude(std::span<const float> mel);
 
 template <class Put>
@@ -67,9 +55,6 @@ void hear_mel(std::span<const float> mel,
     for (std::size_t t = 0; t < hops; ++t) {
         auto bands =
             magnitudes_at(mel, hearing.first_hop + static_cast<double>(t) * hearing.stretch);
-        if (hearing.shift != 0.0) {
-            bands = shifted(bands, hearing.shift);
-        }
         for (std::size_t band = 0; band < bands.size(); ++band) {
             const float hiss = floor > 0.0F && dice != nullptr
                                    ? floor * static_cast<float>(dice->uniform(0.5, 1.5))
