@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs clang-tidy (.clang-tidy: every finding is an error) with the release build's commands.
+# Runs clang-tidy (.clang-tidy: every finding is an error) with the commands of the dev preset, which
+# compiles each file alone.
 #   scripts/tidy.sh --changed    the .cpp files that differ from the merge base with the main branch
 #   scripts/tidy.sh [FILE...]    these files, or every tracked .cpp file
 set -euo pipefail
@@ -23,8 +24,8 @@ else
 fi
 [ ${#files[@]} -gt 0 ] || exit 0
 
-[ -f build/release/compile_commands.json ] || cmake --preset release >/dev/null
+cmake --preset dev >/dev/null
 echo "== clang-tidy: ${#files[@]} files"
 printf '%s\0' "${files[@]}" |
-    xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/release 2>&1 |
+    xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/dev 2>&1 |
     { grep -v ' warnings\? generated\.$' || true; }

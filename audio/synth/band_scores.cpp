@@ -8,7 +8,7 @@
 namespace raks::audio {
 namespace {
 
-void write_rock_bar(Score& score, int bar, const CounterRandom& random) {
+void write_rock_bar(Notes& score, int bar, const CounterRandom& random) {
     constexpr std::array<int, 4> kRoots = {0, 5, 7, 5};  // I - IV - V - IV
     const double start = 4.0 * bar;
     const int key = 40 + static_cast<int>(random.below(0, 6));
@@ -36,14 +36,14 @@ void write_rock_bar(Score& score, int bar, const CounterRandom& random) {
     }
 }
 
-void write_hiphop_bar(Score& score, int bar, const CounterRandom& random) {
+void write_hiphop_bar(Notes& score, int bar, const CounterRandom& random) {
     constexpr std::array<int, 4> kRoots = {0, 0, -4, -2};  // i - i - VI - VII
     constexpr double kSwing = 0.06;                        // of a beat: late off-sixteenths
     const double start = 4.0 * bar;
     const int key = 45 + static_cast<int>(random.below(0, 6));
     const int root = key + kRoots[static_cast<std::size_t>(bar % 4)];
     const bool is_busy = random.below(static_cast<std::uint64_t>(bar) + 1, 2) == 0;
-    Score drums;
+    Notes drums;
     strike(drums, Sound::kick, is_busy ? "X.....x.x.X....." : "X......x..X.....", start, 0.25);
     strike(drums, Sound::snare, "....X.......X..o", start, 0.25);
     strike(drums, Sound::clap, "....x.......x...", start, 0.25, 0.8);
@@ -67,7 +67,7 @@ void write_hiphop_bar(Score& score, int bar, const CounterRandom& random) {
     }
 }
 
-void write_waltz_bar(Score& score, int bar, const CounterRandom& random) {
+void write_waltz_bar(Notes& score, int bar, const CounterRandom& random) {
     constexpr std::array<int, 8> kRoots = {0, 0, 7, 7, 7, 7, 0, 0};  // I I V V V V I I
     constexpr std::array<int, 7> kScale = {0, 2, 4, 5, 7, 9, 11};
     const double start = 3.0 * bar;
@@ -98,21 +98,21 @@ void write_waltz_bar(Score& score, int bar, const CounterRandom& random) {
 
 }  // namespace
 
-Score write_rock(double beats, std::uint64_t seed) {
+Notes write_rock(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 3);
-    return write_bars(beats, 4, [&](Score& score, int bar) { write_rock_bar(score, bar, random); });
+    return write_bars(beats, 4, [&](Notes& score, int bar) { write_rock_bar(score, bar, random); });
 }
 
-Score write_hiphop(double beats, std::uint64_t seed) {
+Notes write_hiphop(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 4);
     return write_bars(
-        beats, 4, [&](Score& score, int bar) { write_hiphop_bar(score, bar, random); });
+        beats, 4, [&](Notes& score, int bar) { write_hiphop_bar(score, bar, random); });
 }
 
-Score write_waltz(double beats, std::uint64_t seed) {
+Notes write_waltz(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 5);
     return write_bars(
-        beats, 3, [&](Score& score, int bar) { write_waltz_bar(score, bar, random); });
+        beats, 3, [&](Notes& score, int bar) { write_waltz_bar(score, bar, random); });
 }
 
 }  // namespace raks::audio

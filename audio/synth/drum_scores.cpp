@@ -5,7 +5,7 @@
 namespace raks::audio {
 namespace {
 
-void write_house_bar(Score& score, int bar, const CounterRandom& random) {
+void write_house_bar(Notes& score, int bar, const CounterRandom& random) {
     // Minor chords in parallel: i - VI - III - VII, two bars each.
     constexpr int kRoots[] = {0, -4, 3, -2};
     const double start = 4.0 * bar;
@@ -42,8 +42,8 @@ void write_house_bar(Score& score, int bar, const CounterRandom& random) {
 
 }  // namespace
 
-Score write_clicks(double beats) {
-    Score score;
+Notes write_clicks(double beats) {
+    Notes score;
     for (int beat = 0; beat < beats; ++beat) {
         score.push_back({.beat = static_cast<double>(beat),
                          .sound = beat % 4 == 0 ? Sound::click_high : Sound::click_low});
@@ -51,9 +51,9 @@ Score write_clicks(double beats) {
     return score;
 }
 
-Score write_drums(double beats, std::uint64_t seed) {
+Notes write_drums(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 1);
-    return write_bars(beats, 4, [&](Score& score, int bar) {
+    return write_bars(beats, 4, [&](Notes& score, int bar) {
         const double start = 4.0 * bar;
         const bool has_ghosts = random.below(static_cast<std::uint64_t>(bar), 2) == 0;
         strike(score, Sound::kick, has_ghosts ? "X...x..." : "X...Xx..", start, 0.5);
@@ -66,10 +66,10 @@ Score write_drums(double beats, std::uint64_t seed) {
     });
 }
 
-Score write_house(double beats, std::uint64_t seed) {
+Notes write_house(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 2);
     return write_bars(
-        beats, 4, [&](Score& score, int bar) { write_house_bar(score, bar, random); });
+        beats, 4, [&](Notes& score, int bar) { write_house_bar(score, bar, random); });
 }
 
 }  // namespace raks::audio

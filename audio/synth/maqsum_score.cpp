@@ -16,7 +16,7 @@ int hijaz_pitch(int tonic, int degree) {
 }
 
 /// Darbuka: D T - T D - T - in eighths, with ka between the strokes from the second phrase on.
-void write_rhythm(Score& score, double start, int bar) {
+void write_rhythm(Notes& score, double start, int bar) {
     strike(score, Sound::darbuka_dum, "X.......X.......", start, 0.25);
     strike(score, Sound::darbuka_tek, "..X...X.....X...", start, 0.25, 0.9);
     if (bar >= 4) {
@@ -45,7 +45,7 @@ int next_degree(int degree, int step, std::uint64_t move) {
 
 /// A phrase of two bars that ends on the tonic. Four phrases a verse, A A B A: heard again, a line
 /// becomes a tune.
-void write_phrase(Score& score, double start, int phrase, int tonic, std::uint64_t seed) {
+void write_phrase(Notes& score, double start, int phrase, int tonic, std::uint64_t seed) {
     const bool is_second = phrase % 4 == 2;
     const CounterRandom random(seed, is_second ? 12 : 11);
     int degree = is_second ? 7 : 4;
@@ -68,10 +68,10 @@ void write_phrase(Score& score, double start, int phrase, int tonic, std::uint64
 
 }  // namespace
 
-Score write_maqsum(double beats, std::uint64_t seed) {
+Notes write_maqsum(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 3);
     const int tonic = 50 + static_cast<int>(random.below(0, 5));
-    return write_bars(beats, 4, [&](Score& score, int bar) {
+    return write_bars(beats, 4, [&](Notes& score, int bar) {
         const double start = 4.0 * bar;
         write_rhythm(score, start, bar);
         if (bar >= 2 && bar % 2 == 0) {

@@ -150,7 +150,7 @@ void Reverb::clear() {
     }
 }
 
-Mixer::Mixer(const MusicPlan& plan, const TempoCurve& curve, const Score& score)
+Mixer::Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score)
     : plan_(plan),
       total_frames_(std::llround(plan.seconds * plan.rate.hertz())),
       reverb_(plan.rate.hertz()) {

@@ -43,7 +43,7 @@ struct FrameRange {
 /// Plays a score: makes each sound once, places it, adds the room and limits the sum softly.
 class Mixer {
  public:
-    Mixer(const MusicPlan& plan, const TempoCurve& curve, const Score& score);
+    Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score);
     /// All of the piece, stereo, interleaved.
     [[nodiscard]] std::vector<float> render(std::span<const FrameRange> silences);
 

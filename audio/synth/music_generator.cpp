@@ -71,7 +71,7 @@ std::string faults_of(const MusicPlan& plan) {
     return faults.text();
 }
 
-Score write_score(Style style, double beats, std::uint64_t seed) {
+Notes write_score(Style style, double beats, std::uint64_t seed) {
     switch (style) {
         case Style::clicks:
             return write_clicks(beats);
@@ -155,7 +155,7 @@ Expected<GeneratedMusic> generate(const MusicPlan& plan) {
     }
     const TempoCurve curve(plan.tempo, plan.first_beat_seconds);
     const std::vector<FrameRange> silences = silent_frames(plan);
-    const Score score = write_score(plan.style, curve.beats_at(plan.seconds), plan.seed);
+    const Notes score = write_score(plan.style, curve.beats_at(plan.seconds), plan.seed);
     Mixer mixer(plan, curve, score);
     GeneratedMusic music{.rate = plan.rate,
                          .channels = 2,

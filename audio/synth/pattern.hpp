@@ -10,7 +10,7 @@ namespace raks::audio {
 /// 'o' soft, anything else a rest.
 ///
 ///     strike(score, Sound::clave, "x..x..x...x.x...", bar_start, 0.5);
-inline void strike(Score& score,
+inline void strike(Notes& score,
                    Sound sound,
                    std::string_view pattern,
                    double start,
@@ -30,8 +30,8 @@ inline void strike(Score& score,
 
 /// Writes bar after bar by write_bar(score, bar) and drops what lies behind the end.
 template <typename WriteBar>
-[[nodiscard]] Score write_bars(double beats, int beats_per_bar, const WriteBar& write_bar) {
-    Score score;
+[[nodiscard]] Notes write_bars(double beats, int beats_per_bar, const WriteBar& write_bar) {
+    Notes score;
     for (int bar = 0; bar * beats_per_bar < beats; ++bar) {
         write_bar(score, bar);
     }

@@ -138,7 +138,7 @@ class SalsaWriter {
         }
     }
 
-    Score take() { return std::move(score_); }
+    Notes take() { return std::move(score_); }
 
  private:
     /// A pattern of sixteen eighths that is written for 2-3 clave, on this piece's side.
@@ -282,7 +282,7 @@ class SalsaWriter {
     Harmony harmony_;
     int key_;  ///< pitch class
     bool is_two_three_;
-    Score score_;
+    Notes score_;
     const Section* section_ = &kIntro;
     double start_ = 0.0;  ///< of the cycle, in beats
     int cycle_ = 0;
@@ -290,12 +290,12 @@ class SalsaWriter {
 
 }  // namespace
 
-Score write_salsa(double beats, std::uint64_t seed) {
+Notes write_salsa(double beats, std::uint64_t seed) {
     SalsaWriter writer(seed);
     for (int cycle = 0; 8.0 * cycle < beats; ++cycle) {
         writer.write_cycle(cycle);
     }
-    Score score = writer.take();
+    Notes score = writer.take();
     std::erase_if(score, [beats](const Note& note) { return note.beat >= beats; });
     return score;
 }

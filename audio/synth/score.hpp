@@ -60,14 +60,14 @@ struct Note {
 
 /// Writes all notes with 0 <= beat < `beats`, in any order. (One function a style, in its own
 /// file.)
-using Score = std::vector<Note>;
-[[nodiscard]] Score write_clicks(double beats);
-[[nodiscard]] Score write_drums(double beats, std::uint64_t seed);
-[[nodiscard]] Score write_salsa(double beats, std::uint64_t seed);
-[[nodiscard]] Score write_maqsum(double beats, std::uint64_t seed);
-[[nodiscard]] Score write_house(double beats, std::uint64_t seed);
-[[nodiscard]] Score write_rock(double beats, std::uint64_t seed);
-[[nodiscard]] Score write_hiphop(double beats, std::uint64_t seed);
-[[nodiscard]] Score write_waltz(double beats, std::uint64_t seed);
+using Notes = std::vector<Note>;
+[[nodiscard]] Notes write_clicks(double beats);
+[[nodiscard]] Notes write_drums(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_salsa(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_maqsum(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_house(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_rock(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_hiphop(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_waltz(double beats, std::uint64_t seed);
 
 }  // namespace raks::audio

@@ -8,7 +8,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kCentimetre = 0.01;
 constexpr double kBreathHz = 0.27;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -8,6 +9,9 @@
 
 /// Curves over beats and frames of which authored motion is made.
 namespace raks::motion {
+
+/// In radians: files and curves are in degrees.
+inline constexpr double kDegree = M_PI / 180.0;
 
 /// From 0 at s = 0 to 1 at s = 1 (clamped) without speed and acceleration at either end.
 [[nodiscard]] double ease(double s) noexcept;

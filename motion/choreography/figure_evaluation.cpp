@@ -13,7 +13,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kGravity = 9.81;
 
 /// Softly at most `limit`, over about `width`.

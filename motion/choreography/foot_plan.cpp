@@ -11,7 +11,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kCentimetre = 0.01;
 constexpr double kLandingSpeed = 0.3;  // m/s: under it a foot has landed
 constexpr double kStepSpeed = 0.6;     // after having been so fast

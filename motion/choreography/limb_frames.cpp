@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "motion/choreography/curves.hpp"
 #include "motion/skeleton/hand_shape.hpp"
 
 #include <glm/geometric.hpp>
@@ -12,7 +13,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 const glm::dvec3 kX{1, 0, 0};
 const glm::dvec3 kY{0, 1, 0};
 const glm::dvec3 kZ{0, 0, 1};

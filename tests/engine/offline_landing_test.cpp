@@ -19,12 +19,14 @@
 namespace raks::engine {
 namespace {
 
-constexpr double kSeconds = 45.0;
+constexpr double kPieceSeconds = 45.0;
 constexpr double kSettled = 10.0;  // seconds: tracked, started, blended in
 
 class Poses final : public OfflineDriver::Sink {
  public:
-    Poses() { all.reserve(static_cast<std::size_t>(100.0 * kSeconds) + 100); }  // real-time path
+    Poses() {
+        all.reserve(static_cast<std::size_t>(100.0 * kPieceSeconds) + 100);
+    }  // real-time path
     void on_hop(const PerformedHop& hop) override {
         all.push_back(hop.track.at_hop(hop.music.hop));
     }
@@ -81,7 +83,7 @@ TEST_P(OfflineLanding, is_on_the_beat_of_steady_music) {
     audio::MusicPlan plan;
     plan.style = GetParam().style;
     plan.tempo = {{0.0, GetParam().bpm}};
-    plan.seconds = kSeconds;
+    plan.seconds = kPieceSeconds;
     const auto music = audio::generate(plan);
     ASSERT_TRUE(music) << music.error().message;
     const motion::LandingReport landing = landing_on(*music, *figure);

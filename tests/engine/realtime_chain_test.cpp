@@ -16,7 +16,7 @@
 namespace raks::engine {
 namespace {
 
-constexpr int kSeconds = 60;
+constexpr int kChainSeconds = 60;
 constexpr std::size_t kFrames = 256;
 
 /// A tempo jump at 25 s and a silence from 40 to 46 s.
@@ -24,7 +24,7 @@ audio::GeneratedMusic minute_of_music(SampleRate rate) {
     audio::MusicPlan plan;
     plan.style = audio::Style::salsa;
     plan.tempo = {{0.0, 176.0}, {25.0, 176.0}, {25.0, 200.0}};
-    plan.seconds = kSeconds;
+    plan.seconds = kChainSeconds;
     plan.rate = rate;
     plan.silences = {{40.0, 46.0}};
     auto music = audio::generate(plan);
@@ -98,7 +98,7 @@ TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
         ASSERT_TRUE(scope.stop().is_clean()) << "block " << i << ": " << scope.stop().describe();
         ASSERT_NO_FATAL_FAILURE(tick_guarded(motion)) << "block " << i;
     }
-    EXPECT_GT(motion.danced_hops(), 100 * kSeconds - 20);
+    EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
     EXPECT_EQ(analysis.states().dropped(), 0U);
     EXPECT_EQ((*playback)->player().underruns(), 0U);
     std::filesystem::remove(path);
@@ -127,7 +127,7 @@ TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
             << "block " << block << ": " << scope.stop().describe();
         ASSERT_NO_FATAL_FAILURE(tick_guarded(motion)) << "block " << block;
     }
-    EXPECT_GT(motion.danced_hops(), 100 * kSeconds - 20);
+    EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
     EXPECT_GT((*listening)->lost_frames(), 0);
     EXPECT_EQ(analysis.states().dropped(), 0U);
 }

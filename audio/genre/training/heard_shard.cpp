@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kName = "raks-genre-shard-";
-constexpr std::string_view kMagic = "raks-genre-shard-1\n";
-constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
+constexpr std::string_view kShardMagic = "raks-genre-shard-1\n";
+constexpr std::size_t kMostShardBytes = std::size_t{4} << 30U;
 constexpr std::uint32_t kMostShards = 1'000;
 constexpr std::uint32_t kMostUnits = 1'000'000;
 
@@ -107,7 +107,7 @@ Expected<ShardNumber> parse_shard_number(const std::string& text) {
 }
 
 Expected<void> save_shard(const HeardShard& shard, const fs::path& path) {
-    Packer packer(kMagic);
+    Packer packer(kShardMagic);
     packer.put(shard.share.number);
     packer.put(shard.share.count);
     packer.put_list(shard.plan);
@@ -132,16 +132,16 @@ Expected<void> save_shard(const HeardShard& shard, const fs::path& path) {
 }
 
 Expected<HeardShard> load_shard(const fs::path& path) {
-    const auto bytes = read_file(path, kMostBytes);
+    const auto bytes = read_file(path, kMostShardBytes);
     if (!bytes) {
         return fail(bytes.error());
     }
-    if (!bytes->starts_with(kMagic)) {
+    if (!bytes->starts_with(kShardMagic)) {
         return fail(path.string() + (bytes->starts_with(kName)
                                          ? ": is of another version of this program; make it again"
                                          : ": is no shard that raks train genre --shard made"));
     }
-    auto shard = unpack_shard(std::string_view(*bytes).substr(kMagic.size()));
+    auto shard = unpack_shard(std::string_view(*bytes).substr(kShardMagic.size()));
     if (!shard) {
         return fail(fmt::format("{}: {}; make it again", path.string(), shard.error().message));
     }

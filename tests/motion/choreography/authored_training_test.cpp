@@ -14,12 +14,6 @@
 namespace raks::motion {
 namespace {
 
-AuthoredDance dance_of(const std::string& text) {
-    auto dance = parse_authored_dance(text, "x.toml");
-    EXPECT_TRUE(dance) << dance.error().message;
-    return dance ? *dance : AuthoredDance{};
-}
-
 FigureModel learnt(const AuthoredDance& dance,
                    std::size_t figure,
                    FigureFeatures features = FigureFeatures::angles) {

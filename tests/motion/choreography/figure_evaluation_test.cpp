@@ -24,12 +24,6 @@ namespace fs = std::filesystem;
 
 const fs::path kReference = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "choreography";
 
-AuthoredDance dance_of(const std::string& text) {
-    auto dance = parse_authored_dance(text, "x.toml");
-    EXPECT_TRUE(dance) << dance.error().message;
-    return dance ? *dance : AuthoredDance{};
-}
-
 EvaluationOptions exact(const AuthoredDance& dance, int repeats) {
     EvaluationOptions options;
     options.written = options.tempo = dance.written;

@@ -4,7 +4,16 @@
 
 #include <string>
 
+#include "motion/choreography/authored_dance.hpp"
+
 namespace raks::motion {
+
+/// The dance of a file's text, which must be good.
+inline AuthoredDance dance_of(const std::string& text) {
+    auto dance = parse_authored_dance(text, "x.toml");
+    EXPECT_TRUE(dance) << dance.error().message;
+    return dance ? *dance : AuthoredDance{};
+}
 
 /// A dance file in which every kind of thing is said once.
 inline const std::string kSmallDance = R"(format = "raks-choreography"

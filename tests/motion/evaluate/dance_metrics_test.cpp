@@ -30,17 +30,17 @@ TEST(Percentile, interpolates_between_neighbours) {
 
 TEST(Jerk, of_a_sine_is_its_third_derivative_and_of_a_steady_way_nothing) {
     // Slow enough that filter and differences cost less than 1 %: 1 Hz at 60 frames a second.
-    constexpr double kSize = 0.1;
+    constexpr double kRadius = 0.1;
     constexpr double kOmega = 2.0 * M_PI;
     BodyTrack track = standing(601);
     BodyTrack steady = standing(601);
     for (std::size_t f = 0; f < track.frames(); ++f) {
         const double t = seconds(f);
         // Flat at both ends, where the filter repeats the last frame.
-        track.joints[f].fill({kSize * std::cos(kOmega * t), 1.0, 0.0});
+        track.joints[f].fill({kRadius * std::cos(kOmega * t), 1.0, 0.0});
         steady.joints[f].fill({0.0, 1.0, 0.0});
     }
-    const double expected = kSize * kOmega * kOmega * kOmega;
+    const double expected = kRadius * kOmega * kOmega * kOmega;
     EXPECT_NEAR(jerk_of(track).rms, expected / std::sqrt(2.0), 0.01 * expected);
     EXPECT_LT(jerk_of(steady).highest, 1e-6);
     EXPECT_EQ(jerk_of(standing(3)).rms, 0.0);

@@ -34,7 +34,7 @@ const FigureModel& good_model() {
     return model;
 }
 
-PartModel layout(Part which) {
+PartModel part_of_positions(Part which) {
     PartModel part;
     part.part = which;
     part.features = FigureFeatures::positions;
@@ -47,11 +47,11 @@ PartModel layout(Part which) {
 TEST(PositionFeatures, are_the_joints_places_seen_from_under_the_hips) {
     const TrainingClip clip = test::known_dance(1, 2.0);
     const Skeleton body = scaled(mannequin_skeleton(), 0.9F);
-    const PartModel lower = layout(Part::lower);
+    const PartModel lower = part_of_positions(Part::lower);
     const FeatureTrack root = features_of(clip.poses, lower, 24, body);
     const std::vector<RootPlace> places = integrate_root(root, 24, {});
     for (const Part which : parts_of(FigureFeatures::positions)) {
-        const PartModel part = layout(which);
+        const PartModel part = part_of_positions(which);
         const FeatureTrack track = features_of(clip.poses, part, 24, body);
         ASSERT_EQ(track.columns, which == Part::lower ? 3U + 3U * 8U : 3U * 10U);
         for (std::size_t i = 0; i < clip.poses.size(); i += 7) {

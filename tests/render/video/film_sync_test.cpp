@@ -13,8 +13,8 @@ struct SyncCase {
     double sound_lead;  // seconds that the sound is added ahead of the pictures; < 0: behind
 };
 
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
+constexpr int kFilmWidth = 64;
+constexpr int kFilmHeight = 48;
 constexpr int kPictures = 100;
 constexpr int kFlashEvery = 20;
 constexpr std::size_t kChannel = 0;
@@ -63,8 +63,8 @@ std::vector<double> onsets(const std::vector<float>& x, double rate) {
 
 void write_film(const std::filesystem::path& path, const SyncCase& c) {
     auto film = VideoWriter::create(path,
-                                    {.width = kWidth,
-                                     .height = kHeight,
+                                    {.width = kFilmWidth,
+                                     .height = kFilmHeight,
                                      .rate = c.rate,
                                      .audio_rate = c.audio_rate,
                                      .audio_channels = c.channels});
@@ -82,8 +82,8 @@ void write_film(const std::filesystem::path& path, const SyncCase& c) {
             added += block;
         }
     };
-    const Rgba dark = plain_picture(kWidth, kHeight, 10, 10, 10);
-    const Rgba flash = plain_picture(kWidth, kHeight, 240, 240, 240);
+    const Rgba dark = plain_picture(kFilmWidth, kFilmHeight, 10, 10, 10);
+    const Rgba flash = plain_picture(kFilmWidth, kFilmHeight, 240, 240, 240);
     for (int picture = 0; picture < kPictures; ++picture) {
         add_sound_until(picture / c.rate.fps() + c.sound_lead);
         const bool is_flash = picture > 0 && picture % kFlashEvery == 0;
@@ -113,11 +113,11 @@ TEST_P(FilmSync, a_flash_is_seen_when_its_click_is_heard) {
     }
 
     const std::string grey = decoded_grey(path);
-    ASSERT_EQ(grey.size(), std::size_t{kWidth} * kHeight * kPictures);
+    ASSERT_EQ(grey.size(), std::size_t{kFilmWidth} * kFilmHeight * kPictures);
     std::vector<double> flashes;
     for (std::size_t picture = 0; picture < kPictures; ++picture) {
         const auto middle = static_cast<std::uint8_t>(
-            grey[(picture * kHeight + kHeight / 2) * kWidth + kWidth / 2]);
+            grey[(picture * kFilmHeight + kFilmHeight / 2) * kFilmWidth + kFilmWidth / 2]);
         if (middle > 128) {
             flashes.push_back(static_cast<double>(picture) / c.rate.fps());
         }
