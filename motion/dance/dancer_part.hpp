@@ -15,8 +15,8 @@ struct DancerPart {
     /// Of a couple: the other's dances. Both then keep to one metre, the mean of theirs: else one
     /// of them would go over to another octave before the other does.
     std::shared_ptr<const Repertoire> partner{};
-    double aside = 0.0;         ///< to the left of the stage's centre; metres
-    int bars_late = 0;          ///< begins so many bars after it could
+    double aside = 0.0;  ///< to the left of the stage's centre; metres
+    int bars_late = 0;   ///< begins so many bars after it could
 };
 
 }  // namespace raks::motion

@@ -19,8 +19,8 @@ constexpr double kLeastSwing = 0.4;
 constexpr double kStepNearest = 0.1;
 constexpr double kStepFarthest = 0.7;
 constexpr float kStepLift = 0.05F;  // metres, at the middle of the step
-constexpr int kLooks = 16;        // at both figures, over the time of the join
-constexpr float kRests = 0.012F;  // metres that a foot moves between two looks, at most
+constexpr int kLooks = 16;          // at both figures, over the time of the join
+constexpr float kRests = 0.012F;    // metres that a foot moves between two looks, at most
 
 /// How far a foot has gone over from one figure to the next, and how high it is lifted for that.
 struct FootShare {

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "audio/math/dice.hpp"
 #include "audio/beat/training/score.hpp"
 #include "audio/beat/training/styles/rhythm_styles.hpp"
+#include "audio/math/dice.hpp"
 
 namespace raks::audio {
 

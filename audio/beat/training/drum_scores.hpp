@@ -1,8 +1,8 @@
 #pragma once
 
-#include "audio/math/dice.hpp"
 #include "audio/beat/training/score.hpp"
 #include "audio/beat/training/styles/rhythm_styles.hpp"
+#include "audio/math/dice.hpp"
 
 namespace raks::audio {
 

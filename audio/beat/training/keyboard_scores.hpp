@@ -1,7 +1,7 @@
 #pragma once
 
-#include "audio/math/dice.hpp"
 #include "audio/beat/training/score.hpp"
+#include "audio/math/dice.hpp"
 
 namespace raks::audio {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "audio/math/dice.hpp"
 #include "audio/beat/training/performance.hpp"
+#include "audio/math/dice.hpp"
 
 namespace raks::audio {
 
