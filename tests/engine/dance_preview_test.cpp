@@ -43,7 +43,10 @@ class Preview : public testing::Test {
         return std::move(*made);
     }
 
-    fs::path path_ = fs::path(testing::TempDir()) / "preview.toml";
+    // Of each test its own: they may run side by side.
+    fs::path path_ =
+        fs::path(testing::TempDir()) /
+        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml");
     int saves_ = 0;
 };
 
