@@ -13,9 +13,10 @@ namespace {
 // A foot that two figures plant farther apart than this would be seen to slide, metres.
 constexpr float kSeenToSlide = 0.03F;
 // It goes over with the step that the next figure makes with it, so that this comes down when it
-// should, else with the one that the last figure makes, if they take as long as this, in beats;
-// else by a step of its own: the left one before the change, the right one after it.
-constexpr double kLeastSwing = 0.4;
+// should, else with the one that the last figure makes, if they take as long as this at the learnt
+// tempo (a foot that went over in half of it was thrown); else by a step of its own: the left one
+// before the change, the right one after it. Beats, but for the first.
+constexpr double kLeastSwing = 0.135;  // seconds
 constexpr double kStepNearest = 0.1;
 constexpr double kStepFarthest = 0.7;
 constexpr float kStepLift = 0.05F;  // metres, at the middle of the step
@@ -185,13 +186,14 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
             }
         }
     }
+    const double least = kLeastSwing * content_->metre.learnt_tempo.beats_per_second();
     std::array<FootJoin, 2> joins{};
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
         const auto lasts = [](const FootJoin& swing) { return swing.to - swing.from; };
-        if (lasts(swings[1][s]) >= kLeastSwing) {
+        if (lasts(swings[1][s]) >= least) {
             joins[s] = swings[1][s];
-        } else if (apart[s] > kSeenToSlide && lasts(swings[0][s]) >= kLeastSwing) {
+        } else if (apart[s] > kSeenToSlide && lasts(swings[0][s]) >= least) {
             joins[s] = swings[0][s];
         } else if (apart[s] > kSeenToSlide) {
             const double scale = margin / FigurePassage::kMargin;

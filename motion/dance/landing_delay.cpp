@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "motion/figures/foot_events.hpp"
@@ -11,8 +12,7 @@ namespace raks::motion {
 namespace {
 
 constexpr double kFramesPerSecond = 60.0;
-constexpr int kLeastRepeats = 3;    // that a landing was learnt from
-constexpr double kEarliest = -0.4;  // beats: a landing belongs to the count from here on, as learnt
+constexpr int kLeastRepeats = 3;  // that a landing was learnt from
 
 constexpr double kMostAimed = 0.3;  // beats
 
@@ -44,6 +44,26 @@ struct Step {
     double late = 0.0;      // beats
 };
 
+/// The count at which people's step is due that lies nearest to `beat`. A foot that comes down
+/// twice a count has no one moment at which it should.
+std::optional<std::size_t> nearest_count(const FigureModel& model, Side side, double beat) {
+    constexpr double kFarthest = 0.5;  // beats
+    constexpr double kOnce = 1.1;      // landings a repeat
+    const auto& offsets = model.landings[static_cast<std::size_t>(side)];
+    std::optional<std::size_t> nearest;
+    double least = kFarthest;
+    for (std::size_t count = 0; count < offsets.size(); ++count) {
+        const LandingOffset& offset = offsets[count];
+        const double away = std::abs(beat - static_cast<double>(count) - offset.median.count());
+        if (offset.repeats >= kLeastRepeats && offset.repeats <= kOnce * model.repeats &&
+            away < least) {
+            least = away;
+            nearest = count;
+        }
+    }
+    return nearest;
+}
+
 std::vector<Step> steps_of(const FigureModel& model,
                            const FigurePassage& passage,
                            const Skeleton& skeleton) {
@@ -51,20 +71,20 @@ std::vector<Step> steps_of(const FigureModel& model,
     const double beats_a_frame = model.learnt_tempo.beats_per_second() / kFramesPerSecond;
     std::vector<Step> steps;
     for (const Side side : kSides) {
-        const auto& offsets = model.landings[static_cast<std::size_t>(side)];
         for (const double frame : landings(feet, side, kFramesPerSecond)) {
             const double beat = frame * beats_a_frame - FigurePassage::kMargin;
-            const auto count = static_cast<std::ptrdiff_t>(std::floor(beat - kEarliest));
-            if (count < 0 || count >= std::ssize(offsets)) {
+            const std::optional<std::size_t> count = nearest_count(model, side, beat);
+            if (!count) {
                 continue;
             }
-            const LandingOffset& offset = offsets[static_cast<std::size_t>(count)];
-            const bool is_first = steps.empty() || steps.back().side != side ||
-                                  steps.back().count != static_cast<std::size_t>(count);
-            if (offset.repeats >= kLeastRepeats && is_first) {
-                steps.push_back({side,
-                                 static_cast<std::size_t>(count),
-                                 beat - static_cast<double>(count) - offset.median.count()});
+            const Beats due = model.landings[static_cast<std::size_t>(side)][*count].median;
+            const Step step{side, *count, beat - static_cast<double>(*count) - due.count()};
+            const bool is_first =
+                steps.empty() || steps.back().side != side || steps.back().count != *count;
+            if (is_first) {
+                steps.push_back(step);
+            } else if (std::abs(step.late) < std::abs(steps.back().late)) {
+                steps.back() = step;
             }
         }
     }
