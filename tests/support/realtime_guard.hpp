@@ -22,7 +22,7 @@ struct RealtimeCounts {
 
 /// Counts what this thread does from here to stop(). The counting replaces malloc and friends in
 /// every test program (under address and thread sanitizer it uses their hooks, and counts no
-/// locks and throws there).
+/// locks and throws there; under the thread sanitizer no waits either: its own would count).
 ///
 ///     RealtimeScope scope;
 ///     analyzer.process(block, sink);
