@@ -33,22 +33,40 @@ struct FigureWish {
     bool is_locked = false;             ///< the same for as long as it lasts
 };
 
-/// Which figure comes next: by the grammar's weights, more often one as lively as the music. Drawn
-/// by (seed, number of the figure): the same dance again from the same seed and music.
-/// Threads: any. Real-time: next yes.
+/// Where those are for whom one dances, seen by the dancer as a figure begins.
+enum class Audience : std::uint8_t {
+    none,    ///< one of a couple dances for the other
+    ahead,   ///< seen from the front
+    behind,  ///< seen from the back
+};
+
+/// For when a figure is chosen.
+struct FigureMoment {
+    std::size_t after = 0;  ///< the figure that it comes after
+    double energy = 0.5;    ///< of the music, [0, 1]
+    Audience audience = Audience::none;
+};
+
+/// Which figure comes next: by the grammar's weights, more often one as lively as the music, and
+/// one that ends towards the audience. Drawn by (seed, number of the figure): the same dance again
+/// from the same seed and music. Threads: any. Real-time: next yes.
 class Choreography {
  public:
     Choreography() = default;
-    explicit Choreography(FigureGrammar grammar) : grammar_(std::move(grammar)) {}
+    /// `turns_half`: by figure, whether it ends half a turn from where it began.
+    Choreography(FigureGrammar grammar, std::vector<bool> turns_half)
+        : grammar_(std::move(grammar)), turns_half_(std::move(turns_half)) {}
 
-    [[nodiscard]] std::size_t next(std::size_t current,
-                                   double energy,
+    [[nodiscard]] std::size_t next(const FigureMoment& moment,
                                    const FigureWish& wish,
                                    std::uint64_t seed,
                                    std::uint64_t number) const noexcept;
 
  private:
+    [[nodiscard]] double weight(std::size_t figure, const FigureMoment& moment) const noexcept;
+
     FigureGrammar grammar_;
+    std::vector<bool> turns_half_;
 };
 
 }  // namespace raks::motion

@@ -276,9 +276,13 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
             grammar->rules.begin(), grammar->rules.end(), names.begin(), names.end(), is_of)) {
         return fail("the grammar has other figures than the dance, or in another order");
     }
-    content.choreography =
-        Choreography(grammar != nullptr ? *grammar : FigureGrammar::uniform(names));
     const std::vector<FigureWay> ways = closed_ways(figures, skeleton, grammar);
+    std::vector<bool> turns_half;
+    for (const FigureWay& way : ways) {
+        turns_half.push_back(way.half_turns % 2 != 0);
+    }
+    content.choreography =
+        Choreography(grammar != nullptr ? *grammar : FigureGrammar::uniform(names), turns_half);
     const std::vector<StartPlaces> places =
         start_places(figures,
                      tracks,
@@ -315,7 +319,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
         figure.beats = figures[i].beats;
         figure.fist = figures[i].fist;
         figure.move = ways[i].move;
-        figure.turns_half = ways[i].half_turns % 2 != 0;
+        figure.turns_half = turns_half[i];
         if (generator == Generator::trajectories) {
             figure.landing_delay =
                 motion::landing_delay(figures[i], *baked[i * kPassages], skeleton);

@@ -96,9 +96,13 @@ bool FigureSequence::turned_after(const Danced& danced) const noexcept {
 void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexcept {
     const double end = end_of(current_);
     if (!next_ && phase.count() >= end - kDecided) {
+        const bool is_turned = turned_after(current_);
+        const Audience audience = part_.is_in_couple ? Audience::none
+                                  : is_turned        ? Audience::behind
+                                                     : Audience::ahead;
         const std::size_t figure = content_->choreography.next(
-            current_.choice.figure, energy, wish, part_.seed, number_ + 1);
-        next_ = {choose_ways(figure, part_.ways, number_ + 1), end, turned_after(current_), {}};
+            {current_.choice.figure, energy, audience}, wish, part_.seed, number_ + 1);
+        next_ = {choose_ways(figure, part_.ways, number_ + 1), end, is_turned, {}};
         next_->feet = feet_joins(current_, *next_);
         wish.is_another = false;
         wish.figure.reset();

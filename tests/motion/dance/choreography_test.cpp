@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "motion/dance/dance_content.hpp"
 #include "motion/dance/figure_sequence.hpp"
@@ -24,12 +25,16 @@ FigureGrammar three() {
     return grammar;
 }
 
-/// How often each figure comes after `current`, of 4,000.
-std::array<int, 3> followers(std::size_t current, double energy, const FigureWish& wish = {}) {
-    const Choreography choreography(three());
+const std::vector<bool> kLastTurnsHalf = {false, false, true};
+
+/// How often each figure comes then, of 4,000.
+std::array<int, 3> followers(const FigureMoment& moment,
+                             const FigureWish& wish = {},
+                             const FigureGrammar& grammar = three()) {
+    const Choreography choreography(grammar, kLastTurnsHalf);
     std::array<int, 3> counts{};
     for (std::uint64_t number = 0; number < 4000; ++number) {
-        ++counts[choreography.next(current, energy, wish, 11, number)];
+        ++counts[choreography.next(moment, wish, 11, number)];
     }
     return counts;
 }
@@ -39,42 +44,51 @@ TEST(Choreography, follows_the_weights_of_the_grammar) {
     FigureGrammar grammar = three();
     grammar.rules[1].energy = 0.1;
     grammar.rules[2].energy = 0.9;
-    const Choreography choreography(grammar);
-    std::array<int, 3> counts{};
-    for (std::uint64_t number = 0; number < 4000; ++number) {
-        ++counts[choreography.next(0, 0.5, {}, 11, number)];
-    }
+    const std::array<int, 3> counts = followers({.after = 0}, {}, grammar);
     EXPECT_EQ(counts[0], 0) << "the grammar has no repeat here";
     EXPECT_NEAR(counts[1], 3000, 150);
 }
 
 TEST(Choreography, lively_music_is_danced_livelier) {
-    EXPECT_GT(followers(1, 0.05)[0], 2 * followers(1, 0.05)[2]);
-    EXPECT_GT(followers(1, 0.95)[2], 2 * followers(1, 0.95)[0]);
+    const std::array<int, 3> quiet = followers({.after = 1, .energy = 0.05});
+    const std::array<int, 3> loud = followers({.after = 1, .energy = 0.95});
+    EXPECT_GT(quiet[0], 2 * quiet[2]);
+    EXPECT_GT(loud[2], 2 * loud[0]);
 }
 
 TEST(Choreography, does_what_is_wished) {
     FigureWish wish;
     wish.is_locked = true;
-    EXPECT_EQ(followers(2, 0.5, wish)[2], 4000);
+    EXPECT_EQ(followers({.after = 2}, wish)[2], 4000);
     wish.figure = 1;
-    EXPECT_EQ(followers(2, 0.5, wish)[1], 4000);
+    EXPECT_EQ(followers({.after = 2}, wish)[1], 4000);
     FigureWish another;
     another.is_another = true;
-    EXPECT_EQ(followers(2, 0.5, another)[2], 0);
+    EXPECT_EQ(followers({.after = 2}, another)[2], 0);
 }
 
 TEST(Choreography, the_same_seed_gives_the_same_dance_another_another) {
-    const Choreography choreography(three());
+    const Choreography choreography(three(), kLastTurnsHalf);
+    const FigureMoment moment{.after = 1};
     int same = 0;
     for (std::uint64_t number = 0; number < 200; ++number) {
-        EXPECT_EQ(choreography.next(1, 0.5, {}, 3, number),
-                  choreography.next(1, 0.5, {}, 3, number));
-        same += choreography.next(1, 0.5, {}, 3, number) == choreography.next(1, 0.5, {}, 4, number)
-                    ? 1
-                    : 0;
+        const std::size_t figure = choreography.next(moment, {}, 3, number);
+        EXPECT_EQ(figure, choreography.next(moment, {}, 3, number));
+        same += figure == choreography.next(moment, {}, 4, number) ? 1 : 0;
     }
     EXPECT_LT(same, 150);
+}
+
+TEST(Choreography, turns_to_the_audience_when_it_can_and_away_from_it_more_seldom) {
+    const auto of_three = [](Audience audience) {
+        return followers({.after = 1, .energy = 0.5, .audience = audience});
+    };
+    const std::array<int, 3> for_the_other = of_three(Audience::none);
+    EXPECT_NEAR(for_the_other[2], 2000, 120) << "of a couple: as the grammar says";
+    EXPECT_GT(of_three(Audience::behind)[2], 3500);
+    EXPECT_GT(of_three(Audience::behind)[0], 20) << "seldom anything else";
+    EXPECT_LT(of_three(Audience::ahead)[2], 1300);
+    EXPECT_GT(of_three(Audience::ahead)[2], 500);
 }
 
 TEST(MusicEnergy, is_of_the_last_bars_beside_the_last_half_minute) {
@@ -142,6 +156,31 @@ TEST(FigureSequence, repeats_are_danced_in_different_ways) {
         ways.insert({choice.body, choice.arms[0], choice.arms[1]});
     }
     EXPECT_GT(ways.size(), 80U) << "and the mix of both arms is a number of its own";
+}
+
+/// The share of five minutes at 180 BPM in which the hips face less than 60 degrees from the front.
+double share_in_front(const DanceContent& content, const DancerPart& part) {
+    constexpr double kBeats = 900.0;
+    constexpr double kLook = 0.25;
+    FigureSequence sequence;
+    FigureWish wish;
+    sequence.start(content, content.stage, part, false);
+    double in_front = 0.0;
+    for (double beat = 0.0; beat < kBeats; beat += kLook) {
+        sequence.advance(Beats(beat), 0.5, wish);
+        const double heading = floor_frame(sequence.at(Beats(beat))).heading;
+        in_front += std::cos(heading) > 0.5 ? kLook / kBeats : 0.0;
+    }
+    return in_front;
+}
+
+TEST(FigureSequence, one_alone_faces_the_audience_most_of_the_time) {
+    auto content =
+        make_content(test::salsa_figures(), mannequin_skeleton(), &test::salsa_grammar());
+    ASSERT_TRUE(content) << content.error().message;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        EXPECT_GT(share_in_front(*content, {.seed = seed, .ways = seed}), 0.6) << seed;
+    }
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ const FigureGrammar& couple_grammar() {
     return grammar;
 }
 
-/// For one alone, who need not leave room.
+}  // namespace
+
 const FigureGrammar& salsa_grammar() {
     static const FigureGrammar grammar = [] {
         FigureGrammar alone = couple_grammar();
@@ -46,6 +47,8 @@ const FigureGrammar& salsa_grammar() {
     }();
     return grammar;
 }
+
+namespace {
 
 /// salsa_FIGURE_NAME.json of all figures.
 std::vector<FigureModel> load_figures(std::string_view name) {

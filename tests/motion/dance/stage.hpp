@@ -7,6 +7,7 @@
 #include "base/beat_grid.hpp"
 #include "base/music_state.hpp"
 #include "motion/dancer.hpp"
+#include "motion/figures/figure_grammar.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/skeleton/pose.hpp"
 
@@ -16,6 +17,8 @@ namespace raks::motion::test {
 const FigureModel& basic_step();
 /// The shipped figures of a role, in the order of the shipped grammar.
 const std::vector<FigureModel>& salsa_figures(DanceRole role = DanceRole::lead);
+/// The shipped grammar for one alone, who need not leave room.
+const FigureGrammar& salsa_grammar();
 std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model);
 /// Salsa with its grammar.
 std::shared_ptr<const DanceLibrary> salsa_library(DanceRole role = DanceRole::lead);
