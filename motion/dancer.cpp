@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/dance_content.hpp"
 #include "motion/dance/figure_sequence.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/leg_ik.hpp"
 #include "motion/dance/standing.hpp"
-#include "motion/figures/figure_model.hpp"
+#include "motion/library_content.hpp"
 #include "motion/repertoire.hpp"
 
 namespace raks::motion {
@@ -47,39 +46,6 @@ FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
     stage.offset.x += part.aside;
     return stage;
 }
-
-}  // namespace
-
-struct DanceLibrary::Content : DanceContent {};
-
-DanceLibrary::DanceLibrary(std::unique_ptr<const Content> content) : content_(std::move(content)) {}
-DanceLibrary::~DanceLibrary() = default;
-
-std::vector<std::string_view> DanceLibrary::figure_names() const {
-    std::vector<std::string_view> names;
-    for (const LibraryFigure& figure : content_->figures) {
-        names.emplace_back(figure.name);
-    }
-    return names;
-}
-
-Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
-    std::span<const FigureModel> figures,
-    const Skeleton& skeleton,
-    const FigureGrammar* grammar,
-    Generator generator) {
-    if (figures.empty()) {
-        return fail("a dance needs at least one figure");
-    }
-    auto content = make_content(figures, skeleton, grammar, generator);
-    if (!content) {
-        return fail(std::move(content.error()));
-    }
-    return std::shared_ptr<const DanceLibrary>(
-        new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
-}
-
-namespace {
 
 /// One metre for both of a couple.
 DanceMetre metre_of(const DanceContent& content, const DanceLibrary* partner) {

@@ -57,13 +57,7 @@ void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept {
         if (glm::dot(push, push) < kLeastPush * kLeastPush) {
             continue;
         }
-        Limb arm;
-        arm.upper = on_side(Bone::left_upper_arm, side);
-        arm.lower = on_side(Bone::left_lower_arm, side);
-        arm.end = on_side(Bone::left_hand, side);
-        arm.root = world.position(arm.upper);
-        arm.parent = world.rotation(on_side(Bone::left_shoulder, side));
-        arm.ahead = -outward;
+        const Limb arm = arm_of(world, side, -outward);
         solve_limb(skeleton, arm, world.position(arm.end) + push, pose);
     }
 }

@@ -44,19 +44,16 @@ struct Step {
     double late = 0.0;      // beats
 };
 
-/// The count at which people's step is due that lies nearest to `beat`. A foot that comes down
-/// twice a count has no one moment at which it should.
+/// The count at which people's step is due that lies nearest to `beat`.
 std::optional<std::size_t> nearest_count(const FigureModel& model, Side side, double beat) {
     constexpr double kFarthest = 0.5;  // beats
-    constexpr double kOnce = 1.1;      // landings a repeat
     const auto& offsets = model.landings[static_cast<std::size_t>(side)];
     std::optional<std::size_t> nearest;
     double least = kFarthest;
     for (std::size_t count = 0; count < offsets.size(); ++count) {
         const LandingOffset& offset = offsets[count];
         const double away = std::abs(beat - static_cast<double>(count) - offset.median.count());
-        if (offset.repeats >= kLeastRepeats && offset.repeats <= kOnce * model.repeats &&
-            away < least) {
+        if (offset.is_one(kLeastRepeats, model.repeats) && away < least) {
             least = away;
             nearest = count;
         }

@@ -25,17 +25,6 @@ constexpr float kNearestSoftly = 0.2F;
 constexpr float kFarthest = 0.95F;
 constexpr float kFarthestSoftly = 0.15F;
 
-Limb arm_of(const WorldPose& world, Side side) noexcept {
-    Limb arm;
-    arm.upper = on_side(Bone::left_upper_arm, side);
-    arm.lower = on_side(Bone::left_lower_arm, side);
-    arm.end = on_side(Bone::left_hand, side);
-    arm.root = world.position(arm.upper);
-    arm.parent = world.rotation(on_side(Bone::left_shoulder, side));
-    arm.ahead = glm::vec3(0, -1, 0);
-    return arm;
-}
-
 /// A hand's way to where both meet, as far as its own arm likes to go: nearer to the shoulder the
 /// elbow would fly round, farther it would snap straight.
 glm::vec3 within_reach(const WorldPose& world, const Limb& arm, const glm::vec3& target) noexcept {
@@ -63,6 +52,17 @@ glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept 
     }
     const glm::vec3 axis = glm::cross(a, b);
     return glm::normalize(glm::quat(w, axis.x, axis.y, axis.z));
+}
+
+Limb arm_of(const WorldPose& world, Side side, const glm::vec3& ahead) noexcept {
+    Limb arm;
+    arm.upper = on_side(Bone::left_upper_arm, side);
+    arm.lower = on_side(Bone::left_lower_arm, side);
+    arm.end = on_side(Bone::left_hand, side);
+    arm.root = world.position(arm.upper);
+    arm.parent = world.rotation(on_side(Bone::left_shoulder, side));
+    arm.ahead = ahead;
+    return arm;
 }
 
 glm::quat solve_limb(const Skeleton& skeleton,
@@ -119,8 +119,9 @@ void join_hands(const Skeleton& skeleton, Pose& lead, Pose& follow) noexcept {
     const float t = std::clamp((kReleased - apart) / (kReleased - kHeld), 0.0F, 1.0F);
     const float hold = t * t * (3.0F - 2.0F * t);
     const glm::vec3 half_way = 0.5F * hold * (1.0F - kGrip / apart) * (other - own);
-    const Limb left = arm_of(a, Side::left);
-    const Limb right = arm_of(b, Side::right);
+    constexpr glm::vec3 kDown{0.0F, -1.0F, 0.0F};
+    const Limb left = arm_of(a, Side::left, kDown);
+    const Limb right = arm_of(b, Side::right, kDown);
     solve_limb(skeleton, left, within_reach(a, left, own + half_way), lead);
     solve_limb(skeleton, right, within_reach(b, right, other - half_way), follow);
 }

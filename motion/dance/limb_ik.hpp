@@ -22,6 +22,10 @@ struct Limb {
     glm::vec3 ahead{};              ///< where the middle joint goes from a straight limb, world
 };
 
+/// An arm, its hand at the end. `ahead`: where its elbow goes when it is straight; world, any
+/// length but 0. Threads: any. Real-time: yes.
+[[nodiscard]] Limb arm_of(const WorldPose& world, Side side, const glm::vec3& ahead) noexcept;
+
 /// Turns both bones so that the end's joint reaches `target` in the world, as far as they do; the
 /// middle joint keeps its direction about the line from root to end. Returns the lower bone's
 /// rotation in the world then. Threads: any. Real-time: yes.

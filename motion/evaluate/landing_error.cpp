@@ -28,12 +28,6 @@ struct DueLanding {
     std::optional<double> landed;  // of the landing that lies nearest, seconds
 };
 
-/// A foot that comes down twice a count has no one moment at which it should.
-bool is_one_landing(const LandingOffset& offset, const FigureModel& figure, int least_repeats) {
-    constexpr double kOnce = 1.1;  // landings a repeat
-    return offset.repeats >= least_repeats && offset.repeats <= kOnce * figure.repeats;
-}
-
 /// Each landing goes to the due one that is nearest to it, and counts there if no other is nearer.
 void give_landings(std::span<const double> times, std::vector<DueLanding>& due) {
     for (const double time : times) {
@@ -125,7 +119,7 @@ LandingReport landing_errors(const BodyTrack& track,
         for (const HeardCount& heard : judged) {
             const LandingOffset& offset =
                 heard.figure->landings[static_cast<std::size_t>(side)][heard.count];
-            if (is_one_landing(offset, *heard.figure, least_repeats)) {
+            if (offset.is_one(least_repeats, heard.figure->repeats)) {
                 due.push_back(
                     {&heard, heard.time + offset.median.count() * heard.beat, std::nullopt});
             }

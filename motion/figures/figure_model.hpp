@@ -139,6 +139,13 @@ struct LandingOffset {
     int repeats = 0;  ///< how many repeats had one; 0: this foot does not step here
     Beats median{};
     Beats deviation{};  ///< standard deviation
+
+    /// Whether there is one moment at which the foot should come down: at least `least` of the
+    /// figure's repeats had a landing, and hardly any had two.
+    [[nodiscard]] bool is_one(int least, int of_repeats) const noexcept {
+        constexpr double kOnce = 1.1;  // landings a repeat
+        return repeats >= least && repeats <= kOnce * of_repeats;
+    }
 };
 
 /// By Side, then by count 1..beats (index 0 is count 1).

@@ -37,13 +37,12 @@ bool is_thumb(Bone left) noexcept {
 }  // namespace
 
 void set_hand_shape(Side side, double fist, Pose& pose) noexcept {
-    constexpr double kDegree = M_PI / 180.0;
     constexpr glm::dvec3 kFingerAxis{0.0, 0.0, -1.0};
     constexpr glm::dvec3 kThumbAxis{0.0, -0.70710678, -0.70710678};
     for (const FingerCurl& finger : kFingers) {
-        const double angle = (finger.straight + fist * (finger.fist - finger.straight)) * kDegree;
+        const double degrees = std::lerp(finger.straight, finger.fist, fist);
         const glm::dquat q =
-            glm::angleAxis(angle, is_thumb(finger.bone) ? kThumbAxis : kFingerAxis);
+            glm::angleAxis(glm::radians(degrees), is_thumb(finger.bone) ? kThumbAxis : kFingerAxis);
         const glm::dquat own = side == Side::left ? q : glm::dquat(q.w, q.x, -q.y, -q.z);
         pose.rotation(on_side(finger.bone, side)) = glm::quat(glm::normalize(own));
     }

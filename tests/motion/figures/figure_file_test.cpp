@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "base/file.hpp"
-#include "base/random.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "tests/motion/figures/small_figure.hpp"
 
@@ -211,26 +210,7 @@ TEST(FigureFile, a_model_from_before_the_table_was_kept_has_its_states_on_slices
 }
 
 TEST(FigureFile, survives_cuts_and_flipped_bytes) {
-    const std::string good = figure_text(good_model());
-    const CounterRandom random(5);
-    for (std::uint64_t i = 0; i < 300; ++i) {
-        const Expected<FigureModel> cut =
-            parse_figure(std::string_view(good).substr(0, random.below(i, good.size() - 2)), "x");
-        EXPECT_FALSE(cut);
-    }
-    for (std::uint64_t i = 0; i < 300; ++i) {
-        std::string text = good;
-        for (std::uint64_t j = 0; j < 3; ++j) {
-            const std::uint64_t at = 1000 + 6 * i + 2 * j;
-            text[random.below(at, text.size())] = static_cast<char>(random.below(at + 1, 256));
-        }
-        const Expected<FigureModel> model = parse_figure(text, "x");
-        if (model) {
-            EXPECT_TRUE(validate(*model));
-        } else {
-            EXPECT_EQ(model.error().message.find('\n'), std::string::npos);
-        }
-    }
+    test::expect_survives_damage(figure_text(good_model()), 5);
 }
 
 }  // namespace

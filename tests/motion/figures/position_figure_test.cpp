@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "base/random.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "tests/motion/figures/small_figure.hpp"
 
@@ -75,8 +74,8 @@ TEST(PositionFeatures, do_not_know_where_the_dance_stands_nor_which_way_it_faces
         pose.rotation(Bone::hips) = turn * pose.rotation(Bone::hips);
     }
     for (const Part which : parts_of(FigureFeatures::positions)) {
-        const FeatureTrack here = features_of(clip.poses, layout(which), 24);
-        const FeatureTrack there = features_of(elsewhere, layout(which), 24);
+        const FeatureTrack here = features_of(clip.poses, part_of_positions(which), 24);
+        const FeatureTrack there = features_of(elsewhere, part_of_positions(which), 24);
         for (std::size_t i = 0; i < here.values.size(); ++i) {
             ASSERT_NEAR(here.values[i], there.values[i], 1e-4) << i;
         }
@@ -179,26 +178,7 @@ TEST(PositionFigureFile, refuses_bad_files_in_one_line) {
 }
 
 TEST(PositionFigureFile, survives_cuts_and_flipped_bytes) {
-    const std::string good = figure_text(good_model());
-    const CounterRandom random(6);
-    for (std::uint64_t i = 0; i < 200; ++i) {
-        const Expected<FigureModel> cut =
-            parse_figure(std::string_view(good).substr(0, random.below(i, good.size() - 2)), "x");
-        EXPECT_FALSE(cut);
-    }
-    for (std::uint64_t i = 0; i < 200; ++i) {
-        std::string text = good;
-        for (std::uint64_t j = 0; j < 3; ++j) {
-            const std::uint64_t at = 1000 + 6 * i + 2 * j;
-            text[random.below(at, text.size())] = static_cast<char>(random.below(at + 1, 256));
-        }
-        const Expected<FigureModel> model = parse_figure(text, "x");
-        if (model) {
-            EXPECT_TRUE(validate(*model));
-        } else {
-            EXPECT_EQ(model.error().message.find('\n'), std::string::npos);
-        }
-    }
+    test::expect_survives_damage(figure_text(good_model()), 6);
 }
 
 }  // namespace

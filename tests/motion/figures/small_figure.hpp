@@ -1,8 +1,14 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/random.hpp"
+#include "motion/figures/figure_model.hpp"
 #include "motion/figures/figure_trainer.hpp"
 
 namespace raks::motion::test {
@@ -75,6 +81,30 @@ inline FigureTrainingOptions known_options(int states = 16) {
 inline FigureModel small_figure() {
     const std::vector<TrainingClip> clips = {known_dance(3)};
     return train_figure(clips, known_repeats(3), known_options(4)).value().model;
+}
+
+/// A figure's file, cut off and with three bytes changed, 300 times each: refused in one line, or
+/// read as a valid figure.
+inline void expect_survives_damage(const std::string& good, std::uint64_t seed) {
+    constexpr std::uint64_t kTimes = 300;
+    const CounterRandom random(seed);
+    for (std::uint64_t i = 0; i < kTimes; ++i) {
+        const std::size_t length = random.below(i, good.size() - 2);
+        EXPECT_FALSE(parse_figure(std::string_view(good).substr(0, length), "x")) << length;
+    }
+    for (std::uint64_t i = 0; i < kTimes; ++i) {
+        std::string text = good;
+        for (std::uint64_t j = 0; j < 3; ++j) {
+            const std::uint64_t at = 1000 + 6 * i + 2 * j;
+            text[random.below(at, text.size())] = static_cast<char>(random.below(at + 1, 256));
+        }
+        const Expected<FigureModel> model = parse_figure(text, "x");
+        if (model) {
+            EXPECT_TRUE(validate(*model)) << i;
+        } else {
+            EXPECT_EQ(model.error().message.find('\n'), std::string::npos) << i;
+        }
+    }
 }
 
 }  // namespace raks::motion::test

@@ -1,0 +1,35 @@
+#include <utility>
+
+#include "motion/figures/figure_model.hpp"
+#include "motion/library_content.hpp"
+
+namespace raks::motion {
+
+DanceLibrary::DanceLibrary(std::unique_ptr<const Content> content) : content_(std::move(content)) {}
+DanceLibrary::~DanceLibrary() = default;
+
+std::vector<std::string_view> DanceLibrary::figure_names() const {
+    std::vector<std::string_view> names;
+    for (const LibraryFigure& figure : content_->figures) {
+        names.emplace_back(figure.name);
+    }
+    return names;
+}
+
+Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
+    std::span<const FigureModel> figures,
+    const Skeleton& skeleton,
+    const FigureGrammar* grammar,
+    Generator generator) {
+    if (figures.empty()) {
+        return fail("a dance needs at least one figure");
+    }
+    auto content = make_content(figures, skeleton, grammar, generator);
+    if (!content) {
+        return fail(std::move(content.error()));
+    }
+    return std::shared_ptr<const DanceLibrary>(
+        new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "motion/dance/dance_content.hpp"
+#include "motion/dancer.hpp"
+
+namespace raks::motion {
+
+/// Of a library, for who dances it: the door shows none of it.
+struct DanceLibrary::Content : DanceContent {};
+
+}  // namespace raks::motion
