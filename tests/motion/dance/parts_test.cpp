@@ -164,6 +164,32 @@ TEST(ClearHands, moves_a_hand_smoothly_as_it_comes_near) {
     }
 }
 
+/// An arm that hangs, bent towards the body, and swings back and forth through the trunk.
+Pose arm_through_body(float swing) {
+    Pose pose;
+    pose.hips_position.y = mannequin_skeleton().hips_height();
+    pose.rotation(Bone::left_upper_arm) =
+        glm::angleAxis(swing, glm::vec3(1, 0, 0)) * glm::angleAxis(-1.6F, glm::vec3(0, 0, 1));
+    pose.rotation(Bone::left_lower_arm) = glm::angleAxis(-0.5F, glm::vec3(0, 0, 1));
+    return pose;
+}
+
+TEST(ClearHands, a_hand_that_passes_through_the_trunk_does_not_whip_round_it) {
+    const Skeleton skeleton = mannequin_skeleton();
+    const auto wrist = [&](float swing) {
+        Pose pose = arm_through_body(swing);
+        clear_hands(skeleton, pose);
+        return world_pose(skeleton, pose).position(Bone::left_hand);
+    };
+    constexpr float kStep = 0.01F;  // radians: 5 mm of the hand by itself
+    double deepest = 0.0;
+    for (float swing = -1.0F; swing < 1.0F; swing += kStep) {
+        EXPECT_LT(glm::distance(wrist(swing), wrist(swing + kStep)), 0.05F) << swing;
+        deepest = std::min(deepest, hand_clearance(skeleton, arm_through_body(swing)).metres);
+    }
+    EXPECT_LT(deepest, -0.1) << "through its middle";
+}
+
 TEST(DancePhase, is_monotone_and_close_to_the_music_on_a_ramp) {
     DancePhase phase;
     BeatGrid grid = test::steady_grid(150.0);
