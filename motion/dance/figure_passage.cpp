@@ -13,7 +13,10 @@ namespace {
 // landings, at any pace): it is danced as one reach. One faster than the second goes its own way.
 constexpr double kSlowStep = 0.9;
 constexpr double kBriskStep = 1.3;
-constexpr float kAside = 0.035F;  // metres, deviation of a step's place between repeats
+// How long that reach takes, at the learnt tempo: small steps of people are no slower than others
+// (1.1 to 1.5 m/s at their fastest), the foot waits for them.
+constexpr double kQuickReach = 0.15;  // seconds
+constexpr float kAside = 0.035F;      // metres, deviation of a step's place between repeats
 
 /// The contact of a foot that lies nearest to the figure's start; `size`: none near it.
 std::size_t contact_at_start(const std::vector<ContactWindow>& windows,
@@ -89,14 +92,19 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     return planned;
 }
 
-/// When the foot of each contact comes to rest by itself, at the learnt tempo: as landings are
-/// seen, but for those who never do.
-void find_arrivals(const std::vector<double>& speed, std::vector<PlannedContact>& contacts) {
+/// How each step comes to its contact, at the learnt tempo: what of it is one reach, before which
+/// the foot rests, and when the foot comes to rest by itself, as landings are seen, but for those
+/// who never do. `speed`: of the free foot, by sample.
+void find_steps(const std::vector<double>& speed,
+                double samples_per_second,
+                std::vector<PlannedContact>& contacts) {
     const FootRules rules;
+    const double quick = kQuickReach * samples_per_second;
     for (std::size_t c = 1; c < contacts.size(); ++c) {
         contacts[c].is_mean = true;
         const ContactWindow& window = contacts[c].window;
-        const std::size_t left = contacts[c - 1].window.first + contacts[c - 1].window.length - 1;
+        ContactWindow& before = contacts[c - 1].window;
+        const std::size_t left = before.first + before.length - 1;
         const std::size_t middle = window.first + window.length / 2;
         if (left >= window.first || middle >= speed.size()) {
             continue;
@@ -106,6 +114,8 @@ void find_arrivals(const std::vector<double>& speed, std::vector<PlannedContact>
                                               begin + static_cast<std::ptrdiff_t>(window.first));
         contacts[c].reach =
             std::clamp((kBriskStep - *fastest) / (kBriskStep - kSlowStep), 0.0, 1.0);
+        const double spare = std::max(0.0, static_cast<double>(window.first - left) - quick);
+        before.length += static_cast<std::size_t>(contacts[c].reach * spare);
         const auto end = begin + static_cast<std::ptrdiff_t>(middle);
         const auto slow =
             std::find_if(fastest, end, [&](double v) { return v < rules.landing_speed; });
@@ -125,7 +135,9 @@ std::array<std::vector<PlannedContact>, 2> contacts_of(const FigureModel& model,
         const auto s = static_cast<std::size_t>(side);
         contacts[s] = contacts_of(model, side, way, footing, steps.samples_per_beat);
         if (footing.is_mean) {
-            find_arrivals(steps.foot_speeds[s], contacts[s]);
+            find_steps(steps.foot_speeds[s],
+                       steps.samples_per_beat * model.learnt_tempo.beats_per_second(),
+                       contacts[s]);
         }
     }
     return contacts;

@@ -75,7 +75,7 @@ FootTrack foot_track(const Skeleton& skeleton,
     const auto ramp = static_cast<std::ptrdiff_t>(std::lround(kReleaseBeats * samples_per_beat));
     track.lock = locks(contacts, ramp, stepping.size());
     const glm::vec3 ball = skeleton.ball * glm::vec3(side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F);
-    for (const FootTarget& place : in_time(contacts, stepping)) {
+    for (const FootTarget& place : stepping) {
         const std::size_t i = track.ankle.size();
         track.ankle.push_back(place.ankle);
         track.rotation.push_back(place.rotation);
@@ -149,6 +149,26 @@ void plant(const std::vector<PlannedContact>& contacts, double samples_per_beat,
     }
 }
 
+/// The same feet, planted where they are, with steps that rise once.
+FootTrack planted_again(const Skeleton& skeleton,
+                        Side side,
+                        std::vector<PlannedContact> contacts,
+                        double samples_per_beat,
+                        const FootTrack& planted) {
+    std::vector<FootTarget> places;
+    for (std::size_t i = 0; i < planted.size(); ++i) {
+        places.push_back({planted.ankle[i], planted.rotation[i]});
+    }
+    FootTrack track =
+        foot_track(skeleton, side, contacts, samples_per_beat, rising_once(contacts, places));
+    for (PlannedContact& contact : contacts) {
+        contact.place.reset();
+        contact.aside = {};
+    }
+    plant(contacts, samples_per_beat, track);
+    return track;
+}
+
 /// Mean height of the soles in contact: what the hips must sink (positive) or rise.
 float height_over_floor(const std::array<FootTrack, 2>& feet) {
     float sum = 0.0F;
@@ -201,21 +221,26 @@ void lock_feet(const Skeleton& skeleton,
                double samples_per_beat,
                const std::array<std::vector<FootTarget>, 2>& stepping,
                std::vector<Pose>& poses) {
+    const auto is_mean = [](const PlannedContact& contact) { return contact.is_mean; };
     std::array<FootTrack, 2> feet;
     for (const Side side : kSides) {
         const std::size_t s = static_cast<std::size_t>(side);
-        feet[s] = foot_track(skeleton, side, contacts[s], samples_per_beat, stepping[s]);
+        feet[s] = foot_track(
+            skeleton, side, contacts[s], samples_per_beat, in_time(contacts[s], stepping[s]));
     }
     const float height = height_over_floor(feet);
     for (Pose& pose : poses) {
         pose.hips_position.y -= height;
     }
     for (const Side side : kSides) {
-        FootTrack& track = feet[static_cast<std::size_t>(side)];
-        for (glm::vec3& ankle : track.ankle) {
+        const std::size_t s = static_cast<std::size_t>(side);
+        for (glm::vec3& ankle : feet[s].ankle) {
             ankle.y -= height;
         }
-        plant(contacts[static_cast<std::size_t>(side)], samples_per_beat, track);
+        plant(contacts[s], samples_per_beat, feet[s]);
+        if (std::any_of(contacts[s].begin(), contacts[s].end(), is_mean)) {
+            feet[s] = planted_again(skeleton, side, contacts[s], samples_per_beat, feet[s]);
+        }
     }
     const std::vector<float> sink = sinking(skeleton, feet, poses, kSinkSigma * samples_per_beat);
     for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -34,10 +34,11 @@ struct PlannedContact {
 ///
 /// The feet are `stepping`, by Side, a place a pose: they may be danced otherwise than `poses`
 /// above the hips, so that a repeat may sway more, and its steps stay steps. They are brought into
-/// time with the contacts first (step_timing.hpp). What the lock moves an ankle by goes over from
-/// one contact to the next during the flight, which is the smoothest that leaves and meets both as
-/// they are (flight.hpp): nothing kinks where a foot is let go or taken up. `samples_per_beat`
-/// paces heights, flights and hips. Threads: workers. Real-time: no.
+/// time with the contacts first, and evened once they are planted (step_timing.hpp). What the lock
+/// moves an ankle by goes over from one contact to the next during the flight, which is the
+/// smoothest that leaves and meets both as they are (flight.hpp): nothing kinks where a foot is let
+/// go or taken up. `samples_per_beat` paces heights, flights and hips. Threads: workers. Real-time:
+/// no.
 void lock_feet(const Skeleton& skeleton,
                const std::array<std::vector<PlannedContact>, 2>& contacts,
                double samples_per_beat,

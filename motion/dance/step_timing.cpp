@@ -87,35 +87,95 @@ double halt_of(const std::vector<double>& path) {
     return halt;
 }
 
-/// Evens one flight's speed along its path, as far as it halts.
-void reach(const std::vector<FootTarget>& feet,
-           const Flight& flight,
-           double least,
-           std::vector<FootTarget>& result) {
+/// The way of the foot over a flight, by sample from where it left.
+std::vector<double> path_of(const std::vector<FootTarget>& feet, const Flight& flight) {
     std::vector<double> path = {0.0};
     for (std::ptrdiff_t k = 1; k <= flight.length; ++k) {
         path.push_back(path.back() + between(feet[wrap(flight.left + k - 1, feet.size())],
                                              feet[wrap(flight.left + k, feet.size())]));
     }
-    if (path.back() < kShortestPath) {
-        return;
-    }
-    const double share = std::max(least, kOneReach * halt_of(path));
+    return path;
+}
+
+/// The same flight at another speed: `wanted` is how far along `path` it is by sample.
+void fly_as(const std::vector<FootTarget>& feet,
+            const Flight& flight,
+            const std::vector<double>& path,
+            const std::vector<double>& wanted,
+            std::vector<FootTarget>& result) {
     std::size_t at = 0;
     for (std::ptrdiff_t k = 1; k < flight.length; ++k) {
-        const float t = static_cast<float>(k) / static_cast<float>(flight.length);
-        const double wanted = std::lerp(path[static_cast<std::size_t>(k)],
-                                        path.back() * static_cast<double>(smootherstep(t)),
-                                        share);
-        while (path[at + 1] < wanted && at + 2 < path.size()) {
+        const double way = wanted[static_cast<std::size_t>(k)];
+        while (path[at + 1] < way && at + 2 < path.size()) {
             ++at;
         }
         const double step = std::max(path[at + 1] - path[at], 1e-9);
         result[wrap(flight.left + k, feet.size())] =
             place_at(feet,
                      static_cast<double>(flight.left) + static_cast<double>(at) +
-                         std::clamp((wanted - path[at]) / step, 0.0, 1.0));
+                         std::clamp((way - path[at]) / step, 0.0, 1.0));
     }
+}
+
+/// Evens one flight's speed along its path, as far as it halts.
+void reach(const std::vector<FootTarget>& feet,
+           const Flight& flight,
+           double least,
+           std::vector<FootTarget>& result) {
+    const std::vector<double> path = path_of(feet, flight);
+    if (path.back() < kShortestPath) {
+        return;
+    }
+    const double share = std::max(least, kOneReach * halt_of(path));
+    std::vector<double> wanted;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+        const float t = static_cast<float>(k) / static_cast<float>(flight.length);
+        wanted.push_back(
+            std::lerp(path[k], path.back() * static_cast<double>(smootherstep(t)), share));
+    }
+    fly_as(feet, flight, path, wanted, result);
+}
+
+/// Speeds that rise to one peak and fall from there: midway between the nearest such above and
+/// below those given, over the same way altogether.
+std::vector<double> with_one_peak(const std::vector<double>& speeds) {
+    const auto largest = [](double a, double b) { return std::max(a, b); };
+    const auto least = [](double a, double b) { return std::min(a, b); };
+    const auto peak = std::max_element(speeds.begin(), speeds.end()) - speeds.begin();
+    std::vector<double> above(speeds.size());
+    std::vector<double> below(speeds.size());
+    std::partial_sum(speeds.begin(), speeds.begin() + peak + 1, above.begin(), largest);
+    std::partial_sum(speeds.rbegin(), speeds.rend() - peak, above.rbegin(), largest);
+    std::partial_sum(speeds.rend() - peak - 1, speeds.rend(), below.rend() - peak - 1, least);
+    std::partial_sum(speeds.begin() + peak, speeds.end(), below.begin() + peak, least);
+    std::vector<double> result;
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+        result.push_back(above[k] + below[k]);
+    }
+    const double scale = std::accumulate(speeds.begin(), speeds.end(), 0.0) /
+                         std::accumulate(result.begin(), result.end(), 0.0);
+    for (double& speed : result) {
+        speed *= scale;
+    }
+    return result;
+}
+
+/// One flight with one peak of speed.
+void rise_once(const std::vector<FootTarget>& feet,
+               const Flight& flight,
+               std::vector<FootTarget>& result) {
+    const std::vector<double> path = path_of(feet, flight);
+    if (path.back() < kShortestPath) {
+        return;
+    }
+    std::vector<double> speeds(path.size());
+    std::adjacent_difference(path.begin(), path.end(), speeds.begin());
+    const std::vector<double> even = with_one_peak({speeds.begin() + 1, speeds.end()});
+    std::vector<double> wanted = {0.0};
+    for (const double speed : even) {
+        wanted.push_back(wanted.back() + speed);
+    }
+    fly_as(feet, flight, path, wanted, result);
 }
 
 }  // namespace
@@ -135,6 +195,18 @@ std::vector<FootTarget> in_time(const std::vector<PlannedContact>& contacts,
         const Flight flight = flight_before(contacts, c, feet.size());
         if (contacts[c].is_mean && flight.length >= 2) {
             reach(waiting, flight, contacts[c].reach, result);
+        }
+    }
+    return result;
+}
+
+std::vector<FootTarget> rising_once(const std::vector<PlannedContact>& contacts,
+                                    const std::vector<FootTarget>& feet) {
+    std::vector<FootTarget> result = feet;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const Flight flight = flight_before(contacts, c, feet.size());
+        if (contacts[c].is_mean && flight.length >= 2) {
+            rise_once(feet, flight, result);
         }
     }
     return result;

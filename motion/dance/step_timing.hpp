@@ -18,4 +18,11 @@ namespace raks::motion {
 [[nodiscard]] std::vector<FootTarget> in_time(const std::vector<PlannedContact>& contacts,
                                               const std::vector<FootTarget>& feet);
 
+/// The same steps along the same paths, once it is known where they come down: the speed of each
+/// rises once and falls once. What is left of a mean's halts, and going over from where a step was
+/// learnt to where it is planted, slows a foot on its way; in a slow dance that is seen as its
+/// landing. Steps that are no means keep their time. Threads: workers. Real-time: no.
+[[nodiscard]] std::vector<FootTarget> rising_once(const std::vector<PlannedContact>& contacts,
+                                                  const std::vector<FootTarget>& feet);
+
 }  // namespace raks::motion

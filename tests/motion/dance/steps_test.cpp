@@ -141,6 +141,36 @@ TEST(StepTiming, a_foot_that_goes_in_one_reach_keeps_its_time) {
     }
 }
 
+TEST(StepTiming, a_foot_that_slows_on_its_way_rises_once) {
+    const auto slowing = [](float t) {
+        return 0.7F * smootherstep(1.6F * t) + 0.3F * smootherstep(2.2F * t - 1.2F);
+    };
+    const std::vector<FootTarget> feet = feet_on(steps(slowing));
+    // Samples of the first flight at which the foot is faster than just before, of those after its
+    // fastest.
+    const auto second_rises = [](const std::vector<FootTarget>& who) {
+        std::vector<float> speeds;
+        for (std::size_t i = kRest - 1; i < kRest + kFlight; ++i) {
+            speeds.push_back(glm::distance(who[i + 1].ankle, who[i].ankle));
+        }
+        int rises = 0;
+        for (auto at = std::max_element(speeds.begin(), speeds.end()); at + 1 != speeds.end();
+             ++at) {
+            rises += at[1] > at[0] + 1e-4F ? 1 : 0;
+        }
+        return rises;
+    };
+    ASSERT_GT(second_rises(feet), 5);
+    const std::vector<FootTarget> even = rising_once(both_rests(), feet);
+    EXPECT_EQ(second_rises(even), 0);
+    EXPECT_EQ(even[kRest - 1].ankle, feet[kRest - 1].ankle);
+    EXPECT_EQ(even[kRest + kFlight].ankle, feet[kRest + kFlight].ankle);
+    std::vector<PlannedContact> as_learnt = both_rests();
+    as_learnt[0].is_mean = as_learnt[1].is_mean = false;
+    EXPECT_EQ(rising_once(as_learnt, feet)[kRest + kFlight / 2].ankle,
+              feet[kRest + kFlight / 2].ankle);
+}
+
 TEST(StepTiming, a_step_that_comes_down_too_soon_waits) {
     const auto early = [](float t) { return smootherstep(1.4F * t); };
     std::vector<PlannedContact> contacts = both_rests();
