@@ -291,6 +291,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
     state_->listener.reset();
+    state_->tracker.hear_bars_with(config.beat_network ? config.beat_network->bars() : nullptr);
     if (config.beat_network) {
         state_->listener.emplace(config.beat_network);
         state_->lookahead = config.beat_network->lookahead();

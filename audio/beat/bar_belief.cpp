@@ -13,7 +13,11 @@ constexpr float kPriorDownbeat = 0.3F;  // how often a beat is one
 constexpr float kTrust = 0.8F;          // beats of a bar are not heard independently
 constexpr float kLikeFirst = 0.5F;      // share of the bar's middles that sound like its first beat
 constexpr float kChangeTrust = 0.6F;    // ln of likelihood a standard deviation of change
-constexpr float kStay = 1.3F;           // by which another place must be likelier to be told
+// What a network says, against how often it says so; beats heard with memory tell one another's.
+constexpr BarEvidence kUsual = {0.28F, 0.18F, 0.54F};
+constexpr float kNetworkTrust = 0.6F;
+constexpr float kLeastEvidence = 0.01F;
+constexpr float kStay = 1.3F;  // by which another place must be likelier to be told
 
 }  // namespace
 
@@ -73,6 +77,15 @@ void BarBelief::observe_downbeat(float probability) noexcept RAKS_NONBLOCKING {
 
 void BarBelief::observe_change(float deviations) noexcept RAKS_NONBLOCKING {
     weigh(std::exp(kChangeTrust * deviations), 1.0F, 1.0F);
+}
+
+void BarBelief::observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKING {
+    const auto likelihood = [](float probability, float usual) {
+        return std::pow(std::max(probability, kLeastEvidence) / usual, kNetworkTrust);
+    };
+    weigh(likelihood(evidence.first, kUsual.first),
+          likelihood(evidence.middle, kUsual.middle),
+          likelihood(evidence.other, kUsual.other));
 }
 
 /// Likelihoods of what was heard of the last beat, at the first beat of a bar, in its middle (of 4

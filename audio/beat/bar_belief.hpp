@@ -2,13 +2,14 @@
 
 #include <array>
 
+#include "audio/beat/network/bar_network.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {
 
 /// Which beat of the bar comes next, and how many a bar has: a forward recursion over metre x
-/// position, one step a beat, fed with how much each beat sounded like a downbeat and how much the
-/// sound changed at it. The metre may change at a downbeat.
+/// position, one step a beat, fed with how much each beat sounded like a downbeat, how much the
+/// sound changed at it and what a network says of its place. The metre may change at a downbeat.
 ///
 /// Threads: one. Real-time: yes.
 class BarBelief {
@@ -25,6 +26,9 @@ class BarBelief {
 
     /// The sound changed so much at the last beat, see BeatChange.
     void observe_change(float deviations) noexcept RAKS_NONBLOCKING;
+
+    /// A network's opinion of the last beat.
+    void observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKING;
 
     /// The user says which beat is the first of a bar: held until reset().
     void hold(long number) noexcept RAKS_NONBLOCKING;

@@ -60,7 +60,8 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     pointer_.reset();
     bars_.reset();
     changes_.reset();
-    changing_beat_ = 0;
+    forget_bars();
+    sounding_beat_ = 0;
     change_ = 0.0F;
     taps_.reset();
     position_ = 0.0;
@@ -80,8 +81,25 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     command_count_ = 0;
 }
 
+void BeatTracker::hear_bars_with(std::shared_ptr<const BarNetwork> network) {
+    bar_listener_.reset();
+    if (network) {
+        bar_listener_.emplace(std::move(network));
+    }
+}
+
+/// What was heard of bars belongs to other music, or to beats that were counted otherwise.
+void BeatTracker::forget_bars() noexcept {
+    bar_input_.reset();
+    bar_heard_.reset();
+    if (bar_listener_) {
+        bar_listener_->reset();
+    }
+}
+
 void BeatTracker::jump() noexcept RAKS_NONBLOCKING {
     pointer_.open_positions();
+    forget_bars();
     hops_heard_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
@@ -101,7 +119,7 @@ void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAK
         confidence_ *= kSilentDecay;
     } else {
         listen(hop);
-        hear_change(hop);
+        hear_bars(hop);
         rate_beat(hop);
         rate_confidence(hop);
     }
@@ -181,15 +199,23 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
     mass_ += kMassShare * (estimate.mass - mass_);
 }
 
-/// What changed at a beat is known when the next one comes.
-void BeatTracker::hear_change(const TrackedHop& hop) noexcept {
-    const long beat = std::lround(std::floor(position_));
-    if (beat != changing_beat_) {
-        changing_beat_ = beat;
-        change_ = changes_.next_beat();
+/// What a beat sounded like is known when the next one comes.
+void BeatTracker::hear_bars(const TrackedHop& hop) noexcept {
+    if (hop.mel_magnitudes.size() != OnsetDetector::kMelBands) {
+        return;
     }
-    if (hop.mel_magnitudes.size() == OnsetDetector::kMelBands) {
-        changes_.hear(hop.mel_magnitudes.first<OnsetDetector::kMelBands>());
+    const double position = position_ + BarInput::kAheadHops * beats_per_hop_;
+    const double beat = std::floor(position);
+    if (std::lround(beat) != sounding_beat_) {
+        sounding_beat_ = std::lround(beat);
+        change_ = changes_.next_beat();
+        if (bar_listener_ && hop.has_evidence) {
+            bar_heard_ = bar_listener_->next(bar_input_.next_beat());
+        }
+    }
+    changes_.hear(hop.mel_magnitudes.first<OnsetDetector::kMelBands>());
+    if (bar_listener_ && hop.has_evidence) {
+        bar_input_.hear(hop.mel_magnitudes, position - beat, hop.evidence);
     }
 }
 
@@ -216,6 +242,9 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     const float contrast = hop.has_evidence ? most.beat : strength;
     contrast_ += (contrast - contrast_) / static_cast<float>(beats_rated_);
     bars_.observe_change(std::exchange(change_, 0.0F));
+    if (bar_heard_) {
+        bars_.observe_bar(*std::exchange(bar_heard_, std::nullopt));
+    }
     bars_.next_beat(beat);
     // A beat that was hardly heard says nothing of the bar.
     if (hop.has_evidence && most.beat > kLeastEvidence) {
@@ -324,6 +353,7 @@ void BeatTracker::change_octave(double factor) noexcept {
     bars_.recount(std::lround(whole - std::floor(in_bar)));
     change_tempo(factor * bpm);
     pointer_.believe(factor * bpm, in_bar - std::floor(in_bar));
+    forget_bars();
 }
 
 void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept {

@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 #include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/bar_belief.hpp"
 #include "audio/beat/beat_change.hpp"
 #include "audio/beat/beat_pointer.hpp"
+#include "audio/beat/network/bar_network.hpp"
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/beat/tap_tempo.hpp"
 #include "base/beat_grid.hpp"
@@ -38,6 +41,10 @@ struct TrackedHop {
 class BeatTracker {
  public:
     BeatTracker() = default;
+
+    /// Hears bars with this network from the next reset() on; none: by downbeats and changes alone.
+    /// Real-time: no.
+    void hear_bars_with(std::shared_ptr<const BarNetwork> network);
 
     /// One hop; fills grid, beat and predicted of `state`.
     void advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING;
@@ -72,7 +79,8 @@ class BeatTracker {
     void listen(const TrackedHop& hop) noexcept;
     void run_alone() noexcept;
     void follow(const PointerEstimate& estimate, int lag_hops) noexcept;
-    void hear_change(const TrackedHop& hop) noexcept;
+    void hear_bars(const TrackedHop& hop) noexcept;
+    void forget_bars() noexcept;
     void rate_beat(const TrackedHop& hop) noexcept;
     void rate_confidence(const TrackedHop& hop) noexcept;
     void publish(HopIndex hop, MusicState& state) const noexcept;
@@ -94,10 +102,13 @@ class BeatTracker {
     int hops_apart_ = 0;             // hops in a row in which belief and grid disagreed
     int hops_heard_ = 0;             // hops with evidence since reset or jump
 
-    // How much the sound changes at the beats.
+    // What is heard of bars over a beat's time, told when the next one comes.
     BeatChange changes_;
-    long changing_beat_ = 0;  // that goes on
-    float change_ = 0.0F;     // at the beat before it
+    BarInput bar_input_;
+    std::optional<BarListener> bar_listener_;
+    long sounding_beat_ = 0;                // that goes on
+    float change_ = 0.0F;                   // at the beat before it
+    std::optional<BarEvidence> bar_heard_;  // of the beat before it
 
     // Confidence.
     std::array<Heard, kRecent> heard_{};  // by hop, ring

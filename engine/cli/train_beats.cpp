@@ -10,6 +10,7 @@
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/beat/training/corpus.hpp"
+#include "audio/beat/training/train_bars.hpp"
 #include "audio/beat/training/train_network.hpp"
 #include "engine/cli/training_program.hpp"
 
@@ -32,6 +33,7 @@ struct Options {
     std::filesystem::path start;
     std::vector<std::filesystem::path> averaged;
     audio::NetworkPlan network;
+    int bar_steps = 0;  // 0: learns beats
     std::filesystem::path output;
 };
 
@@ -51,7 +53,7 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(16, 100'000));
     app.add_option("--corpus-seed", options.corpus.seed, "same seed, same music");
     app.add_option("--leave-out", options.left_out, "families of music not to learn from");
-    app.add_option("--from", options.start, "X.json: go on from these weights");
+    auto* from = app.add_option("--from", options.start, "X.json: go on from these weights");
     app.add_option("--units", options.network.units, "of each layer")->check(CLI::Range(4, 128));
     app.add_option("--layers", options.network.layers)->check(CLI::Range(1, 3));
     app.add_option("--lookahead", options.network.lookahead, "hops of 10 ms")
@@ -64,6 +66,11 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--seed", options.network.seed, "of weights and batches");
     app.add_option("--threads", options.network.threads)->check(CLI::Range(1, 64));
+    app.add_option("--bar-steps",
+                   options.bar_steps,
+                   "beats stay as they are: batches of 48 x 96 beats to learn bars from")
+        ->check(CLI::Range(10, 1'000'000))
+        ->needs(from);
     app.add_option("-o,--out", options.output, "X.json")->required();
 }
 
@@ -120,6 +127,34 @@ Expected<void> write_average(const Options& options, const audio::NetworkNotes& 
     return audio::save_network(*mean, notes, options.output);
 }
 
+void print_progress(const audio::NetworkProgress& progress) {
+    std::fprintf(stderr,
+                 "step %5d of %d   loss %.4f   validation %.4f\n",
+                 progress.step,
+                 progress.steps,
+                 progress.training_loss,
+                 progress.validation_loss);
+}
+
+/// Beats as in --from, and bars learnt from what it says of them.
+Expected<void> learn_bars(const Options& options,
+                          const std::vector<audio::TrainingExcerpt>& corpus,
+                          const audio::NetworkNotes& notes) {
+    audio::BeatNetwork network = *options.network.start;
+    audio::BarPlan plan;
+    plan.steps = options.bar_steps;
+    plan.seed = options.network.seed;
+    plan.threads = options.network.threads;
+    Expected<void> saved = fail("no piece of this corpus tells bars");
+    const auto report = [&](const audio::NetworkProgress& progress, const audio::BarNetwork& bars) {
+        print_progress(progress);
+        network.set_bars(std::make_shared<const audio::BarNetwork>(bars));
+        saved = audio::save_network(network, notes, options.output);
+    };
+    audio::train_bars(corpus, options.network.start, plan, report);
+    return saved;
+}
+
 Expected<void> run(Options& options, const std::string& command) {
     const audio::NetworkNotes notes{command, kAttribution};
     if (!options.averaged.empty()) {
@@ -139,16 +174,14 @@ Expected<void> run(Options& options, const std::string& command) {
     if (auto done = leave_out(options.left_out, *corpus); !done) {
         return done;
     }
+    if (options.bar_steps > 0) {
+        return learn_bars(options, *corpus, notes);
+    }
     // What was learnt so far lies in the file, should this be stopped.
     Expected<void> saved;
     const auto report = [&](const audio::NetworkProgress& progress,
                             const audio::BeatNetwork& network) {
-        std::fprintf(stderr,
-                     "step %5d of %d   loss %.4f   validation %.4f\n",
-                     progress.step,
-                     progress.steps,
-                     progress.training_loss,
-                     progress.validation_loss);
+        print_progress(progress);
         saved = audio::save_network(network, notes, options.output);
     };
     audio::train_network(*corpus, options.network, report);

@@ -1,5 +1,5 @@
 raks_test_program(audio
-    SOURCES beat/bar_belief_test.cpp beat/beat_change_test.cpp beat/beat_pointer_test.cpp beat/beat_regression_test.cpp beat/beat_tracker_test.cpp beat/paper_beat_test.cpp beat/stage_behaviour_test.cpp beat/tap_tempo_test.cpp
+    SOURCES beat/bar_belief_test.cpp beat/bar_input_test.cpp beat/beat_change_test.cpp beat/beat_pointer_test.cpp beat/beat_regression_test.cpp beat/beat_tracker_test.cpp beat/paper_beat_test.cpp beat/stage_behaviour_test.cpp beat/tap_tempo_test.cpp
             features/cepstral_mean_test.cpp features/mfcc_hops_test.cpp features/mfcc_test.cpp features/onset_test.cpp resample/resampler_test.cpp
             genre/bar_patterns_test.cpp genre/genre_listener_test.cpp genre/genre_recognizer_test.cpp genre/shipped_genres_test.cpp
             listen.cpp music_analyzer_test.cpp odd_sound_test.cpp
@@ -13,7 +13,7 @@ raks_test_program(audio_training_files
     SOURCES beat/corpus_file_test.cpp
     LIBRARIES raks::audio_beat_training)
 raks_test_program(audio_training
-    SOURCES beat/network_training_test.cpp beat/training_music_test.cpp
+    SOURCES beat/bar_training_test.cpp beat/network_training_test.cpp beat/training_music_test.cpp
             genre/genre_samples_test.cpp genre/genre_shard_test.cpp genre/genre_training_test.cpp
             genre/quarter_tones_test.cpp
     LIBRARIES raks::audio_beat_training raks::audio_codec raks::audio_genre_training)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "audio/network/network_input.hpp"
 #include "audio/network/recurrent_network.hpp"
@@ -18,6 +19,8 @@ struct BeatEvidence {
     float half = 0.0F;      ///< half way between two beats
 };
 
+class BarNetwork;
+
 /// A recurrent network that hears beats: three logistic outputs over the NetworkInput of each hop.
 /// Weights only; immutable once built. Threads: any may read.
 class BeatNetwork : public RecurrentNetwork {
@@ -31,12 +34,19 @@ class BeatNetwork : public RecurrentNetwork {
 
     [[nodiscard]] int lookahead() const noexcept { return lookahead_; }
 
+    /// Hears bars from what this one hears of beats (bar_network.hpp). None: bars are told by the
+    /// evidence of single downbeats.
+    [[nodiscard]] const std::shared_ptr<const BarNetwork>& bars() const noexcept { return bars_; }
+    void set_bars(std::shared_ptr<const BarNetwork> bars) noexcept { bars_ = std::move(bars); }
+
  private:
     int lookahead_;
+    std::shared_ptr<const BarNetwork> bars_;
 };
 
 /// The mean of the weights of networks that went on from one and the same: they lie in one valley,
 /// and their mean hears like all of them together (Wortsman et al. 2022, "Model soups").
+/// What hears bars is left out: it learns from what one network says of beats.
 /// Errors: none given, or "3: has another shape than the first", counted from 1.
 [[nodiscard]] Expected<BeatNetwork> average(
     std::span<const std::shared_ptr<const BeatNetwork>> networks);

@@ -1,7 +1,9 @@
 #include "audio/beat/network/network_file.hpp"
 
 #include <cmath>
+#include <span>
 
+#include "audio/beat/network/bar_network.hpp"
 #include "base/file.hpp"
 #include "models/json_fields.hpp"
 
@@ -12,9 +14,59 @@ namespace raks::audio {
 namespace {
 
 constexpr std::string_view kFormat = "raks-beat-network";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr std::size_t kLargestFile = std::size_t{16} << 20U;
 constexpr int kLongestLookahead = 10;
+constexpr double kLargestWeight = 1e6;
+
+using Field = models::JsonDocument::Field;
+
+/// Fills the row from "parameters"; notes what does not fit.
+void read_parameters(const Field& object, RecurrentNetwork& network) {
+    const Field field = object["parameters"];
+    const std::vector<double> values = field.numbers();
+    const std::span<float> parameters = network.parameters();
+    if (values.size() != parameters.size()) {
+        field.complain(fmt::format("has {} numbers, {} units in {} layers need {}",
+                                   values.size(),
+                                   network.units(),
+                                   network.layers().size(),
+                                   parameters.size()));
+        return;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        // Weights this large would make infinities of sums.
+        if (!(std::abs(values[i]) < kLargestWeight)) {
+            field[i].complain("is not below 1e6");
+            return;
+        }
+        parameters[i] = static_cast<float>(values[i]);
+    }
+}
+
+struct Size {
+    std::size_t units = 1;
+    std::size_t layers = 1;
+};
+Size read_size(const Field& object) {
+    const int units = object["units"].whole(1, static_cast<int>(RecurrentNetwork::kMaxUnits));
+    const int layers = object["layers"].whole(1, static_cast<int>(RecurrentNetwork::kMaxLayers));
+    return {static_cast<std::size_t>(units), static_cast<std::size_t>(layers)};
+}
+
+/// {"units", "layers", ..., "parameters": [...]} without its braces.
+std::string network_text(const RecurrentNetwork& network, const std::string& more) {
+    std::string text = fmt::format("\"units\": {},\n\"layers\": {},\n{}\"parameters\": [",
+                                   network.units(),
+                                   network.layers().size(),
+                                   more);
+    constexpr std::size_t kRow = 16;
+    for (std::size_t i = 0; i < network.parameters().size(); ++i) {
+        text += i == 0 ? "\n" : i % kRow == 0 ? ",\n" : ",";
+        text += fmt::format("{:.6g}", network.parameters()[i]);
+    }
+    return text + "\n]";
+}
 
 }  // namespace
 
@@ -27,30 +79,19 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
     if (!document) {
         return fail(path.string() + ": " + document.error().message);
     }
-    const auto root = document->root();
-    const int units = root["units"].whole(1, static_cast<int>(BeatNetwork::kMaxUnits));
-    const int layers = root["layers"].whole(1, static_cast<int>(BeatNetwork::kMaxLayers));
-    const int lookahead = root["lookahead"].whole(0, kLongestLookahead);
-    const std::vector<double> parameters = root["parameters"].numbers();
+    const Field root = document->root();
+    const Size size = read_size(root);
+    auto network = std::make_shared<BeatNetwork>(
+        size.units, size.layers, root["lookahead"].whole(0, kLongestLookahead));
+    read_parameters(root, *network);
+    if (root.has("bars")) {
+        const Size bars_size = read_size(root["bars"]);
+        auto bars = std::make_shared<BarNetwork>(bars_size.units, bars_size.layers);
+        read_parameters(root["bars"], *bars);
+        network->set_bars(std::move(bars));
+    }
     if (const auto finished = document->finish(); !finished) {
         return fail(path.string() + ": " + finished.error().message);
-    }
-    auto network = std::make_shared<BeatNetwork>(
-        static_cast<std::size_t>(units), static_cast<std::size_t>(layers), lookahead);
-    if (parameters.size() != network->parameters().size()) {
-        return fail(fmt::format("{}: {} parameters, {} units in {} layers have {}",
-                                path.string(),
-                                parameters.size(),
-                                units,
-                                layers,
-                                network->parameters().size()));
-    }
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        // Weights this large would make infinities of sums.
-        if (!(std::abs(parameters[i]) < 1e6)) {
-            return fail(fmt::format("{}: parameters[{}] is not below 1e6", path.string(), i));
-        }
-        network->parameters()[i] = static_cast<float>(parameters[i]);
     }
     return std::shared_ptr<const BeatNetwork>(std::move(network));
 }
@@ -60,22 +101,18 @@ Expected<void> save_network(const BeatNetwork& network,
                             const std::filesystem::path& path) {
     const nlohmann::json made_with = notes.made_with;
     const nlohmann::json attribution = notes.attribution;
+    const std::string lookahead = fmt::format("\"lookahead\": {},\n", network.lookahead());
     std::string text = fmt::format(
-        "{{\n\"format\": \"{}\",\n\"version\": {},\n\"made_with\": {},\n\"attribution\": {},\n"
-        "\"units\": {},\n\"layers\": {},\n\"lookahead\": {},\n\"parameters\": [",
+        "{{\n\"format\": \"{}\",\n\"version\": {},\n\"made_with\": {},\n\"attribution\": {},\n{}",
         kFormat,
         kVersion,
         made_with.dump(),
         attribution.dump(),
-        network.units(),
-        network.layers().size(),
-        network.lookahead());
-    constexpr std::size_t kRow = 16;
-    for (std::size_t i = 0; i < network.parameters().size(); ++i) {
-        text += i == 0 ? "\n" : i % kRow == 0 ? ",\n" : ",";
-        text += fmt::format("{:.6g}", network.parameters()[i]);
+        network_text(network, lookahead));
+    if (network.bars()) {
+        text += ",\n\"bars\": {\n" + network_text(*network.bars(), "") + "}";
     }
-    return write_file(path, text + "\n]}\n");
+    return write_file(path, text + "}\n");
 }
 
 }  // namespace raks::audio

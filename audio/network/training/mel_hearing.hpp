@@ -29,21 +29,16 @@ struct MelHearing {
                                          Dice& dice);
 };
 
-/// Calls put(t, frame) for `hops` hops, `input` going on from what it has heard. `dice`: draws the
-/// noise; null: none. Behind the piece's end its last hop is held.
+/// Calls put(t, bands) for `hops` hops: magnitudes as they are heard. `dice`: draws the noise;
+/// null: none. Behind the piece's end its last hop is held.
 template <class Put>
-void hear_mel(std::span<const float> mel,
-              const MelHearing& hearing,
-              std::size_t hops,
-              NetworkInput& input,
-              Dice* dice,
-              const Put& put);
+void hear_bands(std::span<const float> mel,
+                const MelHearing& hearing,
+                std::size_t hops,
+                Dice* dice,
+                const Put& put);
 
-/// Mel magnitudes at a place between hops. `mel`: at least one hop.
-[[nodiscard]] std::array<float, NetworkInput::kBands> magnitudes_at(std::span<const float> mel,
-                                                                    double hop);
-[[nodiscard]] float mean_magnitude(std::span<const float> mel);
-
+/// Calls put(t, frame) for `hops` hops as hear_bands does, `input` going on from what it has heard.
 template <class Put>
 void hear_mel(std::span<const float> mel,
               const MelHearing& hearing,
@@ -51,6 +46,22 @@ void hear_mel(std::span<const float> mel,
               NetworkInput& input,
               Dice* dice,
               const Put& put) {
+    hear_bands(mel, hearing, hops, dice, [&](std::size_t t, const auto& bands) {
+        put(t, input.next(bands));
+    });
+}
+
+/// Mel magnitudes at a place between hops. `mel`: at least one hop.
+[[nodiscard]] std::array<float, NetworkInput::kBands> magnitudes_at(std::span<const float> mel,
+                                                                    double hop);
+[[nodiscard]] float mean_magnitude(std::span<const float> mel);
+
+template <class Put>
+void hear_bands(std::span<const float> mel,
+                const MelHearing& hearing,
+                std::size_t hops,
+                Dice* dice,
+                const Put& put) {
     const float floor = hearing.noise > 0.0F ? hearing.noise * mean_magnitude(mel) : 0.0F;
     for (std::size_t t = 0; t < hops; ++t) {
         auto bands =
@@ -61,7 +72,7 @@ void hear_mel(std::span<const float> mel,
                                    : 0.0F;
             bands[band] = bands[band] * hearing.gain[band] + hiss;
         }
-        put(t, input.next(bands));
+        put(t, bands);
     }
 }
 

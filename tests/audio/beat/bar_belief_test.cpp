@@ -101,5 +101,21 @@ TEST(BarBelief, counts_twos_where_the_sound_changes_on_every_other_beat) {
     EXPECT_EQ((bars.origin() % 2 + 2) % 2, 1);
 }
 
+TEST(BarBelief, believes_a_network_that_tells_first_and_middle) {
+    for (const int metre : {2, 3, 4, 6}) {
+        BarBelief bars;
+        for (long number = 0; number < 10 * metre; ++number) {
+            bars.next_beat(number);
+            const long in_bar = (number - 1 + metre) % metre;
+            const bool is_middle = metre >= 4 && in_bar == metre / 2;
+            bars.observe_bar(in_bar == 0 ? BarEvidence{0.7F, 0.1F, 0.2F}
+                             : is_middle ? BarEvidence{0.2F, 0.5F, 0.3F}
+                                         : BarEvidence{0.1F, 0.05F, 0.85F});
+        }
+        EXPECT_EQ(bars.beats_per_bar(), metre);
+        EXPECT_EQ(place(bars, 1), 0) << "bars of " << metre;
+    }
+}
+
 }  // namespace
 }  // namespace raks::audio

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
+#include "audio/beat/network/bar_network.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
 
@@ -26,6 +28,11 @@ class NetworkFile : public ::testing::Test {
         for (std::size_t i = 0; i < network.parameters().size(); ++i) {
             network.parameters()[i] = static_cast<float>(random.normal(i));
         }
+        auto bars = std::make_shared<BarNetwork>(2, 1);
+        for (std::size_t i = 0; i < bars->parameters().size(); ++i) {
+            bars->parameters()[i] = static_cast<float>(random.normal(10'000 + i));
+        }
+        network.set_bars(std::move(bars));
         return network;
     }
     std::string saved_text() {
@@ -60,6 +67,27 @@ TEST_F(NetworkFile, gives_back_what_was_saved) {
     }
 }
 
+TEST_F(NetworkFile, gives_back_what_hears_bars) {
+    saved_text();
+    const auto network = load_network(path_);
+    ASSERT_TRUE(network) << network.error().message;
+    const auto original = small().bars();
+    ASSERT_TRUE((*network)->bars());
+    EXPECT_EQ((*network)->bars()->shape(), original->shape());
+    for (std::size_t i = 0; i < original->parameters().size(); ++i) {
+        EXPECT_NEAR((*network)->bars()->parameters()[i],
+                    original->parameters()[i],
+                    1e-5F * std::abs(original->parameters()[i]));
+    }
+}
+
+TEST_F(NetworkFile, of_version_1_hears_no_bars) {
+    std::string text = saved_text();
+    text = text.substr(0, text.find(",\n\"bars\"")) + "}\n";
+    EXPECT_EQ(error_of(replaced(text, "\"version\": 2", "\"version\": 1")), "");
+    EXPECT_FALSE((*load_network(path_))->bars());
+}
+
 TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
     const std::string good = saved_text();
     const struct {
@@ -67,13 +95,15 @@ TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
         std::string expected;
     } cases[] = {
         {replaced(good, "raks-beat-network", "raks-figure"), "format"},
-        {replaced(good, "\"version\": 1", "\"version\": 2"), "version"},
+        {replaced(good, "\"version\": 2", "\"version\": 3"), "version"},
         {replaced(good, "\"units\": 4", "\"units\": 8"), "parameters"},
         {replaced(good, "\"units\": 4", "\"units\": 100000"), "units"},
         {replaced(good, "\"layers\": 1", "\"layers\": 0"), "layers"},
         {replaced(good, "\"parameters\": [\n", "\"parameters\": [1e30,"), "parameters"},
         {replaced(good, "\"parameters\": [\n", "\"parameters\": [null,"), "parameters"},
         {replaced(good, "\"lookahead\": 2,", ""), "lookahead"},
+        {replaced(good, "\"units\": 2", "\"units\": 3"), "bars.parameters has"},
+        {replaced(good, "\"bars\": {\n\"units\": 2,", "\"bars\": {\n"), "bars.units"},
         {"", "JSON"},
         {"[1, 2]", ""},
     };

@@ -1,0 +1,22 @@
+#include "audio/beat/network/bar_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace raks::audio {
+
+BarListener::BarListener(std::shared_ptr<const BarNetwork> network)
+    : network_(std::move(network)) {}
+
+BarEvidence BarListener::next(const BarInput::Frame& input) noexcept RAKS_NONBLOCKING {
+    const RecurrentStream::Logits logits = stream_.next(*network_, input);
+    const float most = std::max({logits[0], logits[1], logits[2]});
+    const float first = std::exp(logits[0] - most);
+    const float middle = std::exp(logits[1] - most);
+    const float other = std::exp(logits[2] - most);
+    const float sum = first + middle + other;
+    return {first / sum, middle / sum, other / sum};
+}
+
+}  // namespace raks::audio
