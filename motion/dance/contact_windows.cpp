@@ -80,8 +80,9 @@ std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
         });
         if (landings[count].repeats >= kLandingRepeats && !is_near) {
             const auto first = static_cast<std::ptrdiff_t>(std::lround(landing * samples_per_beat));
-            windows.push_back(
-                {wrap(first, samples), static_cast<std::size_t>(kStepBeats * samples_per_beat)});
+            windows.push_back({wrap(first, samples),
+                               static_cast<std::size_t>(kStepBeats * samples_per_beat),
+                               true});
         }
     }
     std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) {
@@ -136,6 +137,7 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
         if (std::abs(best) < kLandingReach && length > shift_floor(samples_per_beat)) {
             window.first = wrap(static_cast<std::ptrdiff_t>(window.first) + shift, samples);
             window.length = static_cast<std::size_t>(length);
+            window.is_step = true;
         }
     }
     return with_steps(std::move(windows), landings, samples_per_beat, samples);

@@ -13,6 +13,7 @@ namespace raks::motion {
 struct ContactWindow {
     std::size_t first = 0;
     std::size_t length = 0;
+    bool is_step = false;  ///< begins where people's steps come down
 };
 
 /// Contacts of one side from the learnt chance of contact: smoothed over the phase, above one half,

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSlowStep = 0.9;
 constexpr double kBriskStep = 1.3;
 // How long that reach takes, at the learnt tempo: small steps of people are no slower than others
-// (1.1 to 1.5 m/s at their fastest), the foot waits for them.
+// (1.1 to 1.5 m/s at their fastest); the foot waits for them.
 constexpr double kQuickReach = 0.15;  // seconds
 constexpr float kAside = 0.035F;      // metres, deviation of a step's place between repeats
 
@@ -74,7 +74,8 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
             }
             PlannedContact contact;
             contact.window = {static_cast<std::size_t>(from + around),
-                              static_cast<std::size_t>(to - from)};
+                              static_cast<std::size_t>(to - from),
+                              windows[w].is_step};
             const std::ptrdiff_t centre = (first + end) / 2;
             if (w == at_start && start_place) {
                 if (std::abs(centre) < whole / 2) {
@@ -114,8 +115,10 @@ void find_steps(const std::vector<double>& speed,
                                               begin + static_cast<std::ptrdiff_t>(window.first));
         contacts[c].reach =
             std::clamp((kBriskStep - *fastest) / (kBriskStep - kSlowStep), 0.0, 1.0);
-        const double spare = std::max(0.0, static_cast<double>(window.first - left) - quick);
-        before.length += static_cast<std::size_t>(contacts[c].reach * spare);
+        if (window.is_step) {
+            const double spare = std::max(0.0, static_cast<double>(window.first - left) - quick);
+            before.length += static_cast<std::size_t>(contacts[c].reach * spare);
+        }
         const auto end = begin + static_cast<std::ptrdiff_t>(middle);
         const auto slow =
             std::find_if(fastest, end, [&](double v) { return v < rules.landing_speed; });
