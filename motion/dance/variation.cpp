@@ -25,7 +25,7 @@ constexpr double kFarthestTurn = 1.0;   // radians of a joint
 constexpr double kFarthestPlace = 0.2;  // metres of a joint
 constexpr double kVelocity = 0.2;       // of the hips, or the legs would not reach their steps
 constexpr double kHeight = 0.15;        // it differs between takes, not between repeats
-constexpr double kUpperPlaces = 1.2;    // bones that keep their length take some of it away
+constexpr double kUpperPlaces = 1.55;   // bones that keep their length take some of it away
 constexpr double kLowerPlaces = 0.6;    // the hips', that legs must reach the floor from
 
 double amount_of(const PartModel& part, std::size_t feature) {
