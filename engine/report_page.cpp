@@ -1,6 +1,7 @@
 #include "engine/report_page.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "engine/plot_sheet.hpp"
@@ -62,11 +63,13 @@ std::string_view name_of(motion::DanceRole role) {
 
 std::string_view name_of(Part part) { return motion::kPartNames[static_cast<std::size_t>(part)]; }
 
+using Parts = std::span<const Part>;
+
 /// One cell of a grid for each part, headed by the part's name in its colour.
 template <typename Draw>
-std::string three_parts(const Draw& draw) {
+std::string side_by_side(const FigureReport& figure, const Draw& draw) {
     std::string grid = "<div class=\"three\">\n";
-    for (const Part part : motion::kParts) {
+    for (const Part part : parts_of(figure.features)) {
         grid += fmt::format("<div><h4 style=\"color:{}\">{}</h4>\n{}</div>\n",
                             colour_of(part),
                             name_of(part),
@@ -78,7 +81,8 @@ std::string three_parts(const Draw& draw) {
 std::string overview(const ReportData& data) {
     std::string table =
         "<table><thead><tr><th>figure</th><th>dancer</th><th>repeats</th><th>takes</th>";
-    for (const Part part : motion::kParts) {
+    const Parts parts = parts_of(data.figures.front().features);
+    for (const Part part : parts) {
         table += fmt::format("<th>states, {}</th><th>held out</th>", name_of(part));
     }
     table += "</tr></thead><tbody>\n";
@@ -92,14 +96,16 @@ std::string overview(const ReportData& data) {
                              name_of(figure.role),
                              figure.takes.size(),
                              takes);
-        for (const motion::PartReport& part : figure.parts) {
-            const auto& tried = part.selection.tried;
+        for (const Part part : parts) {
+            const motion::PartSelection& selection =
+                figure.parts[static_cast<std::size_t>(part)].selection;
+            const auto& tried = selection.tried;
             const auto chosen = std::find_if(tried.begin(), tried.end(), [&](const auto& one) {
-                return one.states == part.selection.chosen;
+                return one.states == selection.chosen;
             });
             table += fmt::format("<td>{} <span class=\"sub\">(peak {})</span></td><td>{:.2f}</td>",
-                                 part.selection.chosen,
-                                 part.selection.peak,
+                                 selection.chosen,
+                                 selection.peak,
                                  chosen->held_out);
         }
         table += "</tr>\n";
@@ -115,7 +121,7 @@ std::string selection_section(const FigureReport& figure) {
                "never says stop.</p>\n",
                figure.folds.size(),
                100.0 * motion::StateSelectionOptions{}.saturation) +
-           three_parts([&](Part part) {
+           side_by_side(figure, [&](Part part) {
                return draw_selection(part, figure.parts[static_cast<std::size_t>(part)].selection);
            });
 }
@@ -130,7 +136,7 @@ std::string curves_section(const FigureReport& figure) {
         section += fmt::format("<div class=\"take\">take {}</div>", xml_text(figure.takes[r]));
     }
     section += "</div>\n";
-    for (const Part part : motion::kParts) {
+    for (const Part part : parts_of(figure.features)) {
         for (const auto& curve : figure.parts[static_cast<std::size_t>(part)].curves) {
             section += fmt::format(
                 "<div class=\"feature\"><b style=\"color:{}\">{}</b> &nbsp;{}, {} "
@@ -151,10 +157,10 @@ std::string tables_section(const FigureReport& figure) {
     return "<h3>Counts against states</h3>\n<p>Which share of each count (rows, %) is spent in "
            "which state: the most likely path of every repeat. A sharp diagonal says that the "
            "states follow the beat.</p>\n" +
-           three_parts([&](Part part) { return draw_occurrence(part, figure); }) +
+           side_by_side(figure, [&](Part part) { return draw_occurrence(part, figure); }) +
            "<h3>How long states last</h3>\n<p>In beats: every repeat (dots), mean and standard "
            "deviation. Dashed: all states of the same length.</p>\n" +
-           three_parts([&](Part part) { return draw_stays(part, figure); });
+           side_by_side(figure, [&](Part part) { return draw_stays(part, figure); });
 }
 
 std::string decisions_table(const std::string& caption,
@@ -222,18 +228,22 @@ std::string pairs_table(const ClassifierEvaluation& classifier) {
     return table + "</tbody></table>\n";
 }
 
-std::string weights_table(const ClassifierEvaluation& classifier) {
+std::string weights_table(const ClassifierEvaluation& classifier, Parts parts) {
     std::string table =
         "<table><caption>Weights of the parts, and each part alone</caption><thead><tr>"
         "<th>dancer</th>";
-    for (const Part part : motion::kParts) {
+    for (const Part part : parts) {
         table += fmt::format("<th>{}</th><th>alone</th>", name_of(part));
     }
     table += "</tr></thead><tbody>\n";
     for (const DancerEvaluation& dancer : classifier.dancers) {
         table += fmt::format("<tr><td>{}</td>", name_of(dancer.role));
-        const double sum = dancer.weights[0] + dancer.weights[1] + dancer.weights[2];
-        for (std::size_t p = 0; p < motion::kParts.size(); ++p) {
+        double sum = 0.0;
+        for (const Part part : parts) {
+            sum += dancer.weights[static_cast<std::size_t>(part)];
+        }
+        for (const Part part : parts) {
+            const auto p = static_cast<std::size_t>(part);
             const Decisions& alone = dancer.unseen_by_part[p];
             table += fmt::format("<td>{:.2f}</td><td>{}</td>",
                                  dancer.weights[p] / sum,
@@ -244,7 +254,7 @@ std::string weights_table(const ClassifierEvaluation& classifier) {
     return table + "</tbody></table>\n";
 }
 
-std::string classifier_section(const ClassifierEvaluation& classifier) {
+std::string classifier_section(const ClassifierEvaluation& classifier, Parts parts) {
     std::string section =
         "<h2 id=\"apart\">Tells figures apart</h2>\n<p>A model of every part of every figure says "
         "how likely a repeat is; the parts' log-likelihoods are weighted and summed, and the "
@@ -267,7 +277,7 @@ std::string classifier_section(const ClassifierEvaluation& classifier) {
     if (!classifier.couple.confusion.empty()) {
         section += decisions_table("both together", classifier.figures, classifier.couple);
     }
-    return section + pairs_table(classifier) + weights_table(classifier) + "</div>\n";
+    return section + pairs_table(classifier) + weights_table(classifier, parts) + "</div>\n";
 }
 
 }  // namespace
@@ -277,11 +287,14 @@ std::string draw_report(const ReportData& data) {
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n"
-        "<p class=\"sub\">Left-to-right hidden Markov models of torso, arms and legs with free "
-        "durations. Log-likelihoods in nats a sample.</p>\n",
+        "<p class=\"sub\">Left-to-right hidden Markov models of {} with free durations. "
+        "Log-likelihoods in nats a sample.</p>\n",
         title,
         kStyle,
-        title);
+        title,
+        data.figures.front().features == motion::FigureFeatures::positions
+            ? "where the joints of the upper and the lower body are"
+            : "the joints' angles of torso, arms and legs");
     page += overview(data);
     for (const FigureReport& figure : data.figures) {
         page += fmt::format("<h2>{} <span class=\"sub\">of the {}, {} repeats</span></h2>\n",
@@ -291,7 +304,7 @@ std::string draw_report(const ReportData& data) {
         page += selection_section(figure) + curves_section(figure) + tables_section(figure);
     }
     if (data.classifier) {
-        page += classifier_section(*data.classifier);
+        page += classifier_section(*data.classifier, parts_of(data.figures.front().features));
     }
     return page + "</main>\n</body>\n</html>\n";
 }

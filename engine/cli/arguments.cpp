@@ -354,6 +354,8 @@ class Parser {
         app->add_option("--dance", a->dance, "the dance that they belong to");
         app->add_option("--role", a->role, "lead, follow or both")
             ->check(CLI::IsMember({"lead", "follow", "both"}));
+        app->add_option("--features", a->features, "of the joints: angles or positions")
+            ->check(CLI::IsMember({"angles", "positions"}));
         app->add_option("--split", a->split, "learn only from labels of this split");
         app->add_option("--test-split", a->test_split, "tell figures apart in this split, too");
         app->add_option("--min-confidence", a->min_confidence, "learn only from labels as sure")

@@ -142,6 +142,7 @@ struct TrainFigureArguments : LabelledClips {
 struct TrainReportArguments : LabelledClips {
     TrainReportArguments() { min_confidence = 0.7; }
 
+    std::string features = "angles";               ///< or "positions"
     std::vector<std::string> figures = {"basic"};  ///< two or more are also told apart
     std::string dance = "salsa";
     std::string role = "lead";  ///< lead, follow or both

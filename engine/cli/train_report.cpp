@@ -94,6 +94,8 @@ class Reporter {
     [[nodiscard]] motion::FigureTrainingOptions training() const {
         motion::FigureTrainingOptions training;
         training.dance = arguments_.dance;
+        training.features = arguments_.features == "positions" ? motion::FigureFeatures::positions
+                                                               : motion::FigureFeatures::angles;
         training.baum_welch_iterations = arguments_.iterations;
         return training;
     }
@@ -161,13 +163,13 @@ std::string summary_of(const engine::ReportData& data) {
                             figure.figure,
                             motion::kRoleNames[static_cast<std::size_t>(figure.role)],
                             figure.takes.size());
-        for (std::size_t p = 0; p < motion::kParts.size(); ++p) {
+        std::string_view separator = " ";
+        for (const motion::Part which : motion::parts_of(figure.features)) {
+            const auto p = static_cast<std::size_t>(which);
             const motion::PartSelection& part = figure.parts[p].selection;
-            text += fmt::format("{} {} {} (peak {})",
-                                p == 0 ? "" : ",",
-                                motion::kPartNames[p],
-                                part.chosen,
-                                part.peak);
+            text += fmt::format(
+                "{}{} {} (peak {})", separator, motion::kPartNames[p], part.chosen, part.peak);
+            separator = ", ";
         }
         text += "\n";
     }

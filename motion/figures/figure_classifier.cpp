@@ -50,46 +50,43 @@ Expected<FigureClassifier> FigureClassifier::learn(std::span<const FigureExample
         phased.push_back(example.phased);
         weights.push_back(example.weight);
     }
-    std::array<std::vector<models::HmmScorer>, 3> by_part;
     FigureClassifier classifier;
+    classifier.scorers_.resize(figures);
     classifier.samples_per_beat_ = training.samples_per_beat;
-    for (const Part which : kParts) {
-        const std::size_t p = static_cast<std::size_t>(which);
-        classifier.joints_[p] = mean_joints(which, phased, weights);
+    for (const Part which : parts_of(training.features)) {
+        const PartModel& joints =
+            classifier.joints_.emplace_back(mean_joints(which, phased, weights, training.features));
         std::vector<models::TrainingSet> sets(figures);
         for (const FigureExample& example : examples) {
             models::TrainingSet& set = sets[example.figure];
-            set.sequences.push_back(
-                part_frames(example.phased, classifier.joints_[p], training.samples_per_beat));
+            set.sequences.push_back(part_frames(example.phased, joints, training.samples_per_beat));
             set.weights.push_back(example.weight);
         }
         for (std::size_t f = 0; f < figures; ++f) {
             const Expected<models::TrainingResult> learnt =
                 learn_states(sets[f], training.learning());
             if (!learnt) {
-                return fail(
-                    fmt::format("figure {}, {}: {}", f + 1, kPartNames[p], learnt.error().message));
+                return fail(fmt::format("figure {}, {}: {}",
+                                        f + 1,
+                                        kPartNames[static_cast<std::size_t>(which)],
+                                        learnt.error().message));
             }
             Expected<models::HmmScorer> scorer = models::HmmScorer::create(learnt->model);
             if (!scorer) {
                 return fail(std::move(scorer.error()));
             }
-            by_part[p].push_back(std::move(*scorer));
+            classifier.scorers_[f].push_back(std::move(*scorer));
         }
-    }
-    for (std::size_t f = 0; f < figures; ++f) {
-        classifier.scorers_.push_back(
-            {std::move(by_part[0][f]), std::move(by_part[1][f]), std::move(by_part[2][f])});
     }
     return classifier;
 }
 
 FigureScores FigureClassifier::score(const FigureExample& example) const {
     FigureScores scores(scorers_.size());
-    for (std::size_t p = 0; p < kParts.size(); ++p) {
+    for (std::size_t p = 0; p < joints_.size(); ++p) {
         const models::Frames frames = part_frames(example.phased, joints_[p], samples_per_beat_);
         for (std::size_t f = 0; f < scorers_.size(); ++f) {
-            scores[f][p] =
+            scores[f][static_cast<std::size_t>(joints_[p].part)] =
                 models::log_likelihood(scorers_[f][p], frames) / static_cast<double>(frames.rows());
         }
     }

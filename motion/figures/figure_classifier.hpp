@@ -30,7 +30,8 @@ struct FigureExample {
                                                      std::span<const FigureRepeat> repeats,
                                                      const FigureTrainingOptions& training);
 
-/// Mean log-likelihoods a sample, in nats, by figure and Part.
+/// Mean log-likelihoods a sample, in nats, by figure and Part; 0 for a part that figures with these
+/// features do not have.
 using FigureScores = std::vector<std::array<double, 3>>;
 
 /// How much each part's log-likelihood counts, by Part: evidence = sum of weight x nats a sample.
@@ -39,7 +40,8 @@ using PartWeights = std::array<double, 3>;
 
 class FigureClassifier {
  public:
-    /// A left-to-right HMM for every part of every figure: training.states states, a tied
+    /// A left-to-right HMM for every part of every figure (those of training.features):
+    /// training.states states, a tied
     /// covariance, training.baum_welch_iterations rounds. Joints' mean rotations are those of all
     /// examples, so that likelihoods are of the same features. Errors: a figure without an example.
     [[nodiscard]] static Expected<FigureClassifier> learn(std::span<const FigureExample> examples,
@@ -51,8 +53,8 @@ class FigureClassifier {
 
  private:
     int samples_per_beat_ = 24;
-    std::array<PartModel, 3> joints_;                        // mean rotations alone
-    std::vector<std::array<models::HmmScorer, 3>> scorers_;  // by figure and part
+    std::vector<PartModel> joints_;                        // of each part; no states
+    std::vector<std::vector<models::HmmScorer>> scorers_;  // by figure, then as joints_
 };
 
 /// The weighted sums, by figure.

@@ -67,7 +67,7 @@ Variance variance_of(std::span<const models::Frames> repeats,
 
 /// Features of one joint, or one of the root, count as the same thing.
 std::size_t joint_of(const PartModel& part, std::size_t feature) {
-    const std::size_t root = part.part == Part::torso ? kRootFeatures : 0;
+    const std::size_t root = part.root_features();
     return feature < root ? feature : root + (feature - root) / 3;
 }
 
@@ -129,7 +129,7 @@ Expected<void> report_part(Part which,
     for (const FigureRepeat& repeat : repeats) {
         set.weights.push_back(repeat.weight);
     }
-    const PartModel joints = mean_joints(which, phased, set.weights);
+    const PartModel joints = mean_joints(which, phased, set.weights, training.features);
     for (const std::vector<Pose>& poses : phased) {
         set.sequences.push_back(part_frames(poses, joints, training.samples_per_beat));
     }
@@ -165,6 +165,7 @@ Expected<FigureReport> report_figure(std::span<const TrainingClip> clips,
     FigureReport report;
     report.figure = training.name;
     report.role = training.role;
+    report.features = training.features;
     report.beats = training.beats;
     report.samples_per_beat = training.samples_per_beat;
     for (const FigureRepeat& repeat : repeats) {
@@ -174,7 +175,7 @@ Expected<FigureReport> report_figure(std::span<const TrainingClip> clips,
     report.shown = repeats_to_show(repeats);
     const std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, training.samples_per_beat, training.low_pass_hz);
-    for (const Part which : kParts) {
+    for (const Part which : parts_of(training.features)) {
         const std::size_t p = static_cast<std::size_t>(which);
         report.parts[p].selection = std::move(selection->parts[p]);
         if (auto ok = report_part(which, phased, repeats, training, report); !ok) {
@@ -191,7 +192,7 @@ std::string feature_name(const PartModel& part, std::size_t feature) {
                                                                    "hips' height",
                                                                    "hips' tilt, x",
                                                                    "hips' tilt, z"};
-    const std::size_t root = part.part == Part::torso ? kRootFeatures : 0;
+    const std::size_t root = part.root_features();
     if (feature < root) {
         return kRootNames[feature];
     }
@@ -212,7 +213,10 @@ std::string feature_name(const PartModel& part, std::size_t feature) {
 std::string feature_unit(const PartModel& part, std::size_t feature) {
     constexpr std::array<const char*, kRootFeatures> kRootUnits = {
         "m a beat", "m a beat", "rad a beat", "m", "rad", "rad"};
-    return part.part == Part::torso && feature < kRootFeatures ? kRootUnits[feature] : "rad";
+    if (feature < part.root_features()) {
+        return kRootUnits[feature];
+    }
+    return part.features == FigureFeatures::positions ? "m" : "rad";
 }
 
 }  // namespace raks::motion

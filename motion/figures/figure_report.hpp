@@ -18,7 +18,7 @@ namespace raks::motion {
 /// One feature over the phase, in a few repeats.
 struct FeatureCurve {
     std::string name;                          ///< "left lower leg, x"
-    std::string unit;                          ///< "rad"
+    std::string unit;                          ///< "rad", or "m"
     double explained = 0.0;                    ///< share of its variance between the states
     std::vector<std::vector<double>> repeats;  ///< T values of each shown repeat
     std::vector<double> state_means;           ///< N
@@ -47,7 +47,8 @@ struct FigureReport {
     std::vector<std::string> takes;               ///< of each repeat
     std::vector<std::vector<std::string>> folds;  ///< StateSelection::folds
     std::vector<std::size_t> shown;               ///< repeats in the curves, at most four
-    std::array<PartReport, 3> parts;              ///< by Part
+    FigureFeatures features = FigureFeatures::angles;
+    std::array<PartReport, 3> parts;  ///< by Part; parts_of(features) are filled
 };
 
 /// Selects the states, learns the parts with them from all repeats and follows every repeat

@@ -40,7 +40,7 @@ FoldFrames frames_of_fold(Part which,
                           std::span<const std::vector<Pose>> phased,
                           std::span<const FigureRepeat> repeats,
                           std::span<const std::size_t> left_out,
-                          int samples_per_beat) {
+                          const FigureTrainingOptions& training) {
     const auto is_left_out = [&](const FigureRepeat& repeat) {
         return std::find(left_out.begin(), left_out.end(), repeat.clip) != left_out.end();
     };
@@ -53,13 +53,14 @@ FoldFrames frames_of_fold(Part which,
         }
     }
     // The joints' means are part of the model: of the training repeats alone.
-    const PartModel joints = mean_joints(which, learnt_from, fold.training.weights);
+    const PartModel joints =
+        mean_joints(which, learnt_from, fold.training.weights, training.features);
     for (const std::vector<Pose>& poses : learnt_from) {
-        fold.training.sequences.push_back(part_frames(poses, joints, samples_per_beat));
+        fold.training.sequences.push_back(part_frames(poses, joints, training.samples_per_beat));
     }
     for (std::size_t r = 0; r < repeats.size(); ++r) {
         if (is_left_out(repeats[r])) {
-            fold.held_out.push_back(part_frames(phased[r], joints, samples_per_beat));
+            fold.held_out.push_back(part_frames(phased[r], joints, training.samples_per_beat));
         }
     }
     return fold;
@@ -146,13 +147,11 @@ Expected<StateSelection> select_states(std::span<const TrainingClip> clips,
     }
     const std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, training.samples_per_beat, training.low_pass_hz);
-    std::vector<FoldFrames> frames(kParts.size() * folds.size());
+    const std::span<const Part> parts = parts_of(training.features);
+    std::vector<FoldFrames> frames(parts.size() * folds.size());
     run_parallel(frames.size(), options.threads, [&](std::size_t i) {
-        frames[i] = frames_of_fold(kParts[i / folds.size()],
-                                   phased,
-                                   repeats,
-                                   folds[i % folds.size()],
-                                   training.samples_per_beat);
+        frames[i] = frames_of_fold(
+            parts[i / folds.size()], phased, repeats, folds[i % folds.size()], training);
     });
     const std::size_t numbers =
         static_cast<std::size_t>(options.most) + 1 - static_cast<std::size_t>(options.fewest);
@@ -171,14 +170,15 @@ Expected<StateSelection> select_states(std::span<const TrainingClip> clips,
     }
     const double all = static_cast<double>(repeats.size());
     const double in_training = all * static_cast<double>(folds.size() - 1);
-    for (std::size_t p = 0; p < kParts.size(); ++p) {
-        PartSelection& part = selection.parts[p];
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const auto name = static_cast<std::size_t>(parts[p]);
+        PartSelection& part = selection.parts[name];
         for (std::size_t n = 0; n < numbers; ++n) {
             StatesTried tried{.states = options.fewest + static_cast<int>(n)};
             for (std::size_t f = 0; f < folds.size(); ++f) {
                 const FoldScore& score = scores[(p * folds.size() + f) * numbers + n];
                 if (score.error) {
-                    return fail(Error(*score.error).in(std::string(kPartNames[p])));
+                    return fail(Error(*score.error).in(std::string(kPartNames[name])));
                 }
                 tried.training += score.training / in_training;
                 tried.held_out += score.held_out / all;

@@ -41,12 +41,13 @@ struct PartSelection {
 
 struct StateSelection {
     std::vector<std::vector<std::string>> folds;  ///< the takes left out together
-    std::array<PartSelection, 3> parts;           ///< by Part
+    std::array<PartSelection, 3> parts;           ///< by Part; empty: not of these features
 };
 
-/// Trains every part with every number of states on every fold: left to right, one tied covariance,
-/// options.training.baum_welch_iterations rounds; `training.states` does not matter. Errors: those
-/// of check_training; repeats of one take only; a range of states that is none.
+/// Trains every part of the features with every number of states on every fold: left to right, one
+/// tied covariance, options.training.baum_welch_iterations rounds; `training.states` does not
+/// matter. Errors: those of check_training; repeats of one take only; a range of states that is
+/// none.
 [[nodiscard]] Expected<StateSelection> select_states(std::span<const TrainingClip> clips,
                                                      std::span<const FigureRepeat> repeats,
                                                      const FigureTrainingOptions& training,

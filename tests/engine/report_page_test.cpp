@@ -90,6 +90,19 @@ TEST(ReportPage, is_the_same_bytes_again) {
     EXPECT_EQ(draw_report(data), draw_report(data));
 }
 
+TEST(ReportPage, of_positions_has_two_parts) {
+    ReportData data;
+    data.dance = "salsa";
+    data.figures = {small_report()};
+    data.figures[0].features = motion::FigureFeatures::positions;
+    data.figures[0].parts[static_cast<std::size_t>(motion::Part::torso)] = {};
+    data.classifier = small_evaluation();
+    const std::string page = draw_report(data);
+    EXPECT_EQ(page.find("torso"), std::string::npos);
+    EXPECT_NE(page.find("states, upper"), std::string::npos);
+    EXPECT_NE(page.find("where the joints"), std::string::npos);
+}
+
 TEST(Chart, steps_are_round_and_places_linear) {
     const struct {
         double range;

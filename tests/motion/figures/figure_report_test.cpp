@@ -9,24 +9,27 @@
 namespace raks::motion {
 namespace {
 
-/// Three takes of the known dance with two figures each; the last take is the surest.
-const FigureReport& known_report() {
-    static const FigureReport report = [] {
-        std::vector<TrainingClip> clips;
-        std::vector<FigureRepeat> repeats;
-        for (std::size_t i = 0; i < 3; ++i) {
-            clips.push_back(test::known_dance(2));
-            clips.back().name = "take_" + std::to_string(i);
-            for (FigureRepeat repeat : test::known_repeats(2)) {
-                repeat.clip = i;
-                repeat.weight = 0.7 + 0.1 * static_cast<double>(i);
-                repeats.push_back(repeat);
-            }
+/// Of three takes of the known dance with two figures each; the last take is the surest.
+FigureReport report_of(FigureFeatures features) {
+    std::vector<TrainingClip> clips;
+    std::vector<FigureRepeat> repeats;
+    for (std::size_t i = 0; i < 3; ++i) {
+        clips.push_back(test::known_dance(2));
+        clips.back().name = "take_" + std::to_string(i);
+        for (FigureRepeat repeat : test::known_repeats(2)) {
+            repeat.clip = i;
+            repeat.weight = 0.7 + 0.1 * static_cast<double>(i);
+            repeats.push_back(repeat);
         }
-        FigureTrainingOptions options = test::known_options();
-        options.baum_welch_iterations = 3;
-        return report_figure(clips, repeats, options, {.most = 6, .threads = 2}).value();
-    }();
+    }
+    FigureTrainingOptions options = test::known_options();
+    options.features = features;
+    options.baum_welch_iterations = 3;
+    return report_figure(clips, repeats, options, {.most = 6, .threads = 2}).value();
+}
+
+const FigureReport& known_report() {
+    static const FigureReport report = report_of(FigureFeatures::angles);
     return report;
 }
 
@@ -83,6 +86,20 @@ TEST(FigureReport, shows_the_features_that_move_from_state_to_state) {
     EXPECT_EQ(known_report().parts[1].curves[0].name, "left upper arm, x");
 }
 
+TEST(FigureReport, of_positions_has_an_upper_and_a_lower_part) {
+    const FigureReport report = report_of(FigureFeatures::positions);
+    EXPECT_EQ(report.features, FigureFeatures::positions);
+    EXPECT_TRUE(report.parts[static_cast<std::size_t>(Part::torso)].paths.empty());
+    for (const Part which : parts_of(report.features)) {
+        const PartReport& part = report.parts[static_cast<std::size_t>(which)];
+        EXPECT_EQ(part.states(), static_cast<std::size_t>(part.selection.chosen));
+        EXPECT_EQ(part.paths.size(), 6U);
+        EXPECT_EQ(part.selection.tried.size(), 5U);
+        ASSERT_EQ(part.curves.size(), 2U);
+        EXPECT_EQ(part.curves[1].unit, "m");
+    }
+}
+
 TEST(FigureReport, names_every_feature) {
     PartModel torso;
     torso.part = Part::torso;
@@ -94,6 +111,13 @@ TEST(FigureReport, names_every_feature) {
     EXPECT_EQ(feature_name(torso, 7), "spine, y");
     EXPECT_EQ(feature_name(torso, 11), "chest, z");
     EXPECT_EQ(feature_unit(torso, 11), "rad");
+    PartModel lower;
+    lower.part = Part::lower;
+    lower.features = FigureFeatures::positions;
+    lower.joints = {{Bone::left_foot, {}}};
+    EXPECT_EQ(feature_name(lower, 2), "turn");
+    EXPECT_EQ(feature_name(lower, 4), "left foot, y");
+    EXPECT_EQ(feature_unit(lower, 4), "m");
 }
 
 }  // namespace
