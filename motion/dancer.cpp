@@ -274,6 +274,7 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
     if (has_reanchored) {
         sequence.jump(phase.phase());
     }
+    sequence.set_tempo(Bpm(pace * 60.0 * own_rate));
     sequence.advance(phase.phase(), energy.value(), wish);
     delay += nanos_from_seconds(kLeadShare * to_seconds(sequence.figure().landing_delay - delay));
     if (is_held || hops_unsure > kHopsToStop || leaves(music)) {
@@ -297,8 +298,9 @@ void Dancer::State::start_on_downbeat(const MusicState& music) noexcept {
         }
         is_dancing = true;
         phase.start(music.grid, now - Beats(since_downbeat), metre, music.time);
-        sequence.start(content(), stage, part, stands_turned);
         pace = phase.rate() / content().metre.learnt_tempo.beats_per_second();
+        sequence.set_tempo(Bpm(60.0 * phase.rate()));
+        sequence.start(content(), stage, part, stands_turned);
         delay = sequence.figure().landing_delay;
         change(music.time);
     }

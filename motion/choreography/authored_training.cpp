@@ -126,6 +126,22 @@ std::array<std::vector<double>, 2> fists_of(const AuthoredDance& dance,
     return fists;
 }
 
+/// As the evaluation has it: waves and steps follow the tempo, keys do not. Hands that are led by
+/// keys have somewhere to be, such as at the other hand.
+SizeByTempo size_by_tempo_of(const AuthoredFigure& figure) noexcept {
+    SizeByTempo size{figure.style.tempo_scale, figure.style.tempo_scale};
+    for (std::size_t c = 0; c < kControlCount; ++c) {
+        const ControlGroup group = info_of(static_cast<Control>(c)).group;
+        const std::vector<Track>& tracks = figure.body[c];
+        const bool has_keys = std::any_of(
+            tracks.begin(), tracks.end(), [](const Track& one) { return one.has_keys(); });
+        if (has_keys && (group == ControlGroup::arm || group == ControlGroup::elbow)) {
+            size.arms = 0.0;
+        }
+    }
+    return size;
+}
+
 }  // namespace
 
 AuthoredMaterial authored_material(const AuthoredDance& dance,
@@ -190,6 +206,7 @@ Expected<AuthoredTrainingResult> train_authored_figure(const AuthoredDance& danc
         std::move(trained->model), trained->log_likelihood, material.repeats.size()};
     round_off(result.model);
     result.model.fist = fists_of(dance, figure);
+    result.model.size_by_tempo = size_by_tempo_of(figure);
     return result;
 }
 

@@ -4,20 +4,16 @@
 #include <cmath>
 
 #include "motion/choreography/curves.hpp"
+#include "motion/figures/size_by_tempo.hpp"
 
 namespace raks::motion {
 
 RepeatPlan plan_repeats(const AuthoredFigure& figure, const EvaluationOptions& options) {
-    constexpr double kSmallest = 0.6;
-    constexpr double kLargest = 1.15;
     constexpr int kRepeatsAround = 2;
     RepeatPlan plan;
     plan.figure = &figure;
     plan.tempo = options.tempo;
-    plan.size =
-        std::clamp(std::pow(options.written.bpm() / options.tempo.bpm(), figure.style.tempo_scale),
-                   kSmallest,
-                   kLargest);
+    plan.size = size_at(figure.style.tempo_scale, options.written, options.tempo);
     plan.noise = options.noise;
     plan.seed = options.seed;
     plan.frames_per_second = options.frames_per_second;

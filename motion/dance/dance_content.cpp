@@ -298,7 +298,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     }
     std::vector<Footing> footings;
     for (std::size_t i = 0; i < figures.size(); ++i) {
-        footings.push_back({places[i], figures[i].landings, lost > 0.0});
+        footings.push_back({places[i], single_landings(figures[i]), lost > 0.0});
     }
     const Baking baking{figures, tracks, ways, footings, lost, skeleton, generator};
     constexpr std::size_t kPassages = DanceContent::kPassages;
@@ -318,6 +318,8 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
         figure.name = figures[i].name;
         figure.beats = figures[i].beats;
         figure.fist = figures[i].fist;
+        figure.learnt_tempo = figures[i].learnt_tempo;
+        figure.size_by_tempo = figures[i].size_by_tempo;
         figure.move = ways[i].move;
         figure.turns_half = turns_half[i];
         if (generator == Generator::trajectories) {
@@ -329,6 +331,8 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
             figure.passages.back().take_signs_of(figure.passages.front());
         }
         figure.arms_mix = arm_mixes(figure.passages, figure.beats);
+        figure.middle =
+            middle_of(figure.passages.front(), figure.beats, ways[i].half_turns == 0, skeleton);
         content.figures.push_back(std::move(figure));
     }
     if (grammar != nullptr && grammar->starts == FigureGrammar::Starts::own) {
@@ -383,6 +387,9 @@ Pose pose_of(const DanceContent& content, const FigureChoice& choice, double bea
         };
         pose.rotation(bone) = learnt.rotation(bone) *
                               glm::normalize(turn(first) * (1.0F - share) + turn(second) * share);
+    }
+    if (!choice.size.is_as_learnt()) {
+        resize(figure.middle, choice.size, content.skeleton, pose);
     }
     return pose;
 }

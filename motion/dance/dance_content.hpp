@@ -12,6 +12,7 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/choreography.hpp"
 #include "motion/dance/figure_passage.hpp"
+#include "motion/dance/figure_size.hpp"
 #include "motion/dance/generator.hpp"
 
 namespace raks::motion {
@@ -29,6 +30,9 @@ struct LibraryFigure {
     Nanos landing_delay{};  ///< of its steps at its learnt tempo; landing_delay.hpp
     std::vector<FigurePassage> passages;
     ArmMixes arms_mix{};
+    Bpm learnt_tempo{120.0};
+    SizeByTempo size_by_tempo;
+    FigureMiddle middle;
 };
 
 /// What the dancer reads of a library.
@@ -59,9 +63,10 @@ struct FigureChoice {
     std::size_t body = 0;               ///< passage of legs and torso
     std::array<std::size_t, 2> arms{};  ///< passages that the arms are mixed from
     float arms_share = 0.0F;            ///< of the second
+    FigureSize size;
 };
 
-/// The ways of number `number`. Threads: any. Real-time: yes.
+/// The ways of number `number`, as large as learnt. Threads: any. Real-time: yes.
 [[nodiscard]] FigureChoice choose_ways(std::size_t figure,
                                        std::uint64_t seed,
                                        std::uint64_t number) noexcept;

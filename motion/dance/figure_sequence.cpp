@@ -82,7 +82,14 @@ void FigureSequence::start(const DanceContent& content,
     part_ = part;
     before_.reset();
     next_.reset();
-    current_ = {choose_ways(0, part.ways, number_), 0.0, stands_turned, {}};
+    current_ = {choose(0, number_), 0.0, stands_turned, {}};
+}
+
+FigureChoice FigureSequence::choose(std::size_t figure, std::uint64_t number) const noexcept {
+    const LibraryFigure& own = content_->figures[figure];
+    FigureChoice choice = choose_ways(figure, part_.ways, number);
+    choice.size = figure_size(own.size_by_tempo, own.learnt_tempo, tempo_);
+    return choice;
 }
 
 double FigureSequence::end_of(const Danced& danced) const noexcept {
@@ -102,7 +109,7 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
                                                      : Audience::ahead;
         const std::size_t figure = content_->choreography.next(
             {current_.choice.figure, energy, audience}, wish, part_.seed, number_ + 1);
-        next_ = {choose_ways(figure, part_.ways, number_ + 1), end, is_turned, {}};
+        next_ = {choose(figure, number_ + 1), end, is_turned, {}};
         next_->feet = feet_joins(current_, *next_);
         wish.is_another = false;
         wish.figure.reset();
@@ -118,7 +125,7 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
 void FigureSequence::jump(Beats phase) noexcept {
     const bool is_turned = turned_after(current_);
     ++number_;
-    current_ = {choose_ways(0, part_.ways, number_), 0.0, is_turned, {}};
+    current_ = {choose(0, number_), 0.0, is_turned, {}};
     const double beats = figure().beats;
     current_.start = beats * std::floor(phase.count() / beats);
     before_.reset();

@@ -26,6 +26,9 @@ class FigureSequence {
                const DancerPart& part,
                bool stands_turned) noexcept;
 
+    /// At which figures are danced that are chosen from now on: they may be smaller when it is
+    /// fast.
+    void set_tempo(Bpm tempo) noexcept { tempo_ = tempo; }
     /// The phase went on to here: goes over into the next figure, chooses what follows.
     void advance(Beats phase, double energy, FigureWish& wish) noexcept;
     /// The phase was set anew as a figure ended: the first figure, which hardly turns and travels,
@@ -61,6 +64,7 @@ class FigureSequence {
         bool is_turned = false;
         std::array<FootJoin, 2> feet{};  // from the figure before
     };
+    [[nodiscard]] FigureChoice choose(std::size_t figure, std::uint64_t number) const noexcept;
     [[nodiscard]] std::array<FootJoin, 2> feet_joins(const Danced& before,
                                                      const Danced& after) const noexcept;
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
@@ -75,6 +79,7 @@ class FigureSequence {
                               double phase) const noexcept;
 
     const DanceContent* content_ = nullptr;
+    Bpm tempo_{120.0};
     FloorMove stage_;
     DancerPart part_;
     std::uint64_t number_ = 0;

@@ -90,6 +90,16 @@ std::vector<Step> steps_of(const FigureModel& model,
 
 }  // namespace
 
+FigureLandings single_landings(const FigureModel& model) {
+    FigureLandings landings = model.landings;
+    for (std::vector<LandingOffset>& counts : landings) {
+        for (LandingOffset& offset : counts) {
+            offset = offset.is_one(kLeastRepeats, model.repeats) ? offset : LandingOffset();
+        }
+    }
+    return landings;
+}
+
 Nanos landing_delay(const FigureModel& model,
                     const FigurePassage& passage,
                     const Skeleton& skeleton) {

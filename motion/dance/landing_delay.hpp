@@ -9,6 +9,11 @@
 
 namespace raks::motion {
 
+/// The learnt landings that contacts can be aimed at. A foot that comes down twice a count has no
+/// one moment at which it should; nor does one that jumps: at the top it is as slow as on the
+/// floor. Threads: workers. Real-time: no.
+[[nodiscard]] FigureLandings single_landings(const FigureModel& model);
+
 /// How much later a figure's steps come down in a passage, danced at its learnt tempo, than they
 /// were learnt to: the median over its counts (landing: foot_events.hpp; smoothing moves it either
 /// way). Zero without steps. Threads: workers. Real-time: no.

@@ -187,6 +187,13 @@ void read_hands(const Field& root, FigureModel& model) {
     }
 }
 
+void read_size(const Field& root, FigureModel& model) {
+    if (root.has("size_by_tempo")) {
+        const Field size = root["size_by_tempo"];
+        model.size_by_tempo = {size["body"].number(), size["arms"].number()};
+    }
+}
+
 FigureModel figure_of(const Field& root) {
     FigureModel model;
     model.name = root["name"].text();
@@ -216,6 +223,7 @@ FigureModel figure_of(const Field& root) {
     }
     read_feet(root, model);
     read_hands(root, model);
+    read_size(root, model);
     return model;
 }
 
@@ -259,6 +267,10 @@ std::string figure_text(const FigureModel& model) {
         if (!model.fist[side].empty()) {
             json["fist"][name] = model.fist[side];
         }
+    }
+    if (model.size_by_tempo.body > 0.0 || model.size_by_tempo.arms > 0.0) {
+        json["size_by_tempo"] = {{"body", model.size_by_tempo.body},
+                                 {"arms", model.size_by_tempo.arms}};
     }
     return models::json_text(json);
 }

@@ -11,6 +11,7 @@
 
 #include "base/beats.hpp"
 #include "base/expected.hpp"
+#include "motion/figures/size_by_tempo.hpp"
 #include "motion/skeleton/humanoid.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -190,6 +191,7 @@ struct FigureModel {
     /// How far each hand is closed, [0, 1] (motion/skeleton/hand_shape.hpp), by Side: one number,
     /// or kContactBins as of `contact`; none: not known, captures have no fingers.
     std::array<std::vector<double>, 2> fist;
+    SizeByTempo size_by_tempo;  ///< of captured figures nothing is known
     FigureLandings landings;
 
     /// A part that the figure has: positions have no torso.

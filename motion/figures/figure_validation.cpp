@@ -291,6 +291,17 @@ Expected<void> check_hands(const FigureModel& model) {
     return {};
 }
 
+Expected<void> check_size_by_tempo(const SizeByTempo& size) {
+    constexpr double kSteepest = 2.0;
+    for (const auto& [name, exponent] : {std::pair("body", size.body), {"arms", size.arms}}) {
+        if (!(exponent >= 0.0 && exponent <= kSteepest)) {
+            return fail(fmt::format(
+                "size_by_tempo.{} is {}, must lie in [0, {}]", name, exponent, kSteepest));
+        }
+    }
+    return {};
+}
+
 Expected<void> check_feet(const FigureModel& model) {
     for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t j = 0; j < kContactBins; ++j) {
@@ -352,6 +363,9 @@ Expected<void> validate(const FigureModel& model) {
         if (auto ok = check_timing(name, model.parts[p], model.beats); !ok) {
             return ok;
         }
+    }
+    if (auto ok = check_size_by_tempo(model.size_by_tempo); !ok) {
+        return ok;
     }
     if (auto ok = check_hands(model); !ok) {
         return ok;

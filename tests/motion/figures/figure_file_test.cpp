@@ -35,6 +35,16 @@ TEST(FigureFile, keeps_how_far_hands_are_closed) {
     EXPECT_EQ(read->fist, model.fist);
 }
 
+TEST(FigureFile, keeps_how_its_size_follows_the_tempo) {
+    FigureModel model = good_model();
+    EXPECT_EQ(figure_text(model).find("size_by_tempo"), std::string::npos);
+    model.size_by_tempo = {0.7, 0.0};
+    const auto read = parse_figure(figure_text(model), "x.json");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->size_by_tempo.body, 0.7);
+    EXPECT_EQ(read->size_by_tempo.arms, 0.0);
+}
+
 TEST(FigureFile, is_saved_whole_and_loaded) {
     const std::filesystem::path path =
         std::filesystem::path(::testing::TempDir()) / "raks_known_figure.json";
@@ -132,6 +142,10 @@ TEST(FigureValidation, names_the_first_wrong_field) {
          },
          "fist.right has 3 numbers, must have 1 or 64"},
         {[](FigureModel& m) { m.fist[0] = {0.5}; }, "fist.right has 0 numbers"},
+        {[](FigureModel& m) { m.size_by_tempo.arms = -0.5; },
+         "size_by_tempo.arms is -0.5, must lie in [0, 2]"},
+        {[nan](FigureModel& m) { m.size_by_tempo.body = nan; },
+         "size_by_tempo.body is nan, must lie in [0, 2]"},
         {[](FigureModel& m) { m.landings[0].pop_back(); },
          "landings.left has 7 numbers, must have 8"},
         {[](FigureModel& m) { m.landings[0][2].deviation = Beats(-1.0); },

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/beats.hpp"
+
+namespace raks::motion {
+
+/// How a figure grows smaller as the music gets faster: at another tempo its movements are
+/// (learnt / tempo)^exponent as large. 0: it is danced as learnt at any tempo, as what was captured
+/// at one is; 1: hands and feet are as fast at any.
+struct SizeByTempo {
+    double body = 0.0;  ///< steps, hips, trunk and head; exponent, [0, 2]
+    double arms = 0.0;  ///< the same for arms: 0 where hands have to meet
+};
+
+/// The size at a tempo; [0.6, 1.15]. Threads: any. Real-time: yes.
+[[nodiscard]] inline double size_at(double exponent, Bpm learnt, Bpm tempo) noexcept {
+    constexpr double kSmallest = 0.6;
+    constexpr double kLargest = 1.15;
+    return std::clamp(std::pow(learnt.bpm() / tempo.bpm(), exponent), kSmallest, kLargest);
+}
+
+}  // namespace raks::motion
