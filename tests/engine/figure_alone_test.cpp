@@ -8,6 +8,8 @@
 
 #include "engine/dance_files.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace raks::engine {
 namespace {
 
@@ -30,6 +32,84 @@ TEST(WrittenFigures, dance_as_their_files_expect) {
         }
     }
     EXPECT_EQ(figures, 28U);
+}
+
+/// Two repeats of a figure, 16 poses a beat.
+std::vector<motion::WorldPose> danced_at(const char* dance, std::string_view figure, double bpm) {
+    const auto library = load_dance(dance, motion::DanceRole::lead, DanceForm());
+    std::vector<motion::WorldPose> poses;
+    if (!library) {
+        ADD_FAILURE() << library.error().message;
+        return poses;
+    }
+    const std::vector<std::string_view> names = (*library)->figure_names();
+    FigureOnBeat on;
+    on.figure =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), figure) - names.begin());
+    on.tempo = Bpm(bpm);
+    std::vector<double> beats;
+    for (int i = 0; i < 8 * 16; ++i) {
+        beats.push_back(i / 16.0);
+    }
+    const auto danced = dance_alone(*library, on, beats);
+    if (!danced) {
+        ADD_FAILURE() << danced.error().message;
+        return poses;
+    }
+    for (const motion::Pose& pose : *danced) {
+        poses.push_back(world_pose(motion::mannequin_skeleton(), pose));
+    }
+    return poses;
+}
+
+template <typename Value>
+double range_of(const std::vector<motion::WorldPose>& poses, const Value& value) {
+    double least = 1e9;
+    double most = -1e9;
+    for (const motion::WorldPose& pose : poses) {
+        const auto here = static_cast<double>(value(pose));
+        least = std::min(least, here);
+        most = std::max(most, here);
+    }
+    return most - least;
+}
+
+TEST(WrittenFigures, step_less_far_in_faster_music) {
+    const auto step = [](double bpm) {
+        return range_of(danced_at("hiphop", "two_step", bpm), [](const motion::WorldPose& pose) {
+            return pose.position(motion::Bone::left_foot).x;
+        });
+    };
+    const double written = step(96.0);
+    EXPECT_NEAR(step(115.0) / written, std::pow(96.0 / 115.0, 0.7), 0.04);
+    EXPECT_NEAR(step(85.0) / written, 1.0, 0.03) << "slower: as learnt";
+}
+
+TEST(WrittenFigures, jump_less_high_in_faster_music) {
+    const auto jump = [](double bpm) {
+        return range_of(danced_at("rock", "pogo", bpm), [](const motion::WorldPose& pose) {
+            return std::min(pose.position(motion::Bone::left_toes).y,
+                            pose.position(motion::Bone::right_toes).y);
+        });
+    };
+    const double written = jump(138.0);
+    EXPECT_GT(written, 0.07);
+    EXPECT_NEAR(jump(165.0) / written, std::pow(138.0 / 165.0, 2.0), 0.07);
+}
+
+TEST(WrittenFigures, clap_at_any_tempo) {
+    const auto apart = [](double bpm) {
+        double least = 1e9;
+        for (const motion::WorldPose& pose : danced_at("rock", "step_clap", bpm)) {
+            const glm::vec3 between =
+                pose.position(motion::Bone::left_hand) - pose.position(motion::Bone::right_hand);
+            least = std::min(least, static_cast<double>(glm::length(between)));
+        }
+        return least;
+    };
+    const double written = apart(138.0);
+    EXPECT_LT(written, 0.15);
+    EXPECT_NEAR(apart(165.0), written, 0.02);
 }
 
 TEST(WrittenFigures, close_their_hands_as_written) {
