@@ -94,22 +94,27 @@ TEST(WrittenFigures, jump_less_high_in_faster_music) {
     };
     const double written = jump(138.0);
     EXPECT_GT(written, 0.07);
-    EXPECT_NEAR(jump(165.0) / written, std::pow(138.0 / 165.0, 2.0), 0.07);
+    // Not wholly the square: the first centimetre over the floor is no jump yet.
+    EXPECT_NEAR(jump(165.0) / written, std::pow(138.0 / 165.0, 2.0), 0.1);
 }
 
 TEST(WrittenFigures, clap_at_any_tempo) {
     const auto apart = [](double bpm) {
-        double least = 1e9;
+        const auto palm = [](const motion::WorldPose& pose, motion::Side side) {
+            return 0.5F * (pose.position(on_side(motion::Bone::left_hand, side)) +
+                           pose.position(on_side(motion::Bone::left_middle_proximal, side)));
+        };
+        float least = 1e9F;
         for (const motion::WorldPose& pose : danced_at("rock", "step_clap", bpm)) {
-            const glm::vec3 between =
-                pose.position(motion::Bone::left_hand) - pose.position(motion::Bone::right_hand);
-            least = std::min(least, static_cast<double>(glm::length(between)));
+            least = std::min(
+                least,
+                glm::distance(palm(pose, motion::Side::left), palm(pose, motion::Side::right)));
         }
         return least;
     };
-    const double written = apart(138.0);
-    EXPECT_LT(written, 0.15);
-    EXPECT_NEAR(apart(165.0), written, 0.02);
+    const float written = apart(138.0);
+    EXPECT_LT(written, 0.08F);
+    EXPECT_NEAR(apart(165.0), written, 0.03F);
 }
 
 TEST(WrittenFigures, close_their_hands_as_written) {
