@@ -41,6 +41,7 @@ class HeardCorpus {
         };
         {
             std::vector<std::jthread> workers;
+            workers.reserve(static_cast<std::size_t>(plan.threads));
             for (int n = 0; n < plan.threads; ++n) {
                 workers.emplace_back(work, static_cast<std::size_t>(n));
             }
