@@ -25,7 +25,7 @@ constexpr double kLongestWithout = 1.1;  // beats
 constexpr double kSteadyBeats = 6.0;     // over which the tempo to run on with is averaged
 constexpr double kSteadyReach = 0.05;    // ratio: further apart the tempo was changing
 
-constexpr float kAnnounceConfidence = 0.05F;
+constexpr float kAnnounceConfidence = 0.02F;
 // What noise has on the beats, too, and what makes sure: of onset strength, of a network's
 // evidence.
 constexpr float kLeastStrength = 0.15F;
