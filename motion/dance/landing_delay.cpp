@@ -19,8 +19,10 @@ constexpr double kMostAimed = 0.3;  // beats
 using Feet = std::vector<std::array<SourceFoot, 2>>;
 
 /// Both feet by frame, from `margin` beats before count 1 to as much after the end.
-Feet feet_of(const FigureModel& model, const FigurePassage& passage, const Skeleton& skeleton) {
-    const double beats_a_frame = model.learnt_tempo.beats_per_second() / kFramesPerSecond;
+Feet feet_of(const FigureModel& model,
+             const FigurePassage& passage,
+             const Skeleton& skeleton,
+             double beats_a_frame) {
     Feet feet;
     for (double beat = -FigurePassage::kMargin; beat <= model.beats + FigurePassage::kMargin;
          beat += beats_a_frame) {
@@ -61,11 +63,13 @@ std::optional<std::size_t> nearest_count(const FigureModel& model, Side side, do
     return nearest;
 }
 
+/// `pace`: tempo danced / learnt.
 std::vector<Step> steps_of(const FigureModel& model,
                            const FigurePassage& passage,
-                           const Skeleton& skeleton) {
-    const Feet feet = feet_of(model, passage, skeleton);
-    const double beats_a_frame = model.learnt_tempo.beats_per_second() / kFramesPerSecond;
+                           const Skeleton& skeleton,
+                           double pace) {
+    const double beats_a_frame = pace * model.learnt_tempo.beats_per_second() / kFramesPerSecond;
+    const Feet feet = feet_of(model, passage, skeleton, beats_a_frame);
     std::vector<Step> steps;
     for (const Side side : kSides) {
         for (const double frame : landings(feet, side, kFramesPerSecond)) {
@@ -104,7 +108,7 @@ Nanos landing_delay(const FigureModel& model,
                     const FigurePassage& passage,
                     const Skeleton& skeleton) {
     std::vector<double> late;  // beats
-    for (const Step& step : steps_of(model, passage, skeleton)) {
+    for (const Step& step : steps_of(model, passage, skeleton, 1.0)) {
         late.push_back(step.late);
     }
     if (late.empty()) {
@@ -118,8 +122,9 @@ Nanos landing_delay(const FigureModel& model,
 void aim_landings(const FigureModel& model,
                   const FigurePassage& passage,
                   const Skeleton& skeleton,
+                  double pace,
                   FigureLandings& aimed) {
-    for (const Step& step : steps_of(model, passage, skeleton)) {
+    for (const Step& step : steps_of(model, passage, skeleton, pace)) {
         const auto s = static_cast<std::size_t>(step.side);
         const double learnt = model.landings[s][step.count].median.count();
         Beats& here = aimed[s][step.count].median;

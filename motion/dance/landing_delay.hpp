@@ -22,11 +22,13 @@ namespace raks::motion {
                                   const Skeleton& skeleton);
 
 /// Aims the contacts anew after a look at a passage that was made with `aimed`: earlier by what
-/// each step came down late, or later, at the learnt tempo, against where people's did. No contact
-/// is moved farther than 0.3 beats from its learnt landing. Threads: workers. Real-time: no.
+/// each step came down late, or later, danced at `pace` of the learnt tempo, against where people's
+/// did. No contact is moved farther than 0.3 beats from its learnt landing. Threads: workers.
+/// Real-time: no.
 void aim_landings(const FigureModel& model,
                   const FigurePassage& passage,
                   const Skeleton& skeleton,
+                  double pace,
                   FigureLandings& aimed);
 
 }  // namespace raks::motion
