@@ -15,6 +15,7 @@ extern "C" {
 #include <string_view>
 
 #include "audio/io/audio_file_backends.hpp"
+#include "audio/io/ffmpeg_handles.hpp"
 
 namespace raks::audio {
 namespace {
@@ -32,16 +33,6 @@ constexpr double kPrerollSeconds = 0.30;  // an MP3 frame leans on up to nine be
 constexpr int kMaxFaultsInARow = 2000;    // of packets: a damaged stretch, not a hang
 constexpr int kMaxPacketsToFirstFrame = 5000;
 constexpr double kShortBySeconds = 1.0;  // less than this under the claim is rounding
-
-struct Closer {
-    void operator()(AVFormatContext* context) const noexcept { avformat_close_input(&context); }
-    void operator()(AVCodecContext* context) const noexcept { avcodec_free_context(&context); }
-    void operator()(AVPacket* packet) const noexcept { av_packet_free(&packet); }
-    void operator()(AVFrame* frame) const noexcept { av_frame_free(&frame); }
-    void operator()(SwrContext* context) const noexcept { swr_free(&context); }
-};
-template <typename T>
-using Handle = std::unique_ptr<T, Closer>;
 
 std::string reason(int error_number) {
     char text[AV_ERROR_MAX_STRING_SIZE] = {};
@@ -83,11 +74,11 @@ class FfmpegReader final : public AudioFileReader {
     }
 
     fs::path path_;
-    Handle<AVFormatContext> container_;
-    Handle<AVCodecContext> decoder_;
-    Handle<AVPacket> packet_{av_packet_alloc()};
-    Handle<AVFrame> frame_{av_frame_alloc()};
-    Handle<SwrContext> converter_;
+    FfmpegHandle<AVFormatContext> container_;
+    FfmpegHandle<AVCodecContext> decoder_;
+    FfmpegHandle<AVPacket> packet_{av_packet_alloc()};
+    FfmpegHandle<AVFrame> frame_{av_frame_alloc()};
+    FfmpegHandle<SwrContext> converter_;
     AVStream* stream_ = nullptr;
     int converter_rate_ = 0;  // what the converter is set up for
     int converter_channels_ = 0;

@@ -11,21 +11,13 @@ extern "C" {
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <utility>
 
+#include "audio/io/ffmpeg_handles.hpp"
+
 namespace raks::audio {
 namespace {
-
-struct Closer {
-    void operator()(AVCodecContext* context) const noexcept { avcodec_free_context(&context); }
-    void operator()(AVPacket* packet) const noexcept { av_packet_free(&packet); }
-    void operator()(AVFrame* frame) const noexcept { av_frame_free(&frame); }
-    void operator()(SwrContext* context) const noexcept { swr_free(&context); }
-};
-template <typename T>
-using Handle = std::unique_ptr<T, Closer>;
 
 constexpr int kOpusRate = 48'000;
 constexpr int kLowMp3Rate = 22'050;
@@ -49,7 +41,7 @@ std::vector<float> at_rate(int from, int to, std::vector<float> samples) {
     SwrContext* context = nullptr;
     swr_alloc_set_opts2(
         &context, &mono, AV_SAMPLE_FMT_FLT, to, &mono, AV_SAMPLE_FMT_FLT, from, 0, nullptr);
-    const Handle<SwrContext> converter(context);
+    const FfmpegHandle<SwrContext> converter(context);
     if (!converter || swr_init(context) < 0) {
         return {};
     }
@@ -84,10 +76,10 @@ class RoundTrip {
     Expected<void> pass_packets();
     void take_frames();
 
-    Handle<AVCodecContext> encoder_;
-    Handle<AVCodecContext> decoder_;
-    Handle<AVPacket> packet_{av_packet_alloc()};
-    Handle<AVFrame> frame_{av_frame_alloc()};
+    FfmpegHandle<AVCodecContext> encoder_;
+    FfmpegHandle<AVCodecContext> decoder_;
+    FfmpegHandle<AVPacket> packet_{av_packet_alloc()};
+    FfmpegHandle<AVFrame> frame_{av_frame_alloc()};
     std::int64_t coded_ = 0;
     std::int64_t first_ = AV_NOPTS_VALUE;  // time of the first decoded sample; < 0: the encoder's
     std::vector<float> decoded_;

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "base/file.hpp"
-#include "base/random.hpp"
 #include "small_dance.hpp"
+#include "tests/support/mangled.hpp"
 
 namespace raks::motion {
 namespace {
@@ -152,12 +152,8 @@ TEST(AuthoredDance, survives_every_cut_and_flipped_bytes) {
     }
     constexpr std::uint64_t kFlips = 2000;
     for (std::uint64_t seed = 0; seed < kFlips; ++seed) {
-        const CounterRandom random(seed);
-        std::string text = kSmallDance;
-        for (std::uint64_t i = 0; i < 1 + seed % 3; ++i) {
-            text[random.below(2 * i, text.size())] =
-                static_cast<char>(random.below(2 * i + 1, 256));
-        }
+        const std::string text =
+            raks::test::mangled(kSmallDance, {.seed = seed, .bytes = 1 + seed % 3});
         EXPECT_TRUE(is_one_line(parse_authored_dance(text, "x.toml"))) << seed;
     }
 }

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
-#include "base/random.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
+#include "tests/support/mangled.hpp"
 
 namespace raks::motion {
 namespace {
@@ -157,13 +157,8 @@ TEST(Bvh, mangled_files_end_in_a_clip_or_one_line) {
             EXPECT_EQ(clip.error().message.find('\n'), std::string::npos);
         }
     }
-    const CounterRandom random(11);
-    for (std::uint64_t round = 0; round < 3000; ++round) {
-        std::string text = whole;
-        for (std::uint64_t flip = 0; flip < 1 + round % 4; ++flip) {
-            text[random.below(8 * round + flip, text.size())] =
-                static_cast<char>(random.bits(8 * round + 4 + flip) & 0xFFU);
-        }
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        const std::string text = raks::test::mangled(whole, {.seed = seed, .bytes = 1 + seed % 4});
         const auto clip = parse_bvh(text, "flip.bvh");
         if (clip) {
             EXPECT_LE(clip->rotations.size(), 1'000'000U);
