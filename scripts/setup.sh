@@ -26,8 +26,8 @@ packages=(
 if [ "${1:-}" = --rtsan ]; then
     packages+=(clang-22 libclang-rt-22-dev llvm-14)
 elif [ "${1:-}" = --training ]; then
-    packages+=(fluid-soundfont-gm musescore-general-soundfont-small opl3-soundfont
-        timgm6mb-soundfont aubio-tools)
+    packages+=(fluid-soundfont-gm musescore-general-soundfont-small musescore-general-soundfont-lossless
+        opl3-soundfont csound-soundfont timgm6mb-soundfont aubio-tools)
 elif [ $# -gt 0 ]; then
     echo "usage: scripts/setup.sh [--training|--rtsan]" >&2
     exit 2

@@ -180,9 +180,41 @@ Genre read_genre(const Field& field) {
     return static_cast<Genre>(found - kGenreNames.begin());
 }
 
-enum class Network { heard, missing };
+/// What files of earlier versions do not have.
+struct FusionParts {
+    bool has_network = true;      ///< since version 2
+    bool has_own_of_none = true;  ///< weights of none and offsets; since version 3
+};
 
-void read_fusion(const Field& field, Network network, GenreModel& model) {
+EvidenceWeights read_weights(const Field& field, const FusionParts& parts) {
+    return {static_cast<float>(field["mfcc"].number()),
+            static_cast<float>(field["rhythm"].number()),
+            static_cast<float>(field["sound"].number()),
+            parts.has_network ? static_cast<float>(field["network"].number()) : 0.0F};
+}
+
+GenreFusion read_window_fusion(const Field& entry, const FusionParts& parts, std::size_t classes) {
+    if (!parts.has_own_of_none) {
+        const EvidenceWeights weights = read_weights(entry, parts);
+        GenreFusion fusion{weights, weights, {}};
+        fusion.offsets[std::min(classes, fusion.offsets.size()) - 1] =
+            static_cast<float>(entry["unknown"].number());
+        return fusion;
+    }
+    GenreFusion fusion{
+        read_weights(entry["dances"], parts), read_weights(entry["none"], parts), {}};
+    const Field offsets = entry["offsets"];
+    if (offsets.size() != classes || classes > fusion.offsets.size()) {
+        offsets.complain(fmt::format("has {} numbers, must have {}", offsets.size(), classes));
+        return fusion;
+    }
+    for (std::size_t c = 0; c < classes; ++c) {
+        fusion.offsets[c] = static_cast<float>(offsets[c].number());
+    }
+    return fusion;
+}
+
+void read_fusion(const Field& field, const FusionParts& parts, GenreModel& model) {
     if (field.size() != model.fusion.size()) {
         field.complain(
             fmt::format("has {} windows, must have {}", field.size(), model.fusion.size()));
@@ -194,25 +226,29 @@ void read_fusion(const Field& field, Network network, GenreModel& model) {
         if (std::abs(entry["seconds"].number() - seconds) > 1e-6) {
             entry["seconds"].complain(fmt::format("must be {}", seconds));
         }
-        model.fusion[i] = {
-            static_cast<float>(entry["mfcc"].number()),
-            static_cast<float>(entry["rhythm"].number()),
-            static_cast<float>(entry["sound"].number()),
-            network == Network::heard ? static_cast<float>(entry["network"].number()) : 0.0F,
-            static_cast<float>(entry["unknown"].number())};
+        model.fusion[i] = read_window_fusion(entry, parts, model.classes());
     }
+}
+
+Json weights_json(const EvidenceWeights& weights) {
+    return {{"mfcc", shortened(static_cast<double>(weights.mfcc))},
+            {"rhythm", shortened(static_cast<double>(weights.rhythm))},
+            {"sound", shortened(static_cast<double>(weights.sound))},
+            {"network", shortened(static_cast<double>(weights.network))}};
 }
 
 Json fusion_json(const GenreModel& model) {
     Json list = Json::array();
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
         const GenreFusion& fusion = model.fusion[i];
+        Json offsets = Json::array();
+        for (std::size_t c = 0; c < model.classes(); ++c) {
+            offsets.push_back(shortened(static_cast<double>(fusion.offsets[c])));
+        }
         list.push_back({{"seconds", kGenreWindows[i] * kSegmentSeconds},
-                        {"mfcc", shortened(static_cast<double>(fusion.mfcc))},
-                        {"rhythm", shortened(static_cast<double>(fusion.rhythm))},
-                        {"sound", shortened(static_cast<double>(fusion.sound))},
-                        {"network", shortened(static_cast<double>(fusion.network))},
-                        {"unknown", shortened(static_cast<double>(fusion.unknown))}});
+                        {"dances", weights_json(fusion.dances)},
+                        {"none", weights_json(fusion.none)},
+                        {"offsets", std::move(offsets)}});
     }
     return list;
 }
@@ -251,7 +287,8 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     }
     const Field root = document->root();
     // Files of version 1 have no recurrent network: one that knows nothing takes its place.
-    const bool has_network = root["version"].whole(1, kGenreVersion) >= 2;
+    const int version = root["version"].whole(1, kGenreVersion);
+    const FusionParts parts{version >= 2, version >= 3};
     GenreModel model;
     model.made_with = root["made_with"].text();
     model.attribution = root["attribution"].text();
@@ -271,9 +308,10 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     model.rhythm = read_network(root["rhythm"], model.classes());
     model.sound = read_network(root["sound"], model.classes());
     model.network =
-        has_network ? read_recurrent(root["network"], model.classes())
-                    : RecurrentNetwork({.inputs = NetworkInput::kSize, .outputs = model.classes()});
-    read_fusion(root["fusion"], has_network ? Network::heard : Network::missing, model);
+        parts.has_network
+            ? read_recurrent(root["network"], model.classes())
+            : RecurrentNetwork({.inputs = NetworkInput::kSize, .outputs = model.classes()});
+    read_fusion(root["fusion"], parts, model);
     if (auto ok = document->finish(); !ok) {
         return fail(std::move(ok.error()));
     }

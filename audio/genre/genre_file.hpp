@@ -11,7 +11,7 @@
 namespace raks::audio {
 
 inline constexpr std::string_view kGenreFormat = "raks-genre";
-inline constexpr int kGenreVersion = 2;
+inline constexpr int kGenreVersion = 3;
 
 /// JSON text of a model (docs/file_formats.md); numbers with six digits.
 [[nodiscard]] std::string genre_text(const GenreModel& model);

@@ -151,11 +151,14 @@ Expected<void> validate(const GenreModel& model) {
     }
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
         const GenreFusion& fusion = model.fusion[i];
-        const bool is_sane = std::abs(fusion.mfcc) < 1e3F && std::abs(fusion.rhythm) < 1e3F &&
-                             std::abs(fusion.sound) < 1e3F && std::abs(fusion.network) < 1e3F &&
-                             std::abs(fusion.unknown) < 1e3F;
-        if (!is_sane) {
-            return fail(fmt::format("fusion[{}] has a weight that is not below 1000", i));
+        const auto is_sane = [](float number) { return std::abs(number) < 1e3F; };
+        const auto are_sane = [&](const EvidenceWeights& weights) {
+            return is_sane(weights.mfcc) && is_sane(weights.rhythm) && is_sane(weights.sound) &&
+                   is_sane(weights.network);
+        };
+        if (!are_sane(fusion.dances) || !are_sane(fusion.none) ||
+            !std::all_of(fusion.offsets.begin(), fusion.offsets.end(), is_sane)) {
+            return fail(fmt::format("fusion[{}] has a number that is not below 1000", i));
         }
     }
     if (auto ok = check_network(model.rhythm, model.classes(), "rhythm"); !ok) {

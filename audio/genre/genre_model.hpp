@@ -8,6 +8,7 @@
 #include "audio/features/cepstral_mean.hpp"
 #include "audio/features/mfcc.hpp"
 #include "audio/genre/bar_patterns.hpp"
+#include "audio/genre/genre_fusion.hpp"
 #include "audio/genre/pattern_network.hpp"
 #include "audio/network/network_input.hpp"
 #include "audio/network/recurrent_network.hpp"
@@ -40,16 +41,6 @@ struct GenreFeatures {
     }
     /// Copies what counts of `vector`. `out`: dimension() values. Real-time: yes.
     void select(const MfccVector& vector, std::span<double> out) const noexcept;
-};
-
-/// How the scores of a window of one length become chances: the logarithms are added with these
-/// weights. Fitted on artists that the models were not trained on.
-struct GenreFusion {
-    float mfcc = 0.0F;     ///< times nats a frame of each class' model: 1 / temperature
-    float rhythm = 1.0F;   ///< times ln of the rhythm network's chances
-    float sound = 1.0F;    ///< times ln of the sound network's chances
-    float network = 1.0F;  ///< times mean ln of the recurrent network's chances
-    float unknown = 0.0F;  ///< added to what is none of the genres
 };
 
 /// Everything that is needed to say which dance music is. Classes: `genres` in order, then "none of

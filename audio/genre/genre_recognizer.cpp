@@ -164,22 +164,16 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
         return judgement;
     }
     const std::size_t classes = model_->classes();
-    const GenreFusion& fusion = model_->fusion[window];
-    const GenreEvidence evidence = settings_.evidence;
-    const float mfcc = uses_mfcc(evidence) ? fusion.mfcc : 0.0F;
-    const float rhythm = uses_rhythm(evidence) ? fusion.rhythm : 0.0F;
-    const float sound = uses_sound(evidence) ? fusion.sound : 0.0F;
-    const float network = uses_network(evidence) ? fusion.network : 0.0F;
-    std::array<float, PatternNetwork::kMaxClasses> heard{};
-    listener_.log_chances(blocks, std::span(heard).first(classes));
-    const std::span<float> logs = std::span(judgement.log_chances).first(classes);
+    GenreScores scores;
     for (std::size_t c = 0; c < classes; ++c) {
-        const double nats = sliding_[c].score(blocks) / (blocks * kBlock);
-        logs[c] = mfcc * static_cast<float>(nats) + rhythm * judged_[window].rhythm[c] +
-                  sound * judged_[window].sound[c] + network * heard[c];
+        // With inter-genre similarity the frames that are shared never got here.
+        scores.mfcc[c] = static_cast<float>(sliding_[c].score(blocks) / (blocks * kBlock));
     }
-    logs.back() += fusion.unknown;
-    normalize_logs(logs);
+    scores.similarity = scores.mfcc;
+    scores.rhythm = judged_[window].rhythm;
+    scores.sound = judged_[window].sound;
+    listener_.log_chances(blocks, std::span(scores.network).first(classes));
+    judgement.log_chances = fuse(scores, model_->fusion[window], settings_.evidence, classes);
     return judgement;
 }
 

@@ -25,28 +25,11 @@ namespace raks::audio {
 /// ln of a frame's density under all states of a model, weighted alike, from its log-emissions.
 [[nodiscard]] double frame_density(std::span<const double> log_emissions) noexcept;
 
-/// Which parts of a model speak.
-enum class GenreEvidence : std::uint8_t { fused, mfcc, mfcc_similarity, rhythm, sound, network };
-[[nodiscard]] constexpr bool uses_mfcc(GenreEvidence evidence) noexcept {
-    return evidence == GenreEvidence::fused || evidence == GenreEvidence::mfcc ||
-           evidence == GenreEvidence::mfcc_similarity;
-}
-[[nodiscard]] constexpr bool uses_rhythm(GenreEvidence evidence) noexcept {
-    return evidence == GenreEvidence::rhythm || evidence == GenreEvidence::fused;
-}
-[[nodiscard]] constexpr bool uses_sound(GenreEvidence evidence) noexcept {
-    return evidence == GenreEvidence::sound || evidence == GenreEvidence::fused;
-}
-
-[[nodiscard]] constexpr bool uses_network(GenreEvidence evidence) noexcept {
-    return evidence == GenreEvidence::network || evidence == GenreEvidence::fused;
-}
-
 struct GenreSettings {
     double window_seconds = 3.0;  ///< 0.5 to 10, rounded to the model's nearest window
     GenreEvidence evidence = GenreEvidence::fused;
-    float margin = 0.1F;            ///< by which another genre must lead, in chance
-    double switch_seconds = 1.0;    ///< and for how long
+    float margin = 0.2F;            ///< by which another genre must lead, in chance
+    double switch_seconds = 0.5;    ///< and for how long
     double give_up_seconds = 3.0;   ///< the same until nothing known is danced
     float least_confidence = 0.3F;  ///< of the beat: below, a known genre stays (applause)
 };
@@ -79,7 +62,7 @@ class GenreRecognizer {
     /// ln chances of the classes at window `kGenreWindows[window]`, and whether it is full.
     struct Judgement {
         bool is_full = false;
-        std::array<float, PatternNetwork::kMaxClasses> log_chances{};
+        GenreScores::Values log_chances{};
     };
     [[nodiscard]] Judgement judge(std::size_t window) const noexcept RAKS_NONBLOCKING;
 
@@ -107,13 +90,13 @@ class GenreRecognizer {
     /// By window: ln chances by rhythm and by sound alone.
     struct Patterns {
         bool is_heard = false;
-        std::array<float, PatternNetwork::kMaxClasses> rhythm{};
-        std::array<float, PatternNetwork::kMaxClasses> sound{};
+        GenreScores::Values rhythm{};
+        GenreScores::Values sound{};
     };
     std::array<Patterns, kGenreWindows.size()> judged_{};
     std::size_t next_pattern_ = kGenreWindows.size();  // window whose turn it is
     std::int64_t heard_ = 0;                           // hops that counted
-    std::array<float, PatternNetwork::kMaxClasses> log_chances_{};
+    GenreScores::Values log_chances_{};
     std::size_t decision_ = 0;  // class
     std::size_t challenger_ = 0;
     double leads_for_ = 0.0;  // s

@@ -8,6 +8,7 @@
 
 #include "audio/genre/genre_file.hpp"
 #include "audio/genre/training/genre_scores.hpp"
+#include "audio/genre/training/genre_tally.hpp"
 #include "audio/genre/training/heard_piece.hpp"
 #include "audio/genre/training/music_folder.hpp"
 #include "audio/genre/training/sound_damage.hpp"
@@ -139,8 +140,8 @@ void add_rows(const audio::GenreModel& model,
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
             const audio::GenreFusion fusion = evidence == GenreEvidence::fused
                                                   ? model.fusion[window]
-                                                  : audio::GenreFusion{.mfcc = 1.0F};
-            std::vector<audio::WindowScore::Values> logs;
+                                                  : audio::GenreFusion{{1.0F}, {1.0F}, {}};
+            std::vector<audio::GenreScores::Values> logs;
             logs.reserve(scores.size());
             for (const audio::WindowScore& score : scores) {
                 logs.push_back(audio::fuse(score, fusion, evidence, model.classes()));

@@ -230,8 +230,14 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
     plan.effects = options.effects;
     plan.edition = static_cast<audio::WrittenCorpusPlan::Edition>(options.edition);
     const bool is_altered = plan.augmentation == audio::WrittenCorpusPlan::Augmentation::on;
-    const std::string variant = (options.edition > 1 ? "-second" : "") +
-                                (is_altered ? without(options.effects) : std::string());
+    std::uint64_t soundfonts = hash_of("");
+    for (const auto& soundfont : plan.soundfonts) {
+        soundfonts = hash_of(soundfont.filename().string() + "\n", soundfonts);
+    }
+    const std::string variant = fmt::format("-edition{}-{:016x}{}",
+                                            options.edition,
+                                            soundfonts,
+                                            is_altered ? without(options.effects) : std::string());
     std::vector<WrittenChunk> chunks;
     for (plan.first = 0; plan.first < all; plan.first += kChunk) {
         plan.pieces = std::min(kChunk, all - plan.first);

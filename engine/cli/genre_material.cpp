@@ -16,6 +16,8 @@ namespace raks::cli {
 namespace {
 
 constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
+constexpr int kFurtherShare =
+    10;  // ... a piece without a beat to dance to, and one of our own generator's
 
 /// Hears chunks; those that `is_wanted(i)` refuses stay empty.
 template <class IsWanted>
@@ -65,6 +67,17 @@ std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
         plan.pieces = options.synthesize / kRestShare;
         auto rest = chunks_of(options, hearing, "written-rest", plan);
         std::move(rest.begin(), rest.end(), std::back_inserter(chunks));
+    }
+    if (options.edition >= 3) {
+        using Music = audio::WrittenCorpusPlan::Music;
+        plan.families = Families::always;
+        plan.pieces = options.synthesize / kFurtherShare;
+        for (const auto& [music, name] : {std::pair{Music::undanceable, "written-undanceable"},
+                                          std::pair{Music::own, "written-own"}}) {
+            plan.music = music;
+            auto more = chunks_of(options, hearing, name, plan);
+            std::move(more.begin(), more.end(), std::back_inserter(chunks));
+        }
     }
     return chunks;
 }

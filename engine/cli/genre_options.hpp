@@ -26,7 +26,7 @@ struct GenreOptions {
     std::vector<std::filesystem::path> shards;  // to merge
     std::filesystem::path report;
     int synthesize = 0;
-    int edition = 2;  // of the written music
+    int edition = 3;  // of the written music
     int test_pieces = 140;
     std::vector<std::filesystem::path> soundfonts;
     std::vector<std::filesystem::path> test_soundfonts;
@@ -34,6 +34,7 @@ struct GenreOptions {
     bool is_strict = false;
     bool leaves_out_families = false;
     bool trains_on_free_alone = false;
+    std::string judged_labels;  // of clips that the validation judges by; empty: of all
     bool skips_validation = false;
     int altered = 2;
     std::vector<std::string> left_out_effects;  // names of SoundEffect

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "audio/genre/training/fusion_fit.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,19 +16,32 @@ namespace {
 constexpr const char* kEvidenceNames[] = {
     "fused", "MFCC", "MFCC+IGS", "rhythm", "sound", "network"};
 
-/// ln chances of all these windows by some of the evidence; the model's fusion, or one fitted here.
-std::vector<audio::WindowScore::Values> fused_scores(std::span<const audio::WindowScore> scores,
+/// ln chances of all these windows by some of the evidence.
+std::vector<audio::GenreScores::Values> fused_scores(const JudgedScores& judged,
                                                      std::size_t window,
                                                      std::size_t classes,
-                                                     audio::GenreEvidence evidence,
-                                                     const audio::GenreModel* calibrated) {
-    const bool is_ready = calibrated != nullptr && evidence == audio::GenreEvidence::fused;
-    const auto fusion = is_ready ? calibrated->fusion[window]
-                                 : audio::fit_fusion(scores, window, classes, evidence);
-    std::vector<audio::WindowScore::Values> logs;
-    logs.reserve(scores.size());
-    for (const audio::WindowScore& score : scores) {
-        logs.push_back(audio::fuse(score, fusion, evidence, classes));
+                                                     audio::GenreEvidence evidence) {
+    const bool is_ready = judged.calibrated != nullptr && evidence == audio::GenreEvidence::fused;
+    std::map<int, std::vector<audio::WindowScore>> others_of_fold;
+    for (const audio::WindowScore& score : judged.scores) {
+        others_of_fold.try_emplace(score.fold);
+    }
+    for (const audio::WindowScore& score : judged.fitted_to) {
+        for (auto& [fold, others] : others_of_fold) {
+            if (fold != score.fold || others_of_fold.size() == 1) {
+                others.push_back(score);
+            }
+        }
+    }
+    std::map<int, audio::GenreFusion> fusions;
+    for (const auto& [fold, others] : others_of_fold) {
+        fusions[fold] = is_ready ? judged.calibrated->fusion[window]
+                                 : audio::fit_fusion(others, window, classes, evidence);
+    }
+    std::vector<audio::GenreScores::Values> logs;
+    logs.reserve(judged.scores.size());
+    for (const audio::WindowScore& score : judged.scores) {
+        logs.push_back(audio::fuse(score, fusions[score.fold], evidence, classes));
     }
     return logs;
 }
@@ -37,17 +52,17 @@ static_assert(audio::kGenreWindows[kFiveSeconds] == 10);
 }  // namespace
 
 audio::GenrePage page_of(const std::string& title,
-                         std::span<const audio::WindowScore> scores,
+                         const JudgedScores& judged,
                          std::span<const Genre> genres,
-                         std::span<const std::size_t> asked,
-                         const audio::GenreModel* calibrated) {
+                         std::span<const std::size_t> asked) {
     using audio::GenreEvidence;
     audio::GenrePage page;
     page.title = title;
     page.genres.assign(genres.begin(), genres.end());
-    const bool has_similarity = std::any_of(scores.begin(), scores.end(), [](const auto& score) {
-        return score.similarity[0] != 0.0F;
-    });
+    const bool has_similarity =
+        std::any_of(judged.scores.begin(), judged.scores.end(), [](const auto& score) {
+            return score.similarity[0] != 0.0F;
+        });
     for (const GenreEvidence evidence : {GenreEvidence::mfcc,
                                          GenreEvidence::mfcc_similarity,
                                          GenreEvidence::rhythm,
@@ -58,10 +73,10 @@ audio::GenrePage page_of(const std::string& title,
             continue;
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
-            const auto logs = fused_scores(scores, window, genres.size() + 1, evidence, calibrated);
+            const auto logs = fused_scores(judged, window, genres.size() + 1, evidence);
             audio::GenrePage::Row row{kEvidenceNames[static_cast<std::size_t>(evidence)],
                                       audio::kGenreWindows[window] * audio::kSegmentSeconds,
-                                      audio::tally(scores, logs, window, genres, asked)};
+                                      audio::tally(judged.scores, logs, window, genres, asked)};
             if (row.tally.windows > 0) {
                 page.rows.push_back(std::move(row));
             }
@@ -100,11 +115,12 @@ void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked
 }
 
 std::vector<audio::GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
-                                                 std::span<const audio::WindowScore> scores,
+                                                 const JudgedScores& judged,
                                                  std::span<const Genre> genres,
                                                  std::span<const std::size_t> asked) {
     const auto logs =
-        fused_scores(scores, kFiveSeconds, genres.size() + 1, audio::GenreEvidence::fused, nullptr);
+        fused_scores(judged, kFiveSeconds, genres.size() + 1, audio::GenreEvidence::fused);
+    const std::span<const audio::WindowScore> scores = judged.scores;
     std::map<std::size_t, std::pair<int, int>> right_of_all;
     for (std::size_t i = 0; i < scores.size(); ++i) {
         const std::size_t truth = scores[i].truth;

@@ -11,13 +11,20 @@
 
 namespace raks::cli {
 
-/// How every kind of evidence does at every window length, asked among these genres; by the model's
-/// own fusion, or (none) by one fitted to the scores.
+/// Scores, and those that a fusion is fitted to where there is no calibrated model or where only
+/// some of its evidence speaks: each fold's to those of the other folds, or, where there is but
+/// one, to its own.
+struct JudgedScores {
+    std::span<const audio::WindowScore> scores;
+    std::span<const audio::WindowScore> fitted_to;
+    const audio::GenreModel* calibrated = nullptr;
+};
+
+/// How every kind of evidence does at every window length, asked among these genres.
 [[nodiscard]] audio::GenrePage page_of(const std::string& title,
-                                       std::span<const audio::WindowScore> scores,
+                                       const JudgedScores& judged,
                                        std::span<const Genre> genres,
-                                       std::span<const std::size_t> asked,
-                                       const audio::GenreModel* calibrated);
+                                       std::span<const std::size_t> asked);
 
 /// The page as a table on stdout.
 void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked);
@@ -25,7 +32,7 @@ void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked
 /// How often each recorded file's windows of 5 s were taken for what they are, among the asked.
 [[nodiscard]] std::vector<audio::GenrePage::File> judged_files(
     std::span<const audio::HeardPiece> pieces,
-    std::span<const audio::WindowScore> scores,
+    const JudgedScores& judged,
     std::span<const Genre> genres,
     std::span<const std::size_t> asked);
 

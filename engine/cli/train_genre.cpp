@@ -1,9 +1,7 @@
 // The program raks-train-genre, that `raks train genre` starts: it alone needs FluidSynth and a
 // BLAS, which the dancing program should not load.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <exception>
 #include <filesystem>
@@ -11,7 +9,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,12 +17,9 @@
 #include "audio/genre/genre_file.hpp"
 #include "audio/genre/training/network_outputs.hpp"
 #include "audio/io/lossy_codec.hpp"
-#include "base/file.hpp"
-#include "base/hash.hpp"
-#include "base/parallel.hpp"
 #include "engine/cli/genre_adding.hpp"
+#include "engine/cli/genre_learning.hpp"
 #include "engine/cli/genre_material.hpp"
-#include "engine/cli/genre_tables.hpp"
 #include "engine/cli/training_program.hpp"
 #include "engine/hearing.hpp"
 
@@ -48,10 +42,12 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option(
            "--synthesize", options.synthesize, "pieces of music to write, play and learn from")
         ->check(CLI::Range(0, 100'000));
-    app.add_option("--edition",
-                   options.edition,
-                   "of the written music; 1: without quarter tones, oud and lossy codecs")
-        ->check(CLI::Range(1, 2));
+    app.add_option(
+           "--edition",
+           options.edition,
+           "of the written music; 1: without quarter tones, oud and lossy codecs; 2: without "
+           "bands of several soundfonts")
+        ->check(CLI::Range(1, 3));
     app.add_option(
         "--soundfont", options.soundfonts, "SF2 or SF3 to play it with; one is drawn a piece");
     app.add_option("--test-soundfont",
@@ -82,6 +78,10 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_flag("--free-only",
                  options.trains_on_free_alone,
                  "learn only from clips whose train_ok is yes (validation uses all)");
+    app.add_option("--labels",
+                   options.judged_labels,
+                   "judge by clips with one of these labels alone (AB: not those whose genre is a "
+                   "guess); learns from all");
     app.add_flag("--no-validation", options.skips_validation, "keep the default fusion");
     app.add_flag("--strict", options.is_strict, "a file that cannot be read is an error");
     app.add_flag("--no-energy", options.leaves_out_energy, "without C0 and its derivatives");
@@ -129,65 +129,6 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option("--threads", options.threads)->check(CLI::Range(1, 64));
 }
 
-std::vector<audio::WindowScore> scores_of(const audio::GenreModel& model,
-                                          std::span<const audio::HeardPiece> pieces,
-                                          int threads) {
-    std::vector<std::vector<audio::WindowScore>> parts(pieces.size());
-    run_parallel(pieces.size(), threads, [&](std::size_t i) {
-        parts[i] = audio::score_piece(model, pieces[i], i);
-    });
-    std::vector<audio::WindowScore> scores;
-    for (auto& part : parts) {
-        std::move(part.begin(), part.end(), std::back_inserter(scores));
-    }
-    return scores;
-}
-
-/// How the finished model hears written music that it never heard.
-Expected<void> test_on_written(const GenreOptions& options,
-                               const audio::HearingPlan& hearing,
-                               const audio::GenreModel& model) {
-    using Families = audio::WrittenCorpusPlan::Families;
-    const auto test = [&](const std::string& name,
-                          const auto& soundfonts,
-                          Families families,
-                          std::uint64_t seed) -> Expected<void> {
-        auto pieces = cli::written(options,
-                                   hearing,
-                                   name,
-                                   {.soundfonts = soundfonts,
-                                    .families = families,
-                                    .pieces = options.test_pieces,
-                                    .seed = seed,
-                                    .augmentation = audio::WrittenCorpusPlan::Augmentation::off,
-                                    .hearing = {}});
-        if (!pieces) {
-            return fail(pieces.error());
-        }
-        const auto asked = cli::all_genres(model.genres.size());
-        const auto scores = scores_of(model, *pieces, options.threads);
-        cli::print_page(cli::page_of(name, scores, model.genres, asked, &model), asked);
-        return {};
-    };
-    const std::uint64_t seed = options.seed + 500;
-    const Families known = options.leaves_out_families ? Families::always : Families::all;
-    if (auto ok = test("written, new seeds, soundfonts heard", options.soundfonts, known, seed);
-        !ok) {
-        return ok;
-    }
-    if (options.leaves_out_families) {
-        if (auto ok = test(
-                "written, rhythms never heard", options.soundfonts, Families::held_out, seed + 1);
-            !ok) {
-            return ok;
-        }
-    }
-    if (!options.test_soundfonts.empty()) {
-        return test("written, soundfont never heard", options.test_soundfonts, known, seed + 2);
-    }
-    return {};
-}
-
 std::string attribution_of(const GenreMaterial& material, const GenreOptions& options) {
     std::set<std::string> credits;
     for (const audio::MusicFile& file : material.files) {
@@ -201,22 +142,6 @@ std::string attribution_of(const GenreMaterial& material, const GenreOptions& op
             : "Music of the beat network's training: Google's Groove MIDI Dataset (CC-BY-4.0), "
               "OpenScore Lieder (CC0-1.0), patterns of our own. ";
     return fmt::format("{}{}{}", material.written_with, beats, fmt::join(credits, "; "));
-}
-
-/// What an earlier run has learnt from written music; null if it left nothing that fits.
-std::shared_ptr<const audio::RecurrentNetwork> load_weights(
-    const std::filesystem::path& path,
-    std::size_t classes,
-    const audio::NetworkTrainingPlan& plan) {
-    auto network = std::make_shared<audio::RecurrentNetwork>(audio::RecurrentNetwork::Shape{
-        audio::NetworkInput::kSize, plan.units, plan.layers, classes});
-    const std::span<float> weights = network->parameters();
-    const auto bytes = read_file(path, weights.size_bytes());
-    if (!bytes || bytes->size() != weights.size_bytes()) {
-        return nullptr;
-    }
-    std::memcpy(weights.data(), bytes->data(), bytes->size());
-    return network;
 }
 
 /// Pieces that the final model may learn from.
@@ -235,87 +160,6 @@ std::vector<const audio::HeardPiece*> free_pieces(const GenreOptions& options,
         }
     }
     return free;
-}
-
-/// The recurrent network that has learnt from the written music; kept between runs.
-std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOptions& options,
-                                                               const GenreMaterial& material,
-                                                               const std::vector<Genre>& genres) {
-    const audio::NetworkTrainingPlan& plan = options.plan.network;
-    std::vector<const audio::HeardPiece*> pieces;
-    std::vector<std::size_t> classes;
-    std::uint64_t music = hash_of("");
-    for (const audio::HeardPiece& piece : material.pieces) {
-        pieces.push_back(&piece);
-        classes.push_back(audio::class_of(piece.genre, genres));
-        if (!piece.is_recorded()) {
-            const std::span<const float> mel = piece.mel;
-            music = hash_of({reinterpret_cast<const char*>(mel.data()), mel.size_bytes()}, music);
-        }
-    }
-    const std::filesystem::path kept =
-        options.cache / fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}.weights",
-                                    genres.size() + 1,
-                                    plan.layers,
-                                    plan.units,
-                                    plan.written_steps,
-                                    pieces.size(),
-                                    plan.seed,
-                                    music);
-    if (auto known =
-            options.cache.empty() ? nullptr : load_weights(kept, genres.size() + 1, plan)) {
-        return known;
-    }
-    const auto start = std::chrono::steady_clock::now();
-    auto network = std::make_shared<const audio::RecurrentNetwork>(audio::train_on_written(
-        pieces, classes, genres.size() + 1, plan, [&](const audio::NetworkTrainingProgress& now) {
-            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-            std::fprintf(stderr,
-                         "raks: network: step %d of %d, loss %.3f, of pieces kept out %.3f, "
-                         "%.0f s left\n",
-                         now.step,
-                         now.steps,
-                         now.training_loss,
-                         now.validation_loss,
-                         spent.count() * (now.steps - now.step) / now.step);
-        }));
-    if (!options.cache.empty()) {
-        const auto weights = network->parameters();
-        static_cast<void>(write_file(
-            kept, {reinterpret_cast<const char*>(weights.data()), weights.size_bytes()}));
-    }
-    return network;
-}
-
-/// Scores of pieces by models that did not hear their artist; prints how good they are.
-Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,
-                                                            const GenreMaterial& material,
-                                                            const std::vector<Genre>& genres) {
-    const std::vector<audio::HeardPiece>& pieces = material.pieces;
-    auto scores = audio::cross_validate(pieces, genres, options.plan, [](int done, int all) {
-        std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
-    });
-    if (!scores) {
-        return fail(scores.error());
-    }
-    std::vector<audio::WindowScore> recorded;
-    std::copy_if(
-        scores->begin(), scores->end(), std::back_inserter(recorded), [&](const auto& score) {
-            return pieces[score.piece].is_recorded();
-        });
-    if (recorded.empty()) {
-        return scores;
-    }
-    const auto asked = cli::enough_recordings(pieces, genres);
-    audio::GenrePage page = cli::page_of("recordings, by artist", recorded, genres, asked, nullptr);
-    cli::print_page(page, asked);
-    if (!options.report.empty()) {
-        page.files = cli::judged_files(pieces, recorded, genres, asked);
-        if (auto saved = write_file(options.report, audio::genre_page(page)); !saved) {
-            return fail(saved.error());
-        }
-    }
-    return scores;
 }
 
 /// Which effects may happen; says it once where FFmpeg cannot encode.
@@ -387,10 +231,10 @@ Expected<void> learn(GenreOptions& options,
     options.plan.written_network =
         base != nullptr ? std::make_shared<const audio::RecurrentNetwork>(audio::with_outputs(
                               *base->samples.written_network, base->samples.genres, genres))
-                        : written_network(options, *material, genres);
+                        : cli::written_network(options, *material, genres);
     std::vector<audio::WindowScore> held_out;
     if (!options.skips_validation) {
-        auto scores = validate_by_group(options, *material, genres);
+        auto scores = cli::validate_by_group(options, *material, genres);
         if (!scores) {
             return fail(scores.error());
         }
@@ -427,7 +271,7 @@ Expected<void> learn(GenreOptions& options,
         }
     }
     const bool is_tested = options.synthesize > 0 && options.test_pieces > 0;
-    return is_tested ? test_on_written(options, hearing, *model) : Expected<void>{};
+    return is_tested ? cli::test_on_written(options, hearing, *model) : Expected<void>{};
 }
 
 Expected<void> run(GenreOptions& options, const std::string& command) {

@@ -211,7 +211,8 @@ Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
                                     : PlayerRoom{};
         // A synthesizer that has played before does not play the same samples again: each piece
         // has a new one, which costs less than a second of music.
-        auto player = SoundfontPlayer::open(dice.pick<std::filesystem::path>(plan.soundfonts));
+        const std::array soundfont = {dice.pick<std::filesystem::path>(plan.soundfonts)};
+        auto player = SoundfontPlayer::open(soundfont);
         if (!player) {
             return fail(player.error());
         }

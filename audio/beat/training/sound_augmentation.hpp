@@ -21,7 +21,8 @@ enum class SoundEffect : std::uint8_t {
     room,
     speed,
     resampling,
-    codec
+    codec,
+    players  ///< of several soundfonts, each with a sound of its own
 };
 inline constexpr std::string_view kSoundEffectNames[] = {"voice",
                                                          "equalizer",
@@ -32,7 +33,8 @@ inline constexpr std::string_view kSoundEffectNames[] = {"voice",
                                                          "room",
                                                          "speed",
                                                          "resampling",
-                                                         "codec"};
+                                                         "codec",
+                                                         "players"};
 
 /// Those that may happen: at first all.
 class SoundEffects {

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "audio/beat/training/performance.hpp"
+#include "audio/beat/training/player_band.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
@@ -21,11 +23,17 @@ class SoundfontPlayer {
  public:
     static constexpr int kRate = 44'100;
 
-    /// Errors: the soundfont cannot be loaded.
-    [[nodiscard]] static Expected<SoundfontPlayer> open(const std::filesystem::path& soundfont);
+    /// Errors: a soundfont cannot be loaded.
+    [[nodiscard]] static Expected<SoundfontPlayer> open(
+        std::span<const std::filesystem::path> soundfonts);
 
-    /// Mono samples at kRate, peak 0.7, its delay of 2.5 ms taken off.
+    /// Mono samples at kRate, peak 0.7, its delay of 2.5 ms taken off. All of it by the first
+    /// soundfont.
     [[nodiscard]] std::vector<float> play(const Performance& performance, const PlayerRoom& room);
+    /// The same by a band, whose players have soundfonts and sounds of their own.
+    [[nodiscard]] std::vector<float> play(const Performance& performance,
+                                          const PlayerRoom& room,
+                                          const PlayerBand& band);
 
     SoundfontPlayer(SoundfontPlayer&&) noexcept;
     SoundfontPlayer& operator=(SoundfontPlayer&&) noexcept;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "audio/genre/training/genre_scores.hpp"
+#include "audio/genre/training/genre_tally.hpp"
 
 namespace raks::audio {
 

@@ -1,12 +1,12 @@
 #include "audio/genre/training/genre_trainer.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "audio/genre/training/fusion_fit.hpp"
 #include "base/parallel.hpp"
 
 namespace raks::audio {
@@ -138,7 +138,10 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pi
             parts[i] = score_piece(*model, pieces[held_out[i]], held_out[i]);
         });
         for (std::vector<WindowScore>& part : parts) {
-            std::move(part.begin(), part.end(), std::back_inserter(scores));
+            for (WindowScore& score : part) {
+                score.fold = fold;
+                scores.push_back(score);
+            }
         }
         on_fold(fold + 1, plan.folds);
     }

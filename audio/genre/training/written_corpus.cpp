@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "audio/beat/training/corpus.hpp"
-#include "audio/beat/training/keyboard_scores.hpp"
-#include "audio/beat/training/non_music.hpp"
 #include "audio/beat/training/performance.hpp"
 #include "audio/beat/training/soundfont_player.hpp"
 #include "audio/genre/training/arrangement.hpp"
 #include "audio/genre/training/genre_augmentation.hpp"
 #include "audio/genre/training/genre_styles.hpp"
+#include "audio/genre/training/other_music.hpp"
 #include "audio/genre/training/oud.hpp"
 #include "audio/genre/training/sound_damage.hpp"
 #include "audio/synth/music_generator.hpp"
@@ -21,15 +21,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kBeats = 96;
 constexpr double kShortest = 8.0;  // s
-
-struct WrittenPiece {
-    std::string name;
-    Genre genre = Genre::unknown;
-    Performance performance;
-    std::vector<float> samples;  // of what no soundfont plays
-};
 
 bool is_among(const GenreStyle& style, WrittenCorpusPlan::Families families) {
     const bool is_held_out = style.use == GenreStyle::Use::held_out;
@@ -47,15 +39,27 @@ std::vector<GenreStyle> styles_of(Genre genre, WrittenCorpusPlan::Families famil
     return chosen;
 }
 
-/// Our own generator's salsa, maqsum and house: sounds that no soundfont has (darbuka, oud).
+/// What our own generator calls a dance's music, and the tempi that it is played at.
+struct OwnStyle {
+    Style style;
+    double lowest_bpm;
+    double highest_bpm;
+};
+constexpr std::array<OwnStyle, kGenreCount - 1> kOwnStyles = {{
+    {Style::salsa, 150.0, 215.0},
+    {Style::maqsum, 80.0, 145.0},
+    {Style::house, 112.0, 132.0},
+    {Style::hiphop, 72.0, 106.0},
+    {Style::rock, 92.0, 176.0},
+    {Style::waltz, 80.0, 185.0},
+}};
+
+/// Our own generator's music: sounds that no soundfont has (darbuka, oud).
 WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
+    const OwnStyle& own = kOwnStyles[static_cast<std::size_t>(genre)];
     MusicPlan plan;
-    plan.style = genre == Genre::salsa   ? Style::salsa
-                 : genre == Genre::belly ? Style::maqsum
-                                         : Style::house;
-    const double bpm = genre == Genre::salsa   ? dice.uniform(150.0, 215.0)
-                       : genre == Genre::belly ? dice.uniform(80.0, 145.0)
-                                               : dice.uniform(112.0, 132.0);
+    plan.style = own.style;
+    const double bpm = dice.uniform(own.lowest_bpm, own.highest_bpm);
     plan.tempo = {{0.0, bpm}};
     plan.seconds = seconds;
     plan.channels = 1;
@@ -66,55 +70,6 @@ WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
         piece.samples = std::move(music->samples);
     }
     return piece;
-}
-
-/// No drums, and strings, winds, choirs or soft synthesizers in a free tempo for the rest.
-void make_orchestral(Score& score, Dice& dice) {
-    std::erase_if(score.notes, [](const ScoreNote& note) { return note.channel == kDrumChannel; });
-    score.has_drums = false;
-    score.is_expressive = true;
-    std::array<int, 16> programs{};
-    for (int& program : programs) {
-        program =
-            dice.pick({40, 42, 46, 48, 49, 52, 53, 60, 68, 71, 73, 88, 89, 91, 92, 95, 24, 0});
-    }
-    for (ScoreNote& note : score.notes) {
-        note.program = programs[static_cast<std::size_t>(note.channel)];
-    }
-}
-
-/// A piano in bars of three may play a waltz.
-bool is_in_three(const Score& score) {
-    return *std::max_element(score.bar_position.begin(), score.bar_position.end()) == 3;
-}
-
-/// Music to no dance of ours, and what is no music.
-WrittenPiece other_piece(const WrittenCorpusPlan& plan, Dice& dice) {
-    const double kind = dice.uniform();
-    if (kind < 0.12) {
-        return {"people",
-                Genre::unknown,
-                {},
-                noise_of_people(SoundfontPlayer::kRate, plan.seconds, dice)};
-    }
-    if (kind < 0.22) {
-        return {"no pulse", Genre::unknown, notes_without_pulse(plan.seconds, dice), {}};
-    }
-    if (kind < 0.34) {
-        Score score = keyboard_score(kBeats, dice);
-        for (int tries = 0; is_in_three(score) && tries < 20; ++tries) {
-            score = keyboard_score(kBeats, dice);
-        }
-        return {"piano", Genre::unknown, perform(score, plan.seconds, dice), {}};
-    }
-    const auto styles = styles_of(Genre::unknown, WrittenCorpusPlan::Families::all);
-    const GenreStyle& style = dice.pick<GenreStyle>(styles);
-    Score score = arrange(style, kBeats, dice);
-    if (kind < 0.46) {
-        make_orchestral(score, dice);
-        return {"orchestra", Genre::unknown, perform(score, plan.seconds, dice), {}};
-    }
-    return {std::string(style.style->name), Genre::unknown, perform(score, plan.seconds, dice), {}};
 }
 
 OrientalScales scales_of(const WrittenCorpusPlan& plan) {
@@ -139,18 +94,28 @@ std::vector<OudNote> take_melody(Performance& performance) {
     return melody;
 }
 
-/// Plays with a soundfont; of the second edition an oud of ours may play an oriental melody.
-std::vector<float> play_piece(const WrittenCorpusPlan& plan,
-                              WrittenPiece& piece,
-                              SoundfontPlayer& player,
-                              const PlayerRoom& room,
-                              Dice& dice) {
+/// Plays with a soundfont or, of the third edition, mostly with a band of several; since the second
+/// an oud of ours may play an oriental melody.
+Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
+                                        WrittenPiece& piece,
+                                        std::span<const std::filesystem::path> soundfonts,
+                                        Dice& dice) {
+    const PlayerRoom room = dice.chance(0.5)
+                                ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.6)}
+                                : PlayerRoom{};
+    auto player = SoundfontPlayer::open(soundfonts);
+    if (!player) {
+        return fail(player.error());
+    }
     std::vector<OudNote> melody;
     if (plan.edition != WrittenCorpusPlan::Edition::first && piece.genre == Genre::belly &&
         dice.chance(0.5)) {
         melody = take_melody(piece.performance);
     }
-    std::vector<float> samples = player.play(piece.performance, room);
+    std::vector<float> samples =
+        soundfonts.size() > 1
+            ? player->play(piece.performance, room, draw_band(soundfonts.size(), dice))
+            : player->play(piece.performance, room);
     if (melody.empty()) {
         return samples;
     }
@@ -164,8 +129,14 @@ std::vector<float> play_piece(const WrittenCorpusPlan& plan,
 }
 
 WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) {
+    if (plan.music == WrittenCorpusPlan::Music::undanceable) {
+        return undanceable_piece(plan.seconds, dice);
+    }
+    if (plan.music == WrittenCorpusPlan::Music::own) {
+        return own_piece(genre, plan.seconds, dice);
+    }
     if (genre == Genre::unknown) {
-        return other_piece(plan, dice);
+        return other_piece(plan.seconds, dice);
     }
     const bool is_ours = genre == Genre::salsa || genre == Genre::belly || genre == Genre::house;
     if (is_ours && plan.families != WrittenCorpusPlan::Families::held_out && dice.chance(0.1)) {
@@ -175,30 +146,52 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
     const GenreStyle& style = dice.pick<GenreStyle>(styles);
     return {std::string(style.style->name),
             genre,
-            perform(arrange(style, kBeats, dice, scales_of(plan)), plan.seconds, dice),
+            perform(arrange(style, kWrittenBeats, dice, scales_of(plan)), plan.seconds, dice),
             {}};
+}
+
+/// One, or all of them for a band.
+std::vector<std::filesystem::path> draw_soundfonts(const WrittenCorpusPlan& plan, Dice& dice) {
+    constexpr double kBand = 0.75;  // of the pieces
+    const bool has_bands = plan.edition >= WrittenCorpusPlan::Edition::third &&
+                           plan.augmentation == WrittenCorpusPlan::Augmentation::on &&
+                           plan.effects.has(SoundEffect::players) && plan.soundfonts.size() > 1;
+    if (has_bands && dice.chance(kBand)) {
+        return plan.soundfonts;
+    }
+    return {dice.pick<std::filesystem::path>(plan.soundfonts)};
+}
+
+Genre genre_of_number(const WrittenCorpusPlan& plan, int number) {
+    constexpr int kDances = kGenreCount - 1;
+    switch (plan.music) {
+        case WrittenCorpusPlan::Music::undanceable:
+            return Genre::unknown;
+        case WrittenCorpusPlan::Music::own:
+            return static_cast<Genre>(number % kDances);
+        case WrittenCorpusPlan::Music::all:
+            break;
+    }
+    // What is none of the dances is of more kinds than any dance: two pieces a round.
+    return static_cast<Genre>(std::min(number % (kDances + 2), kDances));
 }
 
 Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
-    // What is none of the dances is of more kinds than any dance: two pieces a round.
-    const auto genre = static_cast<Genre>(std::min(number % (kGenreCount + 1), kGenreCount - 1));
+    const Genre genre = genre_of_number(plan, number);
     WrittenPiece piece = draw_piece(plan, genre, dice);
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortest && tries < 20;
          ++tries) {
         piece = draw_piece(plan, genre, dice);
     }
-    const auto& soundfont = dice.pick<std::filesystem::path>(plan.soundfonts);
+    const std::vector<std::filesystem::path> soundfonts = draw_soundfonts(plan, dice);
     if (piece.samples.empty()) {
-        const PlayerRoom room = dice.chance(0.5)
-                                    ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.6)}
-                                    : PlayerRoom{};
-        auto player = SoundfontPlayer::open(soundfont);
-        if (!player) {
-            return fail(player.error());
+        auto samples = play_piece(plan, piece, soundfonts, dice);
+        if (!samples) {
+            return fail(samples.error());
         }
-        piece.samples = play_piece(plan, piece, *player, room, dice);
+        piece.samples = std::move(*samples);
     }
     if (plan.augmentation == WrittenCorpusPlan::Augmentation::on) {
         SoundEffects effects = plan.effects;
@@ -213,7 +206,8 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     }
     HeardPiece heard;
     heard.name = piece.name + " " + std::to_string(number);
-    heard.group = piece.name + "/" + soundfont.stem().string();
+    heard.group =
+        piece.name + "/" + (soundfonts.size() > 1 ? "band" : soundfonts.front().stem().string());
     heard.genre = piece.genre;
     heard.kind = plan.families == WrittenCorpusPlan::Families::held_out
                      ? HeardPiece::Kind::written_held_out

@@ -12,11 +12,15 @@ namespace raks::audio {
 
 /// A corpus that is written, played and heard.
 struct WrittenCorpusPlan {
-    std::vector<std::filesystem::path> soundfonts;  ///< one is drawn a piece; not empty
+    std::vector<std::filesystem::path> soundfonts;  ///< drawn from; not empty
     enum class Families : std::uint8_t { always, held_out, all };
     Families families = Families::all;
-    int first = 0;          ///< number of the first piece
-    int pieces = 70;        ///< genres in turn, then twice "none of them"
+    /// All: the dances in turn, then twice what is none of them. Own: the dances in turn as our own
+    /// generator plays them, without a soundfont.
+    enum class Music : std::uint8_t { all, undanceable, own };
+    Music music = Music::all;
+    int first = 0;  ///< number of the first piece
+    int pieces = 70;
     double seconds = 16.0;  ///< of each
     std::uint64_t seed = 1;
     int threads = 2;
@@ -24,9 +28,10 @@ struct WrittenCorpusPlan {
     Augmentation augmentation = Augmentation::on;
     SoundEffects effects{};  ///< what may happen to a piece
     /// The same number is always the same music: what a model was learnt from can be written again.
-    /// First: no lossy codecs, no lower sampling rates, no quarter tones, no oud.
-    enum class Edition : std::uint8_t { first = 1, second };
-    Edition edition = Edition::second;
+    /// First: no lossy codecs, no lower sampling rates, no quarter tones, no oud. Second: a piece
+    /// is played with one soundfont as it is.
+    enum class Edition : std::uint8_t { first = 1, second, third };
+    Edition edition = Edition::third;
     HearingPlan hearing;
 };
 

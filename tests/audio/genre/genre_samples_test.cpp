@@ -9,6 +9,7 @@
 #include "audio/genre/training/network_outputs.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
+#include "tests/support/mangled.hpp"
 
 namespace raks::audio {
 namespace {
@@ -164,13 +165,9 @@ TEST(GenreSamples, cut_and_mangled_files_are_refused_or_read_without_harm) {
         EXPECT_EQ(read.error().message.find('\n'), std::string::npos);
     }
     for (std::uint64_t i = 0; i < 300; ++i) {
-        std::string mangled = *bytes;
-        const std::size_t reach = i % 2 == 0 ? 120 : mangled.size();
-        for (std::uint64_t flip = 0; flip < 4; ++flip) {
-            const std::size_t at = random.below(1'000 + 10 * i + flip, reach);
-            mangled[at] = static_cast<char>(random.below(9'000 + 10 * i + flip, 256));
-        }
-        ASSERT_TRUE(write_file(file, mangled));
+        const std::size_t reach = i % 2 == 0 ? 120 : bytes->size();
+        ASSERT_TRUE(
+            write_file(file, raks::test::mangled(*bytes, {.seed = i, .bytes = 4, .reach = reach})));
         if (const auto read = load_samples(file)) {
             for (const HeardPiece& piece : read->pieces) {
                 for (const float value : piece.mel) {

@@ -6,6 +6,7 @@
 
 #include "base/file.hpp"
 #include "base/random.hpp"
+#include "tests/support/mangled.hpp"
 
 namespace raks::audio {
 namespace {
@@ -119,14 +120,9 @@ TEST_F(GenreShard, cut_and_mangled_shards_are_refused_or_read_without_harm) {
         EXPECT_FALSE(load_shard(file)) << size;
     }
     for (std::uint64_t i = 0; i < 200; ++i) {
-        std::string mangled = *bytes;
         // The head, where the sizes are, more often than the numbers behind it.
-        const std::size_t reach = i % 2 == 0 ? 300 : mangled.size();
-        for (std::uint64_t flip = 0; flip < 3; ++flip) {
-            const std::size_t at = random.below(1'000 + 10 * i + flip, reach);
-            mangled[at] = static_cast<char>(random.below(9'000 + 10 * i + flip, 256));
-        }
-        ASSERT_TRUE(write_file(file, mangled));
+        const std::size_t reach = i % 2 == 0 ? 300 : bytes->size();
+        ASSERT_TRUE(write_file(file, raks::test::mangled(*bytes, {.seed = i, .reach = reach})));
         const auto read = load_shard(file);
         EXPECT_TRUE(read || read.error().message.find('\n') == std::string::npos);
     }

@@ -37,7 +37,7 @@ inline GenreModel small_genre_model() {
     model.sound = network;
     model.network = RecurrentNetwork({NetworkInput::kSize, 4, 1, 3});
     for (GenreFusion& fusion : model.fusion) {
-        fusion = {.mfcc = 1.0F};
+        fusion = {{.mfcc = 1.0F}, {.mfcc = 1.0F}, {}};
     }
     model.made_with = "by hand";
     return model;

@@ -1,0 +1,189 @@
+#include "engine/cli/genre_learning.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "audio/genre/training/genre_page.hpp"
+#include "audio/genre/training/genre_trainer.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/parallel.hpp"
+#include "engine/cli/genre_tables.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::cli {
+namespace {
+
+std::vector<audio::WindowScore> scores_of(const audio::GenreModel& model,
+                                          std::span<const audio::HeardPiece> pieces,
+                                          int threads) {
+    std::vector<std::vector<audio::WindowScore>> parts(pieces.size());
+    run_parallel(pieces.size(), threads, [&](std::size_t i) {
+        parts[i] = audio::score_piece(model, pieces[i], i);
+    });
+    std::vector<audio::WindowScore> scores;
+    for (auto& part : parts) {
+        std::move(part.begin(), part.end(), std::back_inserter(scores));
+    }
+    return scores;
+}
+
+/// What an earlier run has learnt from written music; null if it left nothing that fits.
+std::shared_ptr<const audio::RecurrentNetwork> load_weights(
+    const std::filesystem::path& path,
+    std::size_t classes,
+    const audio::NetworkTrainingPlan& plan) {
+    auto network = std::make_shared<audio::RecurrentNetwork>(audio::RecurrentNetwork::Shape{
+        audio::NetworkInput::kSize, plan.units, plan.layers, classes});
+    const std::span<float> weights = network->parameters();
+    const auto bytes = read_file(path, weights.size_bytes());
+    if (!bytes || bytes->size() != weights.size_bytes()) {
+        return nullptr;
+    }
+    std::memcpy(weights.data(), bytes->data(), bytes->size());
+    return network;
+}
+
+}  // namespace
+
+std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOptions& options,
+                                                               const GenreMaterial& material,
+                                                               const std::vector<Genre>& genres) {
+    const audio::NetworkTrainingPlan& plan = options.plan.network;
+    std::vector<const audio::HeardPiece*> pieces;
+    std::vector<std::size_t> classes;
+    std::uint64_t music = hash_of("");
+    for (const audio::HeardPiece& piece : material.pieces) {
+        pieces.push_back(&piece);
+        classes.push_back(audio::class_of(piece.genre, genres));
+        if (!piece.is_recorded()) {
+            const std::span<const float> mel = piece.mel;
+            music = hash_of({reinterpret_cast<const char*>(mel.data()), mel.size_bytes()}, music);
+        }
+    }
+    const std::filesystem::path kept =
+        options.cache / fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}.weights",
+                                    genres.size() + 1,
+                                    plan.layers,
+                                    plan.units,
+                                    plan.written_steps,
+                                    pieces.size(),
+                                    plan.seed,
+                                    music);
+    if (auto known =
+            options.cache.empty() ? nullptr : load_weights(kept, genres.size() + 1, plan)) {
+        return known;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    auto network = std::make_shared<const audio::RecurrentNetwork>(audio::train_on_written(
+        pieces, classes, genres.size() + 1, plan, [&](const audio::NetworkTrainingProgress& now) {
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+            std::fprintf(stderr,
+                         "raks: network: step %d of %d, loss %.3f, of pieces kept out %.3f, "
+                         "%.0f s left\n",
+                         now.step,
+                         now.steps,
+                         now.training_loss,
+                         now.validation_loss,
+                         spent.count() * (now.steps - now.step) / now.step);
+        }));
+    if (!options.cache.empty()) {
+        const auto weights = network->parameters();
+        static_cast<void>(write_file(
+            kept, {reinterpret_cast<const char*>(weights.data()), weights.size_bytes()}));
+    }
+    return network;
+}
+
+Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,
+                                                            const GenreMaterial& material,
+                                                            const std::vector<Genre>& genres) {
+    const std::vector<audio::HeardPiece>& pieces = material.pieces;
+    auto scores = audio::cross_validate(pieces, genres, options.plan, [](int done, int all) {
+        std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
+    });
+    if (!scores) {
+        return fail(scores.error());
+    }
+    std::set<std::string> left_out;
+    for (const audio::MusicFile& file : material.files) {
+        const std::string& labels = options.judged_labels;
+        if (!labels.empty() && labels.find(file.label) == std::string::npos) {
+            left_out.insert(file.name);
+        }
+    }
+    std::vector<audio::WindowScore> recorded;
+    std::copy_if(
+        scores->begin(), scores->end(), std::back_inserter(recorded), [&](const auto& score) {
+            const audio::HeardPiece& piece = pieces[score.piece];
+            return piece.is_recorded() && !left_out.contains(piece.name);
+        });
+    if (recorded.empty()) {
+        return scores;
+    }
+    const auto asked = enough_recordings(pieces, genres);
+    const JudgedScores judged{recorded, *scores, nullptr};
+    audio::GenrePage page = page_of("recordings, by artist", judged, genres, asked);
+    print_page(page, asked);
+    if (!options.report.empty()) {
+        page.files = judged_files(pieces, judged, genres, asked);
+        if (auto saved = write_file(options.report, audio::genre_page(page)); !saved) {
+            return fail(saved.error());
+        }
+    }
+    return scores;
+}
+
+Expected<void> test_on_written(const GenreOptions& options,
+                               const audio::HearingPlan& hearing,
+                               const audio::GenreModel& model) {
+    using Families = audio::WrittenCorpusPlan::Families;
+    const auto test = [&](const std::string& name,
+                          const auto& soundfonts,
+                          Families families,
+                          std::uint64_t seed) -> Expected<void> {
+        auto pieces = written(options,
+                              hearing,
+                              name,
+                              {.soundfonts = soundfonts,
+                               .families = families,
+                               .pieces = options.test_pieces,
+                               .seed = seed,
+                               .augmentation = audio::WrittenCorpusPlan::Augmentation::off,
+                               .hearing = {}});
+        if (!pieces) {
+            return fail(pieces.error());
+        }
+        const auto asked = all_genres(model.genres.size());
+        const auto scores = scores_of(model, *pieces, options.threads);
+        print_page(page_of(name, {scores, scores, &model}, model.genres, asked), asked);
+        return {};
+    };
+    const std::uint64_t seed = options.seed + 500;
+    const Families known = options.leaves_out_families ? Families::always : Families::all;
+    if (auto ok = test("written, new seeds, soundfonts heard", options.soundfonts, known, seed);
+        !ok) {
+        return ok;
+    }
+    if (options.leaves_out_families) {
+        if (auto ok = test(
+                "written, rhythms never heard", options.soundfonts, Families::held_out, seed + 1);
+            !ok) {
+            return ok;
+        }
+    }
+    if (!options.test_soundfonts.empty()) {
+        return test("written, soundfont never heard", options.test_soundfonts, known, seed + 2);
+    }
+    return {};
+}
+
+}  // namespace raks::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "audio/genre/genre_model.hpp"
+#include "audio/genre/training/genre_scores.hpp"
+#include "audio/network/recurrent_network.hpp"
+#include "base/expected.hpp"
+#include "engine/cli/genre_material.hpp"
+
+namespace raks::cli {
+
+/// The recurrent network that has learnt from the written music; kept between runs in the cache.
+[[nodiscard]] std::shared_ptr<const audio::RecurrentNetwork> written_network(
+    const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres);
+
+/// Scores of pieces by models that did not hear their artist; prints how good they are.
+/// Errors: as cross_validate; the report cannot be written.
+[[nodiscard]] Expected<std::vector<audio::WindowScore>> validate_by_group(
+    const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres);
+
+/// Prints how the finished model hears written music that it never heard.
+/// Errors: a soundfont cannot be read.
+[[nodiscard]] Expected<void> test_on_written(const GenreOptions& options,
+                                             const audio::HearingPlan& hearing,
+                                             const audio::GenreModel& model);
+
+}  // namespace raks::cli
