@@ -16,7 +16,7 @@ constexpr float kChangeTrust = 0.6F;    // ln of likelihood a standard deviation
 // What a network says, against how often it says so; beats heard with memory tell one another's.
 constexpr BarEvidence kUsual = {0.28F, 0.18F, 0.54F};
 constexpr float kNetworkTrust = 0.6F;
-constexpr float kLeastEvidence = 0.01F;
+constexpr float kLeastOfBar = 0.01F;
 constexpr float kStay = 1.3F;  // by which another place must be likelier to be told
 
 }  // namespace
@@ -81,7 +81,7 @@ void BarBelief::observe_change(float deviations) noexcept RAKS_NONBLOCKING {
 
 void BarBelief::observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKING {
     const auto likelihood = [](float probability, float usual) {
-        return std::pow(std::max(probability, kLeastEvidence) / usual, kNetworkTrust);
+        return std::pow(std::max(probability, kLeastOfBar) / usual, kNetworkTrust);
     };
     weigh(likelihood(evidence.first, kUsual.first),
           likelihood(evidence.middle, kUsual.middle),

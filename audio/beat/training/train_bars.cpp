@@ -10,12 +10,12 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kReportEvery = 100;
-constexpr std::size_t kValidationEvery = 16;
+constexpr int kReportBarsEvery = 100;
+constexpr std::size_t kKeepBarsEvery = 16;
 constexpr std::size_t kChunks = 48;
 constexpr std::size_t kBeats = 96;
 constexpr std::size_t kFewestBeats = 8;  // of a piece, to tell bars from
-constexpr double kMostStretch = 0.1;     // ln of the ratio
+constexpr double kMostBarStretch = 0.1;  // ln of the ratio
 constexpr double kHeardShare = 0.75;     // of a piece that fits whatever the stretch
 
 bool has_bars(const TrainingExcerpt& excerpt) {
@@ -51,7 +51,7 @@ class HeardCorpus {
             if (heard[i].empty()) {
                 continue;
             }
-            if (i % kValidationEvery == 0) {
+            if (i % kKeepBarsEvery == 0) {
                 kept.push_back(std::move(heard[i].front()));
             } else {
                 training.push_back(std::move(heard[i]));
@@ -69,7 +69,7 @@ class HeardCorpus {
                                                 const std::shared_ptr<const BeatNetwork>& beats,
                                                 const BarPlan& plan) {
         std::vector<BarSequence> hearings;
-        const int count = number % kValidationEvery == 0 ? 1 : plan.hearings;
+        const int count = number % kKeepBarsEvery == 0 ? 1 : plan.hearings;
         Dice dice(plan.seed, 500'000 + number);
         const auto hops = static_cast<double>(excerpt.hops());
         for (int n = 0; n < count && has_bars(excerpt); ++n) {
@@ -78,7 +78,7 @@ class HeardCorpus {
                 n == 0 ? hear_bars(excerpt, beats, MelHearing::plain(), nullptr)
                        : hear_bars(excerpt,
                                    beats,
-                                   MelHearing::draw(excerpt.hops(), share, kMostStretch, dice),
+                                   MelHearing::draw(excerpt.hops(), share, kMostBarStretch, dice),
                                    &dice);
             if (!sequence.frames.empty()) {
                 hearings.push_back(std::move(sequence));
@@ -121,7 +121,7 @@ BarNetwork train_bars(
             return draw_bar_batch(heard.training, kChunks / kShards, kBeats, dice);
         });
         ++since;
-        if ((step + 1) % kReportEvery == 0 || step + 1 == plan.steps) {
+        if ((step + 1) % kReportBarsEvery == 0 || step + 1 == plan.steps) {
             report({step + 1, plan.steps, loss / since, descent.loss_of(heard.validation)},
                    network);
             loss = 0.0;
