@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -113,46 +115,51 @@ WrittenPiece without_pulse(double seconds, Dice& dice) {
     return {"no pulse", Genre::unknown, notes_without_pulse(seconds, dice), {}};
 }
 
-}  // namespace
+WrittenPiece piano(double seconds, Dice& dice) {
+    Score score = keyboard_score(kWrittenBeats, dice);
+    for (int tries = 0; is_in_three(score) && tries < 20; ++tries) {
+        score = keyboard_score(kWrittenBeats, dice);
+    }
+    return {"piano", Genre::unknown, perform(score, seconds, dice), {}};
+}
 
-WrittenPiece other_piece(double seconds, Dice& dice) {
-    const double kind = dice.uniform();
-    if (kind < 0.12) {
-        return people(seconds, dice);
-    }
-    if (kind < 0.22) {
-        return without_pulse(seconds, dice);
-    }
-    if (kind < 0.34) {
-        Score score = keyboard_score(kWrittenBeats, dice);
-        for (int tries = 0; is_in_three(score) && tries < 20; ++tries) {
-            score = keyboard_score(kWrittenBeats, dice);
-        }
-        return {"piano", Genre::unknown, perform(score, seconds, dice), {}};
-    }
-    if (kind < 0.46) {
-        return orchestra(seconds, dice);
-    }
+WrittenPiece other_rhythm(double seconds, Dice& dice) {
     const GenreStyle style = draw_other_style(dice);
     Score score = arrange(style, kWrittenBeats, dice);
     return {std::string(style.style->name), Genre::unknown, perform(score, seconds, dice), {}};
 }
 
+/// A kind of music, and the share of what is drawn up to and with it.
+struct Kind {
+    double until;
+    WrittenPiece (*write)(double seconds, Dice& dice);
+};
+
+WrittenPiece draw_kind(std::span<const Kind> kinds, double seconds, Dice& dice) {
+    const double drawn = dice.uniform();
+    const auto chosen = std::find_if(
+        kinds.begin(), kinds.end() - 1, [drawn](const Kind& kind) { return drawn < kind.until; });
+    return chosen->write(seconds, dice);
+}
+
+}  // namespace
+
+WrittenPiece other_piece(double seconds, Dice& dice) {
+    constexpr std::array kKinds = {Kind{0.12, people},
+                                   Kind{0.22, without_pulse},
+                                   Kind{0.34, piano},
+                                   Kind{0.46, orchestra},
+                                   Kind{1.0, other_rhythm}};
+    return draw_kind(kKinds, seconds, dice);
+}
+
 WrittenPiece undanceable_piece(double seconds, Dice& dice) {
-    const double kind = dice.uniform();
-    if (kind < 0.35) {
-        return people(seconds, dice);
-    }
-    if (kind < 0.5) {
-        return without_pulse(seconds, dice);
-    }
-    if (kind < 0.7) {
-        return pads(seconds, dice);
-    }
-    if (kind < 0.85) {
-        return solo(seconds, dice);
-    }
-    return orchestra(seconds, dice);
+    constexpr std::array kKinds = {Kind{0.35, people},
+                                   Kind{0.5, without_pulse},
+                                   Kind{0.7, pads},
+                                   Kind{0.85, solo},
+                                   Kind{1.0, orchestra}};
+    return draw_kind(kKinds, seconds, dice);
 }
 
 }  // namespace raks::audio
