@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace raks::audio {
 
-BarListener::BarListener(std::shared_ptr<const BarNetwork> network)
-    : network_(std::move(network)) {}
-
-BarEvidence BarListener::next(const BarInput::Frame& input) noexcept RAKS_NONBLOCKING {
-    const RecurrentStream::Logits logits = stream_.next(*network_, input);
+BarEvidence BarNetwork::evidence_of(const RecurrentStream::Logits& logits) noexcept
+    RAKS_NONBLOCKING {
     const float most = std::max({logits[0], logits[1], logits[2]});
     const float first = std::exp(logits[0] - most);
     const float middle = std::exp(logits[1] - most);

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <memory>
-
 #include "audio/beat/network/bar_input.hpp"
-#include "audio/network/recurrent_network.hpp"
+#include "audio/network/network_listener.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {
@@ -20,25 +18,18 @@ struct BarEvidence {
 class BarNetwork : public RecurrentNetwork {
  public:
     static constexpr std::size_t kOutputs = 3;  ///< first, middle, other
+    using Frame = BarInput::Frame;
+    using Evidence = BarEvidence;
 
     /// All parameters 0.
     BarNetwork(std::size_t units, std::size_t layers)
         : RecurrentNetwork({BarInput::kSize, units, layers, kOutputs}) {}
+
+    /// Real-time: yes.
+    static BarEvidence evidence_of(const RecurrentStream::Logits& logits) noexcept RAKS_NONBLOCKING;
 };
 
-/// Listens with one network, beat by beat.
-/// Threads: one. Real-time: next, reset yes.
-class BarListener {
- public:
-    explicit BarListener(std::shared_ptr<const BarNetwork> network);
-
-    /// About the beat that `input` is of.
-    BarEvidence next(const BarInput::Frame& input) noexcept RAKS_NONBLOCKING;
-    void reset() noexcept RAKS_NONBLOCKING { stream_.reset(); }
-
- private:
-    std::shared_ptr<const BarNetwork> network_;
-    RecurrentStream stream_;
-};
+/// Beat by beat.
+using BarListener = NetworkListener<BarNetwork>;
 
 }  // namespace raks::audio

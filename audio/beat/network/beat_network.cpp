@@ -1,7 +1,5 @@
 #include "audio/beat/network/beat_network.hpp"
 
-#include <utility>
-
 #include "audio/math/gates.hpp"
 
 namespace raks::audio {
@@ -24,11 +22,8 @@ Expected<BeatNetwork> average(std::span<const std::shared_ptr<const BeatNetwork>
     return mean;
 }
 
-BeatListener::BeatListener(std::shared_ptr<const BeatNetwork> network)
-    : network_(std::move(network)) {}
-
-BeatEvidence BeatListener::next(const NetworkInput::Frame& input) noexcept RAKS_NONBLOCKING {
-    const RecurrentStream::Logits logits = stream_.next(*network_, input);
+BeatEvidence BeatNetwork::evidence_of(const RecurrentStream::Logits& logits) noexcept
+    RAKS_NONBLOCKING {
     return {logistic(logits[0]), logistic(logits[1]), logistic(logits[2])};
 }
 

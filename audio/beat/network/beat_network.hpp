@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "audio/network/network_input.hpp"
-#include "audio/network/recurrent_network.hpp"
+#include "audio/network/network_listener.hpp"
 #include "base/expected.hpp"
 #include "base/realtime.hpp"
 
@@ -26,6 +26,8 @@ class BarNetwork;
 class BeatNetwork : public RecurrentNetwork {
  public:
     static constexpr std::size_t kOutputs = 3;
+    using Frame = NetworkInput::Frame;
+    using Evidence = BeatEvidence;
 
     /// All parameters 0. `lookahead`: hops by which its evidence comes after the sound that it is
     /// about.
@@ -39,6 +41,10 @@ class BeatNetwork : public RecurrentNetwork {
     [[nodiscard]] const std::shared_ptr<const BarNetwork>& bars() const noexcept { return bars_; }
     void set_bars(std::shared_ptr<const BarNetwork> bars) noexcept { bars_ = std::move(bars); }
 
+    /// Real-time: yes.
+    static BeatEvidence evidence_of(const RecurrentStream::Logits& logits) noexcept
+        RAKS_NONBLOCKING;
+
  private:
     int lookahead_;
     std::shared_ptr<const BarNetwork> bars_;
@@ -51,18 +57,7 @@ class BeatNetwork : public RecurrentNetwork {
 [[nodiscard]] Expected<BeatNetwork> average(
     std::span<const std::shared_ptr<const BeatNetwork>> networks);
 
-/// Listens with one network, hop by hop.
-/// Threads: one. Real-time: next, reset yes.
-class BeatListener {
- public:
-    explicit BeatListener(std::shared_ptr<const BeatNetwork> network);
-
-    BeatEvidence next(const NetworkInput::Frame& input) noexcept RAKS_NONBLOCKING;
-    void reset() noexcept RAKS_NONBLOCKING { stream_.reset(); }
-
- private:
-    std::shared_ptr<const BeatNetwork> network_;
-    RecurrentStream stream_;
-};
+/// Hop by hop.
+using BeatListener = NetworkListener<BeatNetwork>;
 
 }  // namespace raks::audio
