@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <string>
@@ -29,6 +30,7 @@ constexpr const char* kAttribution =
 struct Options {
     audio::CorpusPlan corpus;
     std::filesystem::path corpus_file;
+    std::vector<std::filesystem::path> more_files;
     std::vector<std::string> left_out;
     std::filesystem::path start;
     std::vector<std::filesystem::path> averaged;
@@ -42,13 +44,15 @@ void add_options(CLI::App& app, Options& options) {
         "--average", options.averaged, "no training: the mean of these networks' weights");
     auto* pack = app.add_option("pack", options.corpus.pack, "folder of MIDI files with index.tsv");
     auto* soundfont = app.add_option(
-        "--soundfont", options.corpus.soundfonts, "SF2 or SF3; several: one is drawn");
+        "--soundfont", options.corpus.soundfonts, "SF2 or SF3; several: mostly bands of all");
     app.callback([average, pack, soundfont] {
         if (average->count() == 0 && (pack->count() == 0 || soundfont->count() == 0)) {
             throw CLI::RequiredError("pack and --soundfont, or --average");
         }
     });
     app.add_option("--corpus", options.corpus_file, "keep the rendered music here between runs");
+    app.add_option("--also", options.more_files, "more music that --corpus kept: learnt from, too")
+        ->check(CLI::ExistingFile);
     app.add_option("--excerpts", options.corpus.excerpts, "pieces of 22 s to render")
         ->check(CLI::Range(16, 100'000));
     app.add_option("--corpus-seed", options.corpus.seed, "same seed, same music");
@@ -74,7 +78,7 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("-o,--out", options.output, "X.json")->required();
 }
 
-Expected<std::vector<audio::TrainingExcerpt>> corpus_of(const Options& options) {
+Expected<std::vector<audio::TrainingExcerpt>> first_corpus_of(const Options& options) {
     if (!options.corpus_file.empty() && std::filesystem::exists(options.corpus_file)) {
         return audio::load_corpus(options.corpus_file);
     }
@@ -84,6 +88,24 @@ Expected<std::vector<audio::TrainingExcerpt>> corpus_of(const Options& options) 
         if (auto saved = audio::save_corpus(*corpus, options.corpus_file); !saved) {
             return fail(saved.error());
         }
+    }
+    return corpus;
+}
+
+/// Behind the first corpus those of --also: which pieces are kept for validation goes on counting.
+Expected<std::vector<audio::TrainingExcerpt>> corpus_of(const Options& options) {
+    auto corpus = first_corpus_of(options);
+    if (!corpus) {
+        return corpus;
+    }
+    for (const std::filesystem::path& path : options.more_files) {
+        auto more = audio::load_corpus(path);
+        if (!more) {
+            return more;
+        }
+        corpus->insert(corpus->end(),
+                       std::make_move_iterator(more->begin()),
+                       std::make_move_iterator(more->end()));
     }
     return corpus;
 }

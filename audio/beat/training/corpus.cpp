@@ -1,7 +1,6 @@
 #include "audio/beat/training/corpus.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -193,7 +192,7 @@ class PieceMaker {
     std::vector<Score> lieder_;
 };
 
-/// Errors: the drawn soundfont cannot be loaded.
+/// Errors: a drawn soundfont cannot be loaded.
 Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
                                        const PieceMaker& maker,
                                        int number) {
@@ -209,14 +208,12 @@ Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
         const PlayerRoom room = dice.chance(0.5)
                                     ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.7)}
                                     : PlayerRoom{};
-        // A synthesizer that has played before does not play the same samples again: each piece
-        // has a new one, which costs less than a second of music.
-        const std::array soundfont = {dice.pick<std::filesystem::path>(plan.soundfonts)};
-        auto player = SoundfontPlayer::open(soundfont);
-        if (!player) {
-            return fail(player.error());
+        auto samples =
+            play_with(draw_soundfonts(plan.soundfonts, dice), piece.performance, room, dice);
+        if (!samples) {
+            return fail(samples.error());
         }
-        piece.samples = player->play(piece.performance, room);
+        piece.samples = std::move(*samples);
     }
     augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
     return TrainingExcerpt{std::move(piece.family),

@@ -22,7 +22,7 @@ struct TrainingExcerpt {
 
 struct CorpusPlan {
     std::filesystem::path pack;                     ///< MIDI with its index, see read_midi_pack
-    std::vector<std::filesystem::path> soundfonts;  ///< one is drawn an excerpt; not empty
+    std::vector<std::filesystem::path> soundfonts;  ///< not empty; several: see draw_soundfonts
     int excerpts = 1400;
     double seconds = 22.0;  ///< of each
     std::uint64_t seed = 1;
@@ -30,7 +30,7 @@ struct CorpusPlan {
 };
 
 /// Writes music, plays it, and hears it: excerpt n depends on the plan's seed and n alone, so any
-/// number of threads gives the same corpus. About 0.5 s of CPU each.
+/// number of threads gives the same corpus. About 0.4 s of CPU each.
 /// Errors: the pack or a soundfont cannot be read.
 [[nodiscard]] Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan);
 

@@ -227,4 +227,26 @@ std::vector<float> SoundfontPlayer::play(const Performance& performance,
     return synth_->play(performance, room, &band);
 }
 
+std::vector<std::filesystem::path> draw_soundfonts(
+    std::span<const std::filesystem::path> soundfonts, Dice& dice) {
+    constexpr double kBand = 0.75;  // of the pieces
+    if (soundfonts.size() > 1 && dice.chance(kBand)) {
+        return {soundfonts.begin(), soundfonts.end()};
+    }
+    return {dice.pick<std::filesystem::path>(soundfonts)};
+}
+
+Expected<std::vector<float>> play_with(std::span<const std::filesystem::path> soundfonts,
+                                       const Performance& performance,
+                                       const PlayerRoom& room,
+                                       Dice& dice) {
+    auto player = SoundfontPlayer::open(soundfonts);
+    if (!player) {
+        return fail(player.error());
+    }
+    return soundfonts.size() > 1
+               ? player->play(performance, room, draw_band(soundfonts.size(), dice))
+               : player->play(performance, room);
+}
+
 }  // namespace raks::audio

@@ -45,4 +45,17 @@ class SoundfontPlayer {
     std::unique_ptr<Synth> synth_;
 };
 
+/// Which of `soundfonts` (not empty) play a piece: of several mostly all, as a band, else one.
+[[nodiscard]] std::vector<std::filesystem::path> draw_soundfonts(
+    std::span<const std::filesystem::path> soundfonts, Dice& dice);
+
+/// Played by a band drawn of several soundfonts, or by the one. Each piece has a new player: one
+/// that has played before does not play the same samples again, and loading it costs less than a
+/// second of music. Errors: a soundfont cannot be loaded.
+[[nodiscard]] Expected<std::vector<float>> play_with(
+    std::span<const std::filesystem::path> soundfonts,
+    const Performance& performance,
+    const PlayerRoom& room,
+    Dice& dice);
+
 }  // namespace raks::audio

@@ -103,27 +103,20 @@ Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
     const PlayerRoom room = dice.chance(0.5)
                                 ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.6)}
                                 : PlayerRoom{};
-    auto player = SoundfontPlayer::open(soundfonts);
-    if (!player) {
-        return fail(player.error());
-    }
     std::vector<OudNote> melody;
     if (plan.edition != WrittenCorpusPlan::Edition::first && piece.genre == Genre::belly &&
         dice.chance(0.5)) {
         melody = take_melody(piece.performance);
     }
-    std::vector<float> samples =
-        soundfonts.size() > 1
-            ? player->play(piece.performance, room, draw_band(soundfonts.size(), dice))
-            : player->play(piece.performance, room);
-    if (melody.empty()) {
+    auto samples = play_with(soundfonts, piece.performance, room, dice);
+    if (!samples || melody.empty()) {
         return samples;
     }
-    std::vector<float> oud = play_oud(melody, SoundfontPlayer::kRate, samples.size());
+    std::vector<float> oud = play_oud(melody, SoundfontPlayer::kRate, samples->size());
     add_room(SoundfontPlayer::kRate, 0.3, 0.4 * room.level, oud, dice);
     const auto level = static_cast<float>(dice.uniform(0.2, 0.8));
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        samples[i] = (samples[i] + level * oud[i]) / (1.0F + level);
+    for (std::size_t i = 0; i < samples->size(); ++i) {
+        (*samples)[i] = ((*samples)[i] + level * oud[i]) / (1.0F + level);
     }
     return samples;
 }
@@ -151,13 +144,12 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) 
 }
 
 /// One, or all of them for a band.
-std::vector<std::filesystem::path> draw_soundfonts(const WrittenCorpusPlan& plan, Dice& dice) {
-    constexpr double kBand = 0.75;  // of the pieces
+std::vector<std::filesystem::path> soundfonts_of(const WrittenCorpusPlan& plan, Dice& dice) {
     const bool has_bands = plan.edition >= WrittenCorpusPlan::Edition::third &&
                            plan.augmentation == WrittenCorpusPlan::Augmentation::on &&
                            plan.effects.has(SoundEffect::players) && plan.soundfonts.size() > 1;
-    if (has_bands && dice.chance(kBand)) {
-        return plan.soundfonts;
+    if (has_bands) {
+        return draw_soundfonts(plan.soundfonts, dice);
     }
     return {dice.pick<std::filesystem::path>(plan.soundfonts)};
 }
@@ -185,7 +177,7 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
          ++tries) {
         piece = draw_piece(plan, genre, dice);
     }
-    const std::vector<std::filesystem::path> soundfonts = draw_soundfonts(plan, dice);
+    const std::vector<std::filesystem::path> soundfonts = soundfonts_of(plan, dice);
     if (piece.samples.empty()) {
         auto samples = play_piece(plan, piece, soundfonts, dice);
         if (!samples) {
