@@ -2,15 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 
 #include "tests/end_to_end/window.hpp"
 
 namespace raks::test {
 namespace {
-
-using std::chrono::milliseconds;
 
 TEST_F(WindowTest, draws_the_dancer_and_obeys_the_keys) {
     CapturedProcess raks(in_window({"play", "--no-sound", path("one.wav"), path("two.wav")}));
@@ -29,7 +26,7 @@ TEST_F(WindowTest, draws_the_dancer_and_obeys_the_keys) {
     press({"n"});
     ASSERT_TRUE(raks.wait_for_output("two.wav")) << "the next file plays";
     press({"q"});
-    const ProcessResult result = raks.wait(milliseconds(4'000));
+    const ProcessResult result = raks.wait();
     EXPECT_FALSE(result.timed_out);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const auto names = files();
@@ -44,7 +41,7 @@ TEST_F(WindowTest, ends_when_told_by_a_signal) {
     CapturedProcess raks(in_window({"play", "--no-sound", path("one.wav")}));
     ASSERT_TRUE(raks.wait_for_output("one.wav"));
     raks.send(SIGTERM);
-    const ProcessResult result = raks.wait(milliseconds(2'000));
+    const ProcessResult result = raks.wait();
     EXPECT_FALSE(result.timed_out);
     EXPECT_EQ(result.exit_code, 143);
 }
@@ -65,7 +62,7 @@ TEST_F(WindowTest, plays_a_clip_and_goes_to_the_frame_asked_for) {
     press({"space"});
     EXPECT_TRUE(shows([&](const auto& now) { return now != third; })) << "it plays";
     press({"q"});
-    const ProcessResult result = raks.wait(milliseconds(4'000));
+    const ProcessResult result = raks.wait();
     EXPECT_FALSE(result.timed_out);
     EXPECT_EQ(result.exit_code, 0) << result.err;
 }

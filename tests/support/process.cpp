@@ -143,10 +143,9 @@ bool CapturedProcess::read_some(std::chrono::milliseconds wait) {
     return is_open;
 }
 
-ProcessResult CapturedProcess::wait(std::optional<std::chrono::milliseconds> within) {
-    const auto deadline = within ? Clock::now() + *within : deadline_;
+ProcessResult CapturedProcess::wait() {
     while (read_some(std::chrono::milliseconds(50)) && !reap(false)) {
-        if (Clock::now() > deadline) {
+        if (Clock::now() > deadline_) {
             result_.timed_out = true;
             kill(pid_, SIGKILL);
             break;
@@ -154,7 +153,7 @@ ProcessResult CapturedProcess::wait(std::optional<std::chrono::milliseconds> wit
     }
     // A program may close its output before it ends.
     while (!reap(false)) {
-        if (Clock::now() > deadline && !result_.timed_out) {
+        if (Clock::now() > deadline_ && !result_.timed_out) {
             result_.timed_out = true;
             kill(pid_, SIGKILL);
         }

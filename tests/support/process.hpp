@@ -39,8 +39,8 @@ class CapturedProcess {
     CapturedProcess& operator=(const CapturedProcess&) = delete;
 
     void send(int signal) const;
-    /// Waits for the end (at most the plan's timeout from the start, or `within` from now).
-    ProcessResult wait(std::optional<std::chrono::milliseconds> within = std::nullopt);
+    /// Waits for the end, at most until the plan's timeout.
+    ProcessResult wait();
     /// Reads output until `text` appears in stdout or stderr; false when the child ended or the
     /// plan's timeout passed first.
     bool wait_for_output(const std::string& text);

@@ -20,6 +20,7 @@ Xvfb::Xvfb(int width, int height) {
                     "-nolisten",
                     "tcp",
                     "-noreset"};  // else it refuses clients for a moment when the last leaves
+    plan.timeout = std::chrono::hours(1);  // of all tests that use it
     server_ = std::make_unique<CapturedProcess>(plan);
     // Its number: it says so once it takes clients.
     const auto is_ready = [](const ProcessResult& said) { return said.out.ends_with('\n'); };
@@ -34,7 +35,7 @@ Xvfb::Xvfb(int width, int height) {
 
 Xvfb::~Xvfb() {
     server_->send(SIGTERM);
-    server_->wait(std::chrono::seconds(10));
+    server_->wait();
 }
 
 }  // namespace raks::test
