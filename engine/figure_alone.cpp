@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBeatsBefore = 20.0;  // the dancer has settled into the figure by then
 constexpr double kEarliest = 2.0;      // beats before a count 1 that poses are asked for, at most
-constexpr int kRepeats = 6;
+constexpr int kRepeats = 12;  // each of the eight ways of a figure comes, and noise is halved
 constexpr double kFramesPerSecond = 60.0;
 constexpr double kMargin = 0.5;  // beats before the first and after the last repeat
 

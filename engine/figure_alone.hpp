@@ -38,7 +38,7 @@ struct DancedWrittenFigure {
     std::vector<std::string> faults;  ///< faults_in_measures against its file, faults_in_poses
 };
 
-/// Every figure of a dance six times at its written tempo, against
+/// Every figure of a dance twelve times at its written tempo, against
 /// config/choreographies/DANCE.toml. Empty where a dance was not written but captured. Errors: a
 /// file that cannot be read, a library without one of the file's figures. Threads: workers.
 /// Real-time: no (some seconds).

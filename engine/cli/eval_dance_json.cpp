@@ -83,6 +83,7 @@ Json written_of(const DanceReport& report) {
                            {"hip_travel_cm_a_beat", is.hip_travel},
                            {"toe_contacts_a_bar", is.toe_contacts},
                            {"hand_delay_beats", is.hand_delay},
+                           {"hand_likeness", is.hand_likeness},
                            {"jerk_rms", is.jerk_rms},
                            {"jerk_p999", is.jerk_p999},
                            {"slip_p90_m", is.slip_p90},

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "motion/choreography/figure_evaluation.hpp"
+#include "motion/choreography/hand_timing.hpp"
 #include "motion/choreography/joint_limits.hpp"
 #include "motion/evaluate/body_track.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
@@ -18,13 +19,8 @@
 namespace raks::motion {
 namespace {
 
-constexpr int kRepeats = 6;
+constexpr int kRepeats = 12;
 constexpr double kLeastKnee = 5.0;  // degrees
-
-std::size_t index_in_body(Bone bone) {
-    return static_cast<std::size_t>(std::find(kBodyBones.begin(), kBodyBones.end(), bone) -
-                                    kBodyBones.begin());
-}
 
 /// Path of the hips seen from above, metres.
 double hip_path(const BodyTrack& track) {
@@ -35,67 +31,6 @@ double hip_path(const BodyTrack& track) {
         path += glm::length(step);
     }
     return path;
-}
-
-/// Speeds of some joints added up, by frame.
-std::vector<double> speeds_of(const BodyTrack& track, std::initializer_list<Bone> bones) {
-    std::vector<double> speeds;
-    for (std::size_t i = 1; i < track.frames(); ++i) {
-        double sum = 0.0;
-        for (const Bone bone : bones) {
-            const std::size_t j = index_in_body(bone);
-            sum += glm::distance(track.joints[i][j], track.joints[i - 1][j]);
-        }
-        speeds.push_back(sum);
-    }
-    return speeds;
-}
-
-double mean_of(const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const double value : values) {
-        sum += value;
-    }
-    return sum / static_cast<double>(values.size());
-}
-
-/// How alike both go, by how many frames `late` follows `early`, from -reach on.
-std::vector<double> likeness_by_shift(const std::vector<double>& early,
-                                      const std::vector<double>& late,
-                                      std::ptrdiff_t reach) {
-    const double early_mean = mean_of(early);
-    const double late_mean = mean_of(late);
-    const auto count = static_cast<std::ptrdiff_t>(early.size());
-    std::vector<double> likeness;
-    for (std::ptrdiff_t shift = -reach; shift <= reach; ++shift) {
-        double sum = 0.0;
-        for (std::ptrdiff_t i = reach; i < count - reach; ++i) {
-            sum += (early[static_cast<std::size_t>(i)] - early_mean) *
-                   (late[static_cast<std::size_t>(i + shift)] - late_mean);
-        }
-        likeness.push_back(sum);
-    }
-    return likeness;
-}
-
-/// Frames by which `late` follows `early`: of the shifts at which they go about as alike as they
-/// can, the least. (What repeats each beat fits half a beat earlier nearly as well as later.)
-double delay_of(const std::vector<double>& early,
-                const std::vector<double>& late,
-                std::ptrdiff_t reach) {
-    constexpr double kAboutAsAlike = 0.8;
-    const std::vector<double> likeness = likeness_by_shift(early, late, reach);
-    const double best = *std::max_element(likeness.begin(), likeness.end());
-    double delay = static_cast<double>(reach);
-    for (std::size_t i = 0; i < likeness.size(); ++i) {
-        const bool is_peak = (i == 0 || likeness[i] >= likeness[i - 1]) &&
-                             (i + 1 == likeness.size() || likeness[i] >= likeness[i + 1]);
-        const auto shift = static_cast<double>(static_cast<std::ptrdiff_t>(i) - reach);
-        if (is_peak && likeness[i] >= kAboutAsAlike * best && std::abs(shift) < std::abs(delay)) {
-            delay = shift;
-        }
-    }
-    return delay;
 }
 
 void check_range(const std::optional<ValueRange>& range,
@@ -173,12 +108,12 @@ TakeMeasures measure_take(const FigureTake& take, const Skeleton& skeleton) {
     constexpr double kCentimetres = 100.0;
     measures.hip_travel = kCentimetres * hip_path(track) / beats;
     const ContactReport contacts = contacts_of(track, 0.0);
-    measures.toe_contacts = static_cast<double>(contacts.slips.size()) * take.beats_per_bar / beats;
+    measures.toe_contacts =
+        static_cast<double>(contacts.slips.size() - contacts.standing) * take.beats_per_bar / beats;
     measures.slip_p90 = contacts.slip_p90;
-    measures.hand_delay = delay_of(speeds_of(track, {Bone::head}),
-                                   speeds_of(track, {Bone::left_hand, Bone::right_hand}),
-                                   static_cast<std::ptrdiff_t>(0.5 * frames_a_beat)) /
-                          frames_a_beat;
+    const HandTiming hands = hand_timing(track, frames_a_beat);
+    measures.hand_delay = hands.delay;
+    measures.hand_likeness = hands.likeness;
     const JerkReport jerk = jerk_of(track);
     measures.jerk_rms = jerk.rms;
     measures.jerk_p999 = jerk.p999;
@@ -217,6 +152,14 @@ std::vector<std::string> faults_in_measures(const AuthoredDance& dance,
         expected.toe_contacts, measures.toe_contacts, "toe contacts a bar are", where, faults);
     check_range(
         expected.hand_delay, measures.hand_delay, "hands trail the head by, beats,", where, faults);
+    if (expected.hand_delay && measures.hand_likeness < kLeastHandLikeness) {
+        faults.push_back(fmt::format(
+            "{}: hands have little to do with the head: they go alike by {:.2f}, must by "
+            "{:.2f}",
+            where,
+            measures.hand_likeness,
+            kLeastHandLikeness));
+    }
     const JerkBound bound = expected.jerk.value_or(JerkBound{});
     check_range(ValueRange{0.0, bound.rms}, measures.jerk_rms, "jerk rms is", where, faults);
     check_range(ValueRange{0.0, bound.p999}, measures.jerk_p999, "jerk p99.9 is", where, faults);

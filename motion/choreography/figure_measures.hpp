@@ -14,6 +14,9 @@ namespace raks::motion {
 /// Clothes and flesh give way so far; metres.
 inline constexpr double kMostHandDepth = 0.015;
 
+/// Under it no delay between head and hands can be told: hands on strings, or still in the air.
+inline constexpr double kLeastHandLikeness = 0.1;
+
 /// A figure danced over and over, from wherever the poses come.
 struct FigureTake {
     std::span<const Pose> poses;
@@ -27,10 +30,11 @@ struct FigureTake {
 
 /// What a figure does, danced several times at the written tempo.
 struct TakeMeasures {
-    double hip_travel = 0.0;    ///< path of the hips over the floor, cm a beat
-    double toe_contacts = 0.0;  ///< contacts of both toes that begin, a bar
-    double hand_delay = 0.0;    ///< beats by which the hands' speed trails the head's, [-0.5, 0.5]
-    double jerk_rms = 0.0;      ///< m/s^3, motion/evaluate/dance_metrics.hpp
+    double hip_travel = 0.0;     ///< path of the hips over the floor, cm a beat
+    double toe_contacts = 0.0;   ///< contacts of both toes that begin, a bar
+    double hand_delay = 0.0;     ///< of the hands behind the head, beats; hand_timing.hpp
+    double hand_likeness = 0.0;  ///< how much they go as the head goes, [0, 1]
+    double jerk_rms = 0.0;       ///< m/s^3, motion/evaluate/dance_metrics.hpp
     double jerk_p999 = 0.0;
     double slip_p90 = 0.0;         ///< metres a contact
     double repeat_distance = 0.0;  ///< between two repeats, median; repeat_distance.hpp; metres

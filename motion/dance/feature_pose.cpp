@@ -48,6 +48,26 @@ glm::quat turned_to(const Pointing& first, const Pointing& second) noexcept {
                                          glm::transpose(frame_of(first.at_rest, second.at_rest))));
 }
 
+/// How far a joint turns against its parent, radians: freely so far, and more and more softly,
+/// never beyond. Places that vary by themselves may ask for more than a neck gives.
+struct JointReach {
+    float free;
+    float most;
+};
+constexpr JointReach kAnywhere{glm::radians(360.0F), glm::radians(360.0F)};
+constexpr JointReach kNeck{glm::radians(45.0F), glm::radians(70.0F)};
+constexpr JointReach kCollarbone{glm::radians(35.0F), glm::radians(55.0F)};
+
+glm::quat held(const glm::quat& parent, const glm::quat& wanted, const JointReach& reach) noexcept {
+    const float angle = 2.0F * std::acos(std::min(1.0F, std::abs(glm::dot(parent, wanted))));
+    if (angle <= reach.free) {
+        return wanted;
+    }
+    const float span = reach.most - reach.free;
+    const float given = reach.free + span * std::tanh((angle - reach.free) / span);
+    return glm::slerp(parent, wanted, given / angle);
+}
+
 /// A body built from the hips outward: each bone's joint is placed by its parent, then the bone is
 /// turned.
 class Body {
@@ -89,11 +109,11 @@ class Body {
         pose_.rotation(bone) = glm::normalize(glm::conjugate(rotation(parent_of(bone))) * in_world);
     }
     /// Points the bone at the place of `end`, turned about itself no more than needed.
-    void swing(Bone bone, Bone end) noexcept {
+    void swing(Bone bone, Bone end, const JointReach& reach = kAnywhere) noexcept {
         const glm::quat& before = rotation(parent_of(bone));
         const glm::vec3 own = before * offset(end);
         const glm::vec3 line = unit(wanted(end) - place(bone), own);
-        turn(bone, glm::normalize(rotation_between(own, line) * before));
+        turn(bone, held(before, glm::normalize(rotation_between(own, line) * before), reach));
     }
 
     void set_hips() noexcept {
@@ -123,8 +143,10 @@ class Body {
         place(Bone::upper_chest);
         turn(Bone::upper_chest, rotation(Bone::chest));
         turn(Bone::neck,
-             turned_to({offset(Bone::head), wanted(Bone::head) - place(Bone::neck)},
-                       {kLeft, shoulders}));
+             held(rotation(Bone::upper_chest),
+                  turned_to({offset(Bone::head), wanted(Bone::head) - place(Bone::neck)},
+                            {kLeft, shoulders}),
+                  kNeck));
     }
 
     /// Points upper and lower bone of a limb. `bends_to`: where the lower bone goes, at rest, when
@@ -143,7 +165,7 @@ class Body {
     }
 
     void set_arm(Side side) noexcept {
-        swing(on_side(Bone::left_shoulder, side), on_side(Bone::left_upper_arm, side));
+        swing(on_side(Bone::left_shoulder, side), on_side(Bone::left_upper_arm, side), kCollarbone);
         point_limb(on_side(Bone::left_upper_arm, side),
                    on_side(Bone::left_lower_arm, side),
                    on_side(Bone::left_hand, side),

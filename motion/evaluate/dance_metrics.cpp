@@ -44,14 +44,15 @@ double slip(const Places& toe, std::size_t begin, std::size_t end) {
     return furthest;
 }
 
-void add_slips(const Places& toe, const std::vector<bool>& touches, std::vector<double>& slips) {
+void add_slips(const Places& toe, const std::vector<bool>& touches, ContactReport& report) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= touches.size(); ++i) {
         if (i < touches.size() && touches[i]) {
             continue;
         }
         if (i - begin >= kContactFrames) {
-            slips.push_back(slip(toe, begin, i));
+            report.slips.push_back(slip(toe, begin, i));
+            report.standing += begin == 0 ? 1U : 0U;
         }
         begin = i + 1;
     }
@@ -137,7 +138,7 @@ ContactReport contacts_of(const BodyTrack& track,
                 toe_speeds.push_back(speed[f] / frames.pace_at(f));
             }
         }
-        add_slips(toe, touches, report.slips);
+        add_slips(toe, touches, report);
     }
     if (measured == 0) {
         return report;

@@ -44,6 +44,7 @@ struct JerkReport {
 struct ContactReport {
     double share = 0.0;         ///< of the time in contact, mean of both feet
     std::vector<double> slips;  ///< metres: how far a toe tip moves over the floor in one contact
+    std::size_t standing = 0;   ///< of those, contacts that last from the first frame on
     std::vector<double> toe_speeds;  ///< in contact, by frame and foot; m/s
     double slip_median = 0.0;
     double slip_p90 = 0.0;

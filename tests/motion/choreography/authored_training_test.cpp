@@ -120,7 +120,7 @@ TEST(AuthoredTraining, gives_the_shipped_models_bit_for_bit) {
 }
 
 TEST(FigureMeasures, a_frozen_and_a_wandering_figure_fail_what_their_file_expects) {
-    std::string text = replaced("[1, 60]", "[5, 60]");
+    std::string text = replaced("[1, 60]", "[4, 60]");
     const AuthoredDance moving = dance_of(text);
     EXPECT_TRUE(faults_in_measures(moving,
                                    moving.figures[0],
