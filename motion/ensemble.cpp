@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "motion/dance/limb_ik.hpp"
-
 namespace raks::motion {
 namespace {
 
@@ -32,6 +30,7 @@ Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members,
     }
     dancers_ = std::move(dancers);
     skeleton_ = skeleton;
+    hold_.reset();
     holds_hands_ = members.size() == 2 && members[0].part.is_in_couple;
     return {};
 }
@@ -41,15 +40,8 @@ void Ensemble::advance(const MusicState& state,
     for (std::size_t i = 0; i < std::min(dancers_.size(), tracks.size()); ++i) {
         dancers_[i].advance(state, tracks[i]);
     }
-    if (!holds_hands_ || tracks.size() < 2 || tracks[0].is_empty()) {
-        return;
-    }
-    for (HopIndex hop = tracks[0].newest_final(); hop <= tracks[0].newest(); ++hop) {
-        Pose lead = tracks[0].at_hop(hop);
-        Pose follow = tracks[1].at_hop(hop);
-        join_hands(skeleton_, lead, follow);
-        tracks[0].replace(hop, lead);
-        tracks[1].replace(hop, follow);
+    if (holds_hands_ && tracks.size() >= 2 && !tracks[0].is_empty()) {
+        hold_.advance(skeleton_, tracks[0], tracks[1]);
     }
 }
 
@@ -63,6 +55,7 @@ void Ensemble::reset() noexcept RAKS_NONBLOCKING {
     for (Dancer& dancer : dancers_) {
         dancer.reset();
     }
+    hold_.reset();
 }
 
 DancerStatus Ensemble::status() const noexcept {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "motion/dance/hand_hold.hpp"
 #include "motion/dancer.hpp"
 #include "motion/repertoire.hpp"
 
@@ -47,6 +48,7 @@ class Ensemble {
     Skeleton skeleton_;
     std::vector<Dancer> dancers_;
     bool holds_hands_ = false;  // the first two are a couple
+    HandHold hold_;
 };
 
 /// How several stand and follow one another.

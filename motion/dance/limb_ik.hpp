@@ -22,9 +22,9 @@ struct Limb {
     glm::vec3 ahead{};              ///< where the middle joint goes from a straight limb, world
 };
 
-/// An arm, its hand at the end. `ahead`: where its elbow goes when it is straight; world, any
-/// length but 0. Threads: any. Real-time: yes.
-[[nodiscard]] Limb arm_of(const WorldPose& world, Side side, const glm::vec3& ahead) noexcept;
+/// An arm, its hand at the end; from a straight one the elbow goes behind, as the upper arm is
+/// turned. Threads: any. Real-time: yes.
+[[nodiscard]] Limb arm_of(const WorldPose& world, Side side) noexcept;
 
 /// Turns both bones so that the end's joint reaches `target` in the world, as far as they do; the
 /// middle joint keeps its direction about the line from root to end. Returns the lower bone's
@@ -33,10 +33,5 @@ glm::quat solve_limb(const Skeleton& skeleton,
                      const Limb& limb,
                      const glm::vec3& target,
                      Pose& pose) noexcept;
-
-/// Brings hands together that hold one another: the lead's left and the follow's right meet halfway
-/// when they are near, and let go, softly, the further apart they are.
-/// Threads: any. Real-time: yes.
-void join_hands(const Skeleton& skeleton, Pose& lead, Pose& follow) noexcept;
 
 }  // namespace raks::motion

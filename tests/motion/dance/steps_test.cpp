@@ -10,7 +10,6 @@
 #include "motion/dance/easing.hpp"
 #include "motion/dance/flight.hpp"
 #include "motion/dance/free_figure.hpp"
-#include "motion/dance/limb_ik.hpp"
 #include "motion/dance/step_timing.hpp"
 #include "motion/dancer.hpp"
 #include "motion/repertoire.hpp"
@@ -266,39 +265,6 @@ TEST(Detail, is_lost_by_averaging_people_and_not_by_a_written_dance) {
         load_figure(std::string(RAKS_SOURCE_DIR) + "/models/trained/waltz_box_lead.json");
     ASSERT_TRUE(box) << box.error().message;
     EXPECT_EQ(detail_lost(*box, learnt_tracks(*box, skeleton)), 0.0);
-}
-
-/// Distance from shoulder to hand, of the arm's length.
-float reach_of(const Pose& pose, Side side) {
-    const WorldPose world = world_pose(mannequin_skeleton(), pose);
-    const glm::vec3 shoulder = world.position(on_side(Bone::left_upper_arm, side));
-    const glm::vec3 elbow = world.position(on_side(Bone::left_lower_arm, side));
-    const glm::vec3 hand = world.position(on_side(Bone::left_hand, side));
-    return glm::distance(shoulder, hand) /
-           (glm::distance(shoulder, elbow) + glm::distance(elbow, hand));
-}
-
-TEST(Hands, that_hold_one_another_neither_stretch_nor_fold_the_arm) {
-    const Pose lead;  // T-pose: the left hand points along +x
-    for (int step = 0; step < 60; ++step) {
-        Pose one = lead;
-        Pose other;
-        other.rotation(Bone::hips) = glm::angleAxis(3.14159265F, glm::vec3(0, 1, 0));
-        other.hips_position = {0.03F * static_cast<float>(step) - 0.5F, 0.0F, 0.35F};
-        const Pose before = other;
-        join_hands(mannequin_skeleton(), one, other);
-        const bool is_moved =
-            one.rotation(Bone::left_upper_arm) != lead.rotation(Bone::left_upper_arm);
-        if (is_moved) {
-            EXPECT_LT(reach_of(one, Side::left), 0.96F) << step;
-            EXPECT_GT(reach_of(one, Side::left), 0.42F) << step;
-            EXPECT_LT(reach_of(other, Side::right), 0.96F) << step;
-            EXPECT_GT(reach_of(other, Side::right), 0.42F) << step;
-        } else {
-            EXPECT_EQ(other.rotation(Bone::right_upper_arm),
-                      before.rotation(Bone::right_upper_arm));
-        }
-    }
 }
 
 TEST(Couple, changes_the_octave_together) {
