@@ -8,6 +8,7 @@
 #include "motion/dance/arm_directions.hpp"
 #include "motion/dance/detail.hpp"
 #include "motion/dance/frame_generator.hpp"
+#include "motion/dance/hand_clearing.hpp"
 #include "motion/dance/landing_delay.hpp"
 #include "motion/dance/relaxed_hands.hpp"
 #include "motion/dance/variation.hpp"
@@ -27,11 +28,11 @@ constexpr int kAims = 2;  // looks at each passage, until its steps come down wh
 // the slowest that is danced the errors at both ends are smallest.
 constexpr double kMeanAimPace = 0.85;
 // Of the missing accelerations (detail.hpp). More than all: the takes were learnt through a
-// low-pass of 10 Hz, their jerk is measured without. With these each joint's jerk is people's own;
-// steps are left softer, or they would be seen to land twice.
-constexpr double kTorsoDetail = 1.22;
+// low-pass of 10 Hz, their jerk is measured without. With these the whole body's jerk is people's
+// own at their tempo; steps are left softer, or they would be seen to land twice.
+constexpr double kTorsoDetail = 1.42;
 constexpr double kArmDetail = 0.95;
-constexpr double kPlaceDetail = 1.5;
+constexpr double kPlaceDetail = 1.62;
 constexpr double kStepDetail = 0.4;
 
 /// Ways that close: figures that end turned by an odd number of half turns all turn about one
@@ -204,12 +205,13 @@ struct Baking {
             }
         }
         const CounterRandom places_of_steps(figure, stream + kParts.size());
+        const FreeFigure stepping = free_figure(figures[figure], steps, ways[figure], skeleton);
         std::vector<Pose> body = free_poses(figures[figure], varied, ways[figure], skeleton);
-        steady_arms(figures[figure], body);
-        return planted(figure,
-                       free_figure(figures[figure], steps, ways[figure], skeleton),
-                       body,
-                       n > 0 ? &places_of_steps : nullptr);
+        steady_body(figures[figure], body);
+        if (lost > 0.0) {  // whoever wrote a dance led its hands
+            lead_hands_round(skeleton, stepping.samples_per_beat, body);
+        }
+        return planted(figure, stepping, body, n > 0 ? &places_of_steps : nullptr);
     }
 
     /// With feet that come down when people's did.

@@ -14,7 +14,9 @@ namespace {
 
 // Poses between the model's samples: then a pose every few ms needs no more than a straight line.
 constexpr int kFiner = 2;
-constexpr double kArmBandwidth = 2.0;  // of arms learnt as places, cycles a beat
+// Of bodies learnt as places, cycles a beat.
+constexpr double kArmBandwidth = 2.0;
+constexpr double kTrunkBandwidth = 2.5;
 
 using Feet = std::vector<std::array<SourceFoot, 2>>;
 
@@ -124,17 +126,24 @@ FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton) {
     return widened(0.5 * (low + high));
 }
 
-void steady_arms(const FigureModel& model, std::vector<Pose>& poses) {
+void steady_body(const FigureModel& model, std::vector<Pose>& poses) {
     if (model.features != FigureFeatures::positions) {
         return;
     }
-    const std::vector<Pose> steady =
-        filtered(poses, low_pass_taps(kArmBandwidth, model.samples_per_beat * kFiner));
+    const auto steady = [&](double bandwidth) {
+        return filtered(poses, low_pass_taps(bandwidth, model.samples_per_beat * kFiner));
+    };
+    const std::vector<Pose> arms = steady(kArmBandwidth);
+    const std::vector<Pose> trunk = steady(kTrunkBandwidth);
     for (std::size_t i = 0; i < poses.size(); ++i) {
+        for (const Bone bone :
+             {Bone::hips, Bone::spine, Bone::chest, Bone::upper_chest, Bone::neck, Bone::head}) {
+            poses[i].rotation(bone) = trunk[i].rotation(bone);
+        }
         for (const Bone left :
              {Bone::left_shoulder, Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand}) {
             for (const Side side : kSides) {
-                poses[i].rotation(on_side(left, side)) = steady[i].rotation(on_side(left, side));
+                poses[i].rotation(on_side(left, side)) = arms[i].rotation(on_side(left, side));
             }
         }
     }

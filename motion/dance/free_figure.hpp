@@ -37,8 +37,9 @@ inline constexpr int kBeatsAround = 2;
                                            const Skeleton& skeleton);
 
 /// Of a figure of positions: arms of places drawn from Gaussians point here and there where they
-/// hardly know where to. What is quicker than two cycles a beat is taken off them.
-void steady_arms(const FigureModel& model, std::vector<Pose>& poses);
+/// hardly know where to, and bones as short as the spine's turn far for a place that moves little.
+/// What is quicker than two cycles a beat (arms) or two and a half (hips, trunk) is taken off.
+void steady_body(const FigureModel& model, std::vector<Pose>& poses);
 
 /// The free poses and what their feet do, by Side.
 struct FreeFigure {

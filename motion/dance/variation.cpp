@@ -25,15 +25,24 @@ constexpr double kFarthestTurn = 1.0;   // radians of a joint
 constexpr double kFarthestPlace = 0.2;  // metres of a joint
 constexpr double kVelocity = 0.2;       // of the hips, or the legs would not reach their steps
 constexpr double kHeight = 0.15;        // it differs between takes, not between repeats
-constexpr double kUpperPlaces = 1.55;   // bones that keep their length take some of it away
+constexpr double kArmPlaces = 2.0;      // bones that keep their length take half of it away
+constexpr double kTrunkPlaces = 1.2;    // with more, shoulders lean off their hips by 15 cm
 constexpr double kLowerPlaces = 0.6;    // the hips', that legs must reach the floor from
+
+bool is_trunk(Bone bone) {
+    return bone == Bone::spine || bone == Bone::chest || bone == Bone::neck || bone == Bone::head;
+}
 
 double amount_of(const PartModel& part, std::size_t feature) {
     if (part.features == FigureFeatures::positions) {
         if (feature < part.root_features()) {
             return kVelocity;
         }
-        return part.part == Part::upper ? kUpperPlaces : kLowerPlaces;
+        if (part.part == Part::upper) {
+            return is_trunk(part.joints[(feature - part.root_features()) / 3].bone) ? kTrunkPlaces
+                                                                                    : kArmPlaces;
+        }
+        return kLowerPlaces;
     }
     if (part.part != Part::torso) {
         return kUpper;
