@@ -181,7 +181,7 @@ StartPlaces learnt_places(const FigureModel& model,
                 }
                 const WorldPose world =
                     world_pose(skeleton, figure.poses[static_cast<std::size_t>(i)]);
-                const glm::vec3 ball = foot_point(world, side, skeleton.ball);
+                const glm::vec3 ball = foot_point(world, side, pivot_of(skeleton));
                 sum += glm::vec2(ball.x, ball.z);
                 count += 1.0F;
             }

@@ -29,6 +29,13 @@ struct FootShare {
     float lift = 0.0F;  // metres
 };
 
+/// From a place of the left foot to that of a side's.
+glm::vec3 mirrored(Side side) noexcept { return {side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F}; }
+
+float over_floor(const glm::vec3& a, const glm::vec3& b) noexcept {
+    return glm::length(glm::vec2(a.x - b.x, a.z - b.z));
+}
+
 /// Between two poses, feet by their places in the world: rotations averaged down a leg would carry
 /// a foot that both have planted off its place. The paper plants none.
 Pose average(const DanceContent& content,
@@ -46,8 +53,13 @@ Pose average(const DanceContent& content,
     for (const Side side : kSides) {
         const Bone foot = on_side(Bone::left_foot, side);
         const FootShare& own = feet[static_cast<std::size_t>(side)];
-        FootTarget target{glm::mix(a.position(foot), b.position(foot), own.share),
-                          glm::slerp(a.rotation(foot), b.rotation(foot), own.share)};
+        // By where it turns: a foot that both plant there, its heel higher in one, stays.
+        const glm::vec3 at_pivot = mirrored(side) * pivot_of(skeleton);
+        const glm::vec3 place =
+            glm::mix(a.point(foot, at_pivot), b.point(foot, at_pivot), own.share);
+        FootTarget target;
+        target.rotation = glm::slerp(a.rotation(foot), b.rotation(foot), own.share);
+        target.ankle = place - target.rotation * at_pivot;
         if (own.lift > 0.0F) {
             target.ankle.y += own.lift;
             pose.foot_contact[static_cast<std::size_t>(side)] = false;
@@ -179,7 +191,8 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
             const auto s = static_cast<std::size_t>(side);
             bool rests = look > 0;
             for (std::size_t figure = 0; figure < poses.size(); ++figure) {
-                const glm::vec3 place = poses[figure].position(on_side(Bone::left_foot, side));
+                const glm::vec3 place =
+                    foot_point(poses[figure], side, pivot_of(content_->skeleton));
                 const bool is_still = glm::distance(place, last[figure][s]) < kRests;
                 last[figure][s] = place;
                 rests = rests && is_still;
@@ -191,9 +204,7 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
                 }
             }
             if (rests) {
-                glm::vec3 between = last[1][s] - last[0][s];
-                between.y = 0.0F;
-                apart[s] = std::max(apart[s], glm::length(between));
+                apart[s] = std::max(apart[s], over_floor(last[0][s], last[1][s]));
             }
         }
     }

@@ -74,7 +74,8 @@ FootTrack foot_track(const Skeleton& skeleton,
     FootTrack track;
     const auto ramp = static_cast<std::ptrdiff_t>(std::lround(kReleaseBeats * samples_per_beat));
     track.lock = locks(contacts, ramp, stepping.size());
-    const glm::vec3 ball = skeleton.ball * glm::vec3(side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F);
+    const glm::vec3 ball =
+        pivot_of(skeleton) * glm::vec3(side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F);
     for (const FootTarget& place : stepping) {
         const std::size_t i = track.ankle.size();
         track.ankle.push_back(place.ankle);
