@@ -12,6 +12,9 @@ constexpr double kApart = 1.0;           // beats
 constexpr int kApartHops = 100;
 constexpr double kPause = 1.0;       // beats before a figure's end
 constexpr double kMostSlew = 0.025;  // of the rate, a hop
+// A rate in the middle of those that are chosen: 0.70 to 1.40. Of two that are as far from 1, the
+// slower looks calm, the faster hurried.
+constexpr double kMiddle = 0.99;
 constexpr double kKeepLow = 0.62;
 constexpr double kKeepHigh = 1.6;
 
@@ -27,7 +30,8 @@ double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept {
     }
     double best = 1.0;
     for (const double octave : {0.5, 2.0}) {
-        if (std::abs(std::log(ratio * octave)) < std::abs(std::log(ratio * best))) {
+        if (std::abs(std::log(ratio * octave / kMiddle)) <
+            std::abs(std::log(ratio * best / kMiddle))) {
             best = octave;
         }
     }

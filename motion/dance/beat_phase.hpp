@@ -54,8 +54,8 @@ class DancePhase {
     int hops_apart_ = 0;
 };
 
-/// The octave whose rate, tempo x octave / learnt, lies nearest to 1; `now` is kept while its rate
-/// lies in [0.62, 1.6] (0: none yet). What is chosen lies in [0.70, 1.42] wherever one does. A
+/// The octave whose rate, tempo x octave / learnt, lies in [0.70, 1.40], or nearest to that; `now`
+/// is kept while its rate lies in [0.62, 1.6] (0: none yet). A
 /// dance in threes knows no octave but 1: half or twice as fast its count 1 would leave the bar's.
 [[nodiscard]] double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept;
 

@@ -22,11 +22,13 @@ double mean(const std::vector<double>& values) {
                                 static_cast<double>(values.size());
 }
 
-// A third difference from frame f on sees f to f + 3, and the filter two more to each side.
+// A third difference from frame f on sees f to f + 3, and the filter two more to each side: all
+// must be there, or it would see the body stop dead where the track ends.
 bool has_sound_neighbours(const MetricFrames& frames, std::size_t f, std::size_t count) {
-    const std::size_t first = f >= 2 ? f - 2 : 0;
-    const std::size_t last = std::min(f + 5, count - 1);
-    for (std::size_t i = first; i <= last; ++i) {
+    if (f < 2 || f + 5 >= count) {
+        return false;
+    }
+    for (std::size_t i = f - 2; i <= f + 5; ++i) {
         if (!frames.is_counted(i)) {
             return false;
         }

@@ -34,7 +34,8 @@ struct JerkReport {
     double highest = 0.0;
     std::vector<double> samples;  ///< joint by joint, for pooling over takes
 };
-/// Zero for less than 4 frames. Threads: workers. Real-time: no.
+/// Zero for less than 8 frames: differences whose filter reaches over the ends are left out.
+/// Threads: workers. Real-time: no.
 [[nodiscard]] JerkReport jerk_of(const BodyTrack& track, const MetricFrames& frames = {});
 /// Of samples gathered from several tracks.
 [[nodiscard]] JerkReport jerk_of_samples(std::vector<double> samples);
