@@ -1,5 +1,8 @@
 #include "base/file.hpp"
 
+#include <fcntl.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -18,21 +21,56 @@ using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
-}  // namespace
-
-Expected<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
+/// Opens what is there as a plain file. Not to be kept waiting, it is asked what it is first (a
+/// pipe without a writer) and opened without blocking (files of the kernel such as /proc/kmsg).
+Expected<FileHandle> open_plain(const fs::path& path) {
+    if (path.empty()) {
+        return fail("a file name is empty; name a file");
+    }
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) {
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status)) {
         return fail(path.string() + ": is a folder, not a file");
     }
-    const FileHandle file(std::fopen(path.c_str(), "rb"));
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        return fail(path.string() + ": is not a plain file; copy what it holds into one");
+    }
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    FileHandle file(descriptor >= 0 ? ::fdopen(descriptor, "rb") : nullptr);
     if (!file) {
         return fail(path.string() + ": cannot be opened: " + reason(errno));
     }
+    return file;
+}
+
+/// What may be replaced by a file: nothing, or a plain file.
+Expected<void> check_replaceable(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status)) {
+        return fail(path.string() + ": is a folder; name a file to write");
+    }
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        return fail(path.string() + ": is not a plain file; name a file to write");
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
+    const auto file = open_plain(path);
+    if (!file) {
+        return fail(file.error());
+    }
+    std::error_code ignored;
     std::string bytes;
+    if (const auto size = fs::file_size(path, ignored); !ignored && size <= max_bytes) {
+        bytes.reserve(size);
+    }
     char chunk[1U << 16U];
     for (;;) {
-        const std::size_t got = std::fread(chunk, 1, sizeof chunk, file.get());
+        const std::size_t got = std::fread(chunk, 1, sizeof chunk, file->get());
         if (bytes.size() + got > max_bytes) {
             return fail(path.string() + ": is larger than " + std::to_string(max_bytes >> 20U) +
                         " MiB, the limit for this kind of file");
@@ -42,10 +80,68 @@ Expected<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
             break;
         }
     }
-    if (std::ferror(file.get()) != 0) {
+    if (std::ferror(file->get()) != 0) {
         return fail(path.string() + ": cannot be read: " + reason(errno));
     }
     return bytes;
+}
+
+Expected<std::string> read_file_start(const fs::path& path, std::size_t count) {
+    const auto file = open_plain(path);
+    if (!file) {
+        return fail(file.error());
+    }
+    std::string bytes(count, '\0');
+    bytes.resize(std::fread(bytes.data(), 1, count, file->get()));
+    if (std::ferror(file->get()) != 0) {
+        return fail(path.string() + ": cannot be read: " + reason(errno));
+    }
+    return bytes;
+}
+
+Expected<void> check_is_no_input(const fs::path& output, const std::vector<fs::path>& inputs) {
+    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
+        std::error_code ignored;
+        return fs::equivalent(output, input, ignored);
+    });
+    if (is_input) {
+        return fail(output.string() + ": is what is to be read; write to another name");
+    }
+    return {};
+}
+
+Expected<void> check_output(const fs::path& output, const std::vector<fs::path>& inputs) {
+    if (auto checked = check_is_no_input(output, inputs); !checked) {
+        return checked;
+    }
+    const auto probe = PendingFile::create(output);
+    return probe ? Expected<void>() : fail(probe.error());
+}
+
+fs::path temporary_folder() {
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    return error ? fs::path("/tmp") : folder;
+}
+
+Expected<std::vector<fs::path>> list_folder(const fs::path& folder, ListingDepth depth) {
+    std::vector<fs::path> paths;
+    std::error_code error;
+    const auto list = [&](auto iterator) {
+        for (; !error && iterator != end(iterator); iterator.increment(error)) {
+            paths.push_back(iterator->path());
+        }
+    };
+    if (depth == ListingDepth::tree) {
+        list(fs::recursive_directory_iterator(folder, error));
+    } else {
+        list(fs::directory_iterator(folder, error));
+    }
+    if (error) {
+        return fail(folder.string() + ": cannot be listed: " + error.message());
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
 }
 
 PendingFile::PendingFile(fs::path path, fs::path part)
@@ -74,12 +170,16 @@ void PendingFile::remove_part() noexcept {
 }
 
 Expected<PendingFile> PendingFile::create(const fs::path& path) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) {
-        return fail(path.string() + ": is a folder; name a file to write");
+    if (path.empty()) {
+        return fail("a file name is empty; name a file to write");
     }
     fs::path part = path;
     part += ".part";
+    for (const fs::path& name : {path, part}) {
+        if (auto checked = check_replaceable(name); !checked) {
+            return fail(std::move(checked.error()));
+        }
+    }
     const FileHandle probe(std::fopen(part.c_str(), "wb"));
     if (!probe) {
         return fail(path.string() + ": cannot be written: " + reason(errno));
@@ -109,7 +209,9 @@ Expected<void> write_file(const fs::path& path, std::string_view bytes) {
     if (!wrote) {
         return fail(path.string() + ": cannot be written: " + reason(errno));
     }
-    file.reset();
+    if (std::fclose(file.release()) != 0) {  // a disk may tell only now that it is full
+        return fail(path.string() + ": cannot be written: " + reason(errno));
+    }
     return pending->commit();
 }
 

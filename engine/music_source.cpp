@@ -8,6 +8,7 @@
 
 #include "audio/io/downmix.hpp"
 #include "audio/synth/music_generator.hpp"
+#include "base/file.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ fs::path cache_folder() {
         return fs::path(xdg) / "raks";
     }
     const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
-    return home != nullptr ? fs::path(home) / ".cache" / "raks" : fs::temp_directory_path();
+    return home != nullptr ? fs::path(home) / ".cache" / "raks" : temporary_folder();
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/file.hpp"
+#include "base/text_file.hpp"
 
 namespace raks::engine {
 namespace {
@@ -180,7 +180,7 @@ void PlotData::finish(Nanos duration) {
 }
 
 Expected<std::vector<BeatEvent>> read_reference_beats(const std::filesystem::path& path) {
-    auto text = read_file(path, std::size_t{16} << 20U);
+    auto text = read_text_file(path, std::size_t{16} << 20U);
     if (!text) {
         return fail(std::move(text.error()));
     }
@@ -203,6 +203,9 @@ Expected<std::vector<BeatEvent>> read_reference_beats(const std::filesystem::pat
             return fail(where + ": a beat that is not after the one before it");
         }
         beats.push_back(*beat);
+    }
+    if (beats.empty()) {
+        return fail(path.string() + ": holds no beats: one a line, in seconds");
     }
     return beats;
 }

@@ -4,11 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <span>
 #include <system_error>
 #include <variant>
 
-#include "base/file.hpp"
 #include "base/suggest.hpp"
+#include "base/text_file.hpp"
 #include "base/toml_headers.hpp"
 
 #include <fmt/format.h>
@@ -167,9 +168,24 @@ Expected<void> read_table(const std::string& name, const toml::table& table, Set
     return {};
 }
 
-bool is_one_of(std::string_view value, std::initializer_list<std::string_view> allowed) {
-    return std::find(allowed.begin(), allowed.end(), value) != allowed.end();
-}
+/// A setting that is one of a few names.
+struct Name {
+    std::string_view key;
+    std::string Settings::*member;
+    std::span<const std::string_view> known;
+};
+
+constexpr std::array<std::string_view, 2> kGenerators = {"trajectories", "frames"};
+constexpr std::array<std::string_view, 3> kQualities = {"auto", "fast", "high"};
+constexpr std::array<std::string_view, 3> kViews = {"auto", "skin", "stick"};
+constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
+
+const std::array kNames = std::to_array<Name>({
+    {"dance.generator", &Settings::generator, kGenerators},
+    {"picture.quality", &Settings::quality, kQualities},
+    {"picture.view", &Settings::view, kViews},
+    {"dance.figures", &Settings::figures, kFigures},
+});
 
 }  // namespace
 
@@ -194,7 +210,7 @@ Expected<void> parse_settings(std::string_view text, const std::string& name, Se
 }
 
 Expected<void> read_settings(const fs::path& path, Settings& settings) {
-    const auto text = read_file(path, std::size_t{1} << 20U);
+    const auto text = read_text_file(path, std::size_t{1} << 20U);
     if (!text) {
         return fail(text.error());
     }
@@ -220,20 +236,11 @@ std::vector<std::string> validate(const Settings& settings) {
     if (const auto size = parse_size(settings.size); !size) {
         faults.push_back("picture.size: " + size.error().message);
     }
-    if (!is_one_of(settings.generator, {"trajectories", "frames"})) {
-        faults.push_back("dance.generator is \"" + settings.generator +
-                         "\", must be trajectories or frames");
-    }
-    if (!is_one_of(settings.quality, {"auto", "fast", "high"})) {
-        faults.push_back("picture.quality is \"" + settings.quality +
-                         "\", must be auto, fast or high");
-    }
-    if (!is_one_of(settings.view, {"auto", "skin", "stick"})) {
-        faults.push_back("picture.view is \"" + settings.view + "\", must be auto, skin or stick");
-    }
-    if (!is_one_of(settings.figures, {"angles", "positions"})) {
-        faults.push_back("dance.figures is \"" + settings.figures +
-                         "\", must be angles or positions");
+    for (const Name& name : kNames) {
+        const std::string& value = settings.*name.member;
+        if (std::find(name.known.begin(), name.known.end(), value) == name.known.end()) {
+            faults.push_back(unknown_name(name.key, value, name.known));
+        }
     }
     return faults;
 }

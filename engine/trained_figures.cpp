@@ -1,10 +1,9 @@
 #include "engine/trained_figures.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
+#include "base/file.hpp"
 #include "engine/settings.hpp"
 
 namespace raks::engine {
@@ -22,24 +21,19 @@ Expected<std::vector<motion::FigureModel>> trained_figures(const std::string& da
     const std::string end =
         "_" + role_name +
         (features == motion::FigureFeatures::positions ? "_positions.json" : ".json");
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator entry(*folder, error); !error && entry != fs::directory_iterator();
-         entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (name.starts_with(dance + "_") && name.ends_with(end)) {
-            files.push_back(entry->path());
-        }
+    auto files = list_folder(*folder);
+    if (!files) {
+        return fail(std::move(files.error()));
     }
-    if (error) {
-        return fail(folder->string() + ": cannot be listed: " + error.message());
-    }
-    if (files.empty()) {
+    std::erase_if(*files, [&](const fs::path& file) {
+        const std::string name = file.filename().string();
+        return !name.starts_with(dance + "_") || !name.ends_with(end);
+    });
+    if (files->empty()) {
         return fail(folder->string() + ": holds no figure of " + dance + " for the " + role_name);
     }
-    std::sort(files.begin(), files.end());
     std::vector<motion::FigureModel> figures;
-    for (const fs::path& file : files) {
+    for (const fs::path& file : *files) {
         auto figure = motion::load_figure(file);
         if (!figure) {
             return fail(std::move(figure.error()));

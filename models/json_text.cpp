@@ -14,9 +14,14 @@ bool is_plain_list(const Json& value) {
            });
 }
 
+/// Names that are not UTF-8 (of files, from tables) get replacement characters.
+std::string dumped(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 void write(const Json& value, int depth, std::string& out) {
     if (value.is_primitive() || is_plain_list(value)) {
-        out += value.dump();
+        out += dumped(value);
         return;
     }
     const bool is_object = value.is_object();
@@ -26,7 +31,7 @@ void write(const Json& value, int depth, std::string& out) {
     for (const auto& [key, entry] : value.items()) {
         out += separator + margin;
         if (is_object) {
-            out += Json(key).dump() + ": ";
+            out += dumped(key) + ": ";
         }
         write(entry, depth + 1, out);
         separator = ",\n";

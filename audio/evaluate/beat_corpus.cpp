@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -163,7 +164,7 @@ Expected<BeatIndexRow> row_of(const std::vector<std::string_view>& cells,
 }
 
 Expected<BeatList> load_beats(const fs::path& path) {
-    const auto text = read_file(path, kMaxBytes);
+    const auto text = read_text_file(path, kMaxBytes);
     if (!text) {
         return fail(text.error());
     }
@@ -263,7 +264,7 @@ std::string beats_text(const BeatList& beats) {
 
 Expected<std::vector<BeatExcerpt>> load_beat_corpus(const fs::path& folder) {
     const fs::path index = folder / "index.tsv";
-    const auto text = read_file(index, kMaxBytes);
+    const auto text = read_text_file(index, kMaxBytes);
     if (!text) {
         return fail(text.error());
     }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
 #include <string_view>
 #include <system_error>
 
@@ -32,30 +30,6 @@ bool is_for_sndfile(std::string_view head) {
     });
 }
 
-/// The first bytes of a plain file that is not empty.
-Expected<std::string> read_head(const fs::path& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status)) {
-        return fail(path.string() + ": is a folder, not a file");
-    }
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        return fail(path.string() + ": is not a plain file");
-    }
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (file == nullptr) {
-        return fail(path.string() +
-                    ": cannot be opened: " + std::generic_category().message(errno));
-    }
-    std::string head(kHeadBytes, '\0');
-    head.resize(std::fread(head.data(), 1, head.size(), file));
-    std::fclose(file);
-    if (head.empty()) {
-        return fail(path.string() + ": is empty");
-    }
-    return head;
-}
-
 }  // namespace
 
 Expected<void> check_head(const fs::path& path, int hertz, int channels) {
@@ -71,9 +45,12 @@ Expected<void> check_head(const fs::path& path, int hertz, int channels) {
 }
 
 Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const fs::path& path) {
-    const auto head = read_head(path);
+    const auto head = read_file_start(path, kHeadBytes);
     if (!head) {
         return fail(head.error());
+    }
+    if (head->empty()) {
+        return fail(path.string() + ": is empty");
     }
     if (is_for_sndfile(*head)) {
         // What libsndfile does not know may still be a video (AVI is RIFF, Theora is Ogg).

@@ -10,8 +10,10 @@
 #include "audio/beat/paper_file.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/file.hpp"
+#include "base/printable.hpp"
 #include "engine/analysis_document.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/hearing.hpp"
 #include "engine/music_source.hpp"
@@ -62,6 +64,10 @@ Expected<void> prepare(const AnalyzeArguments& arguments, SampleRate rate, Liste
         if (arguments.plot.extension() != ".svg") {
             return fail(arguments.plot.string() + ": a plot is written as .svg");
         }
+        const std::vector<Path> read = {arguments.input, arguments.reference};
+        if (auto checked = check_is_no_input(arguments.plot, read); !checked) {
+            return checked;
+        }
         auto file = PendingFile::create(arguments.plot);
         if (!file) {
             return fail(std::move(file.error()));
@@ -85,7 +91,7 @@ Expected<void> prepare(const AnalyzeArguments& arguments, SampleRate rate, Liste
     }
     auto analyzer = engine::make_analyzer(rate, streaming_method(arguments.beat));
     if (!analyzer) {
-        return fail(std::move(analyzer.error()).in(arguments.input.string()));
+        return fail(std::move(analyzer.error()));
     }
     to.analyzer = std::move(*analyzer);
     return {};
@@ -131,7 +137,7 @@ const char* name_of(FileBeatMethod method) {
 Expected<void> write_plot(const AnalyzeArguments& arguments, Listeners& listeners, Nanos duration) {
     listeners.plot->finish(duration);
     const auto svg = engine::draw_plot(*listeners.plot,
-                                       {.title = arguments.input.filename().string(),
+                                       {.title = printable(arguments.input.filename().string(), 200),
                                         .method = name_of(arguments.beat),
                                         .reference = std::move(listeners.reference)});
     if (!svg) {
@@ -165,7 +171,7 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
         document.replace_beats(std::move(beats));
     }
     if (!source->warning().empty()) {
-        std::fprintf(stderr, "raks: %s\n", source->warning().c_str());
+        say(source->warning());
     }
     if (listeners.plot) {
         if (auto written = write_plot(arguments, listeners, source->given()); !written) {

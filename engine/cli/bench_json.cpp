@@ -16,7 +16,7 @@ std::string to_json(const std::string& what, const BenchReport& report) {
         document[name] = {
             {"p50", spread.p50}, {"p95", spread.p95}, {"p99", spread.p99}, {"max", spread.max}};
     }
-    return document.dump(2) + "\n";
+    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace raks::cli

@@ -13,6 +13,7 @@
 #include "audio/features/mfcc.hpp"
 #include "audio/io/audio_file.hpp"
 #include "audio/resample/resampler.hpp"
+#include "base/file.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ extern char** environ;
 namespace raks::cli {
 
 TemporaryMusic::TemporaryMusic(const audio::GeneratedMusic& music)
-    : path_(std::filesystem::temp_directory_path() /
+    : path_(temporary_folder() /
             fmt::format("raks-bench-{}.wav", HostClock::now().time_since_epoch().count())),
       written_(audio::write_wav(path_, music.samples, music.channels, music.rate)) {}
 

@@ -2,7 +2,9 @@
 
 #include <cstdio>
 
+#include "base/file.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/collect_poses.hpp"
 #include "engine/dance_files.hpp"
@@ -32,6 +34,9 @@ ExitCode dance(const DanceArguments& arguments) {
     if (arguments.output.extension() != ".bvh") {
         return fail(arguments.output.string() + ": cannot write this kind of motion; known: .bvh");
     }
+    if (auto checked = check_output(arguments.output, {arguments.input}); !checked) {
+        return fail(std::move(checked.error()));
+    }
     auto source = engine::MusicSource::open(arguments.input);
     if (!source) {
         return fail(source.error());
@@ -59,7 +64,7 @@ ExitCode dance(const DanceArguments& arguments) {
     driver->finish(collect);
     collect.finish(source->given());
     if (!source->warning().empty()) {
-        std::fprintf(stderr, "raks: %s\n", source->warning().c_str());
+        say(source->warning());
     }
     if (collect.dancers.empty()) {
         collect.dancers.emplace_back();  // of no length: write_bvh says that there are no poses

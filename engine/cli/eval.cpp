@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "audio/evaluate/beat_corpus.hpp"
+#include "base/file.hpp"
 #include "base/suggest.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/eval_hearing.hpp"
 #include "engine/cli/eval_report.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/hearing.hpp"
 
@@ -58,19 +60,18 @@ Expected<Excerpts> load_excerpts(const EvalBeatsArguments& arguments) {
 
 /// The folders of other trackers: those in `peers`, sorted, or `peers` itself when it holds beats.
 Expected<std::vector<Path>> tracker_folders(const Path& peers) {
+    const auto listed = list_folder(peers);
+    if (!listed) {
+        return fail(listed.error());
+    }
     std::vector<Path> folders;
     bool has_beats = false;
-    std::error_code error;
-    for (fs::directory_iterator entry(peers, error); !error && entry != fs::directory_iterator();
-         entry.increment(error)) {
+    for (const Path& path : *listed) {
         std::error_code ignored;
-        if (entry->is_directory(ignored)) {
-            folders.push_back(entry->path());
+        if (fs::is_directory(path, ignored)) {
+            folders.push_back(path);
         }
-        has_beats = has_beats || entry->path().extension() == ".beats";
-    }
-    if (error) {
-        return fail(peers.string() + ": cannot be listed: " + error.message());
+        has_beats = has_beats || path.extension() == ".beats";
     }
     if (has_beats) {
         return std::vector<Path>{peers};
@@ -78,7 +79,6 @@ Expected<std::vector<Path>> tracker_folders(const Path& peers) {
     if (folders.empty()) {
         return fail(peers.string() + ": holds no tracker: neither NAME.beats nor folders of them");
     }
-    std::sort(folders.begin(), folders.end());
     return folders;
 }
 
@@ -107,11 +107,10 @@ Expected<ScoredTracker> score_peer(const Path& folder, const Excerpts& excerpts)
         return fail(folder.string() + ": has no beats of any excerpt");
     }
     if (missing > 0) {
-        std::fprintf(stderr,
-                     "raks: %s: lacks %zu of %zu excerpts; they count as without beats\n",
-                     folder.string().c_str(),
-                     missing,
-                     excerpts.size());
+        say(fmt::format("{}: lacks {} of {} excerpts; they count as without beats",
+                        folder.string(),
+                        missing,
+                        excerpts.size()));
     }
     return tracker;
 }
@@ -178,7 +177,7 @@ Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
         }
         const auto& [estimate, warning] = *(*heard)[i];
         if (!warning.empty()) {
-            std::fprintf(stderr, "raks: %s\n", warning.c_str());
+            say(warning);
         }
         tracker.scores.push_back(audio::score_beats(excerpts[i].reference, estimate));
         if (!folder) {
@@ -247,6 +246,9 @@ ExitCode eval_beats(const EvalBeatsArguments& arguments) {
     const auto excerpts = load_excerpts(arguments);
     if (!excerpts) {
         return fail(excerpts.error());
+    }
+    if (auto checked = check_is_no_input(arguments.output, {arguments.corpus}); !checked) {
+        return fail(std::move(checked.error()));
     }
     BeatReport report{arguments.corpus.string(), {}, {}};
     for (const audio::BeatExcerpt& excerpt : *excerpts) {

@@ -15,6 +15,7 @@
 #include "audio/io/audio_file.hpp"
 #include "base/parallel.hpp"
 #include "engine/cli/commands.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/hearing.hpp"
 
 #include <fmt/format.h>
@@ -267,7 +268,7 @@ std::string json_of(const Evaluation& evaluation) {
                                  {"switches", shown.switches},
                                  {"right", rounded(shown.right_share)}});
     }
-    return json.dump(1) + "\n";
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string text_of(const Evaluation& evaluation) {
@@ -301,7 +302,7 @@ ExitCode eval_genre(const EvalGenreArguments& arguments) {
         return fail(evaluation.error());
     }
     for (const std::string& reason : evaluation->skipped) {
-        std::fprintf(stderr, "raks: skipped %s\n", reason.c_str());
+        say("skipped " + reason);
     }
     if (evaluation->rows.empty()) {
         return fail({arguments.folder.string() + ": no file could be judged"});

@@ -23,7 +23,8 @@ Expected<GenreBase> load_base(const std::filesystem::path& model) {
         return fail(loaded.error());
     }
     const std::filesystem::path beside = audio::samples_path(model);
-    if (!std::filesystem::exists(beside)) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(beside, ignored)) {
         return fail(fmt::format(
             "{}: is not there: what {} was learnt from was not kept; train it again with all its "
             "music",

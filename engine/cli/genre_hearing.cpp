@@ -104,7 +104,8 @@ Expected<std::vector<audio::HeardPiece>> cached(const GenreOptions& options,
                                                 const std::string& name,
                                                 const Make& make) {
     const fs::path path = options.cache / (name + ".pieces");
-    if (!options.cache.empty() && fs::exists(path)) {
+    std::error_code ignored;
+    if (!options.cache.empty() && fs::exists(path, ignored)) {
         return audio::load_pieces(path);
     }
     auto pieces = make();

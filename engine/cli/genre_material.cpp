@@ -9,6 +9,7 @@
 
 #include "base/hash.hpp"
 #include "engine/cli/genre_hearing.hpp"
+#include "engine/cli/say.hpp"
 
 #include <fmt/format.h>
 
@@ -132,7 +133,7 @@ Expected<void> report_faults(const GenreOptions& options, const audio::HeardMate
     const std::string* first = nullptr;
     for (const audio::HeardUnit& unit : material.units) {
         if (!unit.fault.empty()) {
-            std::fprintf(stderr, "raks: skipped %s\n", unit.fault.c_str());
+            say("skipped " + unit.fault);
             first = first == nullptr ? &unit.fault : first;
             ++skipped;
         }

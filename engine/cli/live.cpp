@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "audio/io/devices.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/cli/stage_loop.hpp"
 #include "engine/dance_files.hpp"
@@ -36,20 +37,17 @@ ExitCode live(const LiveArguments& arguments) {
     if (!graph) {
         return fail(graph.error());
     }
-    std::fprintf(stderr, "raks: listening to %s\n", choice->reason.c_str());
+    say("listening to " + choice->reason);
     static_cast<void>(loop->run(**graph, choice->device.name, std::nullopt));
     const auto all = dancers->wait();
     if (!all) {
         loop->say(all.error().message);
     }
     const BeatGrid grid = (*graph)->stage().music.grid;
-    std::fprintf(stderr,
-                 "raks: %s\n",
-                 fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",
-                             grid.tempo.bpm(),
-                             grid.confidence,
-                             level_meter((*graph)->analysis().level_dbfs()))
-                     .c_str());
+    say(fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",
+                    grid.tempo.bpm(),
+                    grid.confidence,
+                    level_meter((*graph)->analysis().level_dbfs())));
     return !all || (*graph)->has_lost_device() ? kExitFailed : kExitDone;
 }
 

@@ -1,36 +1,47 @@
-#include "engine/cli/arguments.hpp"
-#include "engine/cli/commands.hpp"
-#include "engine/cli/signals.hpp"
-
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <system_error>
+
+#include "engine/cli/arguments.hpp"
+#include "engine/cli/commands.hpp"
+#include "engine/cli/say.hpp"
+#include "engine/cli/signals.hpp"
 
 namespace {
 
-int report(const std::string& message, int code) {
-    std::fprintf(stderr, "raks: %s\n", message.c_str());
-    return code;
+using namespace raks::cli;
+
+int report(const std::string& message) {
+    say(message);
+    return exit_code_after_signals(kExitFailed);
+}
+
+/// Brings out what was printed; a full disk behind stdout is a failure of the command.
+int end_with(int code) {
+    const bool was_printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (code == kExitDone && !was_printed && errno != EPIPE) {
+        return report("standard output cannot be written: " +
+                      std::generic_category().message(errno));
+    }
+    return exit_code_after_signals(code);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        const auto command = raks::cli::parse_arguments(argc, argv);
+        const auto command = parse_arguments(argc, argv);
         if (!command.run) {
-            return command.exit_code;
+            return end_with(command.exit_code);
         }
-        raks::cli::catch_signals();
-        const raks::cli::ExitCode code = command.run();
-        if (!code) {
-            return report(code.error().message,
-                          raks::cli::exit_code_after_signals(raks::cli::kExitFailed));
-        }
-        return raks::cli::exit_code_after_signals(*code);
+        catch_signals();
+        const ExitCode code = command.run();
+        return code ? end_with(*code) : report(code.error().message);
     } catch (const std::bad_alloc&) {
-        return report("out of memory", raks::cli::kExitFailed);
+        return report("out of memory");
     } catch (const std::exception& error) {
-        return report(std::string("internal error: ") + error.what(), raks::cli::kExitFailed);
+        return report(std::string("internal error: ") + error.what());
     }
 }

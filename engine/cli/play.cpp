@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <system_error>
 
 #include "audio/io/devices.hpp"
+#include "base/file.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/cli/stage_loop.hpp"
 #include "engine/dance_files.hpp"
@@ -52,15 +55,17 @@ Expected<std::vector<Path>> files_to_play(const std::vector<Path>& given) {
             continue;
         }
         std::vector<Path> inside;
-        for (const auto& entry : fs::directory_iterator(path, error)) {
-            if (entry.is_regular_file(error) && looks_like_music(entry.path())) {
-                inside.push_back(entry.path());
-            }
+        const auto listed = list_folder(path);
+        if (!listed) {
+            return fail(listed.error());
         }
+        std::copy_if(
+            listed->begin(), listed->end(), std::back_inserter(inside), [&](const Path& file) {
+                return fs::is_regular_file(file, error) && looks_like_music(file);
+            });
         if (inside.empty()) {
             return fail(path.string() + ": no music in this folder");
         }
-        std::sort(inside.begin(), inside.end());
         files.insert(files.end(), inside.begin(), inside.end());
     }
     if (files.empty()) {
@@ -82,7 +87,7 @@ Expected<std::optional<audio::AudioDevice>> choose_output(const PlayArguments& a
     if (!choice) {
         return fail(std::move(choice.error()));
     }
-    std::fprintf(stderr, "raks: sound goes to %s\n", choice->reason.c_str());
+    say("sound goes to " + choice->reason);
     return choice->device;
 }
 
@@ -106,7 +111,7 @@ Expected<StageEnd> play_file(const Path& file,
     if (arguments.section.duration) {
         (*graph)->playback()->set_end(arguments.section.start + *arguments.section.duration);
     }
-    std::fprintf(stderr, "raks: playing %s\n", file.c_str());
+    say("playing " + file.string());
     const StageEnd end = loop.run(**graph, file.filename().string(), duration);
     for (const std::string& message : (*graph)->playback()->player().take_messages()) {
         loop.say(message);

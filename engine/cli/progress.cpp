@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/printable.hpp"
 #include "base/time.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ constexpr double kSecondsBetween = 0.2;
 }
 
 ProgressLine::ProgressLine(std::string what)
-    : what_(std::move(what)), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : what_(printable(what, 60)), is_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
     if (has_shown_) {

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/file.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/dance_files.hpp"
 #include "engine/music_source.hpp"
@@ -138,6 +140,9 @@ ExitCode render(const RenderArguments& given) {
         }
         arguments.input = *demo;
     }
+    if (auto checked = check_is_no_input(arguments.output, {arguments.input}); !checked) {
+        return fail(std::move(checked.error()));
+    }
     auto source = engine::MusicSource::open(
         arguments.input, arguments.section.start, arguments.section.duration);
     if (!source) {
@@ -182,7 +187,7 @@ ExitCode render(const RenderArguments& given) {
         return fail(ran.error());
     }
     if (!source->warning().empty()) {
-        std::fprintf(stderr, "raks: %s\n", source->warning().c_str());
+        say(source->warning());
     }
     return kExitDone;
 }

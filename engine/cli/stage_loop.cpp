@@ -11,6 +11,7 @@
 
 #include "engine/cli/camera_moves.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/dance_files.hpp"
 #include "render/overlay/key_bindings.hpp"
@@ -97,7 +98,7 @@ Expected<StageLoop> StageLoop::create(const engine::Settings& settings, const Op
 }
 
 void StageLoop::say(const std::string& line) {
-    std::fprintf(stderr, "raks: %s\n", line.c_str());
+    cli::say(line);
     message_ = line;
     message_until_ = HostClock::now() + kMessageTime;
 }

@@ -6,6 +6,7 @@
 
 #include "engine/cli/clip_transport.hpp"
 #include "engine/cli/commands.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/sheet_file.hpp"
 #include "engine/cli/stick_window.hpp"
 #include "motion/skeleton/bvh.hpp"
@@ -31,8 +32,7 @@ Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
     auto clip = motion::read_bvh(arguments.input, options);
     if (clip) {
         for (const std::string& warning : clip->warnings) {
-            std::fprintf(
-                stderr, "raks: %s: %s\n", arguments.input.string().c_str(), warning.c_str());
+            say(arguments.input.string() + ": " + warning);
         }
     }
     return clip;
@@ -44,10 +44,9 @@ double scale_of(const motion::MotionClip& clip, const StickArguments& arguments)
         return arguments.scale;
     }
     const double guess = motion::guess_metres_per_unit(clip);
-    std::fprintf(stderr,
-                 "raks: %s: one unit is taken for %.4g m, by the body's height (--scale sets it)\n",
-                 arguments.input.string().c_str(),
-                 guess);
+    say(fmt::format("{}: one unit is taken for {:.4g} m, by the body's height (--scale sets it)",
+                    arguments.input.string(),
+                    guess));
     return guess;
 }
 
@@ -149,8 +148,7 @@ ExitCode stick(const StickArguments& arguments) {
         }
         output = arguments.input.stem();
         output += ".png";
-        std::fprintf(
-            stderr, "raks: no window (%s): drawing a sheet\n", window.error().message.c_str());
+        say("no window (" + window.error().message + "): drawing a sheet");
     }
     if (auto written =
             write_frames(output, *look, *figures, frames_to_draw(*clip, arguments.frame));

@@ -9,6 +9,7 @@
 #include "engine/cli/camera_moves.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/dance_preview.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/cli/sheet_file.hpp"
 #include "engine/cli/signals.hpp"
 #include "engine/show.hpp"
@@ -102,7 +103,7 @@ Expected<void> play_preview(render::Window& window,
         if (since_look > kLookEvery) {
             since_look = 0.0;
             if (preview.refresh() && !preview.fault().empty()) {
-                std::fprintf(stderr, "raks: %s\n", preview.fault().c_str());
+                say(preview.fault());
             }
         }
         const motion::Pose pose = preview.pose();
@@ -146,8 +147,7 @@ ExitCode stick_dance(const StickArguments& arguments) {
         }
         output = arguments.input.stem();
         output += ".png";
-        std::fprintf(
-            stderr, "raks: no window (%s): drawing sheets\n", window.error().message.c_str());
+        say("no window (" + window.error().message + "): drawing sheets");
     }
     if (auto written = write_figures(*preview, *look, output, arguments.figure); !written) {
         return fail(written.error());

@@ -6,6 +6,9 @@
 namespace raks::cli {
 
 ExitCode synth(const SynthArguments& arguments) {
+    if (arguments.output.extension() != ".wav") {
+        return fail(arguments.output.string() + ": cannot write this kind of sound; known: .wav");
+    }
     const auto style = audio::style_from_name(arguments.style);
     if (!style) {
         return fail(style.error());

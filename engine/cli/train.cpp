@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "base/file.hpp"
 #include "engine/cli/labelled_clips.hpp"
 #include "engine/cli/likelihoods.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/heard_music.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/training_plan.hpp"
@@ -71,13 +73,24 @@ motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
     return plan;
 }
 
+std::vector<Path> inputs_of(const LabelledClips& clips) {
+    std::vector<Path> inputs = clips.clips;
+    inputs.insert(inputs.end(), {clips.labels, clips.counts, clips.faults});
+    return inputs;
+}
+
 ExitCode train_figure(const TrainFigureArguments& arguments) {
     if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {
         return train_authored(arguments);
     }
     if (arguments.labels.empty()) {
-        std::fputs("raks: clips need --labels X.tsv: where each figure begins and ends\n", stderr);
+        say("clips need --labels X.tsv: where each figure begins and ends");
         return kExitUsage;
+    }
+    std::vector<Path> inputs = inputs_of(arguments);
+    inputs.push_back(arguments.music);
+    if (auto checked = check_output(arguments.output, inputs); !checked) {
+        return fail(std::move(checked.error()));
     }
     motion::FigureTrainingPlan plan = figure_plan(arguments);
     if (!arguments.music.empty()) {
@@ -86,7 +99,7 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
             return fail(std::move(heard.error()));
         }
         if (!heard->warning.empty()) {
-            std::fprintf(stderr, "raks: %s\n", heard->warning.c_str());
+            say(heard->warning);
         }
         plan.music = std::move(heard->music);
         plan.music->offset = arguments.offset;
@@ -96,7 +109,7 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
         return fail(report.error());
     }
     for (const std::string& warning : report->warnings) {
-        std::fprintf(stderr, "raks: %s\n", warning.c_str());
+        say(warning);
     }
     if (auto saved = motion::save_figure(report->model, arguments.output); !saved) {
         return fail(saved.error());

@@ -9,6 +9,7 @@
 #include "base/suggest.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/likelihoods.hpp"
+#include "engine/cli/say.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/choreography/authored_training.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -53,11 +54,7 @@ void tell_hops(const motion::AuthoredDance& dance, const motion::AuthoredFigure&
         hops += fmt::format(" {:.2f}-{:.2f}", hop.from, hop.to);
     }
     if (!hops.empty()) {
-        std::fputs(
-            fmt::format(
-                "raks: {}: both feet are in the air at beats{}\n", where_in(dance, figure), hops)
-                .c_str(),
-            stderr);
+        say(fmt::format("{}: both feet are in the air at beats{}", where_in(dance, figure), hops));
     }
 }
 
@@ -78,10 +75,6 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
                                 dance->file,
                                 figures->size()));
     }
-    if (is_folder) {
-        std::error_code problem;  // what is wrong shows when the file is written
-        std::filesystem::create_directories(arguments.output, problem);
-    }
     motion::AuthoredTrainingOptions options;
     options.states = arguments.states;
     options.features = arguments.features == "positions" ? motion::FigureFeatures::positions
@@ -92,6 +85,10 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
             motion::train_authored_figure(*dance, *figure, motion::mannequin_skeleton(), options);
         if (!trained) {
             return fail(trained.error());
+        }
+        if (is_folder) {
+            std::error_code problem;  // what is wrong shows when the file is written
+            std::filesystem::create_directories(arguments.output, problem);
         }
         const Path path = model_path(arguments.output, trained->model);
         if (auto saved = motion::save_figure(trained->model, path); !saved) {

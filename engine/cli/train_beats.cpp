@@ -13,7 +13,10 @@
 #include "audio/beat/training/corpus.hpp"
 #include "audio/beat/training/train_bars.hpp"
 #include "audio/beat/training/train_network.hpp"
+#include "base/file.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/training_program.hpp"
+#include "engine/cli/usage.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,35 +54,35 @@ void add_options(CLI::App& app, Options& options) {
         }
     });
     app.add_option("--corpus", options.corpus_file, "keep the rendered music here between runs");
-    app.add_option("--also", options.more_files, "more music that --corpus kept: learnt from, too")
-        ->check(CLI::ExistingFile);
+    app.add_option("--also", options.more_files, "more music that --corpus kept: learnt from, too");
     app.add_option("--excerpts", options.corpus.excerpts, "pieces of 22 s to render")
-        ->check(CLI::Range(16, 100'000));
+        ->check(cli::in_range(16, 100'000));
     app.add_option("--corpus-seed", options.corpus.seed, "same seed, same music");
     app.add_option("--leave-out", options.left_out, "families of music not to learn from");
     auto* from = app.add_option("--from", options.start, "X.json: go on from these weights");
-    app.add_option("--units", options.network.units, "of each layer")->check(CLI::Range(4, 128));
-    app.add_option("--layers", options.network.layers)->check(CLI::Range(1, 3));
+    app.add_option("--units", options.network.units, "of each layer")->check(cli::in_range(4, 128));
+    app.add_option("--layers", options.network.layers)->check(cli::in_range(1, 3));
     app.add_option("--lookahead", options.network.lookahead, "hops of 10 ms")
-        ->check(CLI::Range(0, 10));
+        ->check(cli::in_range(0, 10));
     app.add_option("--steps", options.network.steps, "batches of 24 x 10 s")
-        ->check(CLI::Range(10, 1'000'000));
+        ->check(cli::in_range(10, 1'000'000));
     app.add_option("--rate", options.network.rate, "of learning, at its highest")
-        ->check(CLI::Range(1e-5, 0.1));
+        ->check(cli::in_range(1e-5, 0.1));
     app.add_option("--cuts", options.network.cut_chance, "chance that a chunk has two pieces")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(cli::in_range(0.0, 1.0));
     app.add_option("--seed", options.network.seed, "of weights and batches");
-    app.add_option("--threads", options.network.threads)->check(CLI::Range(1, 64));
+    app.add_option("--threads", options.network.threads)->check(cli::in_range(1, 64));
     app.add_option("--bar-steps",
                    options.bar_steps,
                    "beats stay as they are: batches of 48 x 96 beats to learn bars from")
-        ->check(CLI::Range(10, 1'000'000))
+        ->check(cli::in_range(10, 1'000'000))
         ->needs(from);
     app.add_option("-o,--out", options.output, "X.json")->required();
 }
 
 Expected<std::vector<audio::TrainingExcerpt>> first_corpus_of(const Options& options) {
-    if (!options.corpus_file.empty() && std::filesystem::exists(options.corpus_file)) {
+    std::error_code ignored;
+    if (!options.corpus_file.empty() && std::filesystem::exists(options.corpus_file, ignored)) {
         return audio::load_corpus(options.corpus_file);
     }
     std::fprintf(stderr, "raks: rendering %d pieces\n", options.corpus.excerpts);
@@ -179,6 +182,12 @@ Expected<void> learn_bars(const Options& options,
 
 Expected<void> run(Options& options, const std::string& command) {
     const audio::NetworkNotes notes{command, kAttribution};
+    std::vector<std::filesystem::path> inputs = options.corpus.soundfonts;
+    inputs.push_back(options.corpus_file);
+    inputs.insert(inputs.end(), options.more_files.begin(), options.more_files.end());
+    if (auto checked = check_output(options.output, inputs); !checked) {
+        return checked;
+    }
     if (!options.averaged.empty()) {
         return write_average(options, notes);
     }
@@ -216,11 +225,12 @@ int main(int argc, char** argv) try {
     Options options;
     CLI::App app("learns to hear beats from rendered music", "raks train beats");
     add_options(app, options);
-    CLI11_PARSE(app, argc, argv);
+    if (const auto ended = raks::cli::read_usage(app, argc, argv)) {
+        return *ended;
+    }
     options.corpus.threads = options.network.threads;
     return raks::cli::exit_status(
         run(options, raks::cli::kept_command("raks train beats", argc, argv)));
-} catch (const std::exception& error) {  // no memory, or a fault of ours
-    std::fprintf(stderr, "raks: %s\n", error.what());
-    return 1;
+} catch (const std::exception& error) {
+    return raks::cli::exit_status(error);
 }

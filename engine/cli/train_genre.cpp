@@ -17,10 +17,13 @@
 #include "audio/genre/genre_file.hpp"
 #include "audio/genre/training/network_outputs.hpp"
 #include "audio/io/lossy_codec.hpp"
+#include "base/file.hpp"
 #include "engine/cli/genre_adding.hpp"
 #include "engine/cli/genre_learning.hpp"
 #include "engine/cli/genre_material.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/training_program.hpp"
+#include "engine/cli/usage.hpp"
 #include "engine/hearing.hpp"
 
 #include <fmt/format.h>
@@ -41,20 +44,20 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option("-o,--out", options.output, "X.json");
     app.add_option(
            "--synthesize", options.synthesize, "pieces of music to write, play and learn from")
-        ->check(CLI::Range(0, 100'000));
+        ->check(cli::in_range(0, 100'000));
     app.add_option(
            "--edition",
            options.edition,
            "of the written music; 1: without quarter tones, oud and lossy codecs; 2: without "
            "bands of several soundfonts")
-        ->check(CLI::Range(1, 3));
+        ->check(cli::in_range(1, 3));
     app.add_option(
         "--soundfont", options.soundfonts, "SF2 or SF3 to play it with; one is drawn a piece");
     app.add_option("--test-soundfont",
                    options.test_soundfonts,
                    "report how music played with these is heard; not learnt from");
     app.add_option("--test-pieces", options.test_pieces, "of each kind of written test; 0: none")
-        ->check(CLI::Range(0, 10'000));
+        ->check(cli::in_range(0, 10'000));
     app.add_option("--beats-corpus",
                    options.beats_corpus,
                    "music that `raks train beats --corpus` kept: the network learns from it, too");
@@ -66,7 +69,7 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option("--samples",
                    options.sample_kilobytes,
                    "kB a genre that are kept of the music beside the model, for --add-to; 0: none")
-        ->check(CLI::Range(0, static_cast<int>(audio::kMostSampleBytes / 1'000)));
+        ->check(cli::in_range(0, static_cast<int>(audio::kMostSampleBytes / 1'000)));
     app.add_option("--shard",
                    options.share_text,
                    "i/n: hear share i of n into -o FILE, for `raks train genre merge`");
@@ -87,46 +90,46 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_flag("--no-energy", options.leaves_out_energy, "without C0 and its derivatives");
     app.add_option(
            "--altered", options.altered, "damaged copies of each recording to learn from; 0: none")
-        ->check(CLI::Range(0, 50));
+        ->check(cli::in_range(0, 50));
     app.add_option("--without",
                    options.left_out_effects,
                    "what is not to happen to music: " +
                        fmt::format("{}", fmt::join(audio::kSoundEffectNames, ", ")))
-        ->check(CLI::IsMember(std::vector<std::string>(std::begin(audio::kSoundEffectNames),
-                                                       std::end(audio::kSoundEffectNames))));
+        ->check(cli::one_of(
+            {std::begin(audio::kSoundEffectNames), std::end(audio::kSoundEffectNames)}));
     app.add_option("--states", options.plan.mfcc.states, "of each genre's HMM")
-        ->check(CLI::Range(1, 16));
+        ->check(cli::in_range(1, 16));
     app.add_option("--mixtures", options.plan.mfcc.mixtures, "Gaussians a state")
-        ->check(CLI::Range(1, 64));
+        ->check(cli::in_range(1, 64));
     app.add_option(
            "--similarity", options.plan.mfcc.similarity_rounds, "rounds of inter-genre similarity")
-        ->check(CLI::Range(0, 5));
+        ->check(cli::in_range(0, 5));
     app.add_option("--units", options.plan.rhythm.units, "of the rhythm network")
-        ->check(CLI::Range(2, 128));
+        ->check(cli::in_range(2, 128));
     app.add_option("--steps", options.plan.rhythm.steps, "of its training")
-        ->check(CLI::Range(10, 1'000'000));
+        ->check(cli::in_range(10, 1'000'000));
     app.add_option(
            "--network-units", options.plan.network.units, "of each layer of the recurrent network")
-        ->check(CLI::Range(4, 128));
+        ->check(cli::in_range(4, 128));
     app.add_option("--network-steps",
                    options.plan.network.written_steps,
                    "of its training on written music: batches of 24 x 10 s")
-        ->check(CLI::Range(1, 1'000'000));
+        ->check(cli::in_range(1, 1'000'000));
     app.add_option("--tuning-steps",
                    options.plan.network.tuning_steps,
                    "more of them with recordings among it")
-        ->check(CLI::Range(0, 1'000'000));
+        ->check(cli::in_range(0, 1'000'000));
     app.add_option("--network-recorded-share",
                    options.plan.network.recorded_share,
                    "of what these are drawn from")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(cli::in_range(0.0, 1.0));
     app.add_option("--recorded-share",
                    options.plan.rhythm.recorded_share,
                    "of what is drawn, where there are recordings and written music")
-        ->check(CLI::Range(0.0, 1.0));
-    app.add_option("--folds", options.plan.folds)->check(CLI::Range(2, 20));
+        ->check(cli::in_range(0.0, 1.0));
+    app.add_option("--folds", options.plan.folds)->check(cli::in_range(2, 20));
     app.add_option("--seed", options.seed, "same seed, same model");
-    app.add_option("--threads", options.threads)->check(CLI::Range(1, 64));
+    app.add_option("--threads", options.threads)->check(cli::in_range(1, 64));
 }
 
 std::string attribution_of(const GenreMaterial& material, const GenreOptions& options) {
@@ -174,8 +177,7 @@ void choose_effects(GenreOptions& options) {
         std::vector<float> silence(4'410);
         const auto passed = audio::pass_lossy_codec(codec, 44'100, 64'000, silence);
         if (!passed && options.effects.has(audio::SoundEffect::codec)) {
-            std::fprintf(
-                stderr, "raks: %s; goes on without lossy codecs\n", passed.error().message.c_str());
+            cli::say(passed.error().message + "; goes on without lossy codecs");
             options.effects.leave_out(audio::SoundEffect::codec);
         }
     }
@@ -193,9 +195,13 @@ Expected<void> check_options(GenreOptions& options) {
     if (options.output.empty() && !(options.share_text.empty() && options.add_to.empty())) {
         return fail("--shard and --add-to need -o FILE: where to keep what they make");
     }
-    const std::filesystem::path folder = options.output.parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-        return fail(folder.string() + ": no such folder: nothing can be written there");
+    if (!options.output.empty()) {
+        std::vector<std::filesystem::path> inputs = options.shards;
+        inputs.insert(inputs.end(), options.soundfonts.begin(), options.soundfonts.end());
+        inputs.insert(inputs.end(), {options.index, options.beats_corpus});
+        if (auto checked = check_output(options.output, inputs); !checked) {
+            return checked;
+        }
     }
     if (!options.cache.empty()) {
         std::error_code error;
@@ -313,10 +319,8 @@ int main(int argc, char** argv) try {
     CLI::App* const merge = app.add_subcommand("merge", "learns from the shards of --shard");
     merge->fallthrough();
     merge->add_option("shards", options.shards, "of all shares")->required();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& wrong) {
-        return app.exit(wrong) == 0 ? 0 : 2;
+    if (const auto ended = raks::cli::read_usage(app, argc, argv)) {
+        return *ended;
     }
     options.plan.mfcc.threads = options.plan.network.threads = options.threads;
     options.plan.mfcc.seed = options.plan.rhythm.seed = options.plan.sound.seed =
@@ -328,7 +332,6 @@ int main(int argc, char** argv) try {
     }
     return raks::cli::exit_status(
         run(options, raks::cli::kept_command("raks train genre", argc, argv)));
-} catch (const std::exception& error) {  // no memory, or a fault of ours
-    std::fprintf(stderr, "raks: %s\n", error.what());
-    return 1;
+} catch (const std::exception& error) {
+    return raks::cli::exit_status(error);
 }

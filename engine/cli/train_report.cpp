@@ -11,6 +11,7 @@
 #include "engine/cli/commands.hpp"
 #include "engine/cli/labelled_clips.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/say.hpp"
 #include "engine/report_page.hpp"
 #include "motion/figures/classifier_evaluation.hpp"
 #include "motion/figures/figure_report.hpp"
@@ -204,6 +205,9 @@ ExitCode train_report(const TrainReportArguments& arguments) {
             return fail("--figure names " + *figure + " twice");
         }
     }
+    if (auto checked = check_is_no_input(arguments.output, inputs_of(arguments)); !checked) {
+        return fail(std::move(checked.error()));
+    }
     auto file = PendingFile::create(arguments.output);  // before the work, which takes a minute
     if (!file) {
         return fail(std::move(file.error()));
@@ -219,7 +223,7 @@ ExitCode train_report(const TrainReportArguments& arguments) {
         return fail(data.error());
     }
     for (const std::string& warning : warnings) {
-        std::fprintf(stderr, "raks: %s\n", warning.c_str());
+        say(warning);
     }
     if (auto written = write_file(file->part(), engine::draw_report(*data)); !written) {
         return fail(std::move(written.error()));

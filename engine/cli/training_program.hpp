@@ -1,10 +1,13 @@
 #pragma once
 
-#include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
 
 #include "base/expected.hpp"
+#include "engine/cli/commands.hpp"
+#include "engine/cli/say.hpp"
 
 /// What the programs that train have in common.
 namespace raks::cli {
@@ -17,12 +20,19 @@ namespace raks::cli {
     return command;
 }
 
-/// 0; 1 with the fault on stderr.
+/// kExitDone; kExitFailed with the fault on stderr.
 [[nodiscard]] inline int exit_status(const Expected<void>& done) {
     if (!done) {
-        std::fprintf(stderr, "raks: %s\n", done.error().message.c_str());
+        say(done.error().message);
     }
-    return done ? 0 : 1;
+    return done ? kExitDone : kExitFailed;
+}
+
+/// kExitFailed, and what nothing else caught on stderr: no memory, or a fault of ours.
+[[nodiscard]] inline int exit_status(const std::exception& error) {
+    const bool is_no_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    say(is_no_memory ? "out of memory" : std::string("internal error: ") + error.what());
+    return kExitFailed;
 }
 
 }  // namespace raks::cli

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "base/toml_headers.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/choreography/body_reader.hpp"
@@ -322,7 +322,7 @@ Expected<AuthoredDance> parse_authored_dance(std::string_view text, const std::s
 }
 
 Expected<AuthoredDance> load_authored_dance(const std::filesystem::path& path) {
-    auto text = read_file(path, kMaxBytes);
+    auto text = read_text_file(path, kMaxBytes);
     if (!text) {
         return fail(std::move(text.error()));
     }

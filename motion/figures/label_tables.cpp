@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "base/file.hpp"
+#include "base/text_file.hpp"
 
 namespace raks::motion {
 namespace {
@@ -194,7 +194,7 @@ std::optional<Error> overlap_in(const std::vector<FigureLabel>& labels, const st
 template <typename Parse>
 auto load(const std::filesystem::path& path, const Parse& parse)
     -> decltype(parse(std::string_view(), std::string())) {
-    const Expected<std::string> text = read_file(path, kMaxBytes);
+    const Expected<std::string> text = read_text_file(path, kMaxBytes);
     if (!text) {
         return fail(text.error());
     }

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/file.hpp"
 #include "motion/figures/common_turn.hpp"
 #include "motion/figures/table_counts.hpp"
 #include "motion/figures/training_clip.hpp"
@@ -25,15 +26,14 @@ Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& pla
     std::error_code error;
     if (paths.size() == 1 && fs::is_directory(paths[0], error)) {
         const fs::path folder = paths[0];
-        paths.clear();
-        for (fs::directory_iterator it(folder, error), end; !error && it != end;
-             it.increment(error)) {
-            if (it->path().extension() == ".bvh") {
-                paths.push_back(it->path());
-            }
+        auto listed = list_folder(folder);
+        if (!listed) {
+            return fail(std::move(listed.error()));
         }
-        if (error) {
-            return fail(fmt::format("{}: {}", folder.string(), error.message()));
+        paths = std::move(*listed);
+        std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".bvh"; });
+        if (paths.empty()) {
+            return fail(folder.string() + ": holds no .bvh file");
         }
     }
     if (paths.empty()) {

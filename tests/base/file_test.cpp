@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 
@@ -49,6 +50,47 @@ TEST_F(FileTest, errors_name_the_file_and_the_reason) {
     ASSERT_TRUE(write_file(folder_ / "big", std::string(100, 'x')));
     EXPECT_NE(read_file(folder_ / "big", 99).error().message.find("larger than"),
               std::string::npos);
+}
+
+TEST_F(FileTest, the_start_of_a_file_is_read_alone) {
+    ASSERT_TRUE(write_file(folder_ / "x", "abcdef"));
+    EXPECT_EQ(read_file_start(folder_ / "x", 3).value(), "abc");
+    EXPECT_EQ(read_file_start(folder_ / "x", 100).value(), "abcdef");
+    EXPECT_EQ(read_file_start(folder_ / "none", 3).error().message,
+              (folder_ / "none").string() + ": cannot be opened: No such file or directory");
+}
+
+TEST_F(FileTest, what_is_no_plain_file_is_refused_without_waiting) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    fs::create_symlink(pipe, folder_ / "link");
+    fs::create_symlink("b", folder_ / "a");
+    fs::create_symlink("a", folder_ / "b");
+    const std::pair<fs::path, const char*> cases[] = {{pipe, "not a plain file"},
+                                                      {folder_ / "link", "not a plain file"},
+                                                      {"/dev/zero", "not a plain file"},
+                                                      {folder_ / "a", "symbolic links"},
+                                                      {"", "empty"}};
+    for (const auto& [path, part] : cases) {
+        const auto whole = read_file(path);
+        const auto start = read_file_start(path, 4);
+        ASSERT_FALSE(whole) << path;
+        EXPECT_NE(whole.error().message.find(part), std::string::npos) << whole.error().message;
+        ASSERT_FALSE(start) << path;
+        EXPECT_EQ(start.error().message, whole.error().message);
+    }
+}
+
+TEST_F(FileTest, only_plain_files_are_replaced) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    ASSERT_EQ(mkfifo((folder_ / "x.part").c_str(), 0600), 0);
+    for (const fs::path& path : {pipe, folder_ / "x", fs::path("/dev/full"), fs::path()}) {
+        EXPECT_FALSE(write_file(path, "text")) << path;
+    }
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_FALSE(fs::exists(folder_ / "x"));
+    EXPECT_FALSE(fs::exists("/dev/full.part"));
 }
 
 TEST_F(FileTest, a_full_disk_leaves_the_old_file_and_no_part) {

@@ -164,7 +164,7 @@ TEST_F(TrainGenre, folders_that_hold_too_little_are_told_what_they_lack) {
                    "of its model; add music or lower --states and --mixtures\n")))
         << few.err;
     expect_failure(train({path("one"), "-o", path("nowhere/x.json")}),
-                   path("nowhere") + ": no such folder: nothing can be written there");
+                   path("nowhere/x.json") + ": cannot be written: No such file or directory");
 }
 
 TEST_F(TrainGenre, a_genre_is_added_without_the_music_of_the_others) {

@@ -68,6 +68,11 @@ std::string network_text(const RecurrentNetwork& network, const std::string& mor
     return text + "\n]";
 }
 
+/// A text of JSON; what is not UTF-8 gets replacement characters.
+std::string dumped(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 }  // namespace
 
 Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem::path& path) {
@@ -99,15 +104,13 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
 Expected<void> save_network(const BeatNetwork& network,
                             const NetworkNotes& notes,
                             const std::filesystem::path& path) {
-    const nlohmann::json made_with = notes.made_with;
-    const nlohmann::json attribution = notes.attribution;
     const std::string lookahead = fmt::format("\"lookahead\": {},\n", network.lookahead());
     std::string text = fmt::format(
         "{{\n\"format\": \"{}\",\n\"version\": {},\n\"made_with\": {},\n\"attribution\": {},\n{}",
         kFormat,
         kVersion,
-        made_with.dump(),
-        attribution.dump(),
+        dumped(notes.made_with),
+        dumped(notes.attribution),
         network_text(network, lookahead));
     if (network.bars()) {
         text += ",\n\"bars\": {\n" + network_text(*network.bars(), "") + "}";

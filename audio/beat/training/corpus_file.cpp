@@ -1,5 +1,7 @@
 // A corpus between runs: "RAKSBEAT", a version, then each excerpt's sizes and numbers.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 
@@ -11,6 +13,7 @@ namespace {
 
 constexpr std::string_view kMagic = "RAKSBEAT";
 constexpr std::uint32_t kVersion = 2;
+constexpr double kLongestBar = 64.0;
 constexpr std::size_t kLargest = std::size_t{4} << 30U;
 
 template <class T>
@@ -54,7 +57,17 @@ bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
         return false;
     }
     for (std::size_t i = 0; i < beats.size(); i += 2) {
-        excerpt.beats.push_back({beats[i], static_cast<int>(beats[i + 1])});
+        const double position = beats[i + 1];
+        if (!std::isfinite(beats[i]) || !(position >= 0.0 && position <= kLongestBar)) {
+            return false;
+        }
+        excerpt.beats.push_back({beats[i], static_cast<int>(position)});
+    }
+    const bool is_sound = std::all_of(excerpt.mel.begin(), excerpt.mel.end(), [](float magnitude) {
+        return magnitude >= 0.0F && std::isfinite(magnitude);
+    });
+    if (!is_sound) {
+        return false;
     }
     excerpt.family.assign(family.begin(), family.end());
     excerpt.style.assign(style.begin(), style.end());
@@ -84,22 +97,25 @@ Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
 }
 
 Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& path) {
-    const auto text = read_file(path, kLargest);
-    if (!text) {
-        return fail(text.error());
-    }
-    std::string_view view = *text;
     std::uint32_t version = 0;
-    if (!view.starts_with(kMagic) || view.size() < kMagic.size() + sizeof(version)) {
+    const auto start = read_file_start(path, kMagic.size() + sizeof(version));
+    if (!start) {
+        return fail(start.error());
+    }
+    if (!start->starts_with(kMagic) || start->size() < kMagic.size() + sizeof(version)) {
         return fail(path.string() + ": not a corpus of beats");
     }
-    std::memcpy(&version, view.data() + kMagic.size(), sizeof(version));
+    std::memcpy(&version, start->data() + kMagic.size(), sizeof(version));
     if (version != kVersion) {
         return fail(path.string() + ": version " + std::to_string(version) +
                     " of a corpus, this program reads " + std::to_string(kVersion) +
                     "; delete it to make it anew");
     }
-    Bytes bytes(view.substr(kMagic.size() + sizeof(version)));
+    const auto text = read_file(path, kLargest);
+    if (!text) {
+        return fail(text.error());
+    }
+    Bytes bytes(std::string_view(*text).substr(std::min(start->size(), text->size())));
     std::vector<TrainingExcerpt> corpus;
     while (!bytes.is_empty()) {
         TrainingExcerpt excerpt;

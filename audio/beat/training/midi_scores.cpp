@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "audio/beat/training/midi_file.hpp"
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 
 namespace raks::audio {
 namespace {
@@ -18,6 +20,7 @@ namespace {
 constexpr int kLowestBpm = 52;
 constexpr int kHighestBpm = 217;
 constexpr int kFewestBars = 4;
+constexpr std::size_t kMostIndexBytes = std::size_t{16} << 20U;
 constexpr double kMostQuarters = 20'000.0;  // more than an hour: a damaged file
 
 /// A time signature from a tick on.
@@ -183,46 +186,97 @@ struct IndexRow {
     std::string set;
     bool is_fill = false;
     double bpm = 120.0;
-    std::string signature;
+    std::optional<Signature> signature;  // none: the file's own
     std::string style;
 };
 
-Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::string line;
-    if (!std::getline(file, line)) {
-        return fail(path.string() + ": cannot be read, or empty");
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> cells;
+    std::istringstream stream(text);
+    for (std::string cell; std::getline(stream, cell, '\t');) {
+        cells.push_back(cell);
     }
-    const auto split = [](const std::string& text) {
-        std::vector<std::string> cells;
-        std::istringstream stream(text);
-        for (std::string cell; std::getline(stream, cell, '\t');) {
-            cells.push_back(cell);
-        }
-        return cells;
-    };
+    return cells;
+}
+
+/// The whole of `text` as a number in [lowest, highest]; nothing for anything else.
+template <class Number>
+std::optional<Number> number_in(std::string_view text, Number lowest, Number highest) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_number = error == std::errc() && end == text.data() + text.size();
+    return is_number && number >= lowest && number <= highest ? std::optional(number)
+                                                              : std::nullopt;
+}
+
+/// "4/4"; nothing where it is none.
+std::optional<Signature> signature_of(std::string_view text) {
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto numerator = number_in(text.substr(0, slash), 1, 99);
+    const auto denominator = number_in(text.substr(std::min(slash + 1, text.size())), 1, 64);
+    if (!numerator || !denominator) {
+        return std::nullopt;
+    }
+    return Signature{0.0, *numerator, *denominator};
+}
+
+/// Error: a tempo or a signature that is none (of the set "groove": the others' files say theirs).
+Expected<IndexRow> row_of(const std::vector<std::string>& cells,
+                          std::map<std::string, std::size_t>& columns) {
+    IndexRow row;
+    row.file = cells[columns["file"]];
+    row.set = cells[columns["set"]];
+    row.is_fill = cells[columns["kind"]] == "fill";
+    row.style = columns.contains("style") ? cells[columns["style"]] : std::string();
+    if (row.set != "groove") {
+        return row;
+    }
+    const std::string& tempo = cells[columns["bpm_quarter"]];
+    const auto bpm = number_in(tempo, 1.0, 1000.0);
+    if (!bpm) {
+        return fail("bpm_quarter is '" + tempo + "', must be 1 to 1000");
+    }
+    row.bpm = *bpm;
+    const std::string& signature = cells[columns["time_signature"]];
+    row.signature = signature_of(signature);
+    if (!row.signature && !signature.empty()) {
+        return fail("time_signature is '" + signature + "', must be such as 4/4");
+    }
+    return row;
+}
+
+Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
+    const auto text = read_text_file(path, kMostIndexBytes);
+    if (!text) {
+        return fail(text.error());
+    }
+    std::istringstream lines(*text);
+    std::string line;
+    std::getline(lines, line);
     std::map<std::string, std::size_t> columns;
     for (const std::string& name : split(line)) {
         columns.emplace(name, columns.size());
     }
     for (const char* const name : {"file", "set", "kind", "bpm_quarter", "time_signature"}) {
-        if (columns.count(name) == 0) {
+        if (!columns.contains(name)) {
             return fail(path.string() + ": no column '" + name + "'");
         }
     }
     std::vector<IndexRow> rows;
-    while (std::getline(file, line)) {
+    for (std::size_t number = 2; std::getline(lines, line); ++number) {
         const std::vector<std::string> cells = split(line);
-        if (cells.size() < columns.size()) {
-            return fail(path.string() + ": line " + std::to_string(rows.size() + 2) +
-                        " has too few columns");
+        Expected<IndexRow> row = fail("has too few columns");
+        if (cells.size() >= columns.size()) {
+            row = row_of(cells, columns);
         }
-        rows.push_back({cells[columns["file"]],
-                        cells[columns["set"]],
-                        cells[columns["kind"]] == "fill",
-                        std::strtod(cells[columns["bpm_quarter"]].c_str(), nullptr),
-                        cells[columns["time_signature"]],
-                        columns.count("style") > 0 ? cells[columns["style"]] : std::string()});
+        if (!row) {
+            return fail(
+                std::move(row.error()).in(path.string() + ": line " + std::to_string(number)));
+        }
+        rows.push_back(std::move(*row));
+    }
+    if (rows.empty()) {
+        return fail(path.string() + ": names no file");
     }
     return rows;
 }
@@ -230,10 +284,8 @@ Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
 /// groove: the index says tempo and signature, the file only its hits.
 void apply_index(const IndexRow& row, MidiSong& song) {
     song.bpm = row.bpm;
-    const auto slash = row.signature.find('/');
-    if (slash != std::string::npos) {
-        song.signatures = {
-            {0.0, std::atoi(row.signature.c_str()), std::atoi(row.signature.c_str() + slash + 1)}};
+    if (row.signature) {
+        song.signatures = {*row.signature};
     }
 }
 

@@ -1,5 +1,6 @@
 #include "audio/genre/training/heard_piece.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "audio/genre/genre_recognizer.hpp"
@@ -78,14 +79,18 @@ Expected<void> save_pieces(std::span<const HeardPiece> pieces, const std::filesy
 }
 
 Expected<std::vector<HeardPiece>> load_pieces(const std::filesystem::path& path) {
+    const auto start = read_file_start(path, kMagic.size());
+    if (!start) {
+        return fail(start.error());
+    }
+    if (*start != kMagic) {
+        return fail(path.string() + ": no pieces that this program heard; remove it");
+    }
     const auto bytes = read_file(path, kMostBytes);
     if (!bytes) {
         return fail(bytes.error());
     }
-    if (!bytes->starts_with(kMagic)) {
-        return fail(path.string() + ": no pieces that this program heard; remove it");
-    }
-    Unpacker unpacker(std::string_view(*bytes).substr(kMagic.size()));
+    Unpacker unpacker(std::string_view(*bytes).substr(std::min(start->size(), bytes->size())));
     std::vector<HeardPiece> pieces;
     while (!unpacker.at_end()) {
         auto piece = unpack_piece(unpacker);

@@ -132,16 +132,21 @@ Expected<void> save_shard(const HeardShard& shard, const fs::path& path) {
 }
 
 Expected<HeardShard> load_shard(const fs::path& path) {
+    const auto start = read_file_start(path, kShardMagic.size());
+    if (!start) {
+        return fail(start.error());
+    }
+    if (*start != kShardMagic) {
+        return fail(path.string() + (start->starts_with(kName)
+                                         ? ": is of another version of this program; make it again"
+                                         : ": is no shard that raks train genre --shard made"));
+    }
     const auto bytes = read_file(path, kMostShardBytes);
     if (!bytes) {
         return fail(bytes.error());
     }
-    if (!bytes->starts_with(kShardMagic)) {
-        return fail(path.string() + (bytes->starts_with(kName)
-                                         ? ": is of another version of this program; make it again"
-                                         : ": is no shard that raks train genre --shard made"));
-    }
-    auto shard = unpack_shard(std::string_view(*bytes).substr(kShardMagic.size()));
+    auto shard =
+        unpack_shard(std::string_view(*bytes).substr(std::min(start->size(), bytes->size())));
     if (!shard) {
         return fail(fmt::format("{}: {}; make it again", path.string(), shard.error().message));
     }

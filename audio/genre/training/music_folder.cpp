@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -120,12 +122,16 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder) {
         return fail(folder.string() + ": no such folder");
     }
     std::vector<MusicFile> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
-        const fs::path inside = fs::relative(entry.path(), folder, error);
+    const auto listed = list_folder(folder, ListingDepth::tree);
+    if (!listed) {
+        return fail(listed.error());
+    }
+    for (const fs::path& path : *listed) {
+        const fs::path inside = path.lexically_relative(folder);
         const bool is_hidden = std::any_of(inside.begin(), inside.end(), [](const fs::path& part) {
             return part.string().starts_with('.');
         });
-        if (!entry.is_regular_file(error) || is_hidden) {
+        if (!fs::is_regular_file(path, error) || is_hidden) {
             continue;
         }
         const std::string label = inside.begin()->string();
@@ -137,19 +143,16 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder) {
             return fail(
                 fmt::format("{}: folder '{}' must be named {}", folder.string(), label, kLabels));
         }
-        files.push_back({entry.path(), inside.string(), *genre, inside.string(), "", true, ""});
+        files.push_back({path, inside.string(), *genre, inside.string(), "", true, ""});
     }
     if (files.empty()) {
         return fail(folder.string() + ": holds no folder of music; it needs one a genre");
     }
-    std::sort(files.begin(), files.end(), [](const MusicFile& a, const MusicFile& b) {
-        return a.path < b.path;
-    });
     return files;
 }
 
 Expected<std::vector<MusicFile>> list_music(const fs::path& folder, const fs::path& index) {
-    const auto text = read_file(index, kLargestIndex);
+    const auto text = read_text_file(index, kLargestIndex);
     if (!text) {
         return fail(text.error());
     }
@@ -199,16 +202,16 @@ Expected<void> check_distinct(std::span<const MusicFile> files) {
         }
     }
     for (const auto& [size, same_size] : by_size) {
-        std::map<std::string, const MusicFile*> by_content;
+        // Names for the contents, not these: a folder of WAV files of equal length is larger than
+        // the memory.
+        std::map<std::uint64_t, const MusicFile*> by_content;
         for (const MusicFile* file : same_size) {
-            if (same_size.size() < 2) {
-                break;
-            }
-            auto content = read_file(file->path);
+            const Expected<std::string> content =
+                same_size.size() > 1 ? read_file(file->path) : fail("alone in its size");
             if (!content) {
-                continue;  // said when it is heard
+                continue;  // what cannot be read is said when it is heard
             }
-            const auto [found, is_new] = by_content.try_emplace(std::move(*content), file);
+            const auto [found, is_new] = by_content.try_emplace(hash_of(*content), file);
             if (!is_new && found->second->genre != file->genre) {
                 return fail(fmt::format("{} and {} are the same file under two genres; remove one",
                                         found->second->path.string(),

@@ -1,10 +1,31 @@
 #include "audio/genre/training/packed_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace raks::audio {
+
+namespace {
+
+template <class Numbers>
+bool are_finite(const Numbers& numbers) {
+    return std::all_of(
+        numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); });
+}
+
+/// Whether all numbers are what hearing gives: finite, magnitudes not negative.
+bool is_heard(const HeardPiece& piece) {
+    return std::all_of(piece.frames.begin(), piece.frames.end(), are_finite<MfccVector>) &&
+           are_finite(piece.mel) &&
+           std::all_of(piece.mel.begin(), piece.mel.end(), [](float mel) { return mel >= 0.0F; }) &&
+           std::all_of(piece.windows.begin(), piece.windows.end(), [](const HeardWindow& window) {
+               return are_finite(window.features);
+           });
+}
+
+}  // namespace
 
 void pack_piece(const HeardPiece& piece, Packer& packer) {
     packer.put_list(piece.name);
@@ -27,6 +48,9 @@ Expected<HeardPiece> unpack_piece(Unpacker& unpacker) {
     piece.windows = unpacker.take_list<std::vector<HeardWindow>>();
     if (!unpacker.is_good()) {
         return fail("is cut short");
+    }
+    if (!is_heard(piece)) {
+        return fail("holds numbers that no sound gives");
     }
     if (piece.mel.size() != piece.frames.size() * BarPatterns::kMelBands) {
         return fail("frames of two kinds differ in number");
