@@ -15,12 +15,10 @@ extern "C" {
 #include <string_view>
 
 #include "audio/io/audio_file_backends.hpp"
-#include "audio/io/ffmpeg_handles.hpp"
+#include "audio/io/ffmpeg_reader.hpp"
 
 namespace raks::audio {
 namespace {
-
-namespace fs = std::filesystem;
 
 // Only containers of sound: FFmpeg would also take pictures, subtitles, plain text and play-lists
 // (which name other files) for media.
@@ -29,72 +27,17 @@ constexpr const char* kFormats =
     "eac3,dts,amr,amrnb,amrwb,ape,wv,tta,tak,mpc,mpc8,mpeg,mpegts,mpegvideo,rm,xwma,dsf,oma,loas,"
     "gxf,mxf,nut,swf,voc,aa,aax,adts,latm";
 
-constexpr double kPrerollSeconds = 0.30;  // an MP3 frame leans on up to nine before it
-constexpr int kMaxFaultsInARow = 2000;    // of packets: a damaged stretch, not a hang
+constexpr int kMaxFaultsInARow = 2000;  // of packets: a damaged stretch, not a hang
 constexpr int kMaxPacketsToFirstFrame = 5000;
 constexpr double kShortBySeconds = 1.0;  // less than this under the claim is rounding
 
-std::string reason(int error_number) {
+}  // namespace
+
+std::string ffmpeg_reason(int error_number) {
     char text[AV_ERROR_MAX_STRING_SIZE] = {};
     av_strerror(error_number, text, sizeof text);
     return text;
 }
-
-class FfmpegReader final : public AudioFileReader {
- public:
-    explicit FfmpegReader(fs::path path) : path_(std::move(path)) {}
-
-    Expected<void> open();
-    std::size_t read(std::span<float> interleaved) override;
-    Expected<void> seek(std::int64_t frame) override;
-
- private:
-    Expected<void> open_container();
-    Expected<void> open_decoder();
-    Expected<void> describe();
-    [[nodiscard]] bool decode_next();
-    [[nodiscard]] int feed_decoder();
-    void take_frame();
-    [[nodiscard]] bool prepare_converter();
-    void place_frame();
-    void drop_until_target();
-    [[nodiscard]] bool skip_packets_before(std::int64_t timestamp);
-    [[nodiscard]] std::int64_t frames_of(std::int64_t timestamp) const;
-    [[nodiscard]] std::int64_t timestamp_of(std::int64_t frame) const;
-    enum class SeekMethod { index, reading, decoding };
-    [[nodiscard]] SeekMethod seek_method() const;
-    [[nodiscard]] std::int64_t on_frame_grid(std::int64_t position) const;
-    [[nodiscard]] Expected<void> reopen();
-    void forget_decoded();
-    [[nodiscard]] Expected<void> seek_container(std::int64_t timestamp, std::int64_t frame);
-    void note_damage();
-    void note_end();
-    [[nodiscard]] std::size_t buffered_frames() const {
-        return (buffer_.size() - buffer_at_) / static_cast<std::size_t>(info_.channels);
-    }
-
-    fs::path path_;
-    FfmpegHandle<AVFormatContext> container_;
-    FfmpegHandle<AVCodecContext> decoder_;
-    FfmpegHandle<AVPacket> packet_{av_packet_alloc()};
-    FfmpegHandle<AVFrame> frame_{av_frame_alloc()};
-    FfmpegHandle<SwrContext> converter_;
-    AVStream* stream_ = nullptr;
-    int converter_rate_ = 0;  // what the converter is set up for
-    int converter_channels_ = 0;
-    int converter_format_ = -1;
-
-    std::vector<float> buffer_;  // decoded, interleaved; from buffer_at_ on not yet read
-    std::size_t buffer_at_ = 0;
-    std::int64_t decoded_until_ = 0;  // frame number behind the buffer
-    std::int64_t first_timestamp_ = AV_NOPTS_VALUE;
-    std::int64_t target_ = 0;  // what lies before it is dropped, after a seek
-    bool is_placed_ = true;    // decoded_until_ is known; not right after a seek
-    bool is_flushed_ = false;  // the decoder was told the end
-    bool is_ended_ = false;
-    std::int64_t first_frames_ = 0;  // length of the first decoded frame
-    std::string head_fault_;
-};
 
 Expected<void> FfmpegReader::open() {
     // Everything that FFmpeg has to say comes back as an error here.
@@ -121,7 +64,7 @@ Expected<void> FfmpegReader::open_container() {
         return fail(path_.string() + ": is not audio that can be read");
     }
     if (const int found = avformat_find_stream_info(context, nullptr); found < 0) {
-        return fail(path_.string() + ": is not audio that can be read: " + reason(found));
+        return fail(path_.string() + ": is not audio that can be read: " + ffmpeg_reason(found));
     }
     return {};
 }
@@ -149,7 +92,8 @@ Expected<void> FfmpegReader::open_decoder() {
     decoder_->pkt_timebase = stream_->time_base;
     decoder_->thread_count = 1;
     if (const int error = avcodec_open2(decoder_.get(), codec, nullptr); error < 0) {
-        return fail(path_.string() + ": its sound track cannot be decoded: " + reason(error));
+        return fail(path_.string() +
+                    ": its sound track cannot be decoded: " + ffmpeg_reason(error));
     }
     return {};
 }
@@ -175,14 +119,6 @@ Expected<void> FfmpegReader::describe() {
         info_.claimed_seconds = static_cast<double>(container_->duration) / AV_TIME_BASE;
     }
     return {};
-}
-
-std::int64_t FfmpegReader::frames_of(std::int64_t timestamp) const {
-    return av_rescale_q(timestamp, stream_->time_base, AVRational{1, info_.rate.hertz()});
-}
-
-std::int64_t FfmpegReader::timestamp_of(std::int64_t frame) const {
-    return av_rescale_q(frame, AVRational{1, info_.rate.hertz()}, stream_->time_base);
 }
 
 void FfmpegReader::note_damage() {
@@ -303,19 +239,6 @@ bool FfmpegReader::prepare_converter() {
     return true;
 }
 
-/// A position that a coarse time stamp gave (Matroska's are whole milliseconds), moved to where a
-/// frame of this length can start.
-std::int64_t FfmpegReader::on_frame_grid(std::int64_t position) const {
-    const std::int64_t size = frame_->nb_samples;
-    const double resolution = av_q2d(stream_->time_base) * info_.rate.hertz();  // in frames
-    if (resolution <= 1.0 || size <= 0 || position <= 0) {
-        return position;
-    }
-    const double steps = static_cast<double>(position - first_frames_) / static_cast<double>(size);
-    const std::int64_t near = first_frames_ + std::llround(steps) * size;
-    return static_cast<double>(std::abs(near - position)) <= resolution ? near : position;
-}
-
 /// Where the frame at hand lies: behind the last one, or, after a seek, where its time stamp says.
 void FfmpegReader::place_frame() {
     const std::int64_t timestamp = frame_->best_effort_timestamp;
@@ -384,98 +307,7 @@ std::size_t FfmpegReader::read(std::span<float> interleaved) {
     return done;
 }
 
-/// How to reach a frame exactly. Formats without an index let FFmpeg guess from the bit rate; their
-/// packets are small: reading past them without decoding costs about 1 ms a minute of sound. Where
-/// time stamps are coarse and frames differ in length, only decoding from the start counts right.
-FfmpegReader::SeekMethod FfmpegReader::seek_method() const {
-    const std::string_view name = container_->iformat->name;
-    if (name == "mp3" || name == "aac" || name == "ac3" || name == "mpegts" || name == "mpeg") {
-        return SeekMethod::reading;
-    }
-    const bool is_coarse = av_q2d(stream_->time_base) * info_.rate.hertz() > 1.0;
-    return is_coarse && decoder_->codec_id == AV_CODEC_ID_VORBIS ? SeekMethod::decoding
-                                                                 : SeekMethod::index;
-}
-
-/// Reads on to the last packet that starts at or before `timestamp`, and gives it to the decoder.
-bool FfmpegReader::skip_packets_before(std::int64_t timestamp) {
-    while (av_read_frame(container_.get(), packet_.get()) >= 0) {
-        const bool is_ours = packet_->stream_index == stream_->index;
-        const std::int64_t end = packet_->pts + packet_->duration;
-        const bool is_enough = is_ours && (packet_->pts == AV_NOPTS_VALUE || end > timestamp);
-        if (is_enough) {
-            const int sent = avcodec_send_packet(decoder_.get(), packet_.get());
-            av_packet_unref(packet_.get());
-            return sent >= 0;
-        }
-        av_packet_unref(packet_.get());
-    }
-    return true;  // behind the end: the next read says so
-}
-
-Expected<void> FfmpegReader::seek_container(std::int64_t timestamp, std::int64_t frame) {
-    int error = av_seek_frame(container_.get(), stream_->index, timestamp, AVSEEK_FLAG_BACKWARD);
-    if (error < 0) {
-        error = av_seek_frame(container_.get(), -1, 0, AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY);
-    }
-    if (error < 0) {
-        return fail(fmt::format("{}: cannot go to {:.2f} s: {}",
-                                path_.string(),
-                                static_cast<double>(frame) / info_.rate.hertz(),
-                                reason(error)));
-    }
-    return {};
-}
-
-/// Everything as just opened (a seek to the start would treat the encoder's delay otherwise).
-Expected<void> FfmpegReader::reopen() {
-    decoder_.reset();
-    container_.reset();
-    if (auto opened = open_container(); !opened) {
-        return opened;
-    }
-    if (auto opened = open_decoder(); !opened) {
-        return opened;
-    }
-    forget_decoded();
-    is_placed_ = true;
-    return {};
-}
-
-void FfmpegReader::forget_decoded() {
-    converter_.reset();
-    buffer_.clear();
-    buffer_at_ = 0;
-    decoded_until_ = 0;
-    is_flushed_ = false;
-    is_ended_ = false;
-    is_placed_ = false;
-}
-
-Expected<void> FfmpegReader::seek(std::int64_t frame) {
-    const auto preroll = static_cast<std::int64_t>(kPrerollSeconds * info_.rate.hertz());
-    const SeekMethod method = frame <= preroll ? SeekMethod::decoding : seek_method();
-    target_ = frame;
-    if (method == SeekMethod::decoding) {
-        return reopen();
-    }
-    const std::int64_t from = first_timestamp_ + timestamp_of(frame - preroll);
-    const std::int64_t start = std::min<std::int64_t>(first_timestamp_, 0);
-    auto sought = seek_container(method == SeekMethod::index ? from : start, frame);
-    if (!sought) {
-        return sought;
-    }
-    avcodec_flush_buffers(decoder_.get());
-    forget_decoded();
-    if (method == SeekMethod::reading && !skip_packets_before(from)) {
-        note_damage();
-    }
-    return {};
-}
-
-}  // namespace
-
-Expected<AudioFileReaderPtr> open_by_ffmpeg(const fs::path& path) {
+Expected<AudioFileReaderPtr> open_by_ffmpeg(const std::filesystem::path& path) {
     auto reader = std::make_unique<FfmpegReader>(path);
     if (auto opened = reader->open(); !opened) {
         return fail(opened.error());

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "motion/skeleton/bvh_text.hpp"
+#include "motion/skeleton/motion_clip.hpp"
+
+namespace raks::motion {
+
+/// The six channels of a BVH joint, in the order of their codes: X, Y, Z position, X, Y, Z
+/// rotation.
+enum class BvhChannel : std::uint8_t {
+    x_position,
+    y_position,
+    z_position,
+    x_rotation,
+    y_rotation,
+    z_rotation
+};
+
+/// What a BVH file says before MOTION.
+struct BvhHierarchy {
+    std::vector<ClipJoint> joints;
+    std::vector<std::vector<BvhChannel>> channels;  ///< by joint
+    std::size_t channel_count = 0;                  ///< of all joints
+    int roots = 0;
+};
+
+/// Reads from HIERARCHY to MOTION; `text` then stands behind it. Errors: line and what is wrong.
+[[nodiscard]] Expected<BvhHierarchy> read_bvh_hierarchy(BvhText& text);
+
+}  // namespace raks::motion
