@@ -29,6 +29,14 @@ std::string format_name(int format) {
     return is_known && info.name != nullptr ? info.name : "audio";
 }
 
+/// libsndfile's reason; where a head makes no sense to it (a rate of 0, samples of 0 bits) it calls
+/// that an error of its own.
+std::string why_not_opened() {
+    const std::string reason = sf_strerror(nullptr);
+    const bool is_of_head = reason.find("nternal error") != std::string::npos;
+    return is_of_head ? "its head is damaged (rate, channels or kind of samples)" : reason;
+}
+
 class SndfileReader final : public AudioFileReader {
  public:
     SndfileReader(fs::path path, SndfileHandle file, const SF_INFO& head)
@@ -109,7 +117,7 @@ Expected<AudioFileReaderPtr> open_by_sndfile(const fs::path& path) {
     SF_INFO head{};
     SndfileHandle file(sf_open(path.c_str(), SFM_READ, &head));
     if (!file) {
-        return fail(path.string() + ": is not audio that can be read: " + sf_strerror(nullptr));
+        return fail(path.string() + ": is not audio that can be read: " + why_not_opened());
     }
     if (auto checked = check_head(path, head.samplerate, head.channels); !checked) {
         return fail(checked.error());

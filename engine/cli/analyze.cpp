@@ -136,10 +136,11 @@ const char* name_of(FileBeatMethod method) {
 
 Expected<void> write_plot(const AnalyzeArguments& arguments, Listeners& listeners, Nanos duration) {
     listeners.plot->finish(duration);
-    const auto svg = engine::draw_plot(*listeners.plot,
-                                       {.title = printable(arguments.input.filename().string(), 200),
-                                        .method = name_of(arguments.beat),
-                                        .reference = std::move(listeners.reference)});
+    const auto svg =
+        engine::draw_plot(*listeners.plot,
+                          {.title = printable(arguments.input.filename().string(), 200),
+                           .method = name_of(arguments.beat),
+                           .reference = std::move(listeners.reference)});
     if (!svg) {
         return fail(svg.error());
     }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text_file.hpp"
 #include "base/suggest.hpp"
+#include "base/text_file.hpp"
 #include "base/toml_headers.hpp"
 
 namespace raks::motion {

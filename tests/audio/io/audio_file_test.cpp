@@ -158,7 +158,7 @@ TEST_F(AudioFileTest, each_bad_file_gets_one_clear_line) {
     fs::create_directory(folder_ / "folder.wav");
     expect_error("folder.wav", "is a folder, not a file");
     ASSERT_EQ(mkfifo((folder_ / "pipe.wav").c_str(), 0600), 0);
-    expect_error("pipe.wav", "is not a plain file");
+    expect_error("pipe.wav", "is not a plain file; copy what it holds into one");
     ASSERT_TRUE(write_file(folder_ / "text.wav", std::string(5000, 'x') + " is no music\n"));
     expect_error("text.wav", "is not audio that can be read");
     ASSERT_TRUE(write_file(folder_ / "list.m3u8",
@@ -176,6 +176,7 @@ TEST_F(AudioFileTest, a_head_with_an_impossible_rate_is_refused) {
         const auto reader = open_audio_file(folder_ / "bad.wav");
         ASSERT_FALSE(reader) << rate;
         EXPECT_THAT(reader.error().message, HasSubstr("bad.wav: "));
+        EXPECT_THAT(reader.error().message, ::testing::Not(HasSubstr("nternal error")));
         if (rate == 4'000U) {
             EXPECT_THAT(reader.error().message,
                         HasSubstr("has a sample rate of 4000 Hz, must be 8000 to 192000"));
