@@ -52,12 +52,44 @@ std::shared_ptr<const audio::RecurrentNetwork> load_weights(
     return network;
 }
 
+/// What an earlier run left in the cache under this name, or what `learn(report)` gives.
+template <class Learn>
+std::shared_ptr<const audio::RecurrentNetwork> learnt_once(const GenreOptions& options,
+                                                           const std::string& name,
+                                                           std::size_t classes,
+                                                           const Learn& learn) {
+    const std::filesystem::path kept = options.cache / (name + ".weights");
+    if (!options.cache.empty()) {
+        if (auto known = load_weights(kept, classes, options.plan.network)) {
+            return known;
+        }
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const audio::ReportNetwork report = [&](const audio::NetworkTrainingProgress& now) {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        std::fprintf(
+            stderr,
+            "raks: network: step %d of %d, loss %.3f, of pieces kept out %.3f, %.0f s left\n",
+            now.step,
+            now.steps,
+            now.training_loss,
+            now.validation_loss,
+            spent.count() * (now.steps - now.step) / now.step);
+    };
+    auto network = std::make_shared<const audio::RecurrentNetwork>(learn(report));
+    if (!options.cache.empty()) {
+        const auto weights = network->parameters();
+        static_cast<void>(write_file(
+            kept, {reinterpret_cast<const char*>(weights.data()), weights.size_bytes()}));
+    }
+    return network;
+}
+
 }  // namespace
 
 std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOptions& options,
                                                                const GenreMaterial& material,
                                                                const std::vector<Genre>& genres) {
-    const audio::NetworkTrainingPlan& plan = options.plan.network;
     std::vector<const audio::HeardPiece*> pieces;
     std::vector<std::size_t> classes;
     std::uint64_t music = hash_of("");
@@ -69,38 +101,25 @@ std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOption
             music = hash_of({reinterpret_cast<const char*>(mel.data()), mel.size_bytes()}, music);
         }
     }
-    const std::filesystem::path kept =
-        options.cache / fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}.weights",
-                                    genres.size() + 1,
-                                    plan.layers,
-                                    plan.units,
-                                    plan.written_steps,
-                                    pieces.size(),
-                                    plan.seed,
-                                    music);
-    if (auto known =
-            options.cache.empty() ? nullptr : load_weights(kept, genres.size() + 1, plan)) {
-        return known;
+    const audio::NetworkTrainingPlan& plan = options.plan.network;
+    const std::string run = fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}",
+                                        genres.size() + 1,
+                                        plan.layers,
+                                        plan.units,
+                                        plan.written_steps,
+                                        pieces.size(),
+                                        plan.seed,
+                                        music);
+    auto learnt = learnt_once(options, run, genres.size() + 1, [&](const auto& report) {
+        return audio::train_on_written(pieces, classes, genres.size() + 1, plan, report);
+    });
+    if (plan.branches < 2) {
+        return learnt;
     }
-    const auto start = std::chrono::steady_clock::now();
-    auto network = std::make_shared<const audio::RecurrentNetwork>(audio::train_on_written(
-        pieces, classes, genres.size() + 1, plan, [&](const audio::NetworkTrainingProgress& now) {
-            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-            std::fprintf(stderr,
-                         "raks: network: step %d of %d, loss %.3f, of pieces kept out %.3f, "
-                         "%.0f s left\n",
-                         now.step,
-                         now.steps,
-                         now.training_loss,
-                         now.validation_loss,
-                         spent.count() * (now.steps - now.step) / now.step);
-        }));
-    if (!options.cache.empty()) {
-        const auto weights = network->parameters();
-        static_cast<void>(write_file(
-            kept, {reinterpret_cast<const char*>(weights.data()), weights.size_bytes()}));
-    }
-    return network;
+    const std::string branches = fmt::format("{}-{}x{}", run, plan.branches, plan.branch_steps);
+    return learnt_once(options, branches, genres.size() + 1, [&](const auto& report) {
+        return audio::average_branches(*learnt, pieces, classes, plan, report);
+    });
 }
 
 Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,

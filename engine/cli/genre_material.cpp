@@ -19,6 +19,7 @@ namespace {
 constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
 constexpr int kFurtherShare =
     10;  // ... a piece without a beat to dance to, and one of our own generator's
+constexpr int kSynthesizedShare = 2;  // ... a piece with sounds drawn for it
 
 /// Hears chunks; those that `is_wanted(i)` refuses stay empty.
 template <class IsWanted>
@@ -72,12 +73,16 @@ std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
     if (options.edition >= 3) {
         using Music = audio::WrittenCorpusPlan::Music;
         plan.families = Families::always;
-        plan.pieces = options.synthesize / kFurtherShare;
-        for (const auto& [music, name] : {std::pair{Music::undanceable, "written-undanceable"},
-                                          std::pair{Music::own, "written-own"}}) {
+        const auto add = [&](Music music, const char* name, int pieces) {
             plan.music = music;
+            plan.pieces = pieces;
             auto more = chunks_of(options, hearing, name, plan);
             std::move(more.begin(), more.end(), std::back_inserter(chunks));
+        };
+        add(Music::undanceable, "written-undanceable", options.synthesize / kFurtherShare);
+        add(Music::own, "written-own", options.synthesize / kFurtherShare);
+        if (options.edition >= 4) {
+            add(Music::synthesized, "written-synthesized", options.synthesize / kSynthesizedShare);
         }
     }
     return chunks;

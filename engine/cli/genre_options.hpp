@@ -26,7 +26,7 @@ struct GenreOptions {
     std::vector<std::filesystem::path> shards;  // to merge
     std::filesystem::path report;
     int synthesize = 0;
-    int edition = 3;  // of the written music
+    int edition = 4;  // of the written music
     int test_pieces = 140;
     std::vector<std::filesystem::path> soundfonts;
     std::vector<std::filesystem::path> test_soundfonts;

@@ -49,8 +49,8 @@ void add_options(CLI::App& app, GenreOptions& options) {
            "--edition",
            options.edition,
            "of the written music; 1: without quarter tones, oud and lossy codecs; 2: without "
-           "bands of several soundfonts")
-        ->check(cli::in_range(1, 3));
+           "bands of several soundfonts; 3: without sounds drawn for each piece")
+        ->check(cli::in_range(1, 4));
     app.add_option(
         "--soundfont", options.soundfonts, "SF2 or SF3 to play it with; one is drawn a piece");
     app.add_option("--test-soundfont",
@@ -114,6 +114,12 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option("--network-steps",
                    options.plan.network.written_steps,
                    "of its training on written music: batches of 24 x 10 s")
+        ->check(cli::in_range(1, 1'000'000));
+    app.add_option("--network-branches",
+                   options.plan.network.branches,
+                   "runs that go on from there by themselves; the mean of their weights is taken")
+        ->check(cli::in_range(0, 100));
+    app.add_option("--branch-steps", options.plan.network.branch_steps, "of each of them")
         ->check(cli::in_range(1, 1'000'000));
     app.add_option("--tuning-steps",
                    options.plan.network.tuning_steps,

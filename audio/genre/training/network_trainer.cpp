@@ -145,22 +145,71 @@ std::vector<TrainingBatch> plain_batches(const std::vector<Drawn>& pieces, std::
     return batches;
 }
 
-/// `steps` steps at a rate that falls to 0; calls after(step, loss) after each.
+/// What is learnt from, and what is kept out of it.
+struct WrittenMusic {
+    PieceDraw from;
+    std::vector<TrainingBatch> validation;
+
+    WrittenMusic(std::span<const HeardPiece* const> pieces,
+                 std::span<const std::size_t> classes,
+                 std::size_t class_count)
+        : from(class_count, 0.0) {
+        std::vector<Drawn> kept_out;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (is_kept_out(*pieces[i], i)) {
+                if (pieces[i]->hops() >= kFewestHops) {
+                    kept_out.push_back({pieces[i], classes[i]});
+                }
+            } else if (!pieces[i]->is_recorded()) {
+                from.add(*pieces[i], classes[i]);
+            }
+        }
+        validation = plain_batches(kept_out, class_count);
+    }
+};
+
+/// Tells the losses every kReportEvery steps.
+class Reporter {
+ public:
+    Reporter(const std::vector<TrainingBatch>& validation, int steps, const ReportNetwork& report)
+        : validation_(validation), steps_(steps), report_(report) {}
+
+    void operator()(double step_loss, const NetworkDescent& descent) {
+        loss_ += step_loss;
+        ++since_;
+        ++step_;
+        if (step_ % kReportEvery == 0 || step_ == steps_) {
+            report_({step_, steps_, loss_ / since_, descent.loss_of(validation_)});
+            loss_ = 0.0;
+            since_ = 0;
+        }
+    }
+
+ private:
+    const std::vector<TrainingBatch>& validation_;
+    int steps_;
+    const ReportNetwork& report_;
+    double loss_ = 0.0;
+    int since_ = 0;
+    int step_ = 0;
+};
+
+/// `steps` steps at a rate that falls to 0; calls after(loss, descent) after each.
 template <class After>
 void descend(RecurrentNetwork& network,
              const PieceDraw& from,
              int steps,
              double rate,
              const NetworkTrainingPlan& plan,
-             const After& after) {
+             After&& after) {
     constexpr std::size_t kShards = NetworkDescent::kShards;
     NetworkDescent descent(network, plan.threads);
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < steps && !from.is_empty(); ++step) {
         const double loss = descent.step(rate_at(rate, step, steps), [&](std::size_t shard) {
             Dice dice(plan.seed, 5'000 + static_cast<std::uint64_t>(step) * kShards + shard);
             return draw_batch(from, kChunks / kShards, network.outputs(), plan.cut_chance, dice);
         });
-        after(step + 1, loss, descent);
+        after(loss, descent);
     }
 }
 
@@ -183,38 +232,30 @@ RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pieces,
                                   const NetworkTrainingPlan& plan,
                                   const ReportNetwork& report) {
     RecurrentNetwork network = first_network(class_count, plan);
-    PieceDraw from(class_count, 0.0);
-    std::vector<Drawn> kept_out;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (is_kept_out(*pieces[i], i)) {
-            if (pieces[i]->hops() >= kFewestHops) {
-                kept_out.push_back({pieces[i], classes[i]});
-            }
-        } else if (!pieces[i]->is_recorded()) {
-            from.add(*pieces[i], classes[i]);
+    const WrittenMusic music(pieces, classes, class_count);
+    Reporter reporter(music.validation, plan.written_steps, report);
+    descend(network, music.from, plan.written_steps, plan.written_rate, plan, reporter);
+    return network;
+}
+
+RecurrentNetwork average_branches(const RecurrentNetwork& start,
+                                  std::span<const HeardPiece* const> pieces,
+                                  std::span<const std::size_t> classes,
+                                  const NetworkTrainingPlan& plan,
+                                  const ReportNetwork& report) {
+    const WrittenMusic music(pieces, classes, start.outputs());
+    Reporter reporter(music.validation, plan.branches * plan.branch_steps, report);
+    RecurrentNetwork mean(start.shape());
+    for (int branch = 1; branch <= plan.branches; ++branch) {
+        NetworkTrainingPlan own = plan;
+        own.seed += 1'000 * static_cast<std::uint64_t>(branch);
+        RecurrentNetwork network = start;
+        descend(network, music.from, plan.branch_steps, plan.branch_rate, own, reporter);
+        for (std::size_t i = 0; i < mean.parameters().size(); ++i) {
+            mean.parameters()[i] += network.parameters()[i] / static_cast<float>(plan.branches);
         }
     }
-    if (from.is_empty()) {
-        return network;
-    }
-    const std::vector<TrainingBatch> validation = plain_batches(kept_out, class_count);
-    double loss = 0.0;
-    int since = 0;
-    descend(network,
-            from,
-            plan.written_steps,
-            plan.written_rate,
-            plan,
-            [&](int step, double step_loss, const NetworkDescent& descent) {
-                loss += step_loss;
-                ++since;
-                if (step % kReportEvery == 0 || step == plan.written_steps) {
-                    report({step, plan.written_steps, loss / since, descent.loss_of(validation)});
-                    loss = 0.0;
-                    since = 0;
-                }
-            });
-    return network;
+    return mean;
 }
 
 RecurrentNetwork tune_network(const RecurrentNetwork& start,
@@ -228,13 +269,13 @@ RecurrentNetwork tune_network(const RecurrentNetwork& start,
         from.add(*pieces[i], classes[i]);
         has_recordings = has_recordings || pieces[i]->is_recorded();
     }
-    if (has_recordings && !from.is_empty()) {
+    if (has_recordings) {
         descend(network,
                 from,
                 plan.tuning_steps,
                 plan.tuning_rate,
                 plan,
-                [](int, double, const NetworkDescent&) {});
+                [](double, const NetworkDescent&) {});
     }
     return network;
 }

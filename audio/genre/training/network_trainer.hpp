@@ -10,13 +10,16 @@
 
 namespace raks::audio {
 
-/// How the recurrent network learns: first from written music, of which there is much, then some
-/// steps more with recordings among it.
+/// How the recurrent network learns: first from written music, of which there is much, then from it
+/// in several branches whose weights' mean is taken, then some steps more with recordings among it.
 struct NetworkTrainingPlan {
     std::size_t units = 64;
     std::size_t layers = 2;
     int written_steps = 1'500;  ///< batches of 24 stretches of 10 s
     double written_rate = 4e-3;
+    int branches = 1;          ///< at most 1: none
+    int branch_steps = 1'000;  ///< of each
+    double branch_rate = 2e-3;
     int tuning_steps = 250;
     double tuning_rate = 1e-3;
     double recorded_share = 0.4;  ///< of a tuning batch, where a class has recordings
@@ -43,13 +46,23 @@ using ReportNetwork = std::function<void(const NetworkTrainingProgress&)>;
     return !piece.is_recorded() && index % 9 == 4;
 }
 
-/// Learns from the written pieces, but for those kept out. `classes[i]`: of pieces[i], below
-/// `class_count`. Each class is drawn alike often, each piece of a class alike often; each is heard
-/// slower or faster (by up to 8 %), through drawn equalizers and in noise. The same plan and pieces
-/// give the same weights on one machine, for any number of threads. `report`: every 50 steps.
+/// Learns from the written pieces, but for those kept out, in one run. `classes[i]`: of pieces[i],
+/// below `class_count`. Each class is drawn alike often, each piece of a class alike often; each is
+/// heard slower or faster (by up to 8 %), through drawn equalizers and in noise. The same plan and
+/// pieces give the same weights on one machine, for any number of threads. `report`: every 50
+/// steps.
 [[nodiscard]] RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pieces,
                                                 std::span<const std::size_t> classes,
                                                 std::size_t class_count,
+                                                const NetworkTrainingPlan& plan,
+                                                const ReportNetwork& report);
+
+/// The mean of the weights of `plan.branches` networks that each go on from `start` with draws of
+/// their own. They lie in one valley, and the mean, deeper in it than any, does better on other
+/// music (Wortsman et al. 2022). `report` counts the steps of all.
+[[nodiscard]] RecurrentNetwork average_branches(const RecurrentNetwork& start,
+                                                std::span<const HeardPiece* const> pieces,
+                                                std::span<const std::size_t> classes,
                                                 const NetworkTrainingPlan& plan,
                                                 const ReportNetwork& report);
 

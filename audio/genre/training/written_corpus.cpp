@@ -15,6 +15,7 @@
 #include "audio/genre/training/other_music.hpp"
 #include "audio/genre/training/oud.hpp"
 #include "audio/genre/training/sound_damage.hpp"
+#include "audio/genre/training/synthesizers.hpp"
 #include "audio/synth/music_generator.hpp"
 #include "base/parallel.hpp"
 
@@ -94,6 +95,13 @@ std::vector<OudNote> take_melody(Performance& performance) {
     return melody;
 }
 
+/// The two added, the second `gain` times as loud.
+void mix_in(std::span<const float> more, float gain, std::vector<float>& samples) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i] = (samples[i] + gain * more[i]) / (1.0F + gain);
+    }
+}
+
 /// Plays with a soundfont or, of the third edition, mostly with a band of several; since the second
 /// an oud of ours may play an oriental melody.
 Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
@@ -114,9 +122,29 @@ Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
     }
     std::vector<float> oud = play_oud(melody, SoundfontPlayer::kRate, samples->size());
     add_room(SoundfontPlayer::kRate, 0.3, 0.4 * room.level, oud, dice);
-    const auto level = static_cast<float>(dice.uniform(0.2, 0.8));
-    for (std::size_t i = 0; i < samples->size(); ++i) {
-        (*samples)[i] = ((*samples)[i] + level * oud[i]) / (1.0F + level);
+    mix_in(oud, static_cast<float>(dice.uniform(0.2, 0.8)), *samples);
+    return samples;
+}
+
+/// Plays some or all instruments with drawn sounds, the others as play_piece does.
+Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
+                                              WrittenPiece& piece,
+                                              std::span<const std::filesystem::path> soundfonts,
+                                              Dice& dice) {
+    constexpr double kAll = 0.4;  // of the pieces: no instrument of a soundfont
+    const double share = dice.chance(kAll) ? 1.0 : dice.uniform(0.3, 0.9);
+    std::vector<float> drawn =
+        play_synthesizers(share, SoundfontPlayer::kRate, piece.performance, dice);
+    if (!drawn.empty() && dice.chance(0.5)) {
+        const double wet = dice.uniform(0.05, 0.3);
+        add_room(SoundfontPlayer::kRate, dice.uniform(0.1, 0.4), wet, drawn, dice);
+    }
+    if (piece.performance.notes.empty()) {
+        return drawn;
+    }
+    auto samples = play_piece(plan, piece, soundfonts, dice);
+    if (samples && !drawn.empty()) {
+        mix_in(drawn, static_cast<float>(dice.log_uniform(0.4, 2.0)), *samples);
     }
     return samples;
 }
@@ -162,6 +190,7 @@ Genre genre_of_number(const WrittenCorpusPlan& plan, int number) {
         case WrittenCorpusPlan::Music::own:
             return static_cast<Genre>(number % kDances);
         case WrittenCorpusPlan::Music::all:
+        case WrittenCorpusPlan::Music::synthesized:
             break;
     }
     // What is none of the dances is of more kinds than any dance: two pieces a round.
@@ -179,7 +208,9 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     }
     const std::vector<std::filesystem::path> soundfonts = soundfonts_of(plan, dice);
     if (piece.samples.empty()) {
-        auto samples = play_piece(plan, piece, soundfonts, dice);
+        auto samples = plan.music == WrittenCorpusPlan::Music::synthesized
+                           ? synthesize_piece(plan, piece, soundfonts, dice)
+                           : play_piece(plan, piece, soundfonts, dice);
         if (!samples) {
             return fail(samples.error());
         }

@@ -16,8 +16,9 @@ struct WrittenCorpusPlan {
     enum class Families : std::uint8_t { always, held_out, all };
     Families families = Families::all;
     /// All: the dances in turn, then twice what is none of them. Own: the dances in turn as our own
-    /// generator plays them, without a soundfont.
-    enum class Music : std::uint8_t { all, undanceable, own };
+    /// generator plays them, without a soundfont. Synthesized: as all, some or all instruments with
+    /// sounds that are drawn for the piece.
+    enum class Music : std::uint8_t { all, undanceable, own, synthesized };
     Music music = Music::all;
     int first = 0;  ///< number of the first piece
     int pieces = 70;
@@ -29,9 +30,9 @@ struct WrittenCorpusPlan {
     SoundEffects effects{};  ///< what may happen to a piece
     /// The same number is always the same music: what a model was learnt from can be written again.
     /// First: no lossy codecs, no lower sampling rates, no quarter tones, no oud. Second: a piece
-    /// is played with one soundfont as it is.
-    enum class Edition : std::uint8_t { first = 1, second, third };
-    Edition edition = Edition::third;
+    /// is played with one soundfont as it is. Third: no synthesized music.
+    enum class Edition : std::uint8_t { first = 1, second, third, fourth };
+    Edition edition = Edition::fourth;
     HearingPlan hearing;
 };
 

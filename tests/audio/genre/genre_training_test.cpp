@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -132,6 +133,37 @@ TEST(GenreTraining, the_same_plan_gives_the_same_bits_for_any_number_of_threads)
     EXPECT_EQ(one->rhythm.hidden_weights, four->rhythm.hidden_weights);
     EXPECT_EQ(one->mfcc[1].means, four->mfcc[1].means);
     EXPECT_TRUE(validate(*one)) << validate(*one).error().message;
+}
+
+TEST(GenreTraining, branches_give_the_mean_of_the_weights_of_their_runs) {
+    std::vector<HeardPiece> made = made_pieces(3);
+    std::vector<const HeardPiece*> pieces;
+    std::vector<std::size_t> classes;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        made[i].kind = HeardPiece::Kind::written;
+        pieces.push_back(&made[i]);
+        classes.push_back(i / 3);
+    }
+    const auto unheard = [](const NetworkTrainingProgress&) {};
+    NetworkTrainingPlan plan = small_plan().network;
+    plan.written_steps = 2;
+    plan.branch_steps = 2;
+    const RecurrentNetwork start = train_on_written(pieces, classes, 4, plan, unheard);
+    const auto branched = [&](int branches, std::uint64_t seed) {
+        plan.branches = branches;
+        plan.seed = seed;
+        return average_branches(start, pieces, classes, plan, unheard);
+    };
+    // A run's draws come from the seed and its number.
+    const RecurrentNetwork first = branched(1, 1);
+    const RecurrentNetwork second = branched(1, 1'001);
+    const RecurrentNetwork mean = branched(2, 1);
+    EXPECT_FALSE(std::equal(
+        first.parameters().begin(), first.parameters().end(), second.parameters().begin()));
+    for (std::size_t i = 0; i < mean.parameters().size(); ++i) {
+        EXPECT_FLOAT_EQ(mean.parameters()[i],
+                        0.5F * first.parameters()[i] + 0.5F * second.parameters()[i]);
+    }
 }
 
 TEST(GenreTraining, a_silent_piece_has_no_scores) {
