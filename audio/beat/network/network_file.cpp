@@ -1,5 +1,6 @@
 #include "audio/beat/network/network_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -42,6 +43,12 @@ void read_parameters(const Field& object, RecurrentNetwork& network) {
         }
         parameters[i] = static_cast<float>(values[i]);
     }
+}
+
+bool is_sound(std::span<const float> weights) {
+    return std::all_of(weights.begin(), weights.end(), [](float weight) {
+        return std::abs(static_cast<double>(weight)) < kLargestWeight;
+    });
 }
 
 struct Size {
@@ -104,6 +111,10 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
 Expected<void> save_network(const BeatNetwork& network,
                             const NetworkNotes& notes,
                             const std::filesystem::path& path) {
+    if (!is_sound(network.parameters()) ||
+        (network.bars() && !is_sound(network.bars()->parameters()))) {
+        return fail(path.string() + ": not written: training went astray; learn with a lower rate");
+    }
     const std::string lookahead = fmt::format("\"lookahead\": {},\n", network.lookahead());
     std::string text = fmt::format(
         "{{\n\"format\": \"{}\",\n\"version\": {},\n\"made_with\": {},\n\"attribution\": {},\n{}",

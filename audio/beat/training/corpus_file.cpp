@@ -14,6 +14,8 @@ namespace {
 constexpr std::string_view kMagic = "RAKSBEAT";
 constexpr std::uint32_t kVersion = 2;
 constexpr double kLongestBar = 64.0;
+constexpr double kLongestExcerpt = 1e6;  // seconds
+constexpr float kLoudest = 1e9F;         // mel magnitude: beyond it sums become infinite
 constexpr std::size_t kLargest = std::size_t{4} << 30U;
 
 template <class T>
@@ -58,13 +60,14 @@ bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
     }
     for (std::size_t i = 0; i < beats.size(); i += 2) {
         const double position = beats[i + 1];
-        if (!std::isfinite(beats[i]) || !(position >= 0.0 && position <= kLongestBar)) {
+        if (!(std::abs(beats[i]) < kLongestExcerpt) ||
+            !(position >= 0.0 && position <= kLongestBar)) {
             return false;
         }
         excerpt.beats.push_back({beats[i], static_cast<int>(position)});
     }
     const bool is_sound = std::all_of(excerpt.mel.begin(), excerpt.mel.end(), [](float magnitude) {
-        return magnitude >= 0.0F && std::isfinite(magnitude);
+        return magnitude >= 0.0F && magnitude < kLoudest;
     });
     if (!is_sound) {
         return false;

@@ -9,19 +9,21 @@ namespace raks::audio {
 
 namespace {
 
+constexpr float kMost = 1e9F;  // beyond it sums become infinite
+
 template <class Numbers>
-bool are_finite(const Numbers& numbers) {
+bool are_sound(const Numbers& numbers) {
     return std::all_of(
-        numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); });
+        numbers.begin(), numbers.end(), [](float number) { return std::abs(number) < kMost; });
 }
 
-/// Whether all numbers are what hearing gives: finite, magnitudes not negative.
+/// Whether all numbers are what hearing gives: not huge, magnitudes not negative.
 bool is_heard(const HeardPiece& piece) {
-    return std::all_of(piece.frames.begin(), piece.frames.end(), are_finite<MfccVector>) &&
-           are_finite(piece.mel) &&
+    return std::all_of(piece.frames.begin(), piece.frames.end(), are_sound<MfccVector>) &&
+           are_sound(piece.mel) &&
            std::all_of(piece.mel.begin(), piece.mel.end(), [](float mel) { return mel >= 0.0F; }) &&
            std::all_of(piece.windows.begin(), piece.windows.end(), [](const HeardWindow& window) {
-               return are_finite(window.features);
+               return are_sound(window.features);
            });
 }
 

@@ -1,6 +1,7 @@
 // What training reads: a kept corpus and MIDI files, good and bad.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "audio/beat/training/corpus.hpp"
@@ -122,6 +123,37 @@ TEST_F(TrainingFiles, a_damaged_corpus_is_refused) {
     huge[12 + 8] = huge[12 + 15] = '\x7F';  // a size that no file holds
     ASSERT_TRUE(write_file(folder_ / "cut", huge));
     EXPECT_FALSE(load_corpus(folder_ / "cut"));
+}
+
+TEST_F(TrainingFiles, a_corpus_of_numbers_that_nothing_can_be_learnt_from_is_refused) {
+    const TrainingExcerpt good{"pop", "funk", std::vector<float>(36 * 3, 1.0F), {{0.5, 1}}};
+    for (const double number : {std::nan(""), HUGE_VAL, 1e30, -1.0}) {
+        std::vector<TrainingExcerpt> corpus = {good};
+        corpus[0].mel[40] = static_cast<float>(number);
+        ASSERT_TRUE(save_corpus(corpus, folder_ / "corpus"));
+        EXPECT_FALSE(load_corpus(folder_ / "corpus")) << number;
+    }
+    for (const PlayedBeat& beat : {PlayedBeat{std::nan(""), 1}, PlayedBeat{0.5, -1}}) {
+        std::vector<TrainingExcerpt> corpus = {good};
+        corpus[0].beats = {beat};
+        ASSERT_TRUE(save_corpus(corpus, folder_ / "corpus"));
+        EXPECT_FALSE(load_corpus(folder_ / "corpus")) << beat.time;
+    }
+}
+
+TEST_F(TrainingFiles, tempi_and_signatures_of_the_index_are_read_strictly) {
+    const std::string head = "file\tset\tkind\tbpm_quarter\ttime_signature\n";
+    for (const char* row : {"a.mid\tgroove\tbeat\tnan\t4/4\n",
+                            "a.mid\tgroove\tbeat\t0x78\t4/4\n",
+                            "a.mid\tgroove\tbeat\t120\t4/0\n",
+                            "a.mid\tgroove\tbeat\t120\t-4/4\n",
+                            "a.mid\tgroove\tbeat\t1e99\t4/4\n"}) {
+        ASSERT_TRUE(write_file(folder_ / "index.tsv", head + row));
+        const auto refused = read_midi_pack(folder_);
+        ASSERT_FALSE(refused) << row;
+        EXPECT_NE(refused.error().message.find("index.tsv: line 2: "), std::string::npos)
+            << refused.error().message;
+    }
 }
 
 }  // namespace

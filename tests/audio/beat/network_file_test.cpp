@@ -127,6 +127,13 @@ TEST_F(NetworkFile, survives_every_cut_and_flipped_bytes) {
     }
 }
 
+TEST_F(NetworkFile, is_not_written_when_training_went_astray) {
+    BeatNetwork network = small();
+    network.parameters()[3] = std::nanf("");
+    EXPECT_FALSE(save_network(network, {"command", "people"}, path_));
+    EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
 TEST_F(NetworkFile, a_missing_file_is_named) {
     const auto network = load_network(path_);
     ASSERT_FALSE(network);
