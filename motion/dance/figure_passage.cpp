@@ -181,7 +181,9 @@ StartPlaces learnt_places(const FigureModel& model,
                 }
                 const WorldPose world =
                     world_pose(skeleton, figure.poses[static_cast<std::size_t>(i)]);
-                const glm::vec3 ball = foot_point(world, side, pivot_of(skeleton));
+                const Bone foot = on_side(Bone::left_foot, side);
+                const glm::vec3 ball =
+                    world.position(foot) + pivot_from_ankle(skeleton, side, world.rotation(foot));
                 sum += glm::vec2(ball.x, ball.z);
                 count += 1.0F;
             }

@@ -29,8 +29,11 @@ struct FootShare {
     float lift = 0.0F;  // metres
 };
 
-/// From a place of the left foot to that of a side's.
-glm::vec3 mirrored(Side side) noexcept { return {side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F}; }
+/// Where a foot turns, world.
+glm::vec3 pivot_of(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
+    const Bone foot = on_side(Bone::left_foot, side);
+    return world.position(foot) + pivot_from_ankle(skeleton, side, world.rotation(foot));
+}
 
 float over_floor(const glm::vec3& a, const glm::vec3& b) noexcept {
     return glm::length(glm::vec2(a.x - b.x, a.z - b.z));
@@ -54,12 +57,11 @@ Pose average(const DanceContent& content,
         const Bone foot = on_side(Bone::left_foot, side);
         const FootShare& own = feet[static_cast<std::size_t>(side)];
         // By where it turns: a foot that both plant there, its heel higher in one, stays.
-        const glm::vec3 at_pivot = mirrored(side) * pivot_of(skeleton);
         const glm::vec3 place =
-            glm::mix(a.point(foot, at_pivot), b.point(foot, at_pivot), own.share);
+            glm::mix(pivot_of(skeleton, a, side), pivot_of(skeleton, b, side), own.share);
         FootTarget target;
         target.rotation = glm::slerp(a.rotation(foot), b.rotation(foot), own.share);
-        target.ankle = place - target.rotation * at_pivot;
+        target.ankle = place - pivot_from_ankle(skeleton, side, target.rotation);
         if (own.lift > 0.0F) {
             target.ankle.y += own.lift;
             pose.foot_contact[static_cast<std::size_t>(side)] = false;
@@ -191,8 +193,7 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
             const auto s = static_cast<std::size_t>(side);
             bool rests = look > 0;
             for (std::size_t figure = 0; figure < poses.size(); ++figure) {
-                const glm::vec3 place =
-                    foot_point(poses[figure], side, pivot_of(content_->skeleton));
+                const glm::vec3 place = pivot_of(content_->skeleton, poses[figure], side);
                 const bool is_still = glm::distance(place, last[figure][s]) < kRests;
                 last[figure][s] = place;
                 rests = rests && is_still;

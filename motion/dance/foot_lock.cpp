@@ -29,7 +29,7 @@ constexpr double kFlightBandwidth = 4.0;  // of a foot in the air, cycles a beat
 /// One foot over the whole figure.
 struct FootTrack {
     std::vector<glm::vec3> ankle;
-    std::vector<glm::vec3> from_ball;  // of the ankle, in the world
+    std::vector<glm::vec3> from_ball;  // of the ankle, from where the foot turns, in the world
     std::vector<glm::quat> rotation;
     std::vector<glm::quat> toes;  // local
     std::vector<float> lock;      // 1 in contact, 0 free, between while it is taken up or let go
@@ -74,13 +74,11 @@ FootTrack foot_track(const Skeleton& skeleton,
     FootTrack track;
     const auto ramp = static_cast<std::ptrdiff_t>(std::lround(kReleaseBeats * samples_per_beat));
     track.lock = locks(contacts, ramp, stepping.size());
-    const glm::vec3 ball =
-        pivot_of(skeleton) * glm::vec3(side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F);
     for (const FootTarget& place : stepping) {
         const std::size_t i = track.ankle.size();
         track.ankle.push_back(place.ankle);
         track.rotation.push_back(place.rotation);
-        track.from_ball.push_back(-(place.rotation * ball));
+        track.from_ball.push_back(-pivot_from_ankle(skeleton, side, place.rotation));
         track.toes.push_back(toe_bend(skeleton, track.rotation[i], track.lock[i]));
         track.standing.push_back(-lowest_of_sole(skeleton, side, track.rotation[i], track.toes[i]));
     }

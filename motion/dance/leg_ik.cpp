@@ -6,10 +6,19 @@
 #include <glm/geometric.hpp>
 
 namespace raks::motion {
-glm::vec3 pivot_of(const Skeleton& skeleton) noexcept {
+glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
+                           Side side,
+                           const glm::quat& rotation) noexcept {
     // With the ball's joint itself the toes' tip slips 3.1 cm where people's slips 2.4 (p90).
     constexpr float kBeforeBall = 0.65F;
-    return glm::mix(skeleton.ball, skeleton.toe_tip, kBeforeBall);
+    constexpr float kSteepest = 0.5F;  // cosine of the toes' slope down to which they are laid flat
+    const glm::vec3 mirror{side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F};
+    const glm::vec3 own_toes = skeleton.toe_tip - skeleton.ball;
+    const float length = glm::length(own_toes);
+    glm::vec3 toes = rotation * (mirror * own_toes);
+    toes.y = 0.0F;
+    toes *= length / std::max(glm::length(toes), kSteepest * length);
+    return rotation * (mirror * skeleton.ball) + kBeforeBall * toes;
 }
 
 float leg_length(const Skeleton& skeleton) noexcept {

@@ -12,8 +12,11 @@ struct FootTarget {
     glm::quat rotation{kNoRotation};  ///< of the foot bone, in the world
 };
 
-/// Where a planted left foot turns, in its frame: between the ball's joint and the toes' tip.
-[[nodiscard]] glm::vec3 pivot_of(const Skeleton& skeleton) noexcept;
+/// Where a planted foot of this rotation turns, seen from its ankle, world: between the ball's
+/// joint and the toes' tip, as those lie flat while the heel is up.
+[[nodiscard]] glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
+                                         Side side,
+                                         const glm::quat& rotation) noexcept;
 
 /// Turns thigh, shin and foot of one side so that the ankle reaches the target (as far as the leg
 /// does) and the foot has its rotation. The knee keeps its direction about the line from hip to
