@@ -1,5 +1,6 @@
 #include "engine/cli/usage.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +24,12 @@ std::vector<const CLI::App*> chosen_commands(const CLI::App& app) {
     return chosen;
 }
 
+/// Without their dashes: those make all names alike.
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {
         for (const std::string& name : option->get_lnames()) {
-            names.push_back("--" + name);
+            names.push_back(name);
         }
     }
     return names;
@@ -53,8 +55,11 @@ std::string about_extra(const CLI::App& command, const std::string& word) {
                              : unknown_name("command", name, known);
     }
     // Of options there are too many to list.
-    return nearest_name(name, known).empty() ? "option \"" + name + "\" is unknown"
-                                             : unknown_name("option", name, known);
+    const std::string_view nearest =
+        nearest_name(name.substr(std::min(name.find_first_not_of('-'), name.size())), known);
+    const std::string hint =
+        nearest.empty() ? "" : "; did you mean \"--" + std::string(nearest) + "\"?";
+    return "option \"" + name + "\" is unknown" + hint;
 }
 
 std::string about(const CLI::App& app, const CLI::Error& error) {
