@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Learns the beat network from nothing, all stages of models/trained/README.md (75 CPU-minutes).
+#   scripts/train_beats.sh MIDI_PACK FOLDER [options of `raks train beats`, as --soundfont FILE]
+# FOLDER/beats.json is what is learnt; what lies in FOLDER already is kept, so that it goes on where it
+# was stopped. PERCENT=5 takes 5 % of pieces and steps, to try it; RAKS names the program.
+set -euo pipefail
+if [ $# -lt 2 ]; then
+    sed -n '3,5s/^#  *//p' "$0" >&2
+    exit 2
+fi
+pack=$1 folder=$2
+shift 2
+raks=${RAKS:-$(dirname "$0")/../build/release/engine/cli/raks}
+percent=${PERCENT:-100}
+options=("$@")
+[[ " $* " == *" --soundfont "* ]] || options+=(--soundfont /usr/share/sounds/sf2/FluidR3_GM.sf2)
+mkdir -p "$folder"
+
+share() {  # whole least: this percentage of it
+    local part=$(($1 * percent / 100))
+    echo $((part > $2 ? part : $2))
+}
+stage() {  # name arguments: writes FOLDER/name.json, once
+    local name=$1
+    shift
+    [ -f "$folder/$name.json" ] && return
+    echo "== $name (${SECONDS} s): raks train beats $*" >&2
+    "$raks" train beats "$@" -o "$folder/$name.part.json"
+    mv "$folder/$name.part.json" "$folder/$name.json"
+}
+learn() {  # name pieces steps arguments: one corpus a number of pieces
+    local name=$1 pieces steps
+    pieces=$(share "$2" 16)
+    steps=$(share "$3" 10)
+    shift 3
+    stage "$name" "$pack" --excerpts "$pieces" --corpus "$folder/music_$pieces.bin" --steps "$steps" \
+        "${options[@]}" "$@"
+}
+on() {  # name from steps arguments
+    local name=$1 from=$2 steps=$3
+    shift 3
+    learn "$name" 3000 "$steps" --from "$folder/$from.json" --rate 0.002 "$@"
+}
+mean() {  # name of...
+    local name=$1
+    shift
+    local files=("${@/#/$folder/}")
+    stage "$name" --average "${files[@]/%/.json}"
+}
+
+learn first 2600 4500
+on a first 1500 --cuts 0
+on b first 2600 --cuts 0 --seed 2
+on c first 2200 --cuts 0 --seed 3
+mean four first a b c
+on d four 3500 --seed 5
+on e four 3500 --seed 6
+on f four 3500 --seed 7
+mean six a b c d e f
+stage beats "$pack" --excerpts "$(share 3000 16)" --corpus "$folder/music_$(share 3000 16).bin" \
+    --from "$folder/six.json" --bar-steps "$(share 1200 10)" "${options[@]}"
+echo "$folder/beats.json" >&2
