@@ -10,6 +10,7 @@
 
 #include "audio/beat/beat_tracker.hpp"
 #include "audio/beat/paper_beat.hpp"
+#include "audio/beat/song_listener.hpp"
 #include "audio/features/cepstral_mean.hpp"
 #include "audio/features/loudness.hpp"
 #include "audio/features/mfcc_hops.hpp"
@@ -59,7 +60,7 @@ struct MusicAnalyzer::State {
     PaperTracker paper;
     BeatMethod beat_method = BeatMethod::pointer;
     NetworkInput network_input;
-    std::optional<BeatListener> listener;
+    std::optional<SongListener> listener;
     int lookahead = 0;  // hops
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
