@@ -9,6 +9,7 @@
 #include "motion/dance/detail.hpp"
 #include "motion/dance/frame_generator.hpp"
 #include "motion/dance/hand_clearing.hpp"
+#include "motion/dance/hand_meeting.hpp"
 #include "motion/dance/landing_delay.hpp"
 #include "motion/dance/relaxed_hands.hpp"
 #include "motion/dance/variation.hpp"
@@ -211,6 +212,8 @@ struct Baking {
         if (lost > 0.0) {  // whoever wrote a dance led its hands
             lead_hands_round(skeleton, stepping.samples_per_beat, body);
         }
+        meet_hands(
+            skeleton, free_poses(figures[figure], tracks[figure], ways[figure], skeleton), body);
         return planted(figure, stepping, body, n > 0 ? &places_of_steps : nullptr);
     }
 

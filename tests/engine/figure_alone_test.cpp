@@ -98,23 +98,25 @@ TEST(WrittenFigures, jump_less_high_in_faster_music) {
     EXPECT_NEAR(jump(165.0) / written, std::pow(138.0 / 165.0, 2.0), 0.1);
 }
 
-TEST(WrittenFigures, clap_at_any_tempo) {
-    const auto apart = [](double bpm) {
-        const auto palm = [](const motion::WorldPose& pose, motion::Side side) {
-            return 0.5F * (pose.position(on_side(motion::Bone::left_hand, side)) +
-                           pose.position(on_side(motion::Bone::left_middle_proximal, side)));
-        };
-        float least = 1e9F;
-        for (const motion::WorldPose& pose : danced_at("rock", "step_clap", bpm)) {
-            least = std::min(
-                least,
-                glm::distance(palm(pose, motion::Side::left), palm(pose, motion::Side::right)));
-        }
-        return least;
+TEST(WrittenFigures, clap_at_every_clap_and_any_tempo) {
+    const auto palm = [](const motion::WorldPose& pose, motion::Side side) {
+        return 0.5F * (pose.position(on_side(motion::Bone::left_hand, side)) +
+                       pose.position(on_side(motion::Bone::left_middle_proximal, side)));
     };
-    const float written = apart(138.0);
-    EXPECT_LT(written, 0.08F);
-    EXPECT_NEAR(apart(165.0), written, 0.03F);
+    for (const double bpm : {104.0, 138.0, 165.0}) {
+        const std::vector<motion::WorldPose> poses = danced_at("rock", "step_clap", bpm);
+        for (const int clap : {1, 3, 5, 7}) {
+            float least = 1e9F;
+            for (int i = 16 * clap - 3; i <= 16 * clap + 3; ++i) {
+                const motion::WorldPose& pose = poses[static_cast<std::size_t>(i)];
+                least = std::min(
+                    least,
+                    glm::distance(palm(pose, motion::Side::left), palm(pose, motion::Side::right)));
+            }
+            EXPECT_LT(least, 0.075F) << "beat " << clap << " at " << bpm;
+            EXPECT_GT(least, 0.02F) << "hands in one another";
+        }
+    }
 }
 
 TEST(WrittenFigures, close_their_hands_as_written) {
