@@ -178,11 +178,11 @@ struct EvalGenreArguments {
 
 struct SheetArguments {
     engine::Settings settings;
-    Path output;         ///< .png
+    Path output;         ///< .png: a sheet; else a film
     std::string figure;  ///< of the dance; empty: its first
     double bpm = 180.0;  ///< [50, 230]
 };
-/// Pose sheet of a figure, every 1/8 of the figure, from the front and the side.
+/// A figure from the front and the side: every 1/8 beat of 8 on a sheet, or a film of 16 beats.
 [[nodiscard]] ExitCode sheet(const SheetArguments& arguments);
 
 struct StickArguments {

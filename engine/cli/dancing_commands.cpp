@@ -88,13 +88,18 @@ void add_dance(CommandTable& table) {
 }
 
 void add_sheet(CommandTable& table) {
-    auto [app, a] = table.add(table.app(), "sheet", "draw a figure as a pose sheet", sheet);
-    app->add_option("-o,--out", a->output, "X.png")->required();
+    auto [app, a] =
+        table.add(table.app(), "sheet", "draw a figure as a pose sheet, or film it", sheet);
+    app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.avi or a folder")->required();
     app->add_option("--dance", a->settings.dance, "salsa, belly, house, hiphop, rock or waltz");
     app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
     app->add_option("--bpm", a->bpm, "tempo danced to")->check(in_range(50.0, 230.0));
+    app->add_option("--seed", a->settings.seed, "same seed, same dance")
+        ->check(CLI::NonNegativeNumber);
+    app->add_option("--fps", a->settings.fps, "pictures a second of a film")
+        ->check(CLI::Range(1.0, 240.0));
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
     app->add_option("--view", a->settings.view, "skin, stick or auto");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");

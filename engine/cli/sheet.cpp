@@ -13,11 +13,18 @@
 namespace raks::cli {
 namespace {
 
-constexpr int kCounts = 8;
-constexpr std::size_t kPoses = std::size_t{kCounts} * kPosesPerBeat;
+constexpr int kCounts = 8;       // of a sheet
+constexpr int kFilmCounts = 16;  // of a film: at least two repeats
 
-/// One figure from count 1 on, a pose every 1/8 beat.
-Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments) {
+/// How long, and how often there is a pose.
+struct SheetPlan {
+    int counts = kCounts;
+    double poses_per_beat = kPosesPerBeat;
+};
+
+/// One figure from count 1 on.
+Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments,
+                                                      const SheetPlan& plan) {
     const engine::Settings& settings = arguments.settings;
     const auto library = engine::load_dance(
         engine::dance_to_load(settings), motion::DanceRole::lead, engine::form_of(settings));
@@ -31,8 +38,9 @@ Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& argu
     }
     const auto index = arguments.figure.empty() ? 0 : figure - names.begin();
     std::vector<double> beats;
-    for (std::size_t i = 0; i < kPoses; ++i) {
-        beats.push_back(static_cast<double>(i) / kPosesPerBeat);
+    const auto poses = static_cast<std::size_t>(plan.counts * plan.poses_per_beat);
+    for (std::size_t i = 0; i < poses; ++i) {
+        beats.push_back(static_cast<double>(i) / plan.poses_per_beat);
     }
     engine::FigureOnBeat on;
     on.figure = static_cast<std::size_t>(index);
@@ -48,11 +56,17 @@ ExitCode sheet(const SheetArguments& arguments) {
     if (!look) {
         return fail(look.error());
     }
-    const auto poses = poses_of_a_figure(arguments);
+    const bool is_sheet = arguments.output.extension() == ".png";
+    const double fps = arguments.settings.fps;
+    const SheetPlan plan =
+        is_sheet ? SheetPlan() : SheetPlan{kFilmCounts, 60.0 * fps / arguments.bpm};
+    const auto poses = poses_of_a_figure(arguments, plan);
     if (!poses) {
         return fail(poses.error());
     }
-    if (auto written = write_sheet(arguments.output, *look, *poses, figure_sheet()); !written) {
+    if (auto written = is_sheet ? write_sheet(arguments.output, *look, *poses, figure_sheet())
+                                : write_film(arguments.output, *look, *poses, fps);
+        !written) {
         return fail(written.error());
     }
     return kExitDone;

@@ -31,4 +31,11 @@ constexpr int kPosesPerBeat = 8;
                                          std::span<const render::ClipFigure> figures,
                                          const render::PoseSheetConfig& config);
 
+/// Films poses off-screen, one a picture: from the front and, beside it, from the side; no sound.
+/// `output`: .mp4 or .avi, or a folder of pictures. Errors: no OpenGL, those of the film.
+[[nodiscard]] Expected<void> write_film(const Path& output,
+                                        const engine::Look& look,
+                                        std::span<const motion::Pose> poses,
+                                        double fps);
+
 }  // namespace raks::cli

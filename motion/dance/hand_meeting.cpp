@@ -15,7 +15,7 @@ namespace {
 
 // Metres between palms: so near they meet, and from so far on they begin to.
 constexpr float kMeeting = 0.08F;
-constexpr float kApproach = 0.32F;
+constexpr float kApproach = 0.6F;
 // Between the middles of two palms that touch; and how far from that it is felt.
 constexpr float kPalms = 0.035F;
 constexpr float kSoft = 0.015F;

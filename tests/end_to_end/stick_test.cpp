@@ -1,4 +1,4 @@
-// raks stick without a display: sheets of clips, and what it refuses.
+// raks stick without a display: sheets of clips, and what it refuses. raks sheet: a film.
 #include <gtest/gtest.h>
 
 #include "base/file.hpp"
@@ -131,6 +131,30 @@ TEST_F(Stick, draws_what_is_odd_whether_humanoid_or_not) {
                                           "0"});
         EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
     }
+}
+
+using Sheet = Stick;
+
+TEST_F(Sheet, films_sixteen_beats_of_a_figure) {
+    const ProcessResult result = run({"sheet",
+                                      "--dance",
+                                      "rock",
+                                      "--figure",
+                                      "pogo",
+                                      "--bpm",
+                                      "165",
+                                      "--fps",
+                                      "4",
+                                      "--quality",
+                                      "fast",
+                                      "-o",
+                                      path("film")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    // 16 beats last 5.8 s.
+    EXPECT_EQ(picture("film/000001.png").substr(1, 3), "PNG");
+    EXPECT_FALSE(picture("film/000023.png").empty());
+    EXPECT_TRUE(picture("film/000024.png").empty());
+    EXPECT_FALSE(picture("film/000001.png") == picture("film/000003.png"));
 }
 
 }  // namespace
