@@ -52,7 +52,7 @@ void move_hands(const Skeleton& skeleton, const glm::vec3& wanted, float share, 
         const glm::quat& chest = world.rotation(Bone::upper_chest);
         const glm::vec3 right = chest * (0.5F * share * (wanted - between_palms(world)));
         for (const Side side : kSides) {
-            const Limb arm = arm_of(world, side, chest * glm::vec3(0.0F, -1.0F, -0.5F));
+            const Limb arm = arm_of(world, side);
             const glm::vec3 way = side == Side::right ? right : -right;
             solve_limb(skeleton, arm, world.position(arm.end) + way, pose);
         }
