@@ -18,8 +18,8 @@ constexpr float kMeeting = 0.08F;
 constexpr float kApproach = 0.6F;
 // Between the middles of two palms that touch; and how far from that it is felt.
 constexpr float kPalms = 0.035F;
-constexpr float kSoft = 0.015F;
-constexpr int kRounds = 2;  // the hand turns with its forearm, and the palm with it
+constexpr float kMeetingSoft = 0.015F;
+constexpr int kMeetingRounds = 2;  // the hand turns with its forearm, and the palm with it
 
 glm::vec3 palm(const WorldPose& world, Side side) noexcept {
     return 0.5F * (world.position(on_side(Bone::left_hand, side)) +
@@ -42,12 +42,12 @@ float nearness_of(const glm::vec3& between) noexcept {
 /// The same, but for hands that would be in one another: the right one stays to the right.
 glm::vec3 side_by_side(glm::vec3 between) noexcept {
     const float spare = -between.x - kPalms;
-    between.x = -kPalms - 0.5F * (spare + std::sqrt(spare * spare + kSoft * kSoft));
+    between.x = -kPalms - 0.5F * (spare + std::sqrt(spare * spare + kMeetingSoft * kMeetingSoft));
     return between;
 }
 
 void move_hands(const Skeleton& skeleton, const glm::vec3& wanted, float share, Pose& pose) {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kMeetingRounds; ++round) {
         const WorldPose world = world_pose(skeleton, pose);
         const glm::quat& chest = world.rotation(Bone::upper_chest);
         const glm::vec3 right = chest * (0.5F * share * (wanted - between_palms(world)));

@@ -108,7 +108,7 @@ TEST(SongListener, after_reset_it_is_as_new_and_nothing_is_allocated) {
     std::vector<float> first;
     first.reserve(frames.size());
     int differ = 0;
-    test::RealtimeScope scope;
+    raks::test::RealtimeScope scope;
     for (const Frame& frame : frames) {
         first.push_back(listener.next(frame).beat);
     }

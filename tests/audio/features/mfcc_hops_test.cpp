@@ -25,7 +25,7 @@ std::vector<float> sound(double seconds, int hertz) {
     return samples;
 }
 
-class Collect final : public MfccStream::Sink {
+class CollectHops final : public MfccStream::Sink {
  public:
     void on_vector(const MfccVector& vector) noexcept override { vectors.push_back(vector); }
     std::vector<MfccVector> vectors;
@@ -48,7 +48,7 @@ TEST(MfccHops, at_16_khz_the_vectors_are_those_of_the_plain_stream) {
     for (const float sample : samples) {
         scaled.push_back(sample * 32768.0F);
     }
-    Collect plain;
+    CollectHops plain;
     MfccStream().process(scaled, plain);
     ASSERT_EQ(ours.size(), plain.vectors.size());
     EXPECT_EQ(ours, plain.vectors);
@@ -117,7 +117,7 @@ TEST(MfccHops, nothing_allocates) {
     const std::vector<float> samples = sound(1.0, 44'100);
     MfccHops hops;
     ASSERT_TRUE(hops.prepare(SampleRate(44'100)));
-    test::RealtimeScope scope;
+    raks::test::RealtimeScope scope;
     hops.push(std::span(samples).first(600));
     for (std::size_t at = 600; at + 441 <= samples.size(); at += 441) {
         hops.push(std::span(samples).subspan(at, 441));

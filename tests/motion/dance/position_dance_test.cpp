@@ -19,8 +19,8 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kBpm = 171.0;
-constexpr HopIndex kMinute = 6000;
+constexpr double kSalsaBpm = 171.0;
+constexpr HopIndex kHopsAMinute = 6000;
 
 std::vector<Bone> placed_bones() {
     std::vector<Bone> bones;
@@ -33,7 +33,8 @@ std::vector<Bone> placed_bones() {
 
 /// Real postures: a minute of the angle dancer.
 const std::vector<Pose>& postures() {
-    static const std::vector<Pose> poses = test::dance_to(test::steady_music(kBpm), kMinute / 2);
+    static const std::vector<Pose> poses =
+        test::dance_to(test::steady_music(kSalsaBpm), kHopsAMinute / 2);
     return poses;
 }
 
@@ -201,18 +202,18 @@ TEST(RestoreArms, an_arm_that_vanishes_in_the_mean_swings_over_without_a_jump) {
     EXPECT_GT(joint_at(arm, 0, Bone::left_hand).y - joint_at(arm, 96, Bone::left_hand).y, 0.6);
 }
 
-struct Danced {
+struct PositionDance {
     std::vector<Pose> poses;
     std::vector<DancerStatus> status;
 };
 
-Danced dance(std::uint64_t seed, HopIndex hops) {
+PositionDance dance_positions(std::uint64_t seed, HopIndex hops) {
     Dancer dancer;
     EXPECT_TRUE(dancer.prepare(test::position_library(), mannequin_skeleton(), seed));
     const auto track = std::make_unique<PoseTrack>();
-    Danced danced;
+    PositionDance danced;
     for (HopIndex hop = 0; hop < hops; ++hop) {
-        dancer.advance(test::sure_state(hop, test::steady_grid(kBpm)), *track);
+        dancer.advance(test::sure_state(hop, test::steady_grid(kSalsaBpm)), *track);
         danced.poses.push_back(track->at_hop(hop));
         danced.status.push_back(dancer.status());
     }
@@ -220,9 +221,9 @@ Danced dance(std::uint64_t seed, HopIndex hops) {
 }
 
 TEST(PositionDance, the_same_seed_dances_the_same_and_another_seed_another_dance) {
-    const Danced first = dance(1, kMinute / 2);
-    const Danced again = dance(1, kMinute / 2);
-    const Danced other = dance(2, kMinute / 2);
+    const PositionDance first = dance_positions(1, kHopsAMinute / 2);
+    const PositionDance again = dance_positions(1, kHopsAMinute / 2);
+    const PositionDance other = dance_positions(2, kHopsAMinute / 2);
     float apart = 0.0F;
     for (std::size_t i = 0; i < first.poses.size(); ++i) {
         ASSERT_EQ(first.poses[i].hips_position, again.poses[i].hips_position) << i;
@@ -239,8 +240,8 @@ TEST(PositionDance, shares_figures_and_phase_with_the_angle_dancer) {
     ASSERT_TRUE(positions.prepare(test::position_library(), mannequin_skeleton(), 1));
     ASSERT_TRUE(angles.prepare(test::salsa_library(), mannequin_skeleton(), 1));
     const auto track = std::make_unique<PoseTrack>();
-    for (HopIndex hop = 0; hop < kMinute; ++hop) {
-        const MusicState music = test::sure_state(hop, test::steady_grid(kBpm));
+    for (HopIndex hop = 0; hop < kHopsAMinute; ++hop) {
+        const MusicState music = test::sure_state(hop, test::steady_grid(kSalsaBpm));
         positions.advance(music, *track);
         angles.advance(music, *track);
         const DancerStatus a = positions.status();
@@ -251,7 +252,7 @@ TEST(PositionDance, shares_figures_and_phase_with_the_angle_dancer) {
 }
 
 TEST(PositionDance, feet_stand_and_nothing_jerks_joins_included) {
-    const Danced danced = dance(4, 2 * kMinute);
+    const PositionDance danced = dance_positions(4, 2 * kHopsAMinute);
     const auto settled = std::span(danced.poses).subspan(1000);
     const BodyTrack track = body_track(mannequin_skeleton(), resampled(settled, 100.0, 60.0), 60.0);
     const ContactReport contacts = contacts_of(track, 0.0);
@@ -266,8 +267,8 @@ TEST(PositionDance, keeps_the_real_time_rules) {
     ASSERT_TRUE(dancer.prepare(test::position_library(), mannequin_skeleton(), 1));
     const auto track = std::make_unique<PoseTrack>();
     raks::test::RealtimeScope scope;
-    for (HopIndex hop = 0; hop < kMinute; ++hop) {
-        dancer.advance(test::sure_state(hop, test::steady_grid(kBpm)), *track);
+    for (HopIndex hop = 0; hop < kHopsAMinute; ++hop) {
+        dancer.advance(test::sure_state(hop, test::steady_grid(kSalsaBpm)), *track);
     }
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
