@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <string_view>
 
 #include "base/file.hpp"
@@ -22,7 +23,10 @@ class TextFile : public ::testing::Test {
         EXPECT_TRUE(text.error().message.starts_with(path_.string() + ": "));
         EXPECT_NE(text.error().message.find(part), std::string::npos) << text.error().message;
     }
-    std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) / "text_file_test";
+    // Tests run side by side.
+    std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) /
+                                  (std::string("text_file_") +
+                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(TextFile, lines_end_alike_whoever_wrote_them) {
