@@ -34,7 +34,8 @@ struct JerkReport {
     double highest = 0.0;
     std::vector<double> samples;  ///< joint by joint, for pooling over takes
 };
-/// Zero for less than 8 frames: differences whose filter reaches over the ends are left out.
+/// Zero for less than 4 frames. Differences whose filter reaches over the ends are left out where
+/// `frames` says what is counted: what is cut out of a dance does not stop dead.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] JerkReport jerk_of(const BodyTrack& track, const MetricFrames& frames = {});
 /// Of samples gathered from several tracks.

@@ -56,12 +56,13 @@ TEST(Jerk, leaves_out_what_is_not_counted_and_scales_with_the_pace) {
     EXPECT_NEAR(jerk_of(track, frames).rms, whole.rms / 8.0, 1e-9);
     frames.pace.clear();
     frames.counted.assign(240, true);
+    const double highest = jerk_of(track, frames).highest;
     frames.counted[100] = false;
     for (auto& joint : track.joints[100]) {
         joint.y += 1.0;
     }
     EXPECT_GT(jerk_of(track).highest, 1e4);
-    EXPECT_EQ(jerk_of(track, frames).highest, whole.highest);
+    EXPECT_EQ(jerk_of(track, frames).highest, highest);
 }
 
 }  // namespace
