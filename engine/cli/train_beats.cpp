@@ -11,6 +11,7 @@
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/beat/training/corpus.hpp"
+#include "audio/beat/training/music_folder.hpp"
 #include "audio/beat/training/train_bars.hpp"
 #include "audio/beat/training/train_network.hpp"
 #include "base/file.hpp"
@@ -40,6 +41,7 @@ struct Options {
     audio::NetworkPlan network;
     int bar_steps = 0;  // 0: learns beats
     std::filesystem::path output;
+    std::filesystem::path music_folder;
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -48,11 +50,6 @@ void add_options(CLI::App& app, Options& options) {
     auto* pack = app.add_option("pack", options.corpus.pack, "folder of MIDI files with index.tsv");
     auto* soundfont = app.add_option(
         "--soundfont", options.corpus.soundfonts, "SF2 or SF3; several: mostly bands of all");
-    app.callback([average, pack, soundfont] {
-        if (average->count() == 0 && (pack->count() == 0 || soundfont->count() == 0)) {
-            throw CLI::RequiredError("pack and --soundfont, or --average");
-        }
-    });
     app.add_option("--corpus", options.corpus_file, "keep the rendered music here between runs");
     app.add_option("--also", options.more_files, "more music that --corpus kept: learnt from, too");
     app.add_option("--excerpts", options.corpus.excerpts, "pieces of 22 s to render")
@@ -77,7 +74,21 @@ void add_options(CLI::App& app, Options& options) {
                    "beats stay as they are: batches of 48 x 96 beats to learn bars from")
         ->check(cli::in_range(10, 1'000'000))
         ->needs(from);
-    app.add_option("-o,--out", options.output, "X.json")->required();
+    auto* out = app.add_option("-o,--out", options.output, "X.json");
+    auto* write = app.add_option("--write",
+                                 options.music_folder,
+                                 "no training: the music with its beats into this new folder, for "
+                                 "`raks eval beats`");
+    out->excludes(write);
+    average->excludes(write);
+    app.callback([average, pack, soundfont, out, write] {
+        if (average->count() == 0 && (pack->count() == 0 || soundfont->count() == 0)) {
+            throw CLI::RequiredError("pack and --soundfont, or --average");
+        }
+        if (out->count() + write->count() == 0) {
+            throw CLI::RequiredError("--out or --write");
+        }
+    });
 }
 
 Expected<std::vector<audio::TrainingExcerpt>> first_corpus_of(const Options& options) {
@@ -181,6 +192,9 @@ Expected<void> learn_bars(const Options& options,
 }
 
 Expected<void> run(Options& options, const std::string& command) {
+    if (!options.music_folder.empty()) {
+        return audio::write_music_folder(options.corpus, options.music_folder);
+    }
     const audio::NetworkNotes notes{command, kAttribution};
     std::vector<std::filesystem::path> inputs = options.corpus.soundfonts;
     inputs.push_back(options.corpus_file);

@@ -193,9 +193,7 @@ class PieceMaker {
 };
 
 /// Errors: a drawn soundfont cannot be loaded.
-Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
-                                       const PieceMaker& maker,
-                                       int number) {
+Expected<CorpusPiece> make_piece(const CorpusPlan& plan, const PieceMaker& maker, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
     Piece piece =
         number % kNonMusicEvery == kNonMusic ? maker.make_non_music(dice) : maker.make(dice);
@@ -216,41 +214,53 @@ Expected<TrainingExcerpt> make_excerpt(const CorpusPlan& plan,
         piece.samples = std::move(*samples);
     }
     augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
-    return TrainingExcerpt{std::move(piece.family),
-                           std::move(piece.style),
-                           listen(piece.samples, SoundfontPlayer::kRate),
-                           std::move(piece.performance.beats)};
+    return CorpusPiece{std::move(piece.family),
+                       std::move(piece.style),
+                       std::move(piece.samples),
+                       std::move(piece.performance.beats)};
 }
 
 }  // namespace
 
-Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan) {
+Expected<void> make_pieces(const CorpusPlan& plan,
+                           const std::function<Expected<void>(int, CorpusPiece)>& take) {
     auto pack = read_midi_pack(plan.pack);
     if (!pack) {
         return fail(pack.error());
     }
     const PieceMaker maker(std::move(*pack), plan.seconds);
-    std::vector<TrainingExcerpt> corpus(static_cast<std::size_t>(plan.excerpts));
     std::vector<Expected<void>> done(static_cast<std::size_t>(plan.threads));
     std::atomic<int> next{0};
     std::vector<std::jthread> threads;
     threads.reserve(done.size());
     for (Expected<void>& mine : done) {
-        threads.emplace_back([&corpus, &next, &plan, &maker, &mine] {
+        threads.emplace_back([&next, &plan, &maker, &take, &mine] {
             for (int number = next++; number < plan.excerpts && mine; number = next++) {
-                if (auto excerpt = make_excerpt(plan, maker, number)) {
-                    corpus[static_cast<std::size_t>(number)] = std::move(*excerpt);
-                } else {
-                    mine = fail(excerpt.error());
-                }
+                auto piece = make_piece(plan, maker, number);
+                mine = piece ? take(number, std::move(*piece)) : fail(piece.error());
             }
         });
     }
     threads.clear();
     for (Expected<void>& thread : done) {
         if (!thread) {
-            return fail(thread.error());
+            return thread;
         }
+    }
+    return {};
+}
+
+Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan) {
+    std::vector<TrainingExcerpt> corpus(static_cast<std::size_t>(plan.excerpts));
+    const auto hear = [&corpus](int number, CorpusPiece piece) -> Expected<void> {
+        corpus[static_cast<std::size_t>(number)] = {std::move(piece.family),
+                                                    std::move(piece.style),
+                                                    listen(piece.samples, SoundfontPlayer::kRate),
+                                                    std::move(piece.beats)};
+        return {};
+    };
+    if (auto made = make_pieces(plan, hear); !made) {
+        return fail(made.error());
     }
     return corpus;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,22 @@ struct CorpusPlan {
     int threads = 2;
 };
 
-/// Writes music, plays it, and hears it: excerpt n depends on the plan's seed and n alone, so any
-/// number of threads gives the same corpus. About 0.4 s of CPU each.
+/// A piece of music as it sounds.
+struct CorpusPiece {
+    std::string family;  ///< as TrainingExcerpt's
+    std::string style;
+    std::vector<float> samples;  ///< mono, SoundfontPlayer::kRate
+    std::vector<PlayedBeat> beats;
+};
+
+/// Writes music and plays it: piece n depends on the plan's seed and n alone, so any number of
+/// threads gives the same pieces. `take(n, piece)` gets each, from several threads; its first error
+/// ends all. About 0.4 s of CPU each.
 /// Errors: the pack or a soundfont cannot be read.
+[[nodiscard]] Expected<void> make_pieces(
+    const CorpusPlan& plan, const std::function<Expected<void>(int, CorpusPiece)>& take);
+
+/// Each piece as the network's front end hears it. Errors: as make_pieces.
 [[nodiscard]] Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan);
 
 /// A corpus kept between runs; numbers as this machine stores them.

@@ -6,6 +6,8 @@
 
 #include "audio/beat/training/corpus.hpp"
 #include "audio/beat/training/midi_scores.hpp"
+#include "audio/beat/training/music_folder.hpp"
+#include "audio/evaluate/beat_corpus.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
 
@@ -154,6 +156,27 @@ TEST_F(TrainingFiles, tempi_and_signatures_of_the_index_are_read_strictly) {
         EXPECT_NE(refused.error().message.find("index.tsv: line 2: "), std::string::npos)
             << refused.error().message;
     }
+}
+
+TEST_F(TrainingFiles, written_music_is_a_folder_that_trackers_are_judged_by) {
+    write_pack(midi(), kIndex);
+    const std::filesystem::path music = folder_ / "music";
+    CorpusPlan plan{folder_, {folder_ / "none.sf2"}, 1, 12.0};
+    // Some seed's first piece is our own generator's, which takes no soundfont.
+    Expected<void> written = fail("none written");
+    for (plan.seed = 1; !written && plan.seed < 200; ++plan.seed) {
+        std::filesystem::remove_all(music);
+        written = write_music_folder(plan, music);
+    }
+    ASSERT_TRUE(written) << written.error().message;
+    const auto read = load_beat_corpus(music);
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->size(), 1U);
+    EXPECT_EQ(read->front().category, "own");
+    EXPECT_GT(read->front().reference.times.size(), 8U);
+    const auto again = write_music_folder(plan, music);
+    ASSERT_FALSE(again);
+    EXPECT_NE(again.error().message.find("not empty"), std::string::npos) << again.error().message;
 }
 
 }  // namespace
