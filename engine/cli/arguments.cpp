@@ -61,11 +61,7 @@ void add_generator_option(CLI::App& app, engine::Settings& settings) {
 
 ParsedCommand parse_arguments(int argc, char** argv) {
     const auto settings = engine::load_settings();
-    if (!settings) {
-        say(settings.error().message);
-        return {nullptr, kExitUsage};
-    }
-    CommandTable table(*settings);
+    CommandTable table(settings.value_or(engine::Settings{}));
     table.app().require_subcommand(0, 1);
     table.app().set_version_flag("--version", std::string("raks ") + kVersion);
     add_dancing_commands(table);
@@ -78,6 +74,11 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     if (!table.chosen()) {
         std::fputs(kExamples, stdout);
         return {nullptr, kExitDone};
+    }
+    // Help is given, and the file found, whatever the file says.
+    if (!settings && !table.app().got_subcommand("config")) {
+        say(settings.error().message);
+        return {nullptr, kExitUsage};
     }
     if (table.chosen_settings() != nullptr) {
         if (const std::string fault = fault_of(*table.chosen_settings()); !fault.empty()) {

@@ -153,6 +153,21 @@ TEST_F(BadInput, an_unknown_key_in_the_settings_names_the_nearest) {
     ASSERT_TRUE(
         write_file(folder_ / "config" / "raks" / "config.toml", "[picture]\nthme = \"x\"\n"));
     expect_one_line({"devices"}, 2, "did you mean \"picture.theme\"?");
+    expect_one_line({"config", "show"}, 1, "did you mean \"picture.theme\"?");
+}
+
+TEST_F(BadInput, help_and_the_way_to_the_settings_are_given_whatever_the_settings_say) {
+    std::filesystem::create_directories(folder_ / "config" / "raks");
+    const std::filesystem::path settings = folder_ / "config" / "raks" / "config.toml";
+    ASSERT_TRUE(write_file(settings, "= not TOML"));
+    expect_one_line({"play", path("x.wav")}, 2, "config.toml");
+    const ProcessResult help = run({"play", "--help"});
+    EXPECT_EQ(help.exit_code, 0) << help.err;
+    EXPECT_NE(help.out.find("--seed"), std::string::npos) << help.out;
+    EXPECT_EQ(run({}).exit_code, 0);
+    const ProcessResult where = run({"config", "path"});
+    EXPECT_EQ(where.exit_code, 0) << where.err;
+    EXPECT_EQ(where.out, settings.string() + "\n");
 }
 
 TEST_F(BadInput, training_refuses_bad_motion_and_leaves_no_model) {
