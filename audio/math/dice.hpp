@@ -50,4 +50,11 @@ class Dice {
     std::uint64_t next_ = 0;
 };
 
+/// What is drawn uniformly in the logarithm: [low, high), both positive.
+struct LogRange {
+    double low;
+    double high;
+    double draw(Dice& dice) const { return dice.log_uniform(low, high); }
+};
+
 }  // namespace raks::audio

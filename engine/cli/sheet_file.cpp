@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "render/avatar/avatar.hpp"
@@ -13,12 +14,14 @@
 namespace raks::cli {
 namespace {
 
-template <typename Body>
-Expected<void> write(const Path& output,
-                     const engine::Look& look,
-                     std::span<const Body> bodies,
-                     const render::PoseSheetConfig& config) {
-    const auto context = render::OffscreenContext::create();
+/// What both draw with; the context outlives the renderer.
+struct Studio {
+    render::OffscreenContext context;
+    render::Renderer renderer;
+};
+
+Expected<Studio> open_studio(const engine::Look& look) {
+    auto context = render::OffscreenContext::create();
     if (!context) {
         return fail(context.error());
     }
@@ -26,7 +29,19 @@ Expected<void> write(const Path& output,
     if (!renderer) {
         return fail(renderer.error());
     }
-    const auto picture = render::draw_pose_sheet(*renderer, look.scene, bodies, config);
+    return Studio{std::move(*context), std::move(*renderer)};
+}
+
+template <typename Body>
+Expected<void> write(const Path& output,
+                     const engine::Look& look,
+                     std::span<const Body> bodies,
+                     const render::PoseSheetConfig& config) {
+    auto studio = open_studio(look);
+    if (!studio) {
+        return fail(studio.error());
+    }
+    const auto picture = render::draw_pose_sheet(studio->renderer, look.scene, bodies, config);
     if (!picture) {
         return fail(picture.error());
     }
@@ -55,17 +70,13 @@ Expected<void> write_film(const Path& output,
                           double fps) {
     const render::PoseSheetConfig config;  // its tile is one view of a picture
     const auto views = static_cast<int>(config.cameras.size());
-    const auto context = render::OffscreenContext::create();
-    if (!context) {
-        return fail(context.error());
-    }
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
-    if (!renderer) {
-        return fail(renderer.error());
+    auto studio = open_studio(look);
+    if (!studio) {
+        return fail(studio.error());
     }
     auto target = render::OffscreenTarget::create({.width = views * config.tile_width,
                                                    .height = config.tile_height,
-                                                   .samples = renderer->samples()});
+                                                   .samples = studio->renderer.samples()});
     if (!target) {
         return fail(target.error());
     }
@@ -87,7 +98,7 @@ Expected<void> write_film(const Path& output,
             render::FrameTarget tile = target->frame();
             tile.x = view * config.tile_width;
             tile.width = config.tile_width;
-            renderer->draw(scene, pose, tile);
+            studio->renderer.draw(scene, pose, tile);
         }
         auto added = target->read_rgba(rgba);
         if (added) {

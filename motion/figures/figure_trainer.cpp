@@ -11,6 +11,7 @@
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/foot_statistics.hpp"
 #include "motion/figures/phase_warp.hpp"
+#include "motion/figures/range_check.hpp"
 #include "motion/figures/repeat_features.hpp"
 #include "motion/figures/state_timing.hpp"
 #include "motion/figures/trajectory_statistics.hpp"
@@ -21,12 +22,7 @@ namespace {
 constexpr double kLargestMetres = 1e3;
 
 Expected<void> check_options(const FigureTrainingOptions& options) {
-    const struct {
-        const char* name;
-        double value;
-        double lowest;
-        double highest;
-    } ranges[] = {
+    const RangeCheck ranges[] = {
         {"beats", static_cast<double>(options.beats), 1, 64},
         {"samples_per_beat", static_cast<double>(options.samples_per_beat), 4, 200},
         {"states",
@@ -36,16 +32,7 @@ Expected<void> check_options(const FigureTrainingOptions& options) {
         {"baum_welch_iterations", static_cast<double>(options.baum_welch_iterations), 0, 1000},
         {"covariance_floor", options.covariance_floor, 1e-6, 1e3},
         {"low_pass_hz", options.low_pass_hz, 0.5, 1e4}};
-    for (const auto& range : ranges) {
-        if (!(range.value >= range.lowest && range.value <= range.highest)) {
-            return fail(fmt::format("{} is {}, must lie in [{}, {}]",
-                                    range.name,
-                                    range.value,
-                                    range.lowest,
-                                    range.highest));
-        }
-    }
-    return {};
+    return check(ranges);
 }
 
 bool is_sound(const Pose& pose) noexcept {

@@ -6,6 +6,7 @@
 #include "models/gaussian_hmm.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "motion/figures/range_check.hpp"
 
 namespace raks::motion {
 namespace {
@@ -248,27 +249,13 @@ Expected<void> check_head(const FigureModel& model) {
         return fail(
             fmt::format("samples_per_beat is {}, must be 4 to 200", model.samples_per_beat));
     }
-    const struct {
-        const char* name;
-        double value;
-        double lowest;
-        double highest;
-    } ranges[] = {{"learnt_tempo", model.learnt_tempo.bpm(), 20.0, 400.0},
-                  {"net_displacement[0]", model.net_displacement.x, -100.0, 100.0},
-                  {"net_displacement[1]", model.net_displacement.y, -100.0, 100.0},
-                  {"net_turn", model.net_turn, -100.0, 100.0},
-                  {"source_hips_height", model.source_hips_height, 0.1, 10.0},
-                  {"peak_toe_speed", model.peak_toe_speed, 0.0, 100.0}};
-    for (const auto& range : ranges) {
-        if (!(range.value >= range.lowest && range.value <= range.highest)) {
-            return fail(fmt::format("{} is {}, must lie in [{}, {}]",
-                                    range.name,
-                                    range.value,
-                                    range.lowest,
-                                    range.highest));
-        }
-    }
-    return {};
+    const RangeCheck ranges[] = {{"learnt_tempo", model.learnt_tempo.bpm(), 20.0, 400.0},
+                                 {"net_displacement[0]", model.net_displacement.x, -100.0, 100.0},
+                                 {"net_displacement[1]", model.net_displacement.y, -100.0, 100.0},
+                                 {"net_turn", model.net_turn, -100.0, 100.0},
+                                 {"source_hips_height", model.source_hips_height, 0.1, 10.0},
+                                 {"peak_toe_speed", model.peak_toe_speed, 0.0, 100.0}};
+    return check(ranges);
 }
 
 Expected<void> check_hands(const FigureModel& model) {

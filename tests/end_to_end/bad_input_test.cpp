@@ -18,28 +18,6 @@ class BadInput : public ProgramTest {
     void write(const std::string& name, const std::string& bytes) const {
         ASSERT_TRUE(write_file(path(name), bytes));
     }
-    /// A few seconds of clicks as 16-bit WAV.
-    void write_music(const std::string& name, double seconds = 3.0) const {
-        audio::MusicPlan plan;
-        plan.style = audio::Style::clicks;
-        plan.seconds = seconds;
-        const auto music = audio::generate(plan);
-        ASSERT_TRUE(music) << music.error().message;
-        ASSERT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
-    }
-    void expect_one_line(const std::vector<std::string>& arguments,
-                         int exit_code,
-                         const std::string& part) const {
-        const ProcessResult result = run(arguments);
-        std::string command;
-        for (const std::string& argument : arguments) {
-            command += argument + " ";
-        }
-        EXPECT_EQ(result.exit_code, exit_code) << command << result.err;
-        EXPECT_TRUE(is_one_error_line(result.err)) << command << "\n" << result.err;
-        EXPECT_NE(result.err.find(part), std::string::npos) << command << result.err;
-        EXPECT_EQ(result.out, "") << command;
-    }
 };
 
 TEST_F(BadInput, files_that_are_no_music_are_refused_by_every_command) {
@@ -74,7 +52,7 @@ TEST_F(BadInput, a_file_of_no_length_is_played_and_has_nothing_to_draw) {
 }
 
 TEST_F(BadInput, wrong_usage_is_exit_code_2) {
-    write_music("music.wav");
+    write_clicks("music.wav");
     const std::string music = path("music.wav");
     expect_one_line({"dnace", music}, 2, "dnace");
     expect_one_line({"analyze"}, 2, "file");
@@ -91,7 +69,7 @@ TEST_F(BadInput, wrong_usage_is_exit_code_2) {
 }
 
 TEST_F(BadInput, outputs_that_cannot_be_written_leave_nothing) {
-    write_music("music.wav");
+    write_clicks("music.wav");
     const std::string music = path("music.wav");
     expect_one_line({"dance", music, "-o", path("x.xyz")}, 1, ".bvh");
     expect_one_line({"dance", music, "-o", path("none/x.bvh")}, 1, "none");
@@ -101,7 +79,7 @@ TEST_F(BadInput, outputs_that_cannot_be_written_leave_nothing) {
 }
 
 TEST_F(BadInput, a_full_disk_ends_in_one_line_and_leaves_nothing) {
-    write_music("music.wav", 8.0);
+    write_clicks("music.wav", 8.0);
     for (const char* output : {"x.mp4", "x.avi", "x.bvh"}) {
         const std::string command = std::string(output) == "x.bvh" ? "dance" : "render";
         ProcessPlan full = plan({command, path("music.wav"), "-o", path(output)});
@@ -117,7 +95,7 @@ TEST_F(BadInput, a_full_disk_ends_in_one_line_and_leaves_nothing) {
 }
 
 TEST_F(BadInput, a_truncated_file_gives_what_is_there_with_a_warning_or_is_refused) {
-    write_music("music.wav");
+    write_clicks("music.wav");
     const std::string whole = read_file(path("music.wav")).value();
     for (const std::size_t size :
          {std::size_t{10}, std::size_t{43}, std::size_t{44}, std::size_t{45}, whole.size() / 2}) {
@@ -268,7 +246,7 @@ TEST_F(BadInput, a_dance_is_learnt_by_its_music_or_the_reason_is_said) {
     ASSERT_TRUE(
         motion::write_bvh(folder_ / "clip.bvh", motion::mannequin_skeleton(), standing(), 60.0));
     write("labels.tsv", "take\trole\tstart\tend\tfigure\nclip\tlead\t10\t170\tbasic\n");
-    write_music("music.wav", 14.0);  // 180 BPM: 8 beats are 160 frames
+    write_clicks("music.wav", 14.0);  // 180 BPM: 8 beats are 160 frames
     const std::vector<float> silence(48'000 * 4, 0.0F);
     ASSERT_TRUE(audio::write_wav(path("silence.wav"), silence, 1, SampleRate(48'000)));
     const auto arguments = [this](const char* music, const char* offset) {
@@ -310,7 +288,7 @@ TEST_F(BadInput, motion_beyond_all_measure_is_refused) {
 }
 
 TEST_F(BadInput, a_model_of_another_version_or_with_nan_is_refused) {
-    write_music("music.wav");
+    write_clicks("music.wav");
     const std::filesystem::path trained = folder_ / "data" / "models" / "trained";
     std::filesystem::create_directories(trained);
     const std::string model = read_file(std::filesystem::path(RAKS_SOURCE_DIR) / "models" /
@@ -335,17 +313,13 @@ TEST_F(BadInput, a_model_of_another_version_or_with_nan_is_refused) {
 
 TEST_F(BadInput, a_device_that_does_not_exist_is_said) {
     expect_one_line({"live", "--headless", "--device", "no such thing"}, 1, "no such thing");
-    write_music("music.wav");
+    write_clicks("music.wav");
     expect_one_line(
         {"play", path("music.wav"), "--headless", "--output", "no such thing"}, 1, "no such thing");
 }
 
 TEST_F(BadInput, a_plot_that_cannot_be_made_is_one_line) {
-    audio::MusicPlan plan;
-    plan.seconds = 1.0;
-    const auto music = audio::generate(plan);
-    ASSERT_TRUE(music);
-    ASSERT_TRUE(audio::write_wav(path("a.wav"), music->samples, music->channels, music->rate));
+    write_clicks("a.wav", 1.0);
     ASSERT_TRUE(write_file(path("bad.beats"), "1.0\nnoise\n"));
     expect_one_line({"analyze", path("a.wav"), "--plot", path("none/a.svg")}, 1, "none");
     expect_one_line({"analyze", path("a.wav"), "--plot", path("a.png")}, 1, ".svg");

@@ -27,10 +27,7 @@ class Commands : public ProgramTest {
         plan.style = style;
         plan.tempo = {{0.0, bpm}};
         plan.seconds = seconds;
-        auto music = audio::generate(plan);
-        EXPECT_TRUE(music) << music.error().message;
-        EXPECT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
-        return *music;
+        return ProgramTest::write_music(name, plan);
     }
 };
 

@@ -39,11 +39,9 @@ class EvalBeats : public ProgramTest {
         plan.tempo = {{0.0, bpm}};
         plan.seconds = 14.0;
         plan.channels = 1;
-        const auto music = audio::generate(plan);
-        ASSERT_TRUE(music) << music.error().message;
-        ASSERT_TRUE(audio::write_wav(corpus() / (name + ".wav"), music->samples, 1, music->rate));
+        const audio::GeneratedMusic music = write_music("corpus/" + name + ".wav", plan);
         std::string beats;
-        for (const audio::ReferenceBeat& beat : music->beats) {
+        for (const audio::ReferenceBeat& beat : music.beats) {
             beats += fmt::format("{:.6f}\t{}\n", to_seconds(beat.time), beat.bar_position);
         }
         ASSERT_TRUE(write_file(corpus() / (name + ".beats"), beats));
@@ -63,11 +61,7 @@ class EvalBeats : public ProgramTest {
     void expect_one_line(std::vector<std::string> more, int exit_code, const std::string& part) {
         std::vector<std::string> arguments = {"eval", "beats", corpus().string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        const ProcessResult result = run(arguments);
-        EXPECT_EQ(result.exit_code, exit_code) << result.err;
-        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
-        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
-        EXPECT_EQ(result.out, "");
+        ProgramTest::expect_one_line(arguments, exit_code, part);
     }
 };
 
@@ -234,8 +228,7 @@ TEST_F(EvalBeats, stopped_by_a_signal_keeps_what_was_finished_and_prints_no_tabl
     plan.seconds = 900.0;
     plan.rate = SampleRate(8'000);
     plan.channels = 1;
-    const auto music = audio::generate(plan);
-    ASSERT_TRUE(audio::write_wav(corpus() / "salsa_180.wav", music->samples, 1, music->rate));
+    write_music("corpus/salsa_180.wav", plan);
     ProcessPlan started =
         ProgramTest::plan({"eval", "beats", corpus().string(), "--out", path("heard")});
     started.terminal_columns = 80;

@@ -17,30 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class OddFiles : public ProgramTest {
- protected:
-    void write_music(const std::string& name) const {
-        audio::MusicPlan plan;
-        plan.style = audio::Style::clicks;
-        plan.seconds = 1.0;
-        const auto music = audio::generate(plan);
-        ASSERT_TRUE(music) << music.error().message;
-        ASSERT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
-    }
-    void expect_one_line(const std::vector<std::string>& arguments,
-                         int exit_code,
-                         const std::string& part) const {
-        const ProcessResult result = run(arguments);
-        const std::string& last = arguments.back();
-        EXPECT_EQ(result.exit_code, exit_code) << last << "\n" << result.err;
-        EXPECT_TRUE(is_one_error_line(result.err)) << last << "\n" << result.err;
-        EXPECT_NE(result.err.find(part), std::string::npos) << last << "\n" << result.err;
-        EXPECT_EQ(result.out, "") << last;
-    }
-};
+class OddFiles : public ProgramTest {};
 
 TEST_F(OddFiles, a_pipe_is_refused_instead_of_waited_for) {
-    write_music("music.wav");
+    write_clicks("music.wav", 1.0);
     for (const char* name : {"pipe", "pipe.bvh", "pipe.toml", "index.tsv"}) {
         ASSERT_EQ(mkfifo(path(name).c_str(), 0600), 0);
     }
@@ -62,7 +42,7 @@ TEST_F(OddFiles, a_pipe_is_refused_instead_of_waited_for) {
 }
 
 TEST_F(OddFiles, devices_are_not_replaced_by_files) {
-    write_music("music.wav");
+    write_clicks("music.wav", 1.0);
     fs::create_symlink("/dev/full", folder_ / "full.bvh");
     expect_one_line({"dance", path("music.wav"), "-o", path("full.bvh")}, 1, "is not a plain file");
     EXPECT_TRUE(fs::is_character_file(folder_ / "full.bvh"));
@@ -72,13 +52,13 @@ TEST_F(OddFiles, line_breaks_and_other_bytes_in_names_do_not_break_the_line) {
     expect_one_line({"analyze", path("a\nb\x1b[31m.wav")}, 1, "a?b?[31m.wav: cannot be opened");
     expect_one_line({"play", "--headless", path("a\xff.wav")}, 1, "a?.wav: cannot be opened");
     expect_one_line({"dance\n"}, 2, "\"dance?\"");
-    write_music("a\xff.wav");
+    write_clicks("a\xff.wav", 1.0);
     const ProcessResult heard = run({"analyze", path("a\xff.wav"), "--json"});
     EXPECT_EQ(heard.exit_code, 0) << heard.err;
 }
 
 TEST_F(OddFiles, what_is_read_is_not_written_over) {
-    write_music("music.bvh");  // told by content: it is music
+    write_clicks("music.bvh", 1.0);  // told by content: it is music
     const std::string before = read_file(path("music.bvh")).value();
     fs::create_symlink("music.bvh", folder_ / "other.bvh");
     const std::string refused = "is what is to be read";
@@ -124,7 +104,7 @@ TEST_F(OddFiles, what_is_misspelt_names_the_nearest) {
 }
 
 TEST_F(OddFiles, tables_of_spreadsheets_are_read) {
-    write_music("a.wav");
+    write_clicks("a.wav", 1.0);
     ASSERT_TRUE(write_file(path("a.beats"),
                            "\xef\xbb\xbf"
                            "0.1\r0.5\r"));

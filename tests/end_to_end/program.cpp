@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "audio/io/audio_file.hpp"
+
 namespace raks::test {
 
 std::vector<std::string> ProgramTest::files() const {
@@ -14,6 +16,36 @@ std::vector<std::string> ProgramTest::files() const {
     }
     std::sort(names.begin(), names.end());
     return names;
+}
+
+audio::GeneratedMusic ProgramTest::write_music(const std::string& name,
+                                               const audio::MusicPlan& plan) const {
+    auto music = audio::generate(plan);
+    EXPECT_TRUE(music) << music.error().message;
+    const auto written = audio::write_wav(path(name), music->samples, music->channels, music->rate);
+    EXPECT_TRUE(written) << written.error().message;
+    return *music;
+}
+
+void ProgramTest::write_clicks(const std::string& name, double seconds) const {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::clicks;
+    plan.seconds = seconds;
+    write_music(name, plan);
+}
+
+void ProgramTest::expect_one_line(const std::vector<std::string>& arguments,
+                                  int exit_code,
+                                  const std::string& part) const {
+    const ProcessResult result = run(arguments);
+    std::string command;
+    for (const std::string& argument : arguments) {
+        command += argument + " ";
+    }
+    EXPECT_EQ(result.exit_code, exit_code) << command << "\n" << result.err;
+    EXPECT_TRUE(is_one_error_line(result.err)) << command << "\n" << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << command << "\n" << result.err;
+    EXPECT_EQ(result.out, "") << command;
 }
 
 bool is_one_error_line(const std::string& text) {

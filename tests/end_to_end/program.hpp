@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "audio/synth/music_generator.hpp"
 #include "tests/support/process.hpp"
 
 namespace raks::test {
@@ -43,6 +44,15 @@ class ProgramTest : public ::testing::Test {
     [[nodiscard]] std::string path(const std::string& name) const {
         return (folder_ / name).string();
     }
+    /// Music by the generator as 16-bit WAV.
+    audio::GeneratedMusic write_music(const std::string& name, const audio::MusicPlan& plan) const;
+    void write_clicks(const std::string& name, double seconds = 3.0) const;
+
+    /// The program ends so, says one line with `part` in it, and prints nothing.
+    void expect_one_line(const std::vector<std::string>& arguments,
+                         int exit_code,
+                         const std::string& part) const;
+
     /// Names of what lies in the test's folder, sorted, without the program's own cache.
     [[nodiscard]] std::vector<std::string> files() const;
 

@@ -34,10 +34,8 @@ class TrainGenre : public ProgramTest {
         plan.seed = seed;
         plan.channels = 1;
         plan.rate = SampleRate(32'000);
-        const auto music = audio::generate(plan);
-        ASSERT_TRUE(music) << music.error().message;
         fs::create_directories(fs::path(path(name)).parent_path());
-        ASSERT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
+        ProgramTest::write_music(name, plan);
     }
     void write_silence(const std::string& name, std::size_t samples) const {
         fs::create_directories(fs::path(path(name)).parent_path());

@@ -20,10 +20,8 @@ void WindowTest::SetUp() {
     display_.emplace(960, 540);
     audio::MusicPlan plan;
     plan.seconds = 60.0;
-    const auto music = audio::generate(plan);
-    ASSERT_TRUE(music);
     for (const char* name : {"one.wav", "two.wav"}) {
-        ASSERT_TRUE(audio::write_wav(path(name), music->samples, music->channels, music->rate));
+        write_music(name, plan);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "tests/support/text.hpp"
 
 namespace raks::models {
 namespace {
@@ -35,10 +36,7 @@ TEST(HmmFile, reads_back_the_same_bits) {
 TEST(HmmFile, refuses_bad_files_with_one_line_that_names_the_field) {
     const std::string good = hmm_text(small_model(CovarianceType::full));
     const auto replaced = [&](const std::string& from, const std::string& to) {
-        std::string text = good;
-        const std::size_t at = text.find(from);
-        EXPECT_NE(at, std::string::npos) << from;
-        return text.replace(at, from.size(), to);
+        return raks::test::replaced(good, from, to);
     };
     const struct {
         std::string text;

@@ -10,30 +10,24 @@
 namespace raks::audio {
 namespace {
 
-struct Range {
-    double low;
-    double high;
-    double draw(Dice& dice) const { return dice.log_uniform(low, high); }
-};
-
 /// From what the sounds of one kind are drawn. A level of 0 to 0: without.
 struct Kind {
-    Range body;
-    Range hertz;
-    Range body_t60;
+    LogRange body;
+    LogRange hertz;
+    LogRange body_t60;
     double most_fall;
     int modes;
-    Range noise;
-    Range noise_hertz;
-    Range noise_t60;
-    Range metal;
-    Range metal_hertz;
-    Range metal_t60;
+    LogRange noise;
+    LogRange noise_hertz;
+    LogRange noise_t60;
+    LogRange metal;
+    LogRange metal_hertz;
+    LogRange metal_t60;
 };
 
-constexpr Range kNone = {0.0, 0.0};
-constexpr Range kAny = {1'000.0, 8'000.0};
-constexpr Range kShort = {0.02, 0.1};
+constexpr LogRange kNone = {0.0, 0.0};
+constexpr LogRange kAny = {1'000.0, 8'000.0};
+constexpr LogRange kShort = {0.02, 0.1};
 
 constexpr Kind kKickKind = {{0.8, 1.0},
                             {38, 75},
@@ -196,7 +190,7 @@ Sound sound_of(int key) {
     }
 }
 
-double level_of(const Range& range, Dice& dice) {
+double level_of(const LogRange& range, Dice& dice) {
     return range.high > 0.0 ? range.draw(dice) : 0.0;
 }
 

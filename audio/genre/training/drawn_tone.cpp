@@ -11,17 +11,11 @@
 namespace raks::audio {
 namespace {
 
-struct Range {
-    double low;
-    double high;
-    double draw(Dice& dice) const { return dice.log_uniform(low, high); }
-};
-
 /// How the instruments of one family of General MIDI (eight programs each) start and end.
 struct Family {
     bool is_held;
-    Range attack;  // s
-    Range decay;   // s
+    LogRange attack;  // s
+    LogRange decay;   // s
 };
 
 constexpr std::array<Family, 16> kFamilies = {{

@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "tests/motion/figures/small_figure.hpp"
+#include "tests/support/text.hpp"
 
 namespace raks::motion {
 namespace {
@@ -164,10 +165,7 @@ TEST(FigureValidation, names_the_first_wrong_field) {
 TEST(FigureFile, refuses_bad_files_in_one_line) {
     const std::string good = figure_text(good_model());
     const auto replaced = [&](const std::string& from, const std::string& to) {
-        std::string text = good;
-        const std::size_t at = text.find(from);
-        EXPECT_NE(at, std::string::npos) << from;
-        return text.replace(at, from.size(), to);
+        return raks::test::replaced(good, from, to);
     };
     const struct {
         std::string text;

@@ -6,6 +6,7 @@
 
 #include "motion/figures/figure_hmm.hpp"
 #include "tests/motion/figures/small_figure.hpp"
+#include "tests/support/text.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -147,10 +148,7 @@ TEST(PositionFigureFile, reads_back_the_same_bits_and_says_its_version) {
 TEST(PositionFigureFile, refuses_bad_files_in_one_line) {
     const std::string good = figure_text(good_model());
     const auto replaced = [&](const std::string& from, const std::string& to) {
-        std::string text = good;
-        const std::size_t at = text.find(from);
-        EXPECT_NE(at, std::string::npos) << from;
-        return text.replace(at, from.size(), to);
+        return raks::test::replaced(good, from, to);
     };
     const struct {
         std::string text;
