@@ -16,6 +16,10 @@ constexpr double kContactChance = 0.45;
 constexpr double kLandingReach = 0.75;  // beats between a contact's start and its landing
 constexpr int kLandingRepeats = 3;
 constexpr double kStepBeats = 0.4;  // that a step stands which people hardly rest on
+// Of a foot that passes: it stands so long at the least (less is not seen as a landing), and flies
+// on for so long (0.36 beats: as good; 0.42: it hardly stands).
+constexpr double kLeastStandBeats = 0.08;
+constexpr double kLeastFlightBeats = 0.38;
 // Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
 constexpr double kRestAfterLanding = 0.012;
 
@@ -141,6 +145,38 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
         }
     }
     return with_steps(std::move(windows), landings, samples_per_beat, samples);
+}
+
+std::vector<ContactWindow> with_passing_steps(std::vector<ContactWindow> windows,
+                                              const std::vector<LandingOffset>& landings,
+                                              double samples_per_beat,
+                                              std::size_t samples) {
+    const double beats = static_cast<double>(samples) / samples_per_beat;
+    const std::vector<ContactWindow> own = windows;
+    for (std::size_t count = 0; count < landings.size(); ++count) {
+        if (landings[count].repeats < kLandingRepeats) {
+            continue;
+        }
+        const double landing = standing_beat(count, landings[count]);
+        double stands = kStepBeats;
+        for (const ContactWindow& window : own) {
+            const double first = static_cast<double>(window.first) / samples_per_beat;
+            const double length = static_cast<double>(window.length) / samples_per_beat;
+            const double since = beats_between(first, landing, beats);
+            const double after = since < 0.0 ? since + beats : since;
+            const bool has_it = after < length || std::abs(since) < kLeastStandBeats;
+            stands = std::min(stands, has_it ? 0.0 : beats - after - kLeastFlightBeats);
+        }
+        if (stands >= kLeastStandBeats) {
+            const auto first = static_cast<std::ptrdiff_t>(std::lround(landing * samples_per_beat));
+            const auto length = static_cast<std::size_t>(stands * samples_per_beat);
+            windows.push_back({wrap(first, samples), length, true, true});
+        }
+    }
+    std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) {
+        return a.first < b.first;
+    });
+    return windows;
 }
 
 }  // namespace raks::motion

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/dance/contact_windows.hpp"
 #include "motion/figures/foot_events.hpp"
@@ -48,11 +49,15 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     const auto s = static_cast<std::size_t>(side);
     const std::optional<glm::vec2>& start_place = footing.places[s];
     const auto samples = static_cast<std::size_t>(model.beats * samples_per_beat);
-    const std::vector<ContactWindow> windows =
+    std::vector<ContactWindow> windows =
         start_at_landings(contact_windows(model.contact[s], model.beats, samples),
                           footing.landings[s],
                           samples_per_beat,
                           samples);
+    if (!footing.is_mean) {
+        windows =
+            with_passing_steps(std::move(windows), footing.landings[s], samples_per_beat, samples);
+    }
     const std::size_t at_start = contact_at_start(windows, samples_per_beat, samples);
     const auto whole = static_cast<std::ptrdiff_t>(samples);
     const std::ptrdiff_t around = kBeatsAround * samples_per_beat;
@@ -69,13 +74,14 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
             const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(windows[w].length);
             const std::ptrdiff_t from = std::max(first, -around);
             const std::ptrdiff_t to = std::min(end, whole + around);
-            if (to - from < samples_per_beat / 4) {
+            if (to - from < std::min<std::ptrdiff_t>(end - first, samples_per_beat / 4)) {
                 continue;
             }
             PlannedContact contact;
             contact.window = {static_cast<std::size_t>(from + around),
                               static_cast<std::size_t>(to - from),
-                              windows[w].is_step};
+                              windows[w].is_step,
+                              windows[w].is_passing};
             const std::ptrdiff_t centre = (first + end) / 2;
             if (w == at_start && start_place) {
                 if (std::abs(centre) < whole / 2) {
@@ -174,6 +180,9 @@ StartPlaces learnt_places(const FigureModel& model,
         glm::vec2 sum{};
         float count = 0.0F;
         for (const PlannedContact& contact : contacts[s]) {
+            if (contact.window.is_passing) {
+                continue;
+            }
             for (std::size_t k = 0; k < contact.window.length; ++k) {
                 const auto i = static_cast<std::ptrdiff_t>(contact.window.first + k);
                 if (std::abs(i - start) > margin) {

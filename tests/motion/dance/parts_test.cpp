@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 
 #include "motion/dance/beat_phase.hpp"
@@ -126,6 +127,38 @@ TEST(ContactWindows, a_foot_that_never_leaves_the_floor_stands_all_the_time) {
     ASSERT_EQ(windows.size(), 1U);
     EXPECT_EQ(windows[0].first, 0U);
     EXPECT_EQ(windows[0].length, 192U);
+}
+
+/// People's landings with one foot in a figure of four beats: at each of these.
+std::vector<LandingOffset> landings_at(std::initializer_list<double> beats) {
+    std::vector<LandingOffset> landings(4);
+    for (const double beat : beats) {
+        const double count = std::floor(beat);
+        landings[static_cast<std::size_t>(count)] = {25, Beats(beat - count), Beats(0.03)};
+    }
+    return landings;
+}
+
+TEST(ContactWindows, a_foot_that_steps_on_at_once_stands_as_long_as_it_can) {
+    constexpr double kPerBeat = 48.0;
+    const std::vector<ContactWindow> own = {{0, 48}, {144, 24}};  // beats 0 to 1, 3 to 3.5
+    const auto windows = with_passing_steps(own, landings_at({0.02, 2.5, 3.0}), kPerBeat, 192);
+    ASSERT_EQ(windows.size(), 3U);
+    EXPECT_EQ(windows[0].first, own[0].first);
+    EXPECT_EQ(windows[2].length, own[1].length);
+    EXPECT_TRUE(windows[1].is_passing && windows[1].is_step);
+    EXPECT_NEAR(static_cast<double>(windows[1].first) / kPerBeat, 2.5, 0.03);
+    const auto end = static_cast<double>(windows[1].first + windows[1].length);
+    EXPECT_GT(3.0 - end / kPerBeat, 0.37) << "it must reach the next place unhurried";
+    EXPECT_LT(3.0 - end / kPerBeat, 0.42);
+}
+
+TEST(ContactWindows, a_foot_that_must_fly_on_sooner_or_has_landed_is_left_alone) {
+    const std::vector<ContactWindow> own = {{0, 48}, {144, 24}};
+    for (const double beat : {0.5, 2.7, 2.97}) {
+        const auto windows = with_passing_steps(own, landings_at({beat}), 48.0, 192);
+        EXPECT_EQ(windows.size(), own.size()) << "landing at beat " << beat;
+    }
 }
 
 /// An arm that swings from the side to the front of the body, lower and lower: at 0 it is free.
