@@ -48,7 +48,7 @@ mean() {  # name of...
     stage "$name" --average "${files[@]/%/.json}"
 }
 
-learn first 2600 4500
+learn first 3000 4500
 on a first 1500 --cuts 0
 on b first 2600 --cuts 0 --seed 2
 on c first 2200 --cuts 0 --seed 3
