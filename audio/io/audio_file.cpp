@@ -23,10 +23,27 @@ constexpr std::size_t kChunkFrames = 16'384;
 /// What the files begin with that libsndfile is asked for first. MP3 is not among them although
 /// libsndfile reads it: its mpg123 prints on stderr and its seeks are off by 58 samples.
 bool is_for_sndfile(std::string_view head) {
-    constexpr std::array<std::string_view, 11> kMagic{
-        "RIFF", "RIFX", "RF64", "riff", "FORM", "fLaC", "OggS", "caff", ".snd", "dns.", "Creative"};
-    return std::any_of(kMagic.begin(), kMagic.end(), [head](std::string_view magic) {
-        return head.substr(0, magic.size()) == magic;
+    constexpr std::size_t kKindAt = 8;
+    struct Magic {
+        std::string_view start;
+        std::string_view kind = "";  // of such files, behind their size
+    };
+    // What else is RIFF libsndfile would take for MP3 where it is named so.
+    constexpr std::array<Magic, 11> kMagic{{{"RIFF", "WAVE"},
+                                            {"RIFX", "WAVE"},
+                                            {"RF64", "WAVE"},
+                                            {"riff"},
+                                            {"FORM"},
+                                            {"fLaC"},
+                                            {"OggS"},
+                                            {"caff"},
+                                            {".snd"},
+                                            {"dns."},
+                                            {"Creative"}}};
+    return std::any_of(kMagic.begin(), kMagic.end(), [head](const Magic& magic) {
+        return head.starts_with(magic.start) &&
+               (magic.kind.empty() ||
+                (head.size() > kKindAt && head.substr(kKindAt).starts_with(magic.kind)));
     });
 }
 

@@ -31,6 +31,13 @@ constexpr int kMaxFaultsInARow = 2000;  // of packets: a damaged stretch, not a 
 constexpr int kMaxPacketsToFirstFrame = 5000;
 constexpr double kShortBySeconds = 1.0;  // less than this under the claim is rounding
 
+/// Whether FFmpeg knew the container by more than its name: a program or a font named .mp3 holds
+/// bytes that decode. MP3 behind a foreign tag is sure of little and still music.
+bool is_known(const AVFormatContext& container) {
+    const bool is_mp3 = container.iformat->name == std::string_view("mp3");
+    return container.probe_score > (is_mp3 ? 1 : AVPROBE_SCORE_RETRY);
+}
+
 }  // namespace
 
 std::string ffmpeg_reason(int error_number) {
@@ -60,7 +67,7 @@ Expected<void> FfmpegReader::open_container() {
     const int error = avformat_open_input(&context, url.c_str(), nullptr, &options);
     av_dict_free(&options);
     container_.reset(context);
-    if (error < 0) {
+    if (error < 0 || !is_known(*context)) {
         return fail(path_.string() + ": is not audio that can be read");
     }
     if (const int found = avformat_find_stream_info(context, nullptr); found < 0) {

@@ -24,10 +24,14 @@ TEST_F(BadInput, files_that_are_no_music_are_refused_by_every_command) {
     write("empty.wav", "");
     write("text.mp3", "this is not music\n");
     std::filesystem::create_directory(folder_ / "folder.wav");
+    std::filesystem::copy_file(RAKS_PROGRAM, folder_ / "program.mp3");
+    write("other_riff.mp3", "RIFF\x64\x01\x01\x01sfbkLIST" + std::string(100'000, '\xff'));
     const struct {
         const char* file;
         const char* part;
     } cases[] = {
+        {"program.mp3", "is not audio"},
+        {"other_riff.mp3", "not"},
         {"missing.wav", "No such file"},
         {"empty.wav", "empty"},
         {"text.mp3", "not"},
@@ -39,7 +43,9 @@ TEST_F(BadInput, files_that_are_no_music_are_refused_by_every_command) {
         expect_one_line({"dance", file, "-o", path("x.bvh")}, 1, c.part);
         expect_one_line({"render", file, "-o", path("x.mp4")}, 1, c.part);
     }
-    EXPECT_EQ(files(), (std::vector<std::string>{"empty.wav", "folder.wav", "text.mp3"}));
+    EXPECT_EQ(files(),
+              (std::vector<std::string>{
+                  "empty.wav", "folder.wav", "other_riff.mp3", "program.mp3", "text.mp3"}));
 }
 
 TEST_F(BadInput, a_file_of_no_length_is_played_and_has_nothing_to_draw) {
