@@ -4,6 +4,13 @@
 #include <span>
 
 namespace raks::audio {
+namespace {
+
+constexpr int kLeastCompared = 100;  // hops: a beat of every tempo
+constexpr float kSameBeats = 0.5F;   // share of the older's evidence that the younger has, too
+constexpr float kMoreBeats = 1.3F;   // the younger's evidence to the older's
+
+}  // namespace
 
 SongListener::SongListener(const std::shared_ptr<const BeatNetwork>& network)
     : streams_{BeatListener(network), BeatListener(network)} {
@@ -15,6 +22,7 @@ void SongListener::reset() noexcept RAKS_NONBLOCKING {
     streams_[0].reset();
     streams_[1].reset();
     heard_ = behind_ = newest_ = 0;
+    trial_ = {};
 }
 
 BeatEvidence SongListener::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
@@ -24,12 +32,16 @@ BeatEvidence SongListener::next(const NetworkInput::Frame& frame) noexcept RAKS_
     BeatListener& younger = streams_[1 - heard_];
     if (change_.hear(inputs.last<SoundChange::kBands>())) {
         younger.reset();
+        trial_ = {};
         behind_ = SoundChange::kWindow;
     } else if (behind_ > 0) {
         ++behind_;
     }
     BeatEvidence evidence = streams_[heard_].next(frame);
     if (behind_ == 0) {
+        if (trial_.hops_left > 0) {
+            compare(younger.next(frame).beat, evidence.beat);
+        }
         return evidence;
     }
     BeatEvidence younger_evidence;
@@ -40,8 +52,23 @@ BeatEvidence SongListener::next(const NetworkInput::Frame& frame) noexcept RAKS_
     if (behind_ == 0) {
         heard_ = 1 - heard_;
         evidence = younger_evidence;
+        trial_ = {.hops_left = kTrial};
     }
     return evidence;
+}
+
+/// Back to the older stream where it was the same song, in which players came in or paused: the
+/// younger hears the same beats and others between them.
+void SongListener::compare(float older, float younger) noexcept {
+    --trial_.hops_left;
+    trial_.older += older;
+    trial_.younger += younger;
+    trial_.both += std::min(older, younger);
+    if (kTrial - trial_.hops_left >= kLeastCompared && trial_.both > kSameBeats * trial_.older &&
+        trial_.younger > kMoreBeats * trial_.older) {
+        heard_ = 1 - heard_;
+        trial_ = {};
+    }
 }
 
 }  // namespace raks::audio

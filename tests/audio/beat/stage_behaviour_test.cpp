@@ -176,6 +176,7 @@ TEST(Stage, does_not_flip_between_octaves) {
                                      std::pair{Style::drums, 170.0},
                                      std::pair{Style::salsa, 200.0},
                                      std::pair{Style::maqsum, 100.0},
+                                     std::pair{Style::house, 104.0},
                                      std::pair{Style::house, 125.0}}) {
         const auto states = listen(music(style, {{0.0, bpm}}, 60.0));
         for (std::size_t hop = 800; hop < states.size(); ++hop) {
