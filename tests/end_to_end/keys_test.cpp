@@ -31,7 +31,7 @@ class Keys : public WindowTest {
     static bool shows_other_than(const std::string& picture) {
         return shows([&](const std::string& now) { return difference(now, picture) > 0.05; });
     }
-    /// Presses, and what the lower half is then; it must have changed.
+    /// Presses, and what the lower part is then; it must have changed.
     static std::string changed_by(const std::string& key, const std::string& before) {
         press({key});
         EXPECT_TRUE(shows([&](const std::string& now) { return lower(now) != before; })) << key;

@@ -31,13 +31,13 @@ class WindowTest : public ProgramTest {
     static bool shows(const std::function<bool(const std::string&)>& is_right);
 
     /// The picture once it is drawn and stands still: several in a row are the same in their lower
-    /// half (what changes in a pause, the pictures a second, is written in the upper one).
+    /// part (what changes in a pause, the pictures a second, is written in the upper one).
     static std::string still_picture();
 
     std::optional<Xvfb> display_;
 };
 
-/// The lower half.
+/// What lies below the messages, which come and go by themselves: feet, and the overlay's panels.
 std::string lower(const std::string& picture);
 
 /// Mean absolute difference of the samples, 0 to 255.
