@@ -187,6 +187,23 @@ Expected<PendingFile> PendingFile::create(const fs::path& path) {
     return PendingFile(path, std::move(part));
 }
 
+Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
+    const fs::path folder = path.has_filename() ? path : path.parent_path();
+    std::error_code error;
+    if (fs::exists(folder, error) &&
+        !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
+        return fail(folder.string() + ": exists already and is not an empty folder; name another");
+    }
+    fs::path part = folder;
+    part += ".part";
+    fs::remove_all(part, error);
+    fs::create_directory(part, error);
+    if (error || !fs::is_directory(part, error)) {
+        return fail(folder.string() + ": cannot be written: " + error.message());
+    }
+    return PendingFile(folder, std::move(part));
+}
+
 Expected<void> PendingFile::commit() {
     std::error_code error;
     fs::rename(part_, path_, error);

@@ -30,6 +30,9 @@ class PendingFile {
     /// Errors: no name, the folder does not exist, the part cannot be made there; what has one of
     /// the two names is not a plain file (a device is never replaced by a file).
     [[nodiscard]] static Expected<PendingFile> create(const std::filesystem::path& path);
+    /// The same of a folder: part() is an empty one. What a run that was killed left there is
+    /// removed. Errors: the folder is there and not empty, or cannot be made.
+    [[nodiscard]] static Expected<PendingFile> create_folder(const std::filesystem::path& path);
     PendingFile(PendingFile&& other) noexcept;
     PendingFile& operator=(PendingFile&& other) noexcept;
     ~PendingFile();

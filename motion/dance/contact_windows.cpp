@@ -23,9 +23,17 @@ constexpr double kLeastFlightBeats = 0.38;
 // Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
 constexpr double kRestAfterLanding = 0.012;
 
-/// Beat of the figure on which a foot stands still after its landing at a count (from 0).
-double standing_beat(std::size_t count, const LandingOffset& landing) {
-    return static_cast<double>(count) + landing.median.count() + kRestAfterLanding;
+/// Beats of the figure on which a foot stands still after its landings, but for those of few
+/// repeats.
+std::vector<double> standing_beats(const std::vector<LandingOffset>& landings) {
+    std::vector<double> beats;
+    for (std::size_t count = 0; count < landings.size(); ++count) {
+        if (landings[count].repeats >= kLandingRepeats) {
+            beats.push_back(static_cast<double>(count) + landings[count].median.count() +
+                            kRestAfterLanding);
+        }
+    }
+    return beats;
 }
 
 /// Beats from `from` to `to` on a closed figure, nearest way.
@@ -65,6 +73,34 @@ void fill(std::vector<bool>& row, const ContactWindow& window, bool value) {
     }
 }
 
+/// A contact, or what is planned of one, in beats of the figure.
+struct Stand {
+    double first = 0.0;
+    double length = 0.0;
+};
+
+Stand in_beats(const ContactWindow& window, double samples_per_beat) {
+    return {static_cast<double>(window.first) / samples_per_beat,
+            static_cast<double>(window.length) / samples_per_beat};
+}
+
+/// The windows and steps that stand so, by their start.
+std::vector<ContactWindow> with_stands(std::vector<ContactWindow> windows,
+                                       const std::vector<Stand>& stands,
+                                       bool is_passing,
+                                       double samples_per_beat,
+                                       std::size_t samples) {
+    for (const Stand& stand : stands) {
+        const auto first = static_cast<std::ptrdiff_t>(std::lround(stand.first * samples_per_beat));
+        const auto length = static_cast<std::size_t>(stand.length * samples_per_beat);
+        windows.push_back({wrap(first, samples), length, true, is_passing});
+    }
+    std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) {
+        return a.first < b.first;
+    });
+    return windows;
+}
+
 /// A step that comes down where no contact is (dancers spin on it, the toe hardly rests) stands for
 /// a moment, too: else it would slide through its landing.
 std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
@@ -72,27 +108,18 @@ std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
                                       double samples_per_beat,
                                       std::size_t samples) {
     const double beats = static_cast<double>(samples) / samples_per_beat;
-    const std::vector<ContactWindow> own = windows;
-    for (std::size_t count = 0; count < landings.size(); ++count) {
-        const double landing = standing_beat(count, landings[count]);
-        const bool is_near = std::any_of(own.begin(), own.end(), [&](const ContactWindow& window) {
-            const double first = static_cast<double>(window.first) / samples_per_beat;
-            const double length = static_cast<double>(window.length) / samples_per_beat;
-            const double centre = first + 0.5 * length;
-            return std::abs(beats_between(centre, landing, beats)) <
-                   0.5 * length + kStepBeats + kLeastGapBeats;
-        });
-        if (landings[count].repeats >= kLandingRepeats && !is_near) {
-            const auto first = static_cast<std::ptrdiff_t>(std::lround(landing * samples_per_beat));
-            windows.push_back({wrap(first, samples),
-                               static_cast<std::size_t>(kStepBeats * samples_per_beat),
-                               true});
+    std::vector<Stand> steps;
+    for (const double landing : standing_beats(landings)) {
+        const auto is_near = [&](const ContactWindow& window) {
+            const Stand own = in_beats(window, samples_per_beat);
+            return std::abs(beats_between(own.first + 0.5 * own.length, landing, beats)) <
+                   0.5 * own.length + kStepBeats + kLeastGapBeats;
+        };
+        if (std::none_of(windows.begin(), windows.end(), is_near)) {
+            steps.push_back({landing, kStepBeats});
         }
     }
-    std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) {
-        return a.first < b.first;
-    });
-    return windows;
+    return with_stands(std::move(windows), steps, false, samples_per_beat, samples);
 }
 
 }  // namespace
@@ -127,12 +154,9 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
                                              std::size_t samples) {
     for (ContactWindow& window : windows) {
         double best = kLandingReach;
-        for (std::size_t count = 0; count < landings.size(); ++count) {
-            if (landings[count].repeats < kLandingRepeats) {
-                continue;
-            }
+        for (const double landing : standing_beats(landings)) {
             const double away = beats_between(static_cast<double>(window.first) / samples_per_beat,
-                                              standing_beat(count, landings[count]),
+                                              landing,
                                               static_cast<double>(samples) / samples_per_beat);
             best = std::abs(away) < std::abs(best) ? away : best;
         }
@@ -152,31 +176,21 @@ std::vector<ContactWindow> with_passing_steps(std::vector<ContactWindow> windows
                                               double samples_per_beat,
                                               std::size_t samples) {
     const double beats = static_cast<double>(samples) / samples_per_beat;
-    const std::vector<ContactWindow> own = windows;
-    for (std::size_t count = 0; count < landings.size(); ++count) {
-        if (landings[count].repeats < kLandingRepeats) {
-            continue;
-        }
-        const double landing = standing_beat(count, landings[count]);
+    std::vector<Stand> steps;
+    for (const double landing : standing_beats(landings)) {
         double stands = kStepBeats;
-        for (const ContactWindow& window : own) {
-            const double first = static_cast<double>(window.first) / samples_per_beat;
-            const double length = static_cast<double>(window.length) / samples_per_beat;
-            const double since = beats_between(first, landing, beats);
+        for (const ContactWindow& window : windows) {
+            const Stand own = in_beats(window, samples_per_beat);
+            const double since = beats_between(own.first, landing, beats);
             const double after = since < 0.0 ? since + beats : since;
-            const bool has_it = after < length || std::abs(since) < kLeastStandBeats;
+            const bool has_it = after < own.length || std::abs(since) < kLeastStandBeats;
             stands = std::min(stands, has_it ? 0.0 : beats - after - kLeastFlightBeats);
         }
         if (stands >= kLeastStandBeats) {
-            const auto first = static_cast<std::ptrdiff_t>(std::lround(landing * samples_per_beat));
-            const auto length = static_cast<std::size_t>(stands * samples_per_beat);
-            windows.push_back({wrap(first, samples), length, true, true});
+            steps.push_back({landing, stands});
         }
     }
-    std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) {
-        return a.first < b.first;
-    });
-    return windows;
+    return with_stands(std::move(windows), steps, true, samples_per_beat, samples);
 }
 
 }  // namespace raks::motion

@@ -41,6 +41,27 @@ TEST_F(FileTest, an_uncommitted_file_leaves_what_was_there) {
     EXPECT_FALSE(fs::exists(folder_ / "x.part"));
 }
 
+TEST_F(FileTest, a_new_folder_appears_whole_or_not_at_all) {
+    const fs::path folder = folder_ / "new";
+    {
+        const auto given_up = PendingFile::create_folder(folder);
+        ASSERT_TRUE(given_up) << given_up.error().message;
+        ASSERT_TRUE(write_file(given_up->part() / "x", "lost"));
+    }
+    EXPECT_TRUE(fs::is_empty(folder_));
+    fs::create_directories(folder_ / "new.part" / "left by a killed run");
+    auto pending = PendingFile::create_folder(folder / "");  // as a shell completes it
+    ASSERT_TRUE(pending) << pending.error().message;
+    EXPECT_TRUE(fs::is_empty(pending->part()));
+    ASSERT_TRUE(write_file(pending->part() / "x", "kept"));
+    ASSERT_TRUE(pending->commit());
+    EXPECT_EQ(read_file(folder / "x").value(), "kept");
+    const auto refused = PendingFile::create_folder(folder);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              folder.string() + ": exists already and is not an empty folder; name another");
+}
+
 TEST_F(FileTest, errors_name_the_file_and_the_reason) {
     EXPECT_EQ(read_file(folder_ / "none").error().message,
               (folder_ / "none").string() + ": cannot be opened: No such file or directory");

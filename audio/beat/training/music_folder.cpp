@@ -25,23 +25,14 @@ BeatEstimate told(const std::vector<PlayedBeat>& beats) {
     return estimate;
 }
 
-Expected<void> make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_empty(folder, error) || error) {
-        return fail(fmt::format("{}: {}",
-                                folder.string(),
-                                error ? error.message() : "is not empty; name a new folder"));
-    }
-    return {};
-}
-
 }  // namespace
 
 Expected<void> write_music_folder(const CorpusPlan& plan, const fs::path& folder) {
-    if (auto made = make_folder(folder); !made) {
-        return made;
+    auto pending = PendingFile::create_folder(folder);
+    if (!pending) {
+        return fail(pending.error());
     }
+    const fs::path& part = pending->part();
     std::vector<std::string> rows(static_cast<std::size_t>(plan.excerpts));
     const auto write = [&](int number, const CorpusPiece& piece) -> Expected<void> {
         if (piece.beats.empty()) {
@@ -49,11 +40,11 @@ Expected<void> write_music_folder(const CorpusPlan& plan, const fs::path& folder
         }
         const std::string name = fmt::format("{:05}", number);
         rows[static_cast<std::size_t>(number)] = fmt::format("{}\t{}\n", name, piece.family);
-        if (auto written = save_beat_estimate(folder, name, told(piece.beats)); !written) {
+        if (auto written = save_beat_estimate(part, name, told(piece.beats)); !written) {
             return written;
         }
         return write_wav(
-            folder / (name + ".wav"), piece.samples, 1, SampleRate(SoundfontPlayer::kRate));
+            part / (name + ".wav"), piece.samples, 1, SampleRate(SoundfontPlayer::kRate));
     };
     if (auto made = make_pieces(plan, write); !made) {
         return made;
@@ -62,7 +53,10 @@ Expected<void> write_music_folder(const CorpusPlan& plan, const fs::path& folder
     for (const std::string& row : rows) {
         index += row;
     }
-    return write_file(folder / "index.tsv", index);
+    if (auto written = write_file(part / "index.tsv", index); !written) {
+        return written;
+    }
+    return pending->commit();
 }
 
 }  // namespace raks::audio

@@ -7,10 +7,10 @@
 
 namespace raks::audio {
 
-/// Writes the pieces that have beats into `folder` (made, if need be), as load_beat_corpus reads
-/// them: index.tsv (its class is the family), and for each piece NAME.wav and NAME.beats. So that
+/// Writes the pieces that have beats into a new folder, as load_beat_corpus reads them: index.tsv
+/// (its class is the family), and for each piece NAME.wav and NAME.beats; all or nothing. So that
 /// trackers are judged by music that nothing was learnt from: another seed, other soundfonts.
-/// Errors: as make_pieces; the folder is there and not empty, or cannot be written.
+/// Errors: as make_pieces and PendingFile::create_folder.
 [[nodiscard]] Expected<void> write_music_folder(const CorpusPlan& plan,
                                                 const std::filesystem::path& folder);
 
