@@ -6,6 +6,7 @@
 
 #include "audio/math/gates.hpp"
 #include "base/random.hpp"
+#include "base/simd_clones.hpp"
 
 namespace raks::audio {
 namespace {
@@ -70,6 +71,54 @@ void add_columns(std::size_t rows, std::size_t width, const float* values, float
     }
 }
 
+/// One chunk's gates at one step, and its next hidden values; all the products are kept.
+RAKS_SIMD_CLONES void open_gates(const float* __restrict projected,
+                                 const float* __restrict recurrent,
+                                 const float* __restrict candidate_biases,
+                                 std::size_t units,
+                                 const float* __restrict before,
+                                 float* __restrict reset,
+                                 float* __restrict keep,
+                                 float* __restrict candidate,
+                                 float* __restrict product,
+                                 float* __restrict after) {
+    for (std::size_t i = 0; i < units; ++i) {
+        product[i] = recurrent[2 * units + i] + candidate_biases[i];
+        reset[i] = logistic(projected[i] + recurrent[i]);
+        keep[i] = logistic(projected[units + i] + recurrent[units + i]);
+        candidate[i] = fast_tanh(projected[2 * units + i] + reset[i] * product[i]);
+        after[i] = (1.0F - keep[i]) * candidate[i] + keep[i] * before[i];
+    }
+}
+
+/// Back through open_gates: `later`, the gradient by the hidden values after it, becomes the part
+/// of the one by those before it that does not go through `recurrent`.
+RAKS_SIMD_CLONES void close_gates(const float* __restrict reset,
+                                  const float* __restrict keep,
+                                  const float* __restrict candidate,
+                                  const float* __restrict product,
+                                  const float* __restrict before,
+                                  const float* __restrict from_above,
+                                  std::size_t units,
+                                  float* __restrict projected,
+                                  float* __restrict recurrent,
+                                  float* __restrict later) {
+    for (std::size_t i = 0; i < units; ++i) {
+        const float r = reset[i];
+        const float z = keep[i];
+        const float n = candidate[i];
+        const float dh = from_above[i] + later[i];
+        const float dn = dh * (1.0F - z) * (1.0F - n * n);
+        const float dz = dh * (before[i] - n) * z * (1.0F - z);
+        const float dr = dn * product[i] * r * (1.0F - r);
+        projected[i] = recurrent[i] = dr;
+        projected[units + i] = recurrent[units + i] = dz;
+        projected[2 * units + i] = dn;
+        recurrent[2 * units + i] = dn * r;
+        later[i] = dh * z;
+    }
+}
+
 /// The loss of these logits, which become its gradient by them.
 double logistic_loss(const TrainingBatch& batch, std::span<float> logits) {
     double loss = 0.0;
@@ -77,10 +126,10 @@ double logistic_loss(const TrainingBatch& batch, std::span<float> logits) {
         const double logit = static_cast<double>(logits[i]);
         const double target = static_cast<double>(batch.targets[i]);
         const double weight = static_cast<double>(batch.weights[i]);
+        const double odds = std::exp(-std::abs(logit));  // of the less likely
         // log(1 + e^l) - t l, without overflow.
-        loss += weight *
-                (std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit))) - target * logit);
-        const double probability = 1.0 / (1.0 + std::exp(-logit));
+        loss += weight * (std::max(logit, 0.0) + std::log1p(odds) - target * logit);
+        const double probability = (logit >= 0.0 ? 1.0 : odds) / (1.0 + odds);
         logits[i] = static_cast<float>(weight * (probability - target));
     }
     return loss;
@@ -155,21 +204,17 @@ void NetworkGradient::forward(const RecurrentNetwork& network,
                  recurrent);
         for (std::size_t chunk = 0; chunk < batch.chunks; ++chunk) {
             const std::size_t frame = t * batch.chunks + chunk;
-            const float* const projected = &trace.projected[frame * width];
-            const float* const product = recurrent + chunk * width;
-            float* const after = &trace.hidden[(frame + batch.chunks) * units];
-            for (std::size_t i = 0; i < units; ++i) {
-                const std::size_t at = frame * units + i;
-                const float q = product[2 * units + i] + parameters[layer.candidate_biases + i];
-                const float r = logistic(projected[i] + product[i]);
-                const float z = logistic(projected[units + i] + product[units + i]);
-                const float n = fast_tanh(projected[2 * units + i] + r * q);
-                trace.reset[at] = r;
-                trace.keep[at] = z;
-                trace.candidate[at] = n;
-                trace.product[at] = q;
-                after[i] = (1.0F - z) * n + z * before[chunk * units + i];
-            }
+            const std::size_t at = frame * units;
+            open_gates(&trace.projected[frame * width],
+                       recurrent + chunk * width,
+                       parameters + layer.candidate_biases,
+                       units,
+                       before + chunk * units,
+                       &trace.reset[at],
+                       &trace.keep[at],
+                       &trace.candidate[at],
+                       &trace.product[at],
+                       &trace.hidden[(frame + batch.chunks) * units]);
         }
     }
 }
@@ -209,23 +254,17 @@ void NetworkGradient::backward(const RecurrentNetwork& network,
         const float* const before = &trace.hidden[t * batch.chunks * units];
         for (std::size_t chunk = 0; chunk < batch.chunks; ++chunk) {
             const std::size_t frame = t * batch.chunks + chunk;
-            float* const projected = &trace.projected[frame * width];
-            float* const recurrent = &trace.recurrent[frame * width];
-            for (std::size_t i = 0; i < units; ++i) {
-                const std::size_t at = frame * units + i;
-                const float r = trace.reset[at];
-                const float z = trace.keep[at];
-                const float n = trace.candidate[at];
-                const float dh = from_above[at] + later[chunk * units + i];
-                const float dn = dh * (1.0F - z) * (1.0F - n * n);
-                const float dz = dh * (before[chunk * units + i] - n) * z * (1.0F - z);
-                const float dr = dn * trace.product[at] * r * (1.0F - r);
-                projected[i] = recurrent[i] = dr;
-                projected[units + i] = recurrent[units + i] = dz;
-                projected[2 * units + i] = dn;
-                recurrent[2 * units + i] = dn * r;
-                later[chunk * units + i] = dh * z;
-            }
+            const std::size_t at = frame * units;
+            close_gates(&trace.reset[at],
+                        &trace.keep[at],
+                        &trace.candidate[at],
+                        &trace.product[at],
+                        before + chunk * units,
+                        &from_above[at],
+                        units,
+                        &trace.projected[frame * width],
+                        &trace.recurrent[frame * width],
+                        &later[chunk * units]);
         }
         multiply(batch.chunks,
                  units,
