@@ -9,10 +9,8 @@ namespace {
 
 constexpr double kForgotten = 2.0;  // seconds: 1e-4 of the difference is left
 
-glm::vec3 rotation_vector(glm::quat q) noexcept {
-    if (q.w < 0.0F) {
-        q = -q;
-    }
+/// Its logarithm, by its sign: of q and -q one is the shorter way round.
+glm::vec3 rotation_vector(const glm::quat& q) noexcept {
     const glm::vec3 axis(q.x, q.y, q.z);
     const float sine = glm::length(axis);
     return sine < 1e-6F ? 2.0F * axis : axis * (2.0F * std::atan2(sine, q.w) / sine);
@@ -35,11 +33,14 @@ void Inertialization::start(const Pose& shown,
                             const Pose& next_before) noexcept {
     const auto per_second = static_cast<float>(kHopsPerSecond);
     for (std::size_t i = 0; i < rotations_.size(); ++i) {
-        const glm::vec3 now =
-            rotation_vector(shown.local_rotations[i] * glm::conjugate(next.local_rotations[i]));
-        const glm::vec3 before = rotation_vector(shown_before.local_rotations[i] *
-                                                 glm::conjugate(next_before.local_rotations[i]));
-        rotations_[i] = {now, (now - before) * per_second};
+        glm::quat apart = shown.local_rotations[i] * glm::conjugate(next.local_rotations[i]);
+        apart = apart.w < 0.0F ? -apart : apart;
+        glm::quat apart_before =
+            shown_before.local_rotations[i] * glm::conjugate(next_before.local_rotations[i]);
+        // The same way round, though it was the longer one: else it would seem to have spun.
+        apart_before = glm::dot(apart, apart_before) < 0.0F ? -apart_before : apart_before;
+        const glm::vec3 now = rotation_vector(apart);
+        rotations_[i] = {now, (now - rotation_vector(apart_before)) * per_second};
     }
     const glm::vec3 now = shown.hips_position - next.hips_position;
     const glm::vec3 before = shown_before.hips_position - next_before.hips_position;

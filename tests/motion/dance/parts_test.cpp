@@ -278,5 +278,17 @@ TEST(Inertialization, starts_where_it_was_and_ends_where_it_goes) {
     EXPECT_LT(turn(0.1), turn(0.3));
 }
 
+TEST(Inertialization, does_not_spin_where_the_other_way_round_becomes_the_shorter) {
+    const Pose to = idle_pose(mannequin_skeleton(), StreamTime{});
+    Pose before = to;
+    Pose from = to;
+    before.rotation(Bone::head) = glm::angleAxis(3.15F, glm::vec3(0, 1, 0));
+    from.rotation(Bone::head) = glm::angleAxis(3.13F, glm::vec3(0, 1, 0));
+    Inertialization smoothing;
+    smoothing.start(from, before, to, to);
+    const Pose next = smoothing.apply(to, kHop);
+    EXPECT_NEAR(glm::angle(next.rotation(Bone::head)), 3.11F, 0.03F);
+}
+
 }  // namespace
 }  // namespace raks::motion
