@@ -153,7 +153,9 @@ TrialResult result_of(const DanceTrial& trial,
     subject.beat_times = audible_beats(music);
     subject.floor_height = 0.0;
     result.measures = motion::measure_dance(track, subject);
-    result.highest_jerk = motion::jerk_of(track, {{}, subject.frames.pace}).highest;
+    // Settled or not; but the body does not stop where the track ends.
+    const std::vector<bool> all(track.frames(), true);
+    result.highest_jerk = motion::jerk_of(track, {all, subject.frames.pace}).highest;
     result.lowest_sole = lowest_sole(record.poses());
     double settled = 0.0;
     for (std::size_t f = 0; f < track.frames(); ++f) {
