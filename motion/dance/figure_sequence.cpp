@@ -14,25 +14,39 @@ namespace {
 constexpr float kSeenToSlide = 0.03F;
 // It goes over with the step that the next figure makes with it, so that this comes down when it
 // should, else with the one that the last figure makes, if they take as long as this at the learnt
-// tempo (a foot that went over in half of it was thrown); else by a step of its own: the left one
+// tempo (a foot that went over in half of it was thrown), else by a step of its own: the left one
 // before the change, the right one after it. Beats, but for the first.
 constexpr double kLeastSwing = 0.135;  // seconds
+constexpr double kLatestSwing = 1.3;   // after the change: the end of a swing that began before
+constexpr double kCreeps = 0.2;        // before the margin's end, that it may seem to rest...
+constexpr float kCreepsUnder = 0.05F;  // metres: ... and have landed; higher it hangs in the air
 constexpr double kStepNearest = 0.1;
 constexpr double kStepFarthest = 0.7;
 constexpr float kStepLift = 0.05F;  // metres, at the middle of the step
 constexpr int kLooks = 16;          // at both figures, over the time of the join
 constexpr float kRests = 0.012F;    // metres that a foot moves between two looks, at most
 
+/// Where a foot turns, and how it is turned, world.
+struct FootPlace {
+    glm::vec3 pivot{};
+    glm::quat rotation{};
+};
+
 /// How far a foot has gone over from one figure to the next, and how high it is lifted for that.
 struct FootShare {
     float share = 0.0F;
-    float lift = 0.0F;  // metres
+    float lift = 0.0F;              // metres
+    std::optional<FootPlace> held;  // from where; none: from where the last figure has it
 };
 
 /// Where a foot turns, world.
 glm::vec3 pivot_of(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
     const Bone foot = on_side(Bone::left_foot, side);
     return world.position(foot) + pivot_from_ankle(skeleton, side, world.rotation(foot));
+}
+
+FootPlace place_of(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
+    return {pivot_of(skeleton, world, side), world.rotation(on_side(Bone::left_foot, side))};
 }
 
 float over_floor(const glm::vec3& a, const glm::vec3& b) noexcept {
@@ -54,13 +68,13 @@ Pose average(const DanceContent& content,
     const WorldPose a = world_pose(skeleton, from);
     const WorldPose b = world_pose(skeleton, to);
     for (const Side side : kSides) {
-        const Bone foot = on_side(Bone::left_foot, side);
         const FootShare& own = feet[static_cast<std::size_t>(side)];
         // By where it turns: a foot that both plant there, its heel higher in one, stays.
-        const glm::vec3 place =
-            glm::mix(pivot_of(skeleton, a, side), pivot_of(skeleton, b, side), own.share);
+        const FootPlace before = own.held ? *own.held : place_of(skeleton, a, side);
+        const FootPlace after = place_of(skeleton, b, side);
+        const glm::vec3 place = glm::mix(before.pivot, after.pivot, own.share);
         FootTarget target;
-        target.rotation = glm::slerp(a.rotation(foot), b.rotation(foot), own.share);
+        target.rotation = glm::slerp(before.rotation, after.rotation, own.share);
         target.ankle = place - pivot_from_ankle(skeleton, side, target.rotation);
         if (own.lift > 0.0F) {
             target.ankle.y += own.lift;
@@ -171,10 +185,41 @@ Pose FigureSequence::joined(const Danced& before,
         if (join.to > join.from) {
             const double u = (phase - after.start - join.from) / (join.to - join.from);
             const float own = smootherstep(static_cast<float>(u));
-            feet[s] = {own, join.is_lifted ? kStepLift * 4.0F * own * (1.0F - own) : 0.0F};
+            feet[s] = {own, join.is_lifted ? kStepLift * 4.0F * own * (1.0F - own) : 0.0F, {}};
+        }
+        if (phase > after.start + join.held) {
+            const WorldPose world =
+                world_pose(content_->skeleton, pose_of(before, after.start + join.held));
+            feet[s].held = place_of(content_->skeleton, world, kSides[s]);
         }
     }
     return average(*content_, pose_of(before, phase), pose_of(after, phase), share, feet);
+}
+
+double FigureSequence::joined_until(const Danced& before, const Danced& after) const noexcept {
+    const auto ends = [](const FootJoin& a, const FootJoin& b) { return a.to < b.to; };
+    const FootJoin& last = *std::max_element(after.feet.begin(), after.feet.end(), ends);
+    return std::max(margin_between(before, after), last.to);
+}
+
+std::optional<double> FigureSequence::standing_from(const Danced& danced,
+                                                    Side side,
+                                                    double rests,
+                                                    double margin) const noexcept {
+    const WorldPose world = world_pose(content_->skeleton, pose_of(danced, danced.start + rests));
+    if (margin - rests > kCreeps || pivot_of(content_->skeleton, world, side).y > kCreepsUnder) {
+        return std::nullopt;
+    }
+    const double latest = std::min(
+        kLatestSwing, content_->figures[danced.choice.figure].beats - FigurePassage::kMargin);
+    const double look = 2.0 * margin / kLooks;
+    for (double beat = margin; beat <= latest; beat += look) {
+        const Pose pose = pose_of(danced, danced.start + beat);
+        if (pose.foot_contact[static_cast<std::size_t>(side)]) {
+            return beat > margin ? std::optional(beat) : std::nullopt;
+        }
+    }
+    return std::nullopt;
 }
 
 std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
@@ -216,6 +261,11 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
         const auto lasts = [](const FootJoin& swing) { return swing.to - swing.from; };
         if (lasts(swings[1][s]) >= least) {
             joins[s] = swings[1][s];
+            const auto stands = standing_from(after, side, joins[s].to, margin);
+            if (stands) {
+                joins[s].to = *stands;
+                joins[s].held = std::max(joins[s].from, std::min(since[0][s], margin));
+            }
         } else if (apart[s] > kSeenToSlide && lasts(swings[0][s]) >= least) {
             joins[s] = swings[0][s];
         } else if (apart[s] > kSeenToSlide) {
@@ -236,10 +286,10 @@ Pose FigureSequence::at(Beats phase) const noexcept {
 }
 
 Pose FigureSequence::free_at(double at) const noexcept {
-    if (before_ && at < current_.start + margin_between(*before_, current_)) {
+    if (before_ && at < current_.start + joined_until(*before_, current_)) {
         return joined(*before_, current_, at);
     }
-    if (next_ && at > next_->start + margin_between(current_, *next_)) {
+    if (next_ && at > next_->start + joined_until(current_, *next_)) {
         return pose_of(*next_, at);
     }
     if (next_ && at > next_->start - margin_between(current_, *next_)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -57,6 +58,8 @@ class FigureSequence {
         double from = 0.0;
         double to = 0.0;
         bool is_lifted = false;  // neither figure steps with it meanwhile: it steps over
+        // From here on it stands where the last figure had it, until it goes over.
+        double held = std::numeric_limits<double>::infinity();
     };
     struct Danced {
         FigureChoice choice;
@@ -67,6 +70,13 @@ class FigureSequence {
     [[nodiscard]] FigureChoice choose(std::size_t figure, std::uint64_t number) const noexcept;
     [[nodiscard]] std::array<FootJoin, 2> feet_joins(const Danced& before,
                                                      const Danced& after) const noexcept;
+    /// When the figure plants a foot that creeps on from where it first seems to rest, so that it
+    /// is not taken to have landed there; beats after its start. None: it stands by `margin`, hangs
+    /// in the air, or stands later than a join may last.
+    [[nodiscard]] std::optional<double> standing_from(const Danced& danced,
+                                                      Side side,
+                                                      double rests,
+                                                      double margin) const noexcept;
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
     [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
@@ -74,6 +84,8 @@ class FigureSequence {
     [[nodiscard]] Pose free_at(double phase) const noexcept;
     /// Beats on either side of a change in which both are danced: two joins never meet.
     [[nodiscard]] double margin_between(const Danced& before, const Danced& after) const noexcept;
+    /// Beats after a change until which a foot may still be on its way.
+    [[nodiscard]] double joined_until(const Danced& before, const Danced& after) const noexcept;
     [[nodiscard]] Pose joined(const Danced& before,
                               const Danced& after,
                               double phase) const noexcept;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "motion/dance/dance_content.hpp"
+#include "motion/dance/figure_sequence.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/foot_events.hpp"
@@ -180,6 +182,61 @@ TEST(Dance, does_not_leave_the_stage_or_turn_away) {
         ASSERT_LT(std::hypot(place.x, place.z), 0.6F) << hop;
         const glm::vec3 facing = poses[hop].rotation(Bone::hips) * glm::vec3(0, 0, 1);
         ASSERT_GT(facing.z, 0.3F) << hop;
+    }
+}
+
+/// Beats after the change from one figure to another at which the right foot is seen to land, until
+/// the second beat; at 126 BPM.
+std::vector<double> right_landings_after_change(const DanceContent& content,
+                                                std::size_t from,
+                                                std::size_t to,
+                                                std::uint64_t ways) {
+    constexpr double kBeatsPerHop = 126.0 / 60.0 / kHopsPerSecond;
+    FigureSequence sequence;
+    FigureWish wish;
+    wish.figure = from;
+    sequence.start(content, content.couple, {.seed = 1, .ways = ways, .is_in_couple = true}, false);
+    double beat = 0.0;
+    while (sequence.number() < 1) {
+        sequence.advance(Beats(beat += kBeatsPerHop), 0.5, wish);
+    }
+    wish.figure = to;
+    const double change = sequence.end().count();
+    const double first = change - 1.0;
+    std::vector<Pose> poses;
+    for (beat = first; beat < change + 3.0; beat += kBeatsPerHop) {
+        sequence.advance(Beats(beat), 0.5, wish);
+        poses.push_back(sequence.at(Beats(beat)));
+    }
+    std::vector<double> after;
+    for (const double frame : landings(feet_of(poses), Side::right, kHopsPerSecond)) {
+        const double since = first + frame * kBeatsPerHop - change;
+        if (since > 0.0 && since < 2.0) {
+            after.push_back(since);
+        }
+    }
+    return after;
+}
+
+TEST(Landing, a_foot_that_creeps_at_a_change_does_not_seem_to_have_landed) {
+    const auto made =
+        make_content(test::salsa_figures(), mannequin_skeleton(), &test::couple_grammar());
+    ASSERT_TRUE(made) << made.error().message;
+    const DanceContent& content = *made;
+    const auto is_turn = [](const LibraryFigure& figure) {
+        return figure.name == "travelling_turn";
+    };
+    const auto turn = static_cast<std::size_t>(
+        std::find_if(content.figures.begin(), content.figures.end(), is_turn) -
+        content.figures.begin());
+    ASSERT_LT(turn, content.figures.size());
+    for (std::size_t from = 0; from < content.figures.size(); ++from) {
+        for (std::uint64_t ways = 1; ways <= 8; ++ways) {
+            for (const double since : right_landings_after_change(content, from, turn, ways)) {
+                EXPECT_GT(since, 0.8)
+                    << "people's: 1.2; " << content.figures[from].name << " " << ways;
+            }
+        }
     }
 }
 

@@ -24,8 +24,6 @@ const FigureModel& basic_step() {
     return model;
 }
 
-namespace {
-
 const FigureGrammar& couple_grammar() {
     static const FigureGrammar grammar = [] {
         auto loaded = load_grammar(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa.toml");
@@ -34,8 +32,6 @@ const FigureGrammar& couple_grammar() {
     }();
     return grammar;
 }
-
-}  // namespace
 
 const FigureGrammar& salsa_grammar() {
     static const FigureGrammar grammar = [] {

@@ -17,6 +17,8 @@ namespace raks::motion::test {
 const FigureModel& basic_step();
 /// The shipped figures of a role, in the order of the shipped grammar.
 const std::vector<FigureModel>& salsa_figures(DanceRole role = DanceRole::lead);
+/// The shipped grammar.
+const FigureGrammar& couple_grammar();
 /// The shipped grammar for one alone, who need not leave room.
 const FigureGrammar& salsa_grammar();
 std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model);
