@@ -15,7 +15,8 @@ constexpr float kSeenToSlide = 0.03F;
 // It goes over with the step that the next figure makes with it, so that this comes down when it
 // should, else with the one that the last figure makes, if they take as long as this at the learnt
 // tempo (a foot that went over in half of it was thrown), else by a step of its own: the left one
-// before the change, the right one after it. Beats, but for the first.
+// before the change, the right one after it, until the next figure plants it if that is then under
+// way. Beats, but for the first.
 constexpr double kLeastSwing = 0.135;  // seconds
 constexpr double kLatestSwing = 1.3;   // after the change: the end of a swing that began before
 constexpr double kCreeps = 0.2;        // before the margin's end, that it may seem to rest...
@@ -138,7 +139,11 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
         const std::size_t figure = content_->choreography.next(
             {current_.choice.figure, energy, audience}, wish, part_.seed, number_ + 1);
         next_ = {choose(figure, number_ + 1), end, is_turned, {}};
-        next_->feet = feet_joins(current_, *next_);
+        const std::array<FootLook, 2> looks = look_at_feet(current_, *next_);
+        for (const Side side : kSides) {
+            const auto s = static_cast<std::size_t>(side);
+            next_->feet[s] = foot_join(current_, *next_, side, looks[s]);
+        }
         wish.is_another = false;
         wish.figure.reset();
     }
@@ -204,12 +209,7 @@ double FigureSequence::joined_until(const Danced& before, const Danced& after) c
 
 std::optional<double> FigureSequence::standing_from(const Danced& danced,
                                                     Side side,
-                                                    double rests,
                                                     double margin) const noexcept {
-    const WorldPose world = world_pose(content_->skeleton, pose_of(danced, danced.start + rests));
-    if (margin - rests > kCreeps || pivot_of(content_->skeleton, world, side).y > kCreepsUnder) {
-        return std::nullopt;
-    }
     const double latest = std::min(
         kLatestSwing, content_->figures[danced.choice.figure].beats - FigurePassage::kMargin);
     const double look = 2.0 * margin / kLooks;
@@ -222,13 +222,11 @@ std::optional<double> FigureSequence::standing_from(const Danced& danced,
     return std::nullopt;
 }
 
-std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
+std::array<FigureSequence::FootLook, 2> FigureSequence::look_at_feet(
     const Danced& before, const Danced& after) const noexcept {
     const double margin = margin_between(before, after);
-    std::array<float, 2> apart{};                     // while it rests in both, at most
-    std::array<std::array<FootJoin, 2>, 2> swings{};  // by figure, foot: the longest
-    std::array<std::array<double, 2>, 2> since{};     // the swing that is looked at began
-    std::array<std::array<glm::vec3, 2>, 2> last{};   // by figure, foot
+    std::array<FootLook, 2> looks{};
+    std::array<std::array<glm::vec3, 2>, 2> last{};  // by figure, foot
     for (int look = 0; look <= kLooks; ++look) {
         const double beat = margin * (2.0 * look / kLooks - 1.0);
         const std::array<WorldPose, 2> poses = {
@@ -236,6 +234,7 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
             world_pose(content_->skeleton, pose_of(after, after.start + beat))};
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);
+            FootLook& foot = looks[s];
             bool rests = look > 0;
             for (std::size_t figure = 0; figure < poses.size(); ++figure) {
                 const glm::vec3 place = pivot_of(content_->skeleton, poses[figure], side);
@@ -243,38 +242,49 @@ std::array<FigureSequence::FootJoin, 2> FigureSequence::feet_joins(
                 last[figure][s] = place;
                 rests = rests && is_still;
                 if (look == 0 || is_still) {
-                    since[figure][s] = beat;
-                } else if (beat - since[figure][s] >
-                           swings[figure][s].to - swings[figure][s].from) {
-                    swings[figure][s] = {since[figure][s], beat, false};
+                    foot.since[figure] = beat;
+                } else if (beat - foot.since[figure] > foot.swings[figure].lasts()) {
+                    foot.swings[figure] = {foot.since[figure], beat};
                 }
             }
             if (rests) {
-                apart[s] = std::max(apart[s], over_floor(last[0][s], last[1][s]));
+                foot.apart = std::max(foot.apart, over_floor(last[0][s], last[1][s]));
             }
         }
     }
+    return looks;
+}
+
+FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
+                                                   const Danced& after,
+                                                   Side side,
+                                                   const FootLook& foot) const noexcept {
+    const double margin = margin_between(before, after);
     const double least = kLeastSwing * content_->metre.learnt_tempo.beats_per_second();
-    std::array<FootJoin, 2> joins{};
-    for (const Side side : kSides) {
-        const auto s = static_cast<std::size_t>(side);
-        const auto lasts = [](const FootJoin& swing) { return swing.to - swing.from; };
-        if (lasts(swings[1][s]) >= least) {
-            joins[s] = swings[1][s];
-            const auto stands = standing_from(after, side, joins[s].to, margin);
-            if (stands) {
-                joins[s].to = *stands;
-                joins[s].held = std::max(joins[s].from, std::min(since[0][s], margin));
-            }
-        } else if (apart[s] > kSeenToSlide && lasts(swings[0][s]) >= least) {
-            joins[s] = swings[0][s];
-        } else if (apart[s] > kSeenToSlide) {
-            const double scale = margin / FigurePassage::kMargin;
-            const double first = side == Side::left ? -kStepFarthest : kStepNearest;
-            joins[s] = {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
+    const std::optional<double> stands = standing_from(after, side, margin);
+    FootJoin join = foot.swings[1];
+    if (join.lasts() >= least) {
+        const Pose pose = pose_of(after, after.start + join.to);
+        const WorldPose world = world_pose(content_->skeleton, pose);
+        if (stands && margin - join.to <= kCreeps &&
+            pivot_of(content_->skeleton, world, side).y < kCreepsUnder) {
+            join.to = *stands;
+            join.held = foot.since[0];
         }
+        return join;
     }
-    return joins;
+    if (foot.apart <= kSeenToSlide) {
+        return {};
+    }
+    if (foot.swings[0].lasts() >= least) {
+        return foot.swings[0];
+    }
+    const double scale = margin / FigurePassage::kMargin;
+    if (stands && *stands - foot.since[1] >= least) {
+        return {scale * kStepNearest, *stands, true};
+    }
+    const double first = side == Side::left ? -kStepFarthest : kStepNearest;
+    return {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
 }
 
 Pose FigureSequence::at(Beats phase) const noexcept {

@@ -60,6 +60,13 @@ class FigureSequence {
         bool is_lifted = false;  // neither figure steps with it meanwhile: it steps over
         // From here on it stands where the last figure had it, until it goes over.
         double held = std::numeric_limits<double>::infinity();
+        [[nodiscard]] double lasts() const noexcept { return to - from; }
+    };
+    /// What a foot does in two figures about the change from one to the other.
+    struct FootLook {
+        float apart = 0.0F;                ///< while it rests in both, at most; metres
+        std::array<FootJoin, 2> swings{};  ///< by figure: the longest
+        std::array<double, 2> since{};  ///< by figure: when it last rested; beats from the change
     };
     struct Danced {
         FigureChoice choice;
@@ -68,14 +75,16 @@ class FigureSequence {
         std::array<FootJoin, 2> feet{};  // from the figure before
     };
     [[nodiscard]] FigureChoice choose(std::size_t figure, std::uint64_t number) const noexcept;
-    [[nodiscard]] std::array<FootJoin, 2> feet_joins(const Danced& before,
-                                                     const Danced& after) const noexcept;
-    /// When the figure plants a foot that creeps on from where it first seems to rest, so that it
-    /// is not taken to have landed there; beats after its start. None: it stands by `margin`, hangs
-    /// in the air, or stands later than a join may last.
+    [[nodiscard]] std::array<FootLook, 2> look_at_feet(const Danced& before,
+                                                       const Danced& after) const noexcept;
+    [[nodiscard]] FootJoin foot_join(const Danced& before,
+                                     const Danced& after,
+                                     Side side,
+                                     const FootLook& foot) const noexcept;
+    /// When the figure plants a foot that is under way at `margin`; beats after its start. None: it
+    /// stands there then, or later than a join may last.
     [[nodiscard]] std::optional<double> standing_from(const Danced& danced,
                                                       Side side,
-                                                      double rests,
                                                       double margin) const noexcept;
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;

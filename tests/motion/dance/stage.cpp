@@ -100,6 +100,21 @@ std::shared_ptr<const DanceLibrary> position_library() {
     return library;
 }
 
+DanceContent written_dance(const std::string& name) {
+    const std::string trained = std::string(RAKS_SOURCE_DIR) + "/models/trained/" + name;
+    const auto grammar = load_grammar(trained + ".toml");
+    EXPECT_TRUE(grammar) << grammar.error().message;
+    std::vector<FigureModel> models;
+    for (const FigureGrammar::Rule& rule : grammar->rules) {
+        auto loaded = load_figure(trained + "_" + rule.figure + "_lead.json");
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        models.push_back(std::move(*loaded));
+    }
+    auto made = make_content(models, mannequin_skeleton(), &*grammar);
+    EXPECT_TRUE(made) << made.error().message;
+    return std::move(*made);
+}
+
 std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model) {
     auto library = DanceLibrary::build(std::span(&model, 1), mannequin_skeleton());
     EXPECT_TRUE(library) << library.error().message;

@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/beat_grid.hpp"
 #include "base/music_state.hpp"
+#include "motion/dance/dance_content.hpp"
 #include "motion/dancer.hpp"
 #include "motion/figures/figure_grammar.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -28,6 +30,9 @@ std::shared_ptr<const DanceLibrary> salsa_library(DanceRole role = DanceRole::le
 std::shared_ptr<const DanceLibrary> couple_library(DanceRole role);
 /// The same of figures of joint positions.
 std::shared_ptr<const DanceLibrary> position_library();
+
+/// A shipped dance that was written: its figures and its grammar.
+DanceContent written_dance(const std::string& name);
 
 /// One state of known music: sure, loud, in bars of four, on this grid.
 MusicState sure_state(HopIndex hop, const BeatGrid& grid);
