@@ -23,9 +23,10 @@ constexpr double kCreeps = 0.2;        // before the margin's end, that it may s
 constexpr float kCreepsUnder = 0.05F;  // metres: ... and have landed; higher it hangs in the air
 constexpr double kStepNearest = 0.1;
 constexpr double kStepFarthest = 0.7;
-constexpr float kStepLift = 0.05F;  // metres, at the middle of the step
-constexpr int kLooks = 16;          // at both figures, over the time of the join
-constexpr float kRests = 0.012F;    // metres that a foot moves between two looks, at most
+constexpr double kLongestStep = 0.8;  // a longer one is as slow before its end as one that landed
+constexpr float kStepLift = 0.05F;    // metres, at the middle of the step
+constexpr int kLooks = 16;            // at both figures, over the time of the join
+constexpr float kRests = 0.012F;      // metres that a foot moves between two looks, at most
 
 /// Where a foot turns, and how it is turned, world.
 struct FootPlace {
@@ -281,7 +282,7 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     }
     const double scale = margin / FigurePassage::kMargin;
     if (stands && *stands - foot.since[1] >= least) {
-        return {scale * kStepNearest, *stands, true};
+        return {std::max(scale * kStepNearest, *stands - scale * kLongestStep), *stands, true};
     }
     const double first = side == Side::left ? -kStepFarthest : kStepNearest;
     return {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
