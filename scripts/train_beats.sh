@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Learns the beat network from nothing, all stages of models/trained/README.md (75 CPU-minutes).
+# Learns the beat network from nothing, all stages of models/trained/README.md (90 to 140 CPU-minutes).
 #   scripts/train_beats.sh MIDI_PACK FOLDER [options of `raks train beats`, as --soundfont FILE]
 # FOLDER/beats.json is what is learnt; what lies in FOLDER already is kept, so that it goes on where it
 # was stopped. PERCENT=5 takes 5 % of pieces and steps, to try it; RAKS names the program.
