@@ -188,6 +188,9 @@ Expected<PendingFile> PendingFile::create(const fs::path& path) {
 }
 
 Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
+    if (path.empty()) {
+        return fail("a folder name is empty; name a folder to write");
+    }
     const fs::path folder = path.has_filename() ? path : path.parent_path();
     std::error_code error;
     if (fs::exists(folder, error) &&

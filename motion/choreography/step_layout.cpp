@@ -153,7 +153,6 @@ class StepPlacer {
         placed.from = place_[s];
         placed.from_yaw = yaw_[s];
         placed.on = step.on;
-        placed.air = air_of(step);
         place_[s] = target(step, index, repeat, sign, side, frame);
         yaw_[s] = frame.yaw + sign * step.turn * kDegree + toe_out(figure_, side);
         placed.to = place_[s];
@@ -164,9 +163,10 @@ class StepPlacer {
         placed.lift =
             step.lift ? *step.lift * kCentimetre : kLeastLift * kCentimetre + kLiftShare * distance;
         const double lands = step.at + step.land + repeat * figure_.beats;
-        const double seconds = placed.air * plan_.tempo.seconds_per_beat();
-        placed.end = lands + share_after_landing(distance, seconds) * placed.air;
-        placed.start = placed.end - placed.air;
+        const double air = air_of(step);
+        const double seconds = air * plan_.tempo.seconds_per_beat();
+        placed.end = lands + share_after_landing(distance, seconds) * air;
+        placed.start = placed.end - air;
         layout_.steps[s].push_back(placed);
         if (step.weight) {
             layout_.weights.push_back({0.5 * (lands + placed.end),

@@ -16,7 +16,6 @@ struct PlacedStep {
 
     double start = 0.0;  ///< beat at which the foot leaves the floor
     double end = 0.0;    ///< and rests again
-    double air = 0.5;    ///< beats off the floor as written; a step before may leave it fewer
     glm::dvec2 from{};
     glm::dvec2 to{};
     double from_yaw = 0.0;

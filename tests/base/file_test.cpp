@@ -60,6 +60,8 @@ TEST_F(FileTest, a_new_folder_appears_whole_or_not_at_all) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message,
               folder.string() + ": exists already and is not an empty folder; name another");
+    EXPECT_EQ(PendingFile::create_folder("").error().message,
+              "a folder name is empty; name a folder to write");
 }
 
 TEST_F(FileTest, errors_name_the_file_and_the_reason) {
