@@ -14,9 +14,9 @@ namespace {
 constexpr float kSeenToSlide = 0.03F;
 // It goes over with the step that the next figure makes with it, so that this comes down when it
 // should, else with the one that the last figure makes, if they take as long as this at the learnt
-// tempo (a foot that went over in half of it was thrown), else by a step of its own: the left one
-// before the change, the right one after it, until the next figure plants it if that is then under
-// way. Beats, but for the first.
+// tempo (a foot that went over in half of it was thrown); else by a step of its own. That lasts
+// until the next figure plants the foot, if it is under way as the join ends; else it is made by
+// the left foot before the change, by the right one after it. Beats, but for the first.
 constexpr double kLeastSwing = 0.135;  // seconds
 constexpr double kLatestSwing = 1.3;   // after the change: the end of a swing that began before
 constexpr double kCreeps = 0.2;        // before the margin's end, that it may seem to rest...
@@ -282,7 +282,8 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     }
     const double scale = margin / FigurePassage::kMargin;
     if (stands && *stands - foot.since[1] >= least) {
-        return {std::max(scale * kStepNearest, *stands - scale * kLongestStep), *stands, true};
+        const double from = std::max(scale * kStepNearest, *stands - scale * kLongestStep);
+        return {from, *stands, true, foot.since[0]};
     }
     const double first = side == Side::left ? -kStepFarthest : kStepNearest;
     return {scale * first, scale * (first + kStepFarthest - kStepNearest), true};

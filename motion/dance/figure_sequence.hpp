@@ -14,8 +14,8 @@ namespace raks::motion {
 /// A dance as a row of figures over one continuous phase: the one that is danced, the one before
 /// and, from kDecided beats before its end, the one that comes. Over FigurePassage::kMargin beats
 /// on either side of a change (half a figure of one beat) both are danced and averaged (Ofli 2008,
-/// 5), the feet by their places; a foot that the two plant apart steps over. Threads: one.
-/// Real-time: yes.
+/// 5), the feet by their places; a foot that the two plant apart steps over, one that the next
+/// figure still has under way goes over until that plants it. Threads: one. Real-time: yes.
 class FigureSequence {
  public:
     static constexpr double kDecided = 2.0;  ///< beats
