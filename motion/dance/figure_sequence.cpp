@@ -13,10 +13,12 @@ namespace {
 // A foot that two figures plant farther apart than this would be seen to slide, metres.
 constexpr float kSeenToSlide = 0.03F;
 // It goes over with the step that the next figure makes with it, so that this comes down when it
-// should, else with the one that the last figure makes, if they take as long as this at the learnt
-// tempo (a foot that went over in half of it was thrown); else by a step of its own. That lasts
-// until the next figure plants the foot, if it is under way as the join ends; else it is made by
-// the left foot before the change, by the right one after it. Beats, but for the first.
+// should, straight from where it stood if the last figure steps at the same time (a foot that
+// turned back half way up was seen to land there: 0.1 s early), else with the one that the last
+// figure makes, if they take as long as this at the learnt tempo (a foot that went over in half of
+// it was thrown); else by a step of its own. That lasts until the next figure plants the foot, if
+// it is under way as the join ends; else it is made by the left foot before the change, by the
+// right one after it. Beats, but for the first.
 constexpr double kLeastSwing = 0.135;  // seconds
 constexpr double kLatestSwing = 1.3;   // after the change: the end of a swing that began before
 constexpr double kCreeps = 0.2;        // before the margin's end, that it may seem to rest...
@@ -38,7 +40,7 @@ struct FootPlace {
 struct FootShare {
     float share = 0.0F;
     float lift = 0.0F;              // metres
-    std::optional<FootPlace> held;  // from where; none: from where the last figure has it
+    std::optional<glm::vec3> held;  // over where it stays; none: where the last figure has it
 };
 
 /// Where a foot turns, world.
@@ -72,7 +74,10 @@ Pose average(const DanceContent& content,
     for (const Side side : kSides) {
         const FootShare& own = feet[static_cast<std::size_t>(side)];
         // By where it turns: a foot that both plant there, its heel higher in one, stays.
-        const FootPlace before = own.held ? *own.held : place_of(skeleton, a, side);
+        FootPlace before = place_of(skeleton, a, side);
+        if (own.held) {
+            before.pivot = {own.held->x, before.pivot.y, own.held->z};
+        }
         const FootPlace after = place_of(skeleton, b, side);
         const glm::vec3 place = glm::mix(before.pivot, after.pivot, own.share);
         FootTarget target;
@@ -196,7 +201,7 @@ Pose FigureSequence::joined(const Danced& before,
         if (phase > after.start + join.held) {
             const WorldPose world =
                 world_pose(content_->skeleton, pose_of(before, after.start + join.held));
-            feet[s].held = place_of(content_->skeleton, world, kSides[s]);
+            feet[s].held = pivot_of(content_->skeleton, world, kSides[s]);
         }
     }
     return average(*content_, pose_of(before, phase), pose_of(after, phase), share, feet);
@@ -263,6 +268,7 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     const double margin = margin_between(before, after);
     const double least = kLeastSwing * content_->metre.learnt_tempo.beats_per_second();
     const std::optional<double> stands = standing_from(after, side, margin);
+    const FootJoin& last = foot.swings[0];
     FootJoin join = foot.swings[1];
     if (join.lasts() >= least) {
         const Pose pose = pose_of(after, after.start + join.to);
@@ -271,14 +277,16 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
             pivot_of(content_->skeleton, world, side).y < kCreepsUnder) {
             join.to = *stands;
             join.held = foot.since[0];
+        } else if (last.lasts() > 0.0 && last.from > -margin && last.to > join.from) {
+            join.held = last.from;
         }
         return join;
     }
     if (foot.apart <= kSeenToSlide) {
         return {};
     }
-    if (foot.swings[0].lasts() >= least) {
-        return foot.swings[0];
+    if (last.lasts() >= least) {
+        return last;
     }
     const double scale = margin / FigurePassage::kMargin;
     if (stands && *stands - foot.since[1] >= least) {

@@ -58,7 +58,7 @@ class FigureSequence {
         double from = 0.0;
         double to = 0.0;
         bool is_lifted = false;  // neither figure steps with it meanwhile: it steps over
-        // From here on it stands where the last figure had it, until it goes over.
+        // From here on it stays over where the last figure had it, until it goes over.
         double held = std::numeric_limits<double>::infinity();
         [[nodiscard]] double lasts() const noexcept { return to - from; }
     };
