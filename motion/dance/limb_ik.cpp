@@ -9,7 +9,7 @@ namespace raks::motion {
 namespace {
 
 constexpr float kTiny = 1e-6F;
-constexpr float kStraight = 0.04F;  // metres of knee or elbow beside the limb's line
+constexpr float kStraight = 0.02F;  // metres of knee or elbow beside the limb's line
 
 }  // namespace
 
