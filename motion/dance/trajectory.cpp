@@ -65,13 +65,18 @@ void restore_variance(const PartModel& part, double amount, FeatureTrack& track)
         return part.part == Part::torso &&
                feature >= static_cast<std::size_t>(RootFeature::height) && feature < kRootFeatures;
     };
+    const auto is_of_travel = [&](std::size_t feature) {
+        return feature < part.root_features() &&
+               feature <= static_cast<std::size_t>(RootFeature::velocity_forward);
+    };
     for (std::size_t feature = 0; feature < track.columns; ++feature) {
         double own = 0.0;
         for (const FigureState& state : part.states) {
             own += state.variance[feature] / static_cast<double>(part.states.size());
         }
         const double share = std::min(kMostLost, own / part.global_variance[feature]);
-        const double factor = 1.0 + amount * (std::sqrt(1.0 / (1.0 - share)) - 1.0);
+        const double done = is_of_travel(feature) ? 1.0 : amount;
+        const double factor = 1.0 + done * (std::sqrt(1.0 / (1.0 - share)) - 1.0);
         double centre = 0.0;
         for (std::size_t i = 0; i < track.rows() && is_about_mean(feature); ++i) {
             centre += track.row(i)[feature] / static_cast<double>(track.rows());

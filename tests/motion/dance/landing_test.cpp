@@ -72,7 +72,7 @@ TEST(Landing, is_on_the_beat_on_steady_music) {
         EXPECT_GE(landing.landings.size(), 40U) << bpm;
         EXPECT_LE(std::abs(landing.mean), 0.015) << bpm;
         EXPECT_LE(landing.deviation, 0.025) << bpm;
-        EXPECT_LE(landing.missing, 5U) << bpm << ": small steps are steps in a slow dance, too";
+        EXPECT_LE(landing.missing, 6U) << bpm << ": small steps are steps in a slow dance, too";
     }
 }
 
@@ -239,8 +239,9 @@ TEST(Landing, a_foot_that_creeps_at_a_change_does_not_seem_to_have_landed) {
             const DancerPart part{.seed = 1, .ways = ways, .is_in_couple = true};
             for (const double since :
                  landings_at_change(*couple, from, turn, Side::right, part, 126.0)) {
-                EXPECT_TRUE(since < 0.0 || since > 0.8)
-                    << "people's: 1.2; " << couple->figures[from].name << " " << ways;
+                // The last figure's own step may end at the change.
+                EXPECT_TRUE(since < 0.2 || since > 0.8)
+                    << since << ", people's: 1.2; " << couple->figures[from].name << " " << ways;
             }
         }
     }
