@@ -39,6 +39,7 @@ Json figures_of(std::span<const MeasuredDance> dances) {
                            {"hips_travel", figure.hips_travel},
                            {"toe_travel", figure.toe_travel},
                            {"peak_toe_speed", figure.peak_toe_speed},
+                           {"peak_ball_speed", figure.peak_ball_speed},
                            {"repeat_distance",
                             {{"median", optional_number(figure.distance_median)},
                              {"p10", optional_number(figure.distance_p10)},

@@ -124,6 +124,7 @@ void append_figures(std::vector<Row>& rows,
                         number(figure.hips_travel, 2),
                         number(figure.toe_travel, 2),
                         number(figure.peak_toe_speed, 2),
+                        number(figure.peak_ball_speed, 2),
                         centimetres(figure.distance_median),
                         centimetres(figure.distance_p10),
                         centimetres(figure.distance_p90)});
@@ -136,6 +137,7 @@ std::string figures_table(const DanceReport& report) {
                               "hips travel m",
                               "toe travel m",
                               "peak toe m/s",
+                              "peak ball m/s",
                               "between repeats cm",
                               "p10",
                               "p90"}};
@@ -311,6 +313,7 @@ std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dance
         summary.hips_travel = median_of(figure.amplitudes, &motion::Amplitude::hips_travel);
         summary.toe_travel = median_of(figure.amplitudes, &motion::Amplitude::toe_travel);
         summary.peak_toe_speed = median_of(figure.amplitudes, &motion::Amplitude::peak_toe_speed);
+        summary.peak_ball_speed = median_of(figure.amplitudes, &motion::Amplitude::peak_ball_speed);
         const std::vector<double> distances = distances_of(figure, dances);
         if (!distances.empty()) {
             summary.distance_median = motion::percentile(distances, 0.5);

@@ -85,9 +85,10 @@ inline constexpr Bound kRepeatDistance = {0.06, 0.14};
 struct FigureSummary {
     std::string figure;
     std::size_t repeats = 0;
-    double hips_travel = 0.0;     ///< median; metres
-    double toe_travel = 0.0;      ///< median; metres
-    double peak_toe_speed = 0.0;  ///< median; m/s
+    double hips_travel = 0.0;      ///< median; metres
+    double toe_travel = 0.0;       ///< median; metres
+    double peak_toe_speed = 0.0;   ///< median; m/s
+    double peak_ball_speed = 0.0;  ///< median; m/s
     /// Between repeats, metres: of people any two, of trials two of one trial (the seed is the same
     /// in all). Nothing with less than two.
     std::optional<double> distance_median, distance_p10, distance_p90;

@@ -35,12 +35,12 @@ Places counted_places(const Places& places,
     return counted;
 }
 
-double peak_speed(const BodyTrack& track,
-                  Side side,
+double peak_speed(const Places& places,
+                  double frames_per_second,
                   std::size_t first,
                   std::size_t last,
                   const MetricFrames& frames) {
-    const auto speed = speeds(smoothed(toe_places(track, side)), track.frames_per_second);
+    const std::vector<double> speed = speeds(smoothed(places), frames_per_second);
     double highest = 0.0;
     for (std::size_t f = first; f < last; ++f) {
         if (frames.is_counted(f)) {
@@ -58,19 +58,25 @@ Amplitude amplitude_of(const BodyTrack& track,
                        const MetricFrames& frames) {
     Amplitude amplitude;
     amplitude.hips_travel = widest(counted_places(joint_places(track, kHips), first, last, frames));
+    const auto raise = [](double& highest, double value) { highest = std::max(highest, value); };
+    const auto peak = [&](const Places& places) {
+        return peak_speed(places, track.frames_per_second, first, last, frames);
+    };
     for (const Side side : kSides) {
-        amplitude.toe_travel =
-            std::max(amplitude.toe_travel,
-                     widest(counted_places(toe_places(track, side), first, last, frames)));
-        amplitude.peak_toe_speed =
-            std::max(amplitude.peak_toe_speed, peak_speed(track, side, first, last, frames));
+        const Places toe = toe_places(track, side);
+        raise(amplitude.toe_travel, widest(counted_places(toe, first, last, frames)));
+        raise(amplitude.peak_toe_speed, peak(toe));
+        raise(amplitude.peak_ball_speed, peak(foot_places(track, side, kBall)));
     }
     return amplitude;
 }
 
 double peak_toe_speed(const BodyTrack& track, const MetricFrames& frames) {
-    return std::max(peak_speed(track, Side::left, 0, track.frames(), frames),
-                    peak_speed(track, Side::right, 0, track.frames(), frames));
+    const auto peak = [&](Side side) {
+        return peak_speed(
+            toe_places(track, side), track.frames_per_second, 0, track.frames(), frames);
+    };
+    return std::max(peak(Side::left), peak(Side::right));
 }
 
 }  // namespace raks::motion

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace raks::motion {
@@ -44,6 +45,18 @@ Places toe_places(const BodyTrack& track, Side side) {
     Places places(track.frames());
     for (std::size_t f = 0; f < track.frames(); ++f) {
         places[f] = track.feet[f][static_cast<std::size_t>(side)].toe_tip;
+    }
+    return places;
+}
+
+Places foot_places(const BodyTrack& track, Side side, double from_ankle) {
+    Places places = toe_places(track, side);
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        const glm::dvec3& ankle = track.feet[f][static_cast<std::size_t>(side)].ankle;
+        const double length = glm::distance(ankle, places[f]);
+        if (length > from_ankle) {
+            places[f] = glm::mix(ankle, places[f], from_ankle / length);
+        }
     }
     return places;
 }

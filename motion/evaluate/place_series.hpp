@@ -21,5 +21,7 @@ using Places = std::vector<glm::dvec3>;
 /// One of the 19 joints, by its index in kBodyBones.
 [[nodiscard]] Places joint_places(const BodyTrack& track, std::size_t joint);
 [[nodiscard]] Places toe_places(const BodyTrack& track, Side side);
+/// Of the point of the foot so far from the ankle towards the toe tip, metres; at most the tip.
+[[nodiscard]] Places foot_places(const BodyTrack& track, Side side, double from_ankle);
 
 }  // namespace raks::motion

@@ -27,6 +27,21 @@ TEST(Amplitude, is_the_widest_way_and_the_fastest_toe) {
     EXPECT_NEAR(amplitude.peak_toe_speed, 0.4 * M_PI, 0.005) << "0.3 % is the filter's";
 }
 
+TEST(Amplitude, of_a_longer_foot_is_taken_where_a_shorter_one_ends) {
+    BodyTrack track = test::resting_track(240);
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        const double turn = std::sin(M_PI * static_cast<double>(f) / 60.0);
+        const glm::dvec3 ahead{std::sin(turn), 0.0, std::cos(turn)};
+        track.feet[f][0] = {glm::dvec3(0.0), 0.22 * ahead};
+        track.feet[f][1] = {glm::dvec3(0.0), 0.1 * ahead};
+    }
+    const Amplitude longer = amplitude_of(track, 0, 240);
+    EXPECT_NEAR(longer.peak_toe_speed, 0.22 * M_PI, 0.01);
+    EXPECT_NEAR(longer.peak_ball_speed, kBall * M_PI, 0.005);
+    track.feet.assign(240, track.feet[0]);
+    EXPECT_EQ(amplitude_of(track, 0, 240).peak_ball_speed, 0.0);
+}
+
 TEST(Amplitude, of_a_part_is_what_is_seen_there) {
     EXPECT_NEAR(amplitude_of(rocking(), 0, 31).hips_travel, 0.25, 1e-12);
     EXPECT_EQ(amplitude_of(rocking(), 5, 5).hips_travel, 0.0);
