@@ -31,7 +31,7 @@ TEST(WrittenFigures, dance_as_their_files_expect) {
             EXPECT_LT(figure.measures.slip_p90, 0.027) << figure.name;
         }
     }
-    EXPECT_EQ(figures, 28U);
+    EXPECT_EQ(figures, 30U);
 }
 
 /// Two repeats of a figure, 16 poses a beat.
