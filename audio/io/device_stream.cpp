@@ -18,9 +18,10 @@
 namespace raks::audio {
 namespace {
 
-// JACK calls every few milliseconds. A PulseAudio sink may first play out its own buffer: pauses of
-// 1.6 to 2.2 s were seen after the first callback.
-constexpr Nanos kJackDeadAfter = std::chrono::milliseconds(500);
+// JACK calls every few milliseconds, but on a machine that is overrun: a device that is given up is
+// not taken up again, so it gets more than a hiccup's time. A PulseAudio sink may first play out
+// its own buffer: pauses of 1.6 to 2.2 s were seen after the first callback.
+constexpr Nanos kJackDeadAfter = std::chrono::milliseconds(1500);
 constexpr Nanos kDeadAfter = std::chrono::seconds(3);
 constexpr Nanos kFirstCallbackWithin = std::chrono::seconds(2);
 constexpr std::chrono::seconds kCloseWithin(1);

@@ -277,7 +277,8 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
             pivot_of(content_->skeleton, world, side).y < kCreepsUnder) {
             join.to = *stands;
             join.held = foot.since[0];
-        } else if (last.lasts() > 0.0 && last.from > -margin && last.to > join.from) {
+        } else if (last.lasts() > 0.0 && last.from > -margin && last.from < join.to &&
+                   last.to > join.from) {
             join.held = last.from;
         }
         return join;

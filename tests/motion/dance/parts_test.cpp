@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numeric>
@@ -75,6 +76,30 @@ TEST(Trajectory, minimizes_the_weighted_squares) {
                                 (0.5 * delta_before - 0.5 * delta_after) / 0.001 +
                                 (bend(i - 1) - 2.0 * bend(i) + bend(i + 1)) / 0.001;
         EXPECT_NEAR(gradient, 0.0, 1.0) << i;  // the seam is three figures away, not exactly closed
+    }
+}
+
+TEST(Amplitude, that_averaging_took_comes_back_in_full_where_the_hips_travel) {
+    PartModel part;
+    part.part = Part::torso;
+    part.states.resize(1);
+    part.states[0].variance.assign(kRootFeatures, 0.36);
+    part.global_variance.assign(kRootFeatures, 1.0);
+    FeatureTrack track;
+    track.columns = kRootFeatures;
+    track.values.assign(2 * kRootFeatures, 1.0);
+    std::fill_n(track.values.begin(), kRootFeatures, -1.0);
+    const FeatureTrack mean = track;
+    restore_variance(part, 0.0, track);
+    for (std::size_t feature = 0; feature < kRootFeatures; ++feature) {
+        const bool travels = feature == static_cast<std::size_t>(RootFeature::velocity_left) ||
+                             feature == static_cast<std::size_t>(RootFeature::velocity_forward);
+        EXPECT_NEAR(track.row(1)[feature], travels ? 1.25 : 1.0, 1e-12) << feature;
+    }
+    track = mean;
+    restore_variance(part, 1.0, track);
+    for (std::size_t feature = 0; feature < kRootFeatures; ++feature) {
+        EXPECT_NEAR(track.row(1)[feature], 1.25, 1e-12) << feature;
     }
 }
 
