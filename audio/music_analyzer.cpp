@@ -75,11 +75,15 @@ struct MusicAnalyzer::State {
     std::size_t filled = 0;  // samples in `window`
     HopIndex next_hop = 0;
     std::int64_t lost_samples = 0;  // at kRhythmRate, to be jumped over next; even
-    int quiet_hops = 0;
+    int quiet_hops = 0;             // heard in a row, to the newest
+    bool has_sound = false;         // in any hop so far
     bool is_discontinuity = false;
     std::uint64_t bad_samples = 0;
 
     void reset() noexcept;
+    [[nodiscard]] bool is_silent() const noexcept {
+        return quiet_hops == kSilentHops || !has_sound;
+    }
     void clean_chunk(std::span<const float> input) noexcept;
     void take(std::span<const float> rhythm, Sink& sink) noexcept;
     void finish_hop(Sink& sink) noexcept;
@@ -114,6 +118,7 @@ void MusicAnalyzer::State::reset() noexcept {
     next_hop = 0;
     lost_samples = 0;
     quiet_hops = 0;
+    has_sound = false;
     is_discontinuity = false;
     bad_samples = 0;
 }
@@ -152,7 +157,8 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     state.level_dbfs = level_of(std::span(window).subspan(
         (OnsetDetector::kWindow - OnsetDetector::kHop) / 2, OnsetDetector::kHop));
     quiet_hops = state.level_dbfs < kSilentLevel ? std::min(quiet_hops + 1, kSilentHops) : 0;
-    state.is_silent = quiet_hops == kSilentHops || state.hop < quiet_hops;
+    has_sound = has_sound || quiet_hops == 0;
+    state.is_silent = is_silent();
     const Onset onset = onsets.compute(window, state.is_silent);
     state.onset_strength = onset.total;
     state.loudness_lufs = loudness.momentary();
@@ -237,7 +243,7 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
             state.hop = next_hop++;
             state.time = time_of_hop(state.hop);
             state.heard_until = state.time;
-            state.is_silent = false;
+            state.is_silent = is_silent();
             if (recognizer) {
                 recognizer->advance_blind(state);
             } else {

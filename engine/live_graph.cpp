@@ -22,8 +22,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     graph->playback_ = std::move(*playback);
     graph->analysis_ = &graph->playback_->analysis();
     if (output) {
-        graph->gate_ = std::make_unique<CallbackGate>();
-        auto stream = audio::DeviceStream::open_output(*output, {}, *graph->gate_);
+        auto stream = audio::DeviceStream::open_output(*output, {});
         if (!stream) {
             return fail(stream.error());
         }
@@ -39,7 +38,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
         return fail(started.error());
     }
     if (output) {
-        graph->gate_->open(*graph->playback_);
+        graph->stream_->connect(*graph->playback_);
     } else {
         graph->paced_clock_ = std::make_unique<PacedClock>(
             PacedClock::Direction::output, rate, kOwnClockChannels, *graph->playback_);
@@ -50,8 +49,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
 Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice& input,
                                                        const LiveGraphConfig& config) {
     std::unique_ptr<LiveGraph> graph(new LiveGraph);
-    graph->gate_ = std::make_unique<CallbackGate>();
-    auto stream = audio::DeviceStream::open_input(input, {}, *graph->gate_);
+    auto stream = audio::DeviceStream::open_input(input, {});
     if (!stream) {
         return fail(stream.error());
     }
@@ -66,16 +64,8 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice&
     if (auto started = graph->start_motion(config); !started) {
         return fail(started.error());
     }
-    graph->gate_->open(*graph->listening_);
+    graph->stream_->connect(*graph->listening_);
     return graph;
-}
-
-LiveGraph::~LiveGraph() {
-    if (gate_) {
-        gate_->close();
-    }
-    stream_.reset();
-    paced_clock_.reset();
 }
 
 Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
@@ -108,12 +98,8 @@ std::optional<std::string> LiveGraph::watch(HostTime now) {
 }
 
 void LiveGraph::go_on_without_device() {
-    gate_->close();
-    // A dead device's stream can be neither stopped nor closed (that hangs for ever), and it keeps
-    // a pointer to the gate: both stay as they are until the process ends.
     stream_->abandon();
-    static_cast<void>(stream_.release());
-    static_cast<void>(gate_.release());
+    stream_.reset();
     if (playback_) {
         // Copying or resampling alike, the only failure is lack of memory: then nothing plays on.
         if (!playback_->prepare(kOwnClockRate)) {

@@ -9,7 +9,6 @@
 #include "audio/io/file_player.hpp"
 #include "base/expected.hpp"
 #include "engine/analysis_stage.hpp"
-#include "engine/callback_gate.hpp"
 #include "engine/listening.hpp"
 #include "engine/motion_thread.hpp"
 #include "engine/paced_clock.hpp"
@@ -49,7 +48,6 @@ class LiveGraph {
     [[nodiscard]] static Expected<std::unique_ptr<LiveGraph>> listen(
         const audio::AudioDevice& input, const LiveGraphConfig& config);
 
-    ~LiveGraph();
     LiveGraph(const LiveGraph&) = delete;
     LiveGraph& operator=(const LiveGraph&) = delete;
 
@@ -93,7 +91,6 @@ class LiveGraph {
     std::unique_ptr<Listening> listening_;
     AnalysisStage* analysis_ = nullptr;  // of playback_ or listening_
     std::unique_ptr<MotionThread> motion_;
-    std::unique_ptr<CallbackGate> gate_;
     std::unique_ptr<PacedClock> paced_clock_;
     std::unique_ptr<audio::DeviceStream> stream_;
 };

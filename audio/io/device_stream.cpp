@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <future>
 #include <optional>
 #include <thread>
 #include <utility>
 
+#include "audio/io/callback_gate.hpp"
 #include "audio/io/portaudio_session.hpp"
 #include "base/realtime.hpp"
 
@@ -66,7 +68,7 @@ class ScopedVariable {
 struct DeviceStream::Impl {
     enum class Direction { input, output };
 
-    StreamCallback* callback = nullptr;
+    CallbackGate gate;
     Direction direction = Direction::input;
     PaStream* stream = nullptr;
     int channels = 2;
@@ -114,11 +116,11 @@ int DeviceStream::Impl::on_block(const void* input,
     me.xruns.fetch_add(time.is_xrun ? 1 : 0, std::memory_order_relaxed);
     const std::size_t samples = frame_count * static_cast<std::size_t>(me.channels);
     if (me.direction == Direction::input && input != nullptr) {
-        me.callback->on_input({static_cast<const float*>(input), samples}, me.channels, time);
+        me.gate.on_input({static_cast<const float*>(input), samples}, me.channels, time);
     } else if (me.direction == Direction::output && output != nullptr) {
         const std::span<float> block(static_cast<float*>(output), samples);
         std::fill(block.begin(), block.end(), 0.0F);
-        me.callback->on_output(block, me.channels, time);
+        me.gate.on_output(block, me.channels, time);
     }
     me.frames += static_cast<std::int64_t>(frame_count);
     return paContinue;
@@ -215,6 +217,7 @@ void DeviceStream::Impl::close() noexcept {
 DeviceStream::DeviceStream(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 DeviceStream::~DeviceStream() {
+    impl_->gate.close();
     if (!impl_->is_abandoned && !is_alive(host_now())) {
         abandon();
     }
@@ -234,13 +237,11 @@ namespace {
 template <typename ImplType>
 Expected<std::unique_ptr<ImplType>> open_impl(typename ImplType::Direction direction,
                                               const AudioDevice& device,
-                                              const StreamConfig& config,
-                                              StreamCallback& callback) {
+                                              const StreamConfig& config) {
     if (auto acquired = acquire_portaudio(); !acquired) {
         return fail(acquired.error());
     }
     auto impl = std::make_unique<ImplType>();
-    impl->callback = &callback;
     impl->direction = direction;
     impl->dead_after = device.host_api == "JACK" ? kJackDeadAfter : kDeadAfter;
     std::optional<ScopedVariable> source;
@@ -258,9 +259,8 @@ Expected<std::unique_ptr<ImplType>> open_impl(typename ImplType::Direction direc
 }  // namespace
 
 Expected<std::unique_ptr<DeviceStream>> DeviceStream::open_input(const AudioDevice& device,
-                                                                 const StreamConfig& config,
-                                                                 StreamCallback& callback) {
-    auto impl = open_impl<Impl>(Impl::Direction::input, device, config, callback);
+                                                                 const StreamConfig& config) {
+    auto impl = open_impl<Impl>(Impl::Direction::input, device, config);
     if (!impl) {
         return fail(impl.error());
     }
@@ -268,14 +268,15 @@ Expected<std::unique_ptr<DeviceStream>> DeviceStream::open_input(const AudioDevi
 }
 
 Expected<std::unique_ptr<DeviceStream>> DeviceStream::open_output(const AudioDevice& device,
-                                                                  const StreamConfig& config,
-                                                                  StreamCallback& callback) {
-    auto impl = open_impl<Impl>(Impl::Direction::output, device, config, callback);
+                                                                  const StreamConfig& config) {
+    auto impl = open_impl<Impl>(Impl::Direction::output, device, config);
     if (!impl) {
         return fail(impl.error());
     }
     return std::unique_ptr<DeviceStream>(new DeviceStream(std::move(*impl)));
 }
+
+void DeviceStream::connect(StreamCallback& callback) noexcept { impl_->gate.open(callback); }
 
 SampleRate DeviceStream::rate() const noexcept { return impl_->rate; }
 int DeviceStream::channels() const noexcept { return impl_->channels; }
@@ -322,8 +323,17 @@ bool DeviceStream::is_alive(HostTime now) const noexcept {
 }
 
 void DeviceStream::abandon() noexcept {
+    impl_->gate.close();
     impl_->is_abandoned = true;
     leak_portaudio();
+}
+
+void end_process(int exit_code) noexcept {
+    if (is_portaudio_leaked()) {
+        std::fflush(nullptr);
+        std::_Exit(exit_code);
+    }
+    std::exit(exit_code);  // NOLINT(concurrency-mt-unsafe)
 }
 
 }  // namespace raks::audio

@@ -43,19 +43,24 @@ struct StreamConfig {
 ///
 /// A dead device (e.g. a killed JACK server): callbacks stop, and stopping or closing the stream
 /// hangs for ever. So: ask is_alive() now and then; when false, call abandon() and drop the
-/// object; the process can still exit.
+/// object; the process can still exit, by end_process().
 /// Threads: one control thread; callbacks(), is_alive() from any. Real-time: no.
 class DeviceStream {
  public:
-    /// Opens and starts. `callback` must outlive the stream (for ever, after abandon()).
+    /// Opens and starts: silence, until connect().
     /// Errors: the device cannot be opened so; one line names it and says what it can do.
     [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_input(
-        const AudioDevice& device, const StreamConfig& config, StreamCallback& callback);
+        const AudioDevice& device, const StreamConfig& config);
     [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_output(
-        const AudioDevice& device, const StreamConfig& config, StreamCallback& callback);
-    ~DeviceStream();  ///< stops and closes, unless it is dead or abandoned: then it is leaked
+        const AudioDevice& device, const StreamConfig& config);
+    /// Stops and closes; one that is dead, abandoned or does not stop within a second is leaked.
+    /// Whichever it is, what it called is called no more.
+    ~DeviceStream();
     DeviceStream(const DeviceStream&) = delete;
     DeviceStream& operator=(const DeviceStream&) = delete;
+
+    /// From now on every block reaches `callback`, which must outlive the stream or abandon().
+    void connect(StreamCallback& callback) noexcept;
 
     [[nodiscard]] SampleRate rate() const noexcept;
     [[nodiscard]] int channels() const noexcept;
@@ -73,11 +78,11 @@ class DeviceStream {
     [[nodiscard]] std::string scheduling() const;
     /// Blocks flagged as xrun so far.
     [[nodiscard]] std::uint64_t xruns() const noexcept;
-    /// False when no callback came for 0.5 s (JACK) or 3 s (others) before `now`, or PortAudio
+    /// False when no callback came for 1.5 s (JACK) or 3 s (others) before `now`, or PortAudio
     /// calls it inactive.
     [[nodiscard]] bool is_alive(HostTime now) const noexcept;
     /// Leaves the stream to itself for ever: it is never stopped, closed or freed, and PortAudio
-    /// never terminated, in this process.
+    /// never terminated, in this process. What it called is called no more.
     void abandon() noexcept;
 
  private:
@@ -85,5 +90,10 @@ class DeviceStream {
     explicit DeviceStream(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
+
+/// Ends the process with this code, once everything that is to be written is written. Where a
+/// stream was left to itself its threads still run: then no destructor of a library may pull what
+/// they use from under them.
+[[noreturn]] void end_process(int exit_code) noexcept;
 
 }  // namespace raks::audio

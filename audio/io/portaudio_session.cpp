@@ -68,6 +68,7 @@ void release_portaudio() noexcept {
 }
 
 void leak_portaudio() noexcept { g_is_leaked = true; }
+bool is_portaudio_leaked() noexcept { return g_is_leaked; }
 
 std::string portaudio_reason(int error) {
     if (error == paUnanticipatedHostError) {

@@ -12,6 +12,7 @@ namespace raks::audio {
 [[nodiscard]] Expected<void> acquire_portaudio();
 void release_portaudio() noexcept;
 void leak_portaudio() noexcept;
+[[nodiscard]] bool is_portaudio_leaked() noexcept;
 
 /// Points stderr at nothing while it lives: what sound libraries print when they probe is about
 /// 100 lines. Whatever else this process writes there meanwhile is lost, so keep it short.

@@ -106,13 +106,7 @@ class LoopRecorder::Tape final : public audio::StreamCallback {
 
 LoopRecorder::LoopRecorder(std::unique_ptr<Tape> tape) : tape_(std::move(tape)) {}
 
-LoopRecorder::~LoopRecorder() {
-    if (stream_ && !stream_->is_alive(HostClock::now())) {
-        // A dead device's stream is never stopped and keeps its pointer to the tape.
-        stream_->abandon();
-        static_cast<void>(tape_.release());
-    }
-}
+LoopRecorder::~LoopRecorder() = default;
 
 Expected<std::unique_ptr<LoopRecorder>> LoopRecorder::start(
     std::span<const audio::AudioDevice> devices, const audio::AudioDevice& output, double seconds) {
@@ -123,12 +117,13 @@ Expected<std::unique_ptr<LoopRecorder>> LoopRecorder::start(
         return fail("the output is no JACK device with an input");
     }
     std::unique_ptr<LoopRecorder> recorder(new LoopRecorder(std::make_unique<Tape>()));
-    auto stream = audio::DeviceStream::open_input(*input, {.channels = 1}, *recorder->tape_);
+    auto stream = audio::DeviceStream::open_input(*input, {.channels = 1});
     if (!stream) {
         return fail(stream.error());
     }
     recorder->stream_ = std::move(*stream);
     recorder->tape_->make_room(seconds, recorder->stream_->rate());
+    recorder->stream_->connect(*recorder->tape_);
     return recorder;
 }
 

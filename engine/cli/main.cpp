@@ -4,6 +4,7 @@
 #include <string>
 #include <system_error>
 
+#include "audio/io/device_stream.hpp"
 #include "engine/cli/arguments.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/say.hpp"
@@ -28,9 +29,7 @@ int end_with(int code) {
     return exit_code_after_signals(code);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     try {
         const auto command = parse_arguments(argc, argv);
         if (!command.run) {
@@ -45,3 +44,7 @@ int main(int argc, char** argv) {
         return report(std::string("internal error: ") + error.what());
     }
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { raks::audio::end_process(run(argc, argv)); }

@@ -1,5 +1,5 @@
 raks_test_program(audio_io
-    SOURCES io/audio_file_test.cpp io/choose_device_test.cpp io/downmix_test.cpp
+    SOURCES io/audio_file_test.cpp io/callback_gate_test.cpp io/choose_device_test.cpp io/downmix_test.cpp
             io/file_player_test.cpp io/mangled_files_test.cpp
     LIBRARIES raks::audio_io raks::audio_synth)
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "base/random.hpp"
 #include "tests/audio/listen.hpp"
@@ -167,6 +168,32 @@ TEST(MusicAnalyzer, lost_audio_moves_stream_time_and_is_said) {
     EXPECT_EQ(discontinuities, 1);
     const test::BeatScore score = test::score_beats(collect.states, piece.beats, 13.5, 19.9);
     EXPECT_GE(score.f_measure, 0.95) << "the beat is found again at its true time";
+}
+
+/// The tempo after silence in which 400 ms are lost at once, as while a program starts.
+double tempo_after_silence_with_a_gap(std::optional<AnalyzerCommand::Kind> key) {
+    MusicAnalyzer analyzer;
+    EXPECT_TRUE(analyzer.prepare(test::as_shipped()));
+    Collect collect;
+    const std::vector<float> silence(48'000 / 5);
+    analyzer.process(silence, collect);
+    if (key) {
+        analyzer.command({*key, {}, 0.0});
+    }
+    analyzer.process(silence, collect);
+    analyzer.skip(std::chrono::milliseconds(400));
+    for (int i = 0; i < 20; ++i) {
+        analyzer.process(silence, collect);
+    }
+    for (const MusicState& state : collect.states) {
+        EXPECT_TRUE(state.is_silent) << state.hop;
+    }
+    return collect.states.back().grid.tempo.bpm();
+}
+
+TEST(MusicAnalyzer, in_silence_lost_audio_leaves_the_tempo_where_it_was_put) {
+    EXPECT_DOUBLE_EQ(tempo_after_silence_with_a_gap({}), 120.0);
+    EXPECT_DOUBLE_EQ(tempo_after_silence_with_a_gap(AnalyzerCommand::Kind::half_tempo), 60.0);
 }
 
 TEST(MusicAnalyzer, reset_gives_the_same_bits_again) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -55,10 +56,23 @@ double level_in(const std::string& text) { return number_after("] ", text); }
 /// Softest that the music is heard, also where it pauses; silence is -inf.
 constexpr double kHeardDb = -70.0;
 
-/// Blocks that a slow machine drops move the beats: then the tempo is only about that of the drums,
-/// and still tells one sample rate from another.
-void expect_tempo_of_the_drums(const std::string& err, const StallWatch& watch) {
-    EXPECT_NEAR(tempo_in(err), 128.0, watch.is_machine_slow() ? 9.0 : 2.0) << err;
+/// What `listen` hears has the tempo of the drums. Blocks that a slow machine drops move the beats:
+/// there the tempo is only about that (and still tells one sample rate from another), in one of
+/// three goes.
+void expect_tempo_of_the_drums(const std::function<std::string()>& listen) {
+    std::string heard;
+    for (int go = 0; go < 3; ++go) {
+        const StallWatch watch;
+        heard = listen();
+        const bool is_slow = watch.is_machine_slow();
+        if (std::abs(tempo_in(heard) - 128.0) <= (is_slow ? 9.0 : 2.0)) {
+            return;
+        }
+        if (!is_slow) {
+            break;
+        }
+    }
+    ADD_FAILURE() << "not the drums' 128 BPM: " << heard;
 }
 
 /// The program with the sound servers of this process instead of none.
@@ -77,7 +91,7 @@ class LiveOnJack : public Live {
     void SetUp() override {
         Live::SetUp();
         start_server(48'000);
-        write_drums(path("drums.wav"), 40.0);
+        write_drums(path("drums.wav"), 60.0);
     }
     void TearDown() override {
         jack_.reset();
@@ -92,21 +106,24 @@ class LiveOnJack : public Live {
         return with_server("JACK_DEFAULT_SERVER", std::move(arguments));
     }
 
+    /// What `live` says after listening to a player for so many seconds. (Every JACK client is an
+    /// input of the others: the player's own name is listened to.)
+    std::string heard_of_the_player(const std::string& seconds) {
+        const ProcessResult heard = run_process(
+            with_jack({"live", "--headless", "--device", "raks", "--duration", seconds}));
+        EXPECT_EQ(heard.exit_code, 0) << heard.err;
+        EXPECT_NE(heard.err.find("listening to"), std::string::npos)
+            << "says what and why: " << heard.err;
+        return heard.err;
+    }
+
     std::optional<JackServer> jack_;
 };
 
 TEST_F(LiveOnJack, hears_the_tempo_that_play_plays) {
     CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
     ASSERT_TRUE(player.wait_for_output("playing"));
-    const StallWatch watch;
-    // Every JACK client is an input of the others: the player's own name is listened to.
-    CapturedProcess listener(
-        with_jack({"live", "--headless", "--device", "raks", "--duration", "14"}));
-    const ProcessResult heard = listener.wait();
-    EXPECT_EQ(heard.exit_code, 0) << heard.err;
-    expect_tempo_of_the_drums(heard.err, watch);
-    EXPECT_NE(heard.err.find("listening to"), std::string::npos)
-        << "says what and why: " << heard.err;
+    expect_tempo_of_the_drums([&] { return heard_of_the_player("14"); });
     player.send(SIGINT);
     EXPECT_EQ(player.wait().exit_code, 130);
 }
@@ -220,12 +237,8 @@ TEST_F(LiveOnJack, works_at_every_rate_that_a_server_has) {
         start_server(rate);
         CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
         ASSERT_TRUE(player.wait_for_output("playing")) << rate;
-        const StallWatch watch;
-        CapturedProcess listener(
-            with_jack({"live", "--headless", "--device", "raks", "--duration", "7"}));
-        const ProcessResult heard = listener.wait();
-        EXPECT_EQ(heard.exit_code, 0) << rate << heard.err;
-        expect_tempo_of_the_drums(heard.err, watch);
+        SCOPED_TRACE(rate);
+        expect_tempo_of_the_drums([&] { return heard_of_the_player("7"); });
     }
 }
 
@@ -291,7 +304,7 @@ class LiveOnPulse : public Live {
     void SetUp() override {
         Live::SetUp();
         ASSERT_EQ(pulse_.problem(), "");
-        write_drums(path("drums.wav"), 40.0);
+        write_drums(path("drums.wav"), 60.0);
     }
     [[nodiscard]] ProcessPlan with_pulse(std::vector<std::string> arguments) const {
         return with_server("PULSE_SERVER", std::move(arguments));

@@ -12,7 +12,7 @@
 namespace raks::engine {
 namespace {
 
-constexpr int kRate = 48'000;
+constexpr int kHertz = 48'000;
 constexpr std::size_t kSeconds = 4;
 constexpr std::size_t kBlock = 1000;  // frames; no divisor of what is pulled at a time
 
@@ -23,18 +23,18 @@ class PlaybackTest : public ::testing::Test {
         path_ = std::filesystem::path(::testing::TempDir()) /
                 (std::string("playback.") +
                  ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".wav");
-        std::vector<float> samples(kSeconds * kRate);
+        std::vector<float> samples(kSeconds * kHertz);
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            const auto second = i / kRate;
+            const auto second = i / kHertz;
             samples[i] = 0.1F * static_cast<float>(second + 1);
         }
-        ASSERT_TRUE(audio::write_wav(path_, samples, 1, SampleRate(kRate)));
+        ASSERT_TRUE(audio::write_wav(path_, samples, 1, SampleRate(kHertz)));
         auto player = audio::FilePlayer::start({path_});
         ASSERT_TRUE(player) << player.error().message;
         auto made = Playback::create(std::move(*player));
         ASSERT_TRUE(made) << made.error().message;
         playback_ = std::move(*made);
-        ASSERT_TRUE(playback_->prepare(SampleRate(kRate)));
+        ASSERT_TRUE(playback_->prepare(SampleRate(kHertz)));
     }
     void TearDown() override { std::filesystem::remove(path_); }
 
@@ -66,7 +66,7 @@ class PlaybackTest : public ::testing::Test {
     std::size_t play_out() {
         std::size_t heard = 0;
         for (std::size_t calls = 0; !playback_->is_finished(); ++calls) {
-            if (calls > 2 * kSeconds * kRate / kBlock) {
+            if (calls > 2 * kSeconds * kHertz / kBlock) {
                 ADD_FAILURE() << "plays on and on";
                 break;
             }
@@ -88,7 +88,7 @@ constexpr std::size_t kPulled = 256;
 constexpr float kStep = 1.0F / 32'768.0F;
 
 TEST_F(PlaybackTest, plays_every_frame_of_the_file_and_is_finished) {
-    EXPECT_EQ(play_out(), kSeconds * kRate);
+    EXPECT_EQ(play_out(), kSeconds * kHertz);
     EXPECT_EQ(playback_->analysis().taken_until(), StreamTime(std::chrono::seconds(kSeconds)));
 }
 
@@ -138,13 +138,13 @@ TEST_F(PlaybackTest, a_seek_back_in_the_last_block_plays_on) {
     std::vector<float> block(2 * kBlock);
     playback_->on_output(block, 2, {0, HostClock::now(), false});
     EXPECT_FALSE(playback_->is_finished());
-    EXPECT_GE(play_out(), 3 * kRate - kBlock);
+    EXPECT_GE(play_out(), 3 * kHertz - kBlock);
 }
 
 TEST_F(PlaybackTest, plays_no_frame_behind_the_end_that_was_set) {
     playback_->set_end(1.2345);
     EXPECT_EQ(play_out(), 59'256U);
-    EXPECT_EQ(playback_->analysis().taken_until(), SampleRate(kRate).time_of(59'256));
+    EXPECT_EQ(playback_->analysis().taken_until(), SampleRate(kHertz).time_of(59'256));
 }
 
 TEST_F(PlaybackTest, a_seek_behind_the_end_that_was_set_finishes) {
@@ -156,7 +156,7 @@ TEST_F(PlaybackTest, a_seek_behind_the_end_that_was_set_finishes) {
 
 TEST_F(PlaybackTest, an_end_behind_the_file_changes_nothing) {
     playback_->set_end(1000.0);
-    EXPECT_EQ(play_out(), kSeconds * kRate);
+    EXPECT_EQ(play_out(), kSeconds * kHertz);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <future>
 #include <limits>
 #include <vector>
 
@@ -149,8 +150,10 @@ Found find_noise(std::span<const float> samples) {
                 "default rate " + std::to_string(in.default_rate));
         Recorder recorder(static_cast<std::size_t>(3 * rate));
         NoisePlayer player;
-        const auto output = opened(DeviceStream::open_output(out, {}, player));
-        const auto input = opened(DeviceStream::open_input(in, {}, recorder));
+        const auto output = opened(DeviceStream::open_output(out, {}));
+        const auto input = opened(DeviceStream::open_input(in, {}));
+        output->connect(player);
+        input->connect(recorder);
         require(output->rate().hertz() == rate && input->channels() == 2, "rate or channels");
         require(jack.connect("raks:out_0", "raks:in_0"), "jack_connect");
         require(jack.disconnect("system:capture_1", "raks:in_0"), "jack_disconnect");
@@ -171,16 +174,15 @@ Found find_noise(std::span<const float> samples) {
     std::exit(0);
 }
 
-/// What keeps running while the device dies: must outlive the abandoned stream.
-NoisePlayer g_player;
-
 [[noreturn]] void survive_the_death_of_jack(bool is_output) {
     {
         JackServer jack;
         require(jack.problem().empty(), jack.problem());
         auto system = AudioSystem::open().value();
-        auto stream = opened(is_output ? DeviceStream::open_output(output_of(system), {}, g_player)
-                                       : DeviceStream::open_input(input_of(system), {}, g_player));
+        NoisePlayer player;
+        auto stream = opened(is_output ? DeviceStream::open_output(output_of(system), {})
+                                       : DeviceStream::open_input(input_of(system), {}));
+        stream->connect(player);
         const timespec look_again{0, 20'000'000};
         while (stream->callbacks() < 10) {
             nanosleep(&look_again, nullptr);
@@ -195,7 +197,39 @@ NoisePlayer g_player;
             require(!stream->is_alive(now()), "dead after");
         }
     }
-    std::exit(7);  // through every destructor and atexit handler
+    end_process(7);
+}
+
+/// A block that is on its way until it may end.
+class LongBlock final : public StreamCallback {
+ public:
+    void on_input(std::span<const float>, int, const BlockTime&) noexcept override {
+        has_begun.store(true);
+        has_begun.notify_one();
+        may_end.wait(false);
+    }
+
+    std::atomic<bool> has_begun{false};
+    std::atomic<bool> may_end{false};
+};
+
+[[noreturn]] void close_while_a_block_is_on_its_way() {
+    {
+        const JackServer jack;
+        require(jack.problem().empty(), jack.problem());
+        auto system = AudioSystem::open().value();
+        auto stream = opened(DeviceStream::open_input(input_of(system), {}));
+        LongBlock block;
+        stream->connect(block);
+        block.has_begun.wait(false);
+        const auto closing = std::async(std::launch::async, [&] { stream.reset(); });
+        // Longer than a device is given to stop: what it still calls must not be gone by then.
+        require(closing.wait_for(std::chrono::milliseconds(1500)) == std::future_status::timeout,
+                "closed while it called");
+        block.may_end.store(true);
+        block.may_end.notify_all();
+    }
+    end_process(7);
 }
 
 [[noreturn]] void listen_to_a_pulse_monitor() {
@@ -208,9 +242,10 @@ NoisePlayer g_player;
         require(choice->device.name == "raks_null.monitor", "chose " + choice->reason);
         NoisePlayer player;
         Recorder recorder(4 * 48'000);
-        const auto output =
-            opened(DeviceStream::open_output(output_of(system, "pulse"), {}, player));
-        const auto input = opened(DeviceStream::open_input(choice->device, {}, recorder));
+        const auto output = opened(DeviceStream::open_output(output_of(system, "pulse"), {}));
+        const auto input = opened(DeviceStream::open_input(choice->device, {}));
+        output->connect(player);
+        input->connect(recorder);
         recorder.wait_for(48'000);
         bool is_heard = false;
         for (std::size_t frames = 52'800; frames <= 4 * 48'000 && !is_heard; frames += 4'800) {
@@ -233,8 +268,7 @@ NoisePlayer g_player;
         const auto system = AudioSystem::open();
         require(system.has_value(), "system");
         const AudioDevice gone{.portaudio_index = 999, .name = "gone", .input_channels = 2};
-        NoisePlayer player;
-        const auto stream = DeviceStream::open_input(gone, {}, player);
+        const auto stream = DeviceStream::open_input(gone, {});
         require(!stream && stream.error().message.rfind("device 'gone' ", 0) == 0, "error");
     }
     std::exit(0);
@@ -256,6 +290,10 @@ TEST_F(DeviceStreamTest, a_jack_server_at_another_rate_and_period_works_too) {
 TEST_F(DeviceStreamTest, the_death_of_jack_is_seen_and_the_process_ends) {
     EXPECT_EXIT(survive_the_death_of_jack(true), ::testing::ExitedWithCode(7), "^$");
     EXPECT_EXIT(survive_the_death_of_jack(false), ::testing::ExitedWithCode(7), "^$");
+}
+
+TEST_F(DeviceStreamTest, closing_waits_for_the_block_that_is_on_its_way) {
+    EXPECT_EXIT(close_while_a_block_is_on_its_way(), ::testing::ExitedWithCode(7), "^$");
 }
 
 TEST_F(DeviceStreamTest, a_pulse_monitor_is_found_and_heard) {

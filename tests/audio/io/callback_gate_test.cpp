@@ -1,21 +1,23 @@
-#include "engine/callback_gate.hpp"
+#include "audio/io/callback_gate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <thread>
 
 #include "tests/support/realtime_guard.hpp"
 
-namespace raks::engine {
+namespace raks::audio {
 namespace {
 
 /// Counts what reaches it, and answers with ones.
-class Counter final : public audio::StreamCallback {
+class Counter final : public StreamCallback {
  public:
     void on_input(std::span<const float> interleaved,
                   int width,
-                  const audio::BlockTime& time) noexcept override {
+                  const BlockTime& time) noexcept override {
         ++inputs;
         samples = interleaved.size();
         channels = width;
@@ -23,7 +25,7 @@ class Counter final : public audio::StreamCallback {
     }
     void on_output(std::span<float> interleaved,
                    int width,
-                   const audio::BlockTime& time) noexcept override {
+                   const BlockTime& time) noexcept override {
         ++outputs;
         channels = width;
         first_frame = time.first_frame;
@@ -81,11 +83,44 @@ TEST(CallbackGate, closed_again_blocks_pass_by) {
     EXPECT_EQ(blocks.out, decltype(blocks.out){});
 }
 
+/// A block that lasts until it is told to go on.
+class LongBlock final : public StreamCallback {
+ public:
+    void on_input(std::span<const float>, int, const BlockTime&) noexcept override {
+        has_begun.store(true);
+        has_begun.notify_one();
+        may_end.wait(false);
+        has_ended.store(true);
+    }
+
+    std::atomic<bool> has_begun{false};
+    std::atomic<bool> may_end{false};
+    std::atomic<bool> has_ended{false};
+};
+
+TEST(CallbackGate, closing_waits_for_the_block_that_is_on_its_way) {
+    CallbackGate gate;
+    LongBlock block;
+    gate.open(block);
+    std::thread device([&] { gate.on_input({}, 1, {0, {}, false}); });
+    block.has_begun.wait(false);
+    bool had_ended = false;
+    std::thread closer([&] {
+        gate.close();
+        had_ended = block.has_ended.load();
+    });
+    block.may_end.store(true);
+    block.may_end.notify_one();
+    closer.join();
+    device.join();
+    EXPECT_TRUE(had_ended);
+}
+
 TEST(CallbackGate, opening_and_callbacks_keep_the_real_time_rules) {
     CallbackGate gate;
     Counter counter;
     Blocks blocks;
-    test::RealtimeScope scope;
+    raks::test::RealtimeScope scope;
     gate.on_output(blocks.out, 2, {0, {}, false});
     gate.open(counter);
     gate.on_output(blocks.out, 2, {0, {}, false});
@@ -95,4 +130,4 @@ TEST(CallbackGate, opening_and_callbacks_keep_the_real_time_rules) {
 }
 
 }  // namespace
-}  // namespace raks::engine
+}  // namespace raks::audio
