@@ -79,6 +79,9 @@ class Recorder final : public StreamCallback {
                   int channels,
                   const BlockTime& time) noexcept override {
         const auto width = static_cast<std::size_t>(channels);
+        if (seen_ < 0) {
+            seen_ = time.first_frame;  // blocks pass by before the stream is connected
+        }
         is_time_right_ = is_time_right_ && time.first_frame == seen_ &&
                          time.entered.time_since_epoch().count() > 0;
         seen_ += static_cast<std::int64_t>(in.size() / width);
@@ -103,7 +106,7 @@ class Recorder final : public StreamCallback {
  private:
     std::vector<float> samples_;
     std::atomic<std::size_t> count_{0};
-    std::int64_t seen_ = 0;
+    std::int64_t seen_ = -1;
     bool is_time_right_ = true;
 };
 
