@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Learns the beat network from nothing, all stages of models/trained/README.md (90 to 140 CPU-minutes).
+# Learns a beat network from nothing (70 to 90 CPU-minutes).
 #   scripts/train_beats.sh MIDI_PACK FOLDER [options of `raks train beats`, as --soundfont FILE]
 # FOLDER/beats.json is what is learnt; what lies in FOLDER already is kept, so that it goes on where it
 # was stopped. PERCENT=5 takes 5 % of pieces and steps, to try it; RAKS names the program.
@@ -36,27 +36,9 @@ learn() {  # name pieces steps arguments: one corpus a number of pieces
     stage "$name" "$pack" --excerpts "$pieces" --corpus "$folder/music_$pieces.bin" --steps "$steps" \
         "${options[@]}" "$@"
 }
-on() {  # name from steps arguments
-    local name=$1 from=$2 steps=$3
-    shift 3
-    learn "$name" 3000 "$steps" --from "$folder/$from.json" --rate 0.002 "$@"
-}
-mean() {  # name of...
-    local name=$1
-    shift
-    local files=("${@/#/$folder/}")
-    stage "$name" --average "${files[@]/%/.json}"
-}
 
-learn first 3000 4500
-on a first 1500 --cuts 0
-on b first 2600 --cuts 0 --seed 2
-on c first 2200 --cuts 0 --seed 3
-mean four first a b c
-on d four 3500 --seed 5
-on e four 3500 --seed 6
-on f four 3500 --seed 7
-mean six a b c d e f
+learn begun 3000 4500 --seed 12
+learn heard 3000 3500 --seed 22 --from "$folder/begun.json" --rate 0.002
 stage beats "$pack" --excerpts "$(share 3000 16)" --corpus "$folder/music_$(share 3000 16).bin" \
-    --from "$folder/six.json" --bar-steps "$(share 1200 10)" "${options[@]}"
+    --from "$folder/heard.json" --bar-steps "$(share 1200 10)" "${options[@]}"
 echo "$folder/beats.json" >&2
