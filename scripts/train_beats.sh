@@ -28,17 +28,14 @@ stage() {  # name arguments: writes FOLDER/name.json, once
     "$raks" train beats "$@" -o "$folder/$name.part.json"
     mv "$folder/$name.part.json" "$folder/$name.json"
 }
-learn() {  # name pieces steps arguments: one corpus a number of pieces
-    local name=$1 pieces steps
-    pieces=$(share "$2" 16)
-    steps=$(share "$3" 10)
-    shift 3
-    stage "$name" "$pack" --excerpts "$pieces" --corpus "$folder/music_$pieces.bin" --steps "$steps" \
-        "${options[@]}" "$@"
+learn() {  # name arguments
+    local name=$1
+    shift
+    stage "$name" "$pack" --excerpts "$pieces" --corpus "$folder/music_$pieces.bin" "${options[@]}" "$@"
 }
 
-learn begun 3000 4500 --seed 12
-learn heard 3000 3500 --seed 22 --from "$folder/begun.json" --rate 0.002
-stage beats "$pack" --excerpts "$(share 3000 16)" --corpus "$folder/music_$(share 3000 16).bin" \
-    --from "$folder/heard.json" --bar-steps "$(share 1200 10)" "${options[@]}"
+pieces=$(share 3000 16)
+learn begun --steps "$(share 4500 10)" --seed 12
+learn heard --steps "$(share 3500 10)" --seed 22 --from "$folder/begun.json" --rate 0.002
+learn beats --bar-steps "$(share 1200 10)" --from "$folder/heard.json"
 echo "$folder/beats.json" >&2

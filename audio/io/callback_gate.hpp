@@ -13,7 +13,7 @@ namespace raks::audio {
 /// call again after all that it called is gone.
 /// Threads: open and close on main; the callbacks on the device's one thread. Real-time: the
 /// callbacks, yes.
-class CallbackGate final : public StreamCallback {
+class CallbackGate {
  public:
     /// From now on blocks reach `callback`.
     void open(StreamCallback& callback) noexcept { callback_.store(&callback); }
@@ -28,12 +28,10 @@ class CallbackGate final : public StreamCallback {
 
     void on_input(std::span<const float> interleaved,
                   int channels,
-                  const BlockTime& time) noexcept override {
+                  const BlockTime& time) noexcept {
         call([&](StreamCallback& callback) { callback.on_input(interleaved, channels, time); });
     }
-    void on_output(std::span<float> interleaved,
-                   int channels,
-                   const BlockTime& time) noexcept override {
+    void on_output(std::span<float> interleaved, int channels, const BlockTime& time) noexcept {
         call([&](StreamCallback& callback) { callback.on_output(interleaved, channels, time); });
     }
 

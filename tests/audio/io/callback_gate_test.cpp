@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <thread>
 
+#include "tests/audio/io/long_block.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::audio {
@@ -83,34 +83,18 @@ TEST(CallbackGate, closed_again_blocks_pass_by) {
     EXPECT_EQ(blocks.out, decltype(blocks.out){});
 }
 
-/// A block that lasts until it is told to go on.
-class LongBlock final : public StreamCallback {
- public:
-    void on_input(std::span<const float>, int, const BlockTime&) noexcept override {
-        has_begun.store(true);
-        has_begun.notify_one();
-        may_end.wait(false);
-        has_ended.store(true);
-    }
-
-    std::atomic<bool> has_begun{false};
-    std::atomic<bool> may_end{false};
-    std::atomic<bool> has_ended{false};
-};
-
 TEST(CallbackGate, closing_waits_for_the_block_that_is_on_its_way) {
     CallbackGate gate;
-    LongBlock block;
+    test::LongBlock block;
     gate.open(block);
     std::thread device([&] { gate.on_input({}, 1, {0, {}, false}); });
-    block.has_begun.wait(false);
+    block.wait_for_begin();
     bool had_ended = false;
     std::thread closer([&] {
         gate.close();
-        had_ended = block.has_ended.load();
+        had_ended = block.has_ended();
     });
-    block.may_end.store(true);
-    block.may_end.notify_one();
+    block.let_end();
     closer.join();
     device.join();
     EXPECT_TRUE(had_ended);

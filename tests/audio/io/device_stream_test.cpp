@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "tests/audio/io/long_block.hpp"
 #include "tests/support/jack_server.hpp"
 #include "tests/support/pulse_server.hpp"
 #include "tests/support/stall_watch.hpp"
@@ -203,34 +204,20 @@ Found find_noise(std::span<const float> samples) {
     end_process(7);
 }
 
-/// A block that is on its way until it may end.
-class LongBlock final : public StreamCallback {
- public:
-    void on_input(std::span<const float>, int, const BlockTime&) noexcept override {
-        has_begun.store(true);
-        has_begun.notify_one();
-        may_end.wait(false);
-    }
-
-    std::atomic<bool> has_begun{false};
-    std::atomic<bool> may_end{false};
-};
-
 [[noreturn]] void close_while_a_block_is_on_its_way() {
     {
         const JackServer jack;
         require(jack.problem().empty(), jack.problem());
         auto system = AudioSystem::open().value();
         auto stream = opened(DeviceStream::open_input(input_of(system), {}));
-        LongBlock block;
+        test::LongBlock block;
         stream->connect(block);
-        block.has_begun.wait(false);
+        block.wait_for_begin();
         const auto closing = std::async(std::launch::async, [&] { stream.reset(); });
         // Longer than a device is given to stop: what it still calls must not be gone by then.
         require(closing.wait_for(std::chrono::milliseconds(1500)) == std::future_status::timeout,
                 "closed while it called");
-        block.may_end.store(true);
-        block.may_end.notify_all();
+        block.let_end();
     }
     end_process(7);
 }
