@@ -52,7 +52,13 @@ Expected<void> acquire_portaudio() {
     const SilentStderr silence;
     silence_libraries();
     PaJack_SetClientName("raks");
-    if (const PaError error = Pa_Initialize(); error != paNoError) {
+    // JACK turns a client down now and then where its machine is busy; the next is let in.
+    constexpr int kTries = 3;
+    PaError error = paUnanticipatedHostError;
+    for (int i = 0; i < kTries && error == paUnanticipatedHostError; ++i) {
+        error = Pa_Initialize();
+    }
+    if (error != paNoError) {
         return fail("PortAudio cannot be started: " + portaudio_reason(error));
     }
     ++g_users;
