@@ -20,7 +20,8 @@ tail -n +2 "$excerpts/index.tsv" | cut -f 1,2 | while IFS=$'\t' read -r name cla
         varied=${name}_$number
         played=$(awk -v rate=$rate -v speed="$speed" 'BEGIN { print int(rate * speed) }')
         ffmpeg -nostdin -v error -y -ss "$cut" -i "$excerpts/$name.ogg" \
-            -af "aresample=$rate,asetrate=$played,aresample=$rate" "$folder/$varied.flac"
+            -af "aresample=$rate,asetrate=$played,aresample=$rate" -c:a libvorbis -q:a 6 \
+            "$folder/$varied.ogg"
         awk -v cut="$cut" -v speed="$speed" \
             '$1 >= cut { printf "%.4f\t%s\n", ($1 - cut) / speed, $2 }' "$excerpts/$name.beats" \
             >"$folder/$varied.beats"

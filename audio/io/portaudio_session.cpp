@@ -52,7 +52,7 @@ Expected<void> acquire_portaudio() {
     const SilentStderr silence;
     silence_libraries();
     PaJack_SetClientName("raks");
-    // JACK turns a client down now and then where its machine is busy; the next is let in.
+    // Seen with JACK on a busy machine: one start fails without a reason, the next succeeds.
     constexpr int kTries = 3;
     PaError error = paUnanticipatedHostError;
     for (int i = 0; i < kTries && error == paUnanticipatedHostError; ++i) {
