@@ -38,6 +38,8 @@ struct Options {
     std::vector<std::string> left_out;
     std::filesystem::path start;
     std::vector<std::filesystem::path> averaged;
+    std::vector<std::filesystem::path> heard_together;
+    float trust = 1.0F;
     audio::NetworkPlan network;
     int bar_steps = 0;  // 0: learns beats
     std::filesystem::path output;
@@ -47,6 +49,11 @@ struct Options {
 void add_options(CLI::App& app, Options& options) {
     auto* average = app.add_option(
         "--average", options.averaged, "no training: the mean of these networks' weights");
+    auto* together = app.add_option(
+        "--together", options.heard_together, "no training: these networks, to be heard together");
+    app.add_option("--trust", options.trust, "in what they say; below 1: less sure")
+        ->check(cli::in_range(0.1, 10.0))
+        ->needs(together);
     auto* pack = app.add_option("pack", options.corpus.pack, "folder of MIDI files with index.tsv");
     auto* soundfont = app.add_option(
         "--soundfont", options.corpus.soundfonts, "SF2 or SF3; several: mostly bands of all");
@@ -54,6 +61,9 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--also", options.more_files, "more music that --corpus kept: learnt from, too");
     app.add_option("--excerpts", options.corpus.excerpts, "pieces of 22 s to render")
         ->check(cli::in_range(16, 100'000));
+    app.add_flag("--with-machines",
+                 options.corpus.with_machines,
+                 "more electronic music, as machines play it, and wider tempi");
     app.add_option("--corpus-seed", options.corpus.seed, "same seed, same music");
     app.add_option("--leave-out", options.left_out, "families of music not to learn from");
     auto* from = app.add_option("--from", options.start, "X.json: go on from these weights");
@@ -81,9 +91,12 @@ void add_options(CLI::App& app, Options& options) {
                                  "`raks eval beats`");
     out->excludes(write);
     average->excludes(write);
-    app.callback([average, pack, soundfont, out, write] {
-        if (average->count() == 0 && (pack->count() == 0 || soundfont->count() == 0)) {
-            throw CLI::RequiredError("pack and --soundfont, or --average");
+    together->excludes(write);
+    together->excludes(average);
+    app.callback([average, together, pack, soundfont, out, write] {
+        if (average->count() + together->count() == 0 &&
+            (pack->count() == 0 || soundfont->count() == 0)) {
+            throw CLI::RequiredError("pack and --soundfont, or --average or --together");
         }
         if (out->count() + write->count() == 0) {
             throw CLI::RequiredError("--out or --write");
@@ -146,21 +159,25 @@ Expected<void> leave_out(const std::vector<std::string>& families,
     return {};
 }
 
-/// Writes the mean of the networks asked for.
-Expected<void> write_average(const Options& options, const audio::NetworkNotes& notes) {
+/// Writes what `make` makes of the networks in these files.
+template <class Make>
+Expected<void> write_made_of(const std::vector<std::filesystem::path>& files,
+                             const Make& make,
+                             const Options& options,
+                             const audio::NetworkNotes& notes) {
     std::vector<std::shared_ptr<const audio::BeatNetwork>> networks;
-    for (const std::filesystem::path& path : options.averaged) {
+    for (const std::filesystem::path& path : files) {
         auto network = audio::load_network(path);
         if (!network) {
             return fail(network.error());
         }
         networks.push_back(std::move(*network));
     }
-    const auto mean = audio::average(networks);
-    if (!mean) {
-        return fail("--average: network " + mean.error().message);
+    const Expected<audio::BeatNetwork> made = make(networks);
+    if (!made) {
+        return fail("network " + made.error().message);
     }
-    return audio::save_network(*mean, notes, options.output);
+    return audio::save_network(*made, notes, options.output);
 }
 
 void print_progress(const audio::NetworkProgress& progress) {
@@ -203,12 +220,22 @@ Expected<void> run(Options& options, const std::string& command) {
         return checked;
     }
     if (!options.averaged.empty()) {
-        return write_average(options, notes);
+        return write_made_of(options.averaged, audio::average, options, notes);
+    }
+    if (!options.heard_together.empty()) {
+        const auto make = [&](const auto& networks) {
+            return audio::together(networks, options.trust);
+        };
+        return write_made_of(options.heard_together, make, options, notes);
     }
     if (!options.start.empty()) {
         auto start = audio::load_network(options.start);
         if (!start) {
             return fail(start.error());
+        }
+        if (!(*start)->others().empty() && options.bar_steps == 0) {
+            return fail(options.start.string() +
+                        ": holds several networks, which learn apart; only --bar-steps goes on");
         }
         options.network.start = std::move(*start);
     }

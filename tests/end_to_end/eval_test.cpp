@@ -202,17 +202,14 @@ TEST_F(EvalBeats, hears_with_the_network_asked_for) {
     EXPECT_EQ(both["trackers"][1]["excerpts"], both["trackers"][0]["excerpts"]);
 }
 
-TEST_F(EvalBeats, the_mean_of_a_network_with_itself_is_that_network) {
+TEST_F(EvalBeats, a_network_averaged_or_heard_together_with_itself_is_that_network) {
     const fs::path shipped = fs::path(RAKS_SOURCE_DIR) / "models/trained/beats.json";
-    const ProcessResult result = run({"train",
-                                      "beats",
-                                      "--average",
-                                      shipped.string(),
-                                      shipped.string(),
-                                      "-o",
-                                      path("mean.json")});
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(document({"--network", path("mean.json")}), document());
+    for (const char* const how : {"--average", "--together"}) {
+        const ProcessResult result = run(
+            {"train", "beats", how, shipped.string(), shipped.string(), "-o", path("made.json")});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(document({"--network", path("made.json")}), document()) << how;
+    }
 }
 
 TEST_F(EvalBeats, the_same_bytes_every_time) {

@@ -4,9 +4,10 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "audio/network/network_input.hpp"
-#include "audio/network/network_listener.hpp"
+#include "audio/network/recurrent_network.hpp"
 #include "base/expected.hpp"
 #include "base/realtime.hpp"
 
@@ -41,6 +42,15 @@ class BeatNetwork : public RecurrentNetwork {
     [[nodiscard]] const std::shared_ptr<const BarNetwork>& bars() const noexcept { return bars_; }
     void set_bars(std::shared_ptr<const BarNetwork> bars) noexcept { bars_ = std::move(bars); }
 
+    /// Others that hear the same beside it, each with the same look-ahead: what they say is
+    /// averaged with what it says. They have neither others nor bars of their own.
+    [[nodiscard]] const std::vector<std::shared_ptr<const BeatNetwork>>& others() const noexcept {
+        return others_;
+    }
+    void set_others(std::vector<std::shared_ptr<const BeatNetwork>> others) noexcept {
+        others_ = std::move(others);
+    }
+
     /// Real-time: yes.
     static BeatEvidence evidence_of(const RecurrentStream::Logits& logits) noexcept
         RAKS_NONBLOCKING;
@@ -48,6 +58,7 @@ class BeatNetwork : public RecurrentNetwork {
  private:
     int lookahead_;
     std::shared_ptr<const BarNetwork> bars_;
+    std::vector<std::shared_ptr<const BeatNetwork>> others_;
 };
 
 /// The mean of the weights of networks that went on from one and the same: they lie in one valley,
@@ -57,7 +68,29 @@ class BeatNetwork : public RecurrentNetwork {
 [[nodiscard]] Expected<BeatNetwork> average(
     std::span<const std::shared_ptr<const BeatNetwork>> networks);
 
-/// Hop by hop.
-using BeatListener = NetworkListener<BeatNetwork>;
+/// Networks that learnt apart, heard together: each errs in its own way. What they say is averaged
+/// before it is squashed, times `trust`: below 1 where they are surer of what they learnt from
+/// than of other music. What hears bars is left out, as above.
+/// Errors: none given, more than kMostTogether, or "3: has another look-ahead than the first".
+constexpr std::size_t kMostTogether = 8;
+[[nodiscard]] Expected<BeatNetwork> together(
+    std::span<const std::shared_ptr<const BeatNetwork>> networks, float trust);
+
+/// Listens with a network and those beside it, hop by hop. Cost: a step of each.
+/// Threads: one. Real-time: next, reset yes.
+class BeatListener {
+ public:
+    /// `network`: not null.
+    explicit BeatListener(std::shared_ptr<const BeatNetwork> network)
+        : network_(std::move(network)), streams_(1 + network_->others().size()) {}
+
+    /// About what lies the network's look-ahead before the frame.
+    BeatEvidence next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING;
+    void reset() noexcept RAKS_NONBLOCKING;
+
+ private:
+    std::shared_ptr<const BeatNetwork> network_;
+    std::vector<RecurrentStream> streams_;  // the network's, then one of each of the others
+};
 
 }  // namespace raks::audio

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "audio/beat/network/bar_network.hpp"
 #include "base/file.hpp"
@@ -15,7 +17,7 @@ namespace raks::audio {
 namespace {
 
 constexpr std::string_view kFormat = "raks-beat-network";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr std::size_t kLargestFile = std::size_t{16} << 20U;
 constexpr int kLongestLookahead = 10;
 constexpr double kLargestWeight = 1e6;
@@ -61,6 +63,22 @@ Size read_size(const Field& object) {
     return {static_cast<std::size_t>(units), static_cast<std::size_t>(layers)};
 }
 
+std::vector<std::shared_ptr<const BeatNetwork>> read_others(const Field& list, int lookahead) {
+    std::vector<std::shared_ptr<const BeatNetwork>> others;
+    const std::size_t count = list.size();
+    if (count >= kMostTogether) {
+        list.complain(fmt::format("are {}, at most {} are heard", count, kMostTogether - 1));
+        return others;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const Size size = read_size(list[i]);
+        auto other = std::make_shared<BeatNetwork>(size.units, size.layers, lookahead);
+        read_parameters(list[i], *other);
+        others.push_back(std::move(other));
+    }
+    return others;
+}
+
 /// {"units", "layers", ..., "parameters": [...]} without its braces.
 std::string network_text(const RecurrentNetwork& network, const std::string& more) {
     std::string text = fmt::format("\"units\": {},\n\"layers\": {},\n{}\"parameters\": [",
@@ -96,6 +114,9 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
     auto network = std::make_shared<BeatNetwork>(
         size.units, size.layers, root["lookahead"].whole(0, kLongestLookahead));
     read_parameters(root, *network);
+    if (root.has("others")) {
+        network->set_others(read_others(root["others"], network->lookahead()));
+    }
     if (root.has("bars")) {
         const Size bars_size = read_size(root["bars"]);
         auto bars = std::make_shared<BarNetwork>(bars_size.units, bars_size.layers);
@@ -111,7 +132,11 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
 Expected<void> save_network(const BeatNetwork& network,
                             const NetworkNotes& notes,
                             const std::filesystem::path& path) {
+    const auto& others = network.others();
     if (!is_sound(network.parameters()) ||
+        std::any_of(others.begin(),
+                    others.end(),
+                    [](const auto& other) { return !is_sound(other->parameters()); }) ||
         (network.bars() && !is_sound(network.bars()->parameters()))) {
         return fail(path.string() + ": not written: training went astray; learn with a lower rate");
     }
@@ -123,6 +148,10 @@ Expected<void> save_network(const BeatNetwork& network,
         dumped(notes.made_with),
         dumped(notes.attribution),
         network_text(network, lookahead));
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        text += (i == 0 ? ",\n\"others\": [{\n" : "}, {\n") + network_text(*others[i], "");
+    }
+    text += others.empty() ? "" : "}]";
     if (network.bars()) {
         text += ",\n\"bars\": {\n" + network_text(*network.bars(), "") + "}";
     }

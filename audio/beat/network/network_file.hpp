@@ -9,9 +9,10 @@
 
 namespace raks::audio {
 
-/// Reads a beat network: {"format": "raks-beat-network", "version": 2, "units", "layers",
-/// "lookahead", "made_with", "attribution", "parameters": [...], "bars": {"units", "layers",
-/// "parameters": [...]}}. Without "bars" (as in version 1) it hears none.
+/// Reads a beat network: {"format": "raks-beat-network", "version": 3, "units", "layers",
+/// "lookahead", "made_with", "attribution", "parameters": [...], "others": [{"units", "layers",
+/// "parameters": [...]}, ...], "bars": {"units", "layers", "parameters": [...]}}. Without "others"
+/// (as in version 2) it hears alone, without "bars" (as in version 1) it hears none.
 /// Errors: one line with file and field: missing, another format, a newer version, sizes that do
 /// not fit, a parameter that is no finite number.
 [[nodiscard]] Expected<std::shared_ptr<const BeatNetwork>> load_network(

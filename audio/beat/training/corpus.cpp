@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "audio/beat/training/non_music.hpp"
 #include "audio/beat/training/sound_augmentation.hpp"
 #include "audio/beat/training/soundfont_player.hpp"
+#include "audio/beat/training/studio.hpp"
 #include "audio/features/onset.hpp"
 #include "audio/features/rhythm_frames.hpp"
 #include "audio/synth/music_generator.hpp"
@@ -33,7 +35,20 @@ struct Piece {
     std::string style;
     Performance performance;
     std::vector<float> samples;  // filled already when it is our own generator's
+    bool is_electronic = false;  // played by machines
 };
+
+bool is_electronic(const RhythmStyle& style) {
+    return style.family == "electronic" || style.family == "hiphop";
+}
+
+/// Some pieces of a style are slower or faster than it is danced.
+void widen_tempi(double chance, Score& score, Dice& dice) {
+    if (dice.chance(chance)) {
+        score.lowest_bpm = std::max(55.0, 0.75 * score.lowest_bpm);
+        score.highest_bpm = std::min(217.0, 1.3 * score.highest_bpm);
+    }
+}
 
 /// The magnitudes that the analyzer would hear.
 std::vector<float> listen(std::span<const float> samples, int rate) {
@@ -56,7 +71,8 @@ std::vector<float> listen(std::span<const float> samples, int rate) {
 
 class PieceMaker {
  public:
-    PieceMaker(std::vector<MidiStretch> pack, double seconds) : seconds_(seconds) {
+    PieceMaker(std::vector<MidiStretch> pack, const CorpusPlan& plan)
+        : seconds_(plan.seconds), with_machines_(plan.with_machines) {
         for (MidiStretch& stretch : pack) {
             auto& set = stretch.set == "groove"     ? (stretch.is_fill ? fills_ : groove_)
                         : stretch.set == "freedoom" ? freedoom_
@@ -67,7 +83,10 @@ class PieceMaker {
             set.push_back(std::move(stretch.score));
         }
         for (const RhythmStyle& style : rhythm_styles()) {
-            total_weight_ += style.weight;
+            styles_.push_back(&style);
+            if (is_electronic(style)) {
+                electronic_.push_back(&style);
+            }
         }
     }
 
@@ -82,7 +101,8 @@ class PieceMaker {
     [[nodiscard]] Piece make(Dice& dice) const {
         const double kind = dice.uniform();
         if (kind < 0.44) {
-            return from_style(draw_style(dice), dice);
+            const bool is_electronic = with_machines_ && kind >= 0.35;
+            return from_style(draw_style(is_electronic ? electronic_ : styles_, dice), dice);
         }
         if (kind < 0.51) {
             return from_free(dice);
@@ -104,30 +124,51 @@ class PieceMaker {
     }
 
  private:
-    [[nodiscard]] const RhythmStyle& draw_style(Dice& dice) const {
-        double left = dice.uniform(0.0, total_weight_);
-        for (const RhythmStyle& style : rhythm_styles()) {
-            left -= style.weight;
+    using Styles = std::vector<const RhythmStyle*>;
+    static const RhythmStyle& draw_style(const Styles& styles, Dice& dice) {
+        const double total = std::accumulate(
+            styles.begin(), styles.end(), 0.0, [](double sum, const RhythmStyle* style) {
+                return sum + style->weight;
+            });
+        double left = dice.uniform(0.0, total);
+        for (const RhythmStyle* style : styles) {
+            left -= style->weight;
             if (left < 0.0) {
-                return style;
+                return *style;
             }
         }
-        return rhythm_styles().front();
+        return *styles.front();
     }
     [[nodiscard]] Piece from_style(const RhythmStyle& style, Dice& dice) const {
         Score score = drum_score(style, kMostBeats, dice);
         if (dice.chance(0.65)) {
             add_band(style.bass, style.comping, score, dice);
         }
+        if (with_machines_) {
+            widen_tempi(is_electronic(style) ? 0.5 : 0.2, score, dice);
+        }
+        return played(std::string(style.family),
+                      std::string(style.name),
+                      std::move(score),
+                      is_electronic(style) ? 0.75 : 0.0,
+                      dice);
+    }
+    /// `machines`: the chance that machines play it, where there are any.
+    [[nodiscard]] Piece played(
+        std::string family, std::string style, Score score, double machines, Dice& dice) const {
+        const bool is_electronic = with_machines_ && dice.chance(machines);
+        if (is_electronic) {
+            give_to_machines(score, dice);
+        }
         return {
-            std::string(style.family), std::string(style.name), perform(score, seconds_, dice), {}};
+            std::move(family), std::move(style), perform(score, seconds_, dice), {}, is_electronic};
     }
     [[nodiscard]] Piece from_free(Dice& dice) const {
         Score score = free_drum_score(kMostBeats, dice);
         if (dice.chance(0.6)) {
             add_band({}, {}, score, dice);
         }
-        return {"free", "free", perform(score, seconds_, dice), {}};
+        return played("free", "free", std::move(score), 0.3, dice);
     }
     [[nodiscard]] Piece from_groove(Dice& dice) const {
         // As a pick of the scores themselves: the same draw.
@@ -184,7 +225,9 @@ class PieceMaker {
     }
 
     double seconds_;
-    double total_weight_ = 0.0;
+    bool with_machines_;
+    Styles styles_;
+    Styles electronic_;
     std::vector<Score> groove_;
     std::vector<std::string> groove_styles_;  // of each
     std::vector<Score> fills_;
@@ -213,6 +256,9 @@ Expected<CorpusPiece> make_piece(const CorpusPlan& plan, const PieceMaker& maker
         }
         piece.samples = std::move(*samples);
     }
+    if (piece.is_electronic) {
+        produce(piece.performance, SoundfontPlayer::kRate, piece.samples, dice);
+    }
     augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
     return CorpusPiece{std::move(piece.family),
                        std::move(piece.style),
@@ -228,7 +274,7 @@ Expected<void> make_pieces(const CorpusPlan& plan,
     if (!pack) {
         return fail(pack.error());
     }
-    const PieceMaker maker(std::move(*pack), plan.seconds);
+    const PieceMaker maker(std::move(*pack), plan);
     std::vector<Expected<void>> done(static_cast<std::size_t>(plan.threads));
     std::atomic<int> next{0};
     std::vector<std::jthread> threads;

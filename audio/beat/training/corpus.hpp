@@ -25,7 +25,9 @@ struct CorpusPlan {
     std::filesystem::path pack;                     ///< MIDI with its index, see read_midi_pack
     std::vector<std::filesystem::path> soundfonts;  ///< not empty; several: see draw_soundfonts
     int excerpts = 1400;
-    double seconds = 22.0;  ///< of each
+    double seconds = 22.0;       ///< of each
+    bool with_machines = false;  ///< more electronic music, most of it as machines play it, and
+                                 ///< styles at tempi that they are seldom danced at
     std::uint64_t seed = 1;
     int threads = 2;
 };

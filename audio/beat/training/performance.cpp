@@ -10,8 +10,10 @@ namespace raks::audio {
 namespace {
 
 /// Seconds of each beat (one more than beats).
-std::vector<double> beat_times(int beats, double bpm, bool is_expressive, Dice& dice) {
-    const double kind = is_expressive ? dice.uniform(0.5, 1.0) : dice.uniform();
+std::vector<double> beat_times(const Score& score, int beats, double bpm, Dice& dice) {
+    const bool is_expressive = score.is_expressive;
+    const bool is_steady = score.is_programmed && dice.chance(0.8);
+    const double kind = is_steady ? 0.0 : is_expressive ? dice.uniform(0.5, 1.0) : dice.uniform();
     std::vector<double> times{0.0};
     const double drift = kind < 0.35 ? 0.0 : dice.uniform(0.004, 0.02);
     const double rubato = kind > 0.75 && kind < 0.85 ? dice.uniform(0.02, 0.06) : 0.0;
@@ -69,6 +71,20 @@ struct Player {
     bool is_missing = false;
 };
 
+Player draw_player(const Score& score, bool leaves_out, Dice& dice) {
+    return {dice.normal(score.is_programmed ? 0.0 : 0.004),
+            std::exp(dice.normal(0.2)),
+            leaves_out && score.has_drums && dice.chance(0.12)};
+}
+
+/// Seconds by which notes are off their places.
+double draw_jitter(const Score& score, Dice& dice) {
+    if (score.is_programmed) {
+        return 0.0;
+    }
+    return dice.log_uniform(0.001, score.is_expressive ? 0.020 : 0.010);
+}
+
 }  // namespace
 
 Performance perform(const Score& score, double seconds, Dice& dice) {
@@ -76,8 +92,8 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
     const int all = static_cast<int>(score.bar_position.size());
     const int wanted = std::min(all, static_cast<int>(seconds * bpm / 60.0) + 8);
     const int first = all > wanted ? dice.whole(0, all - wanted) : 0;
-    const std::vector<double> times = beat_times(wanted, bpm, score.is_expressive, dice);
-    const double jitter = dice.log_uniform(0.001, score.is_expressive ? 0.020 : 0.010);
+    const std::vector<double> times = beat_times(score, wanted, bpm, dice);
+    const double jitter = draw_jitter(score, dice);
     const double drop = dice.uniform(0.0, 0.06);
     const double ghosts = dice.uniform(0.0, 0.06);
     const bool leaves_out = dice.chance(0.5) && !score.is_complete;
@@ -101,9 +117,7 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
         const auto [found, is_new] = players.try_emplace(group);
         Player& player = found->second;
         if (is_new) {
-            player = {dice.normal(0.004),
-                      std::exp(dice.normal(0.2)),
-                      leaves_out && score.has_drums && dice.chance(0.12)};
+            player = draw_player(score, leaves_out, dice);
         }
         soloist = soloist < 0 && is_solo && beat > 4.0 ? group : soloist;
         const bool is_in_break = has_break && beat > break_from && beat < break_to;

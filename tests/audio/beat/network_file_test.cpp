@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 #include "audio/beat/network/bar_network.hpp"
 #include "base/file.hpp"
@@ -36,8 +39,19 @@ class NetworkFile : public ::testing::Test {
         network.set_bars(std::move(bars));
         return network;
     }
+    /// Beside it one of another shape.
+    static BeatNetwork two() {
+        BeatNetwork network = small();
+        auto other = std::make_shared<BeatNetwork>(3, 2, 2);
+        const CounterRandom random(6);
+        for (std::size_t i = 0; i < other->parameters().size(); ++i) {
+            other->parameters()[i] = static_cast<float>(random.normal(i));
+        }
+        network.set_others({std::move(other)});
+        return network;
+    }
     std::string saved_text() {
-        EXPECT_TRUE(save_network(small(), {"a \"command\"", "people"}, path_));
+        EXPECT_TRUE(save_network(two(), {"a \"command\"", "people"}, path_));
         return *read_file(path_);
     }
     /// The error for this text; empty when it is read.
@@ -82,11 +96,28 @@ TEST_F(NetworkFile, gives_back_what_hears_bars) {
     }
 }
 
-TEST_F(NetworkFile, of_version_1_hears_no_bars) {
+TEST_F(NetworkFile, gives_back_those_that_are_heard_beside) {
+    saved_text();
+    const auto network = load_network(path_);
+    ASSERT_TRUE(network) << network.error().message;
+    const BeatNetwork original = two();
+    const BeatNetwork& other = *original.others()[0];
+    ASSERT_EQ((*network)->others().size(), 1U);
+    const auto& read = *(*network)->others()[0];
+    EXPECT_EQ(read.shape(), other.shape());
+    EXPECT_EQ(read.lookahead(), 2);
+    for (std::size_t i = 0; i < other.parameters().size(); ++i) {
+        EXPECT_NEAR(
+            read.parameters()[i], other.parameters()[i], 1e-5F * std::abs(other.parameters()[i]));
+    }
+}
+
+TEST_F(NetworkFile, of_version_1_hears_no_bars_and_hears_alone) {
     std::string text = saved_text();
-    text = text.substr(0, text.find(",\n\"bars\"")) + "}\n";
-    EXPECT_EQ(error_of(replaced(text, "\"version\": 2", "\"version\": 1")), "");
+    text = text.substr(0, text.find(",\n\"others\"")) + "}\n";
+    EXPECT_EQ(error_of(replaced(text, "\"version\": 3", "\"version\": 1")), "");
     EXPECT_FALSE((*load_network(path_))->bars());
+    EXPECT_TRUE((*load_network(path_))->others().empty());
 }
 
 TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
@@ -96,7 +127,7 @@ TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
         std::string expected;
     } cases[] = {
         {replaced(good, "raks-beat-network", "raks-figure"), "format"},
-        {replaced(good, "\"version\": 2", "\"version\": 3"), "version"},
+        {replaced(good, "\"version\": 3", "\"version\": 4"), "version"},
         {replaced(good, "\"units\": 4", "\"units\": 8"), "parameters"},
         {replaced(good, "\"units\": 4", "\"units\": 100000"), "units"},
         {replaced(good, "\"layers\": 1", "\"layers\": 0"), "layers"},
@@ -105,6 +136,8 @@ TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
         {replaced(good, "\"lookahead\": 2,", ""), "lookahead"},
         {replaced(good, "\"units\": 2", "\"units\": 3"), "bars.parameters has"},
         {replaced(good, "\"bars\": {\n\"units\": 2,", "\"bars\": {\n"), "bars.units"},
+        {replaced(good, "\"units\": 3", "\"units\": 4"), "others[0].parameters has"},
+        {replaced(good, "\"others\": [", "\"others\": [1,2,3,4,5,6,7,"), "others are 8"},
         {"", "JSON"},
         {"[1, 2]", ""},
     };
@@ -131,6 +164,9 @@ TEST_F(NetworkFile, is_not_written_when_training_went_astray) {
     BeatNetwork network = small();
     network.parameters()[3] = std::nanf("");
     EXPECT_FALSE(save_network(network, {"command", "people"}, path_));
+    BeatNetwork beside = small();
+    beside.set_others({std::make_shared<BeatNetwork>(network)});
+    EXPECT_FALSE(save_network(beside, {"command", "people"}, path_));
     EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
@@ -163,6 +199,61 @@ TEST(NetworkAverage, refuses_none_and_other_shapes) {
     const auto mean = average(networks);
     ASSERT_FALSE(mean);
     EXPECT_EQ(mean.error().message, "2: has another shape than the first");
+}
+
+/// A network whose outputs say these numbers, whatever it hears.
+std::shared_ptr<BeatNetwork> saying(std::array<float, BeatNetwork::kOutputs> logits,
+                                    int lookahead = 2) {
+    auto network = std::make_shared<BeatNetwork>(4, 1, lookahead);
+    const auto biases = network->parameters().subspan(network->output_biases());
+    std::copy(logits.begin(), logits.end(), biases.begin());
+    return network;
+}
+
+TEST(NetworksTogether, say_the_mean_of_what_each_says_times_the_trust) {
+    const std::vector<std::shared_ptr<const BeatNetwork>> networks{
+        saying({1.0F, -2.0F, 0.0F}), saying({3.0F, -4.0F, 1.0F}), saying({5.0F, 0.0F, -4.0F})};
+    const auto both = together(networks, 0.5F);
+    ASSERT_TRUE(both) << both.error().message;
+    const auto alone = saying({1.5F, -1.0F, -0.5F});
+    BeatListener listener(std::make_shared<const BeatNetwork>(*both));
+    BeatListener expected(alone);
+    const BeatEvidence heard = listener.next({});
+    const BeatEvidence mean = expected.next({});
+    EXPECT_FLOAT_EQ(heard.beat, mean.beat);
+    EXPECT_FLOAT_EQ(heard.downbeat, mean.downbeat);
+    EXPECT_FLOAT_EQ(heard.half, mean.half);
+}
+
+TEST(NetworksTogether, of_one_kind_are_that_one) {
+    const CounterRandom random(5);
+    auto network = std::make_shared<BeatNetwork>(4, 2, 2);
+    for (std::size_t i = 0; i < network->parameters().size(); ++i) {
+        network->parameters()[i] = static_cast<float>(random.normal(i));
+    }
+    const std::vector<std::shared_ptr<const BeatNetwork>> twice{network, network};
+    BeatListener listener(std::make_shared<const BeatNetwork>(together(twice, 1.0F).value()));
+    BeatListener alone(network);
+    for (int round = 0; round < 2; ++round) {
+        for (std::uint64_t hop = 0; hop < 50; ++hop) {
+            NetworkInput::Frame frame{};
+            frame.fill(static_cast<float>(random.normal(1'000 + hop)));
+            EXPECT_EQ(listener.next(frame).beat, alone.next(frame).beat) << hop;
+        }
+        listener.reset();
+        alone.reset();
+    }
+}
+
+TEST(NetworksTogether, refuses_none_too_many_and_other_lookaheads) {
+    EXPECT_FALSE(together({}, 1.0F));
+    const std::vector<std::shared_ptr<const BeatNetwork>> apart{saying({}, 2), saying({}, 4)};
+    EXPECT_EQ(together(apart, 1.0F).error().message, "2: has another look-ahead than the first");
+    std::vector<std::shared_ptr<const BeatNetwork>> many(kMostTogether, saying({}));
+    const auto most = std::make_shared<const BeatNetwork>(together(many, 1.0F).value());
+    EXPECT_EQ(most->others().size(), kMostTogether - 1);
+    EXPECT_EQ(together(std::vector{most, many[0]}, 1.0F).error().message, "9: at most 8 together");
+    EXPECT_EQ(average(std::vector{many[0], most}).error().message, "2: holds several networks");
 }
 
 }  // namespace
