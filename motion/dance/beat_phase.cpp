@@ -17,6 +17,17 @@ constexpr double kMostSlew = 0.025;  // of the rate, a hop
 constexpr double kMiddle = 0.99;
 constexpr double kKeepLow = 0.62;
 constexpr double kKeepHigh = 1.6;
+// So far beyond those a change waits for its moment: within two bars of a ramp of 5 % a second.
+constexpr double kMostWaiting = 1.15;
+constexpr double kNearMoment = 0.03;  // beats
+
+bool is_between(double value, double low, double high) { return value >= low && value <= high; }
+
+/// What a change of the pace gains on the music while it is slewed; beats.
+double gained_in_slew(double from_rate, double to_rate) {
+    const double change = from_rate - to_rate;
+    return change * std::abs(change) / (2.0 * kMostSlew * to_rate) * to_seconds(kHop);
+}
 
 }  // namespace
 
@@ -25,7 +36,7 @@ double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept {
         return 1.0;
     }
     const double ratio = music.bpm() / metre.learnt_tempo.bpm();
-    if (now > 0.0 && ratio * now >= kKeepLow && ratio * now <= kKeepHigh) {
+    if (now > 0.0 && is_between(ratio * now, kKeepLow, kKeepHigh)) {
         return now;
     }
     double best = 1.0;
@@ -53,25 +64,42 @@ void DancePhase::start(const BeatGrid& grid,
     hops_apart_ = 0;
 }
 
+void DancePhase::change_octave(double octave,
+                               const BeatGrid& grid,
+                               const DanceMetre& metre,
+                               StreamTime now) noexcept {
+    // From about where it is, but with count 1 on a downbeat again. Where the two agree, as they do
+    // once in two bars, no step leaves its beat; in a tempo far off there is no time to wait: what
+    // is missing is danced off, or re-anchored when it is more than a beat.
+    const Beats kept = grid.beats_at(now) - (1.0 / octave) * phase_;
+    const double bars = (kept - grid.bar_origin).count() / grid.beats_per_bar;
+    const double missing = octave * grid.beats_per_bar * (bars - std::round(bars));
+    const double gained = gained_in_slew(rate_, octave * grid.tempo.beats_per_second());
+    const double pace = octave_ * grid.tempo.bpm() / metre.learnt_tempo.bpm();
+    const bool can_wait = is_between(pace, kKeepLow / kMostWaiting, kKeepHigh * kMostWaiting);
+    if (can_wait && std::abs(missing - gained) > kNearMoment) {
+        return;
+    }
+    octave_ = octave;
+    origin_ = grid.bar_origin + Beats(grid.beats_per_bar * std::round(bars));
+}
+
 bool DancePhase::advance(const BeatGrid& grid,
                          const DanceMetre& metre,
                          Beats figure_end,
                          StreamTime now) noexcept {
     const double octave = choose_octave(grid.tempo, metre, octave_);
     if (octave != octave_) {
-        // From about where it is, but with count 1 on a downbeat again: what is missing is danced
-        // off, or re-anchored when it is more than a beat.
-        octave_ = octave;
-        const Beats kept = grid.beats_at(now) - (1.0 / octave_) * phase_;
-        const double bars = (kept - grid.bar_origin).count() / grid.beats_per_bar;
-        origin_ = grid.bar_origin + Beats(grid.beats_per_bar * std::round(bars));
+        change_octave(octave, grid, metre, now);
     }
     const double music_rate = octave_ * grid.tempo.beats_per_second();
     const double hop = to_seconds(kHop);
     const double error = (wanted(grid, now) - phase_).count() - music_rate * hop;
-    const double correction =
-        std::clamp(kGain * error, -kMostCorrection * music_rate, kMostCorrection * music_rate);
-    // Another octave does not change the pace at once: that would be a blow to every limb.
+    const double most = kMostCorrection * music_rate;
+    // Another octave does not change the pace at once: that would be a blow to every limb. What is
+    // gained meanwhile was thought of.
+    const bool is_slewed = std::abs(rate_ - music_rate) > 1.25 * most;
+    const double correction = is_slewed ? 0.0 : std::clamp(kGain * error, -most, most);
     const double slew = kMostSlew * music_rate;
     rate_ += std::clamp(music_rate + correction - rate_, -slew, slew);
     hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;

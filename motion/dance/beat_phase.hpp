@@ -17,7 +17,8 @@ struct DanceMetre {
 ///
 /// It never runs backward: the phase's rate is the music's, corrected by at most +-20 %; an error
 /// that stays above one beat for a second is not danced off but re-anchored, on the last beat of a
-/// figure: no step lands there. Threads: one. Real-time: yes.
+/// figure: no step lands there. Another octave begins where both have their count 1 on a downbeat.
+/// Threads: one. Real-time: yes.
 class DancePhase {
  public:
     /// Starts the figure: its count 1 falls on `downbeat`.
@@ -45,6 +46,10 @@ class DancePhase {
     [[nodiscard]] double rate() const noexcept { return rate_; }
 
  private:
+    void change_octave(double octave,
+                       const BeatGrid& grid,
+                       const DanceMetre& metre,
+                       StreamTime now) noexcept;
     [[nodiscard]] Beats wanted(const BeatGrid& grid, StreamTime now) const noexcept;
 
     Beats origin_{};  // beat of the music on which count 1 fell

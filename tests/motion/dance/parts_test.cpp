@@ -277,6 +277,38 @@ TEST(Octave, keeps_what_it_has_until_it_does_not_fit) {
     EXPECT_EQ(choose_octave(Bpm(180.0), {Bpm(90.0), 3}, 0.0), 1.0) << "a waltz keeps its three";
 }
 
+/// Music that gets faster or slower by 3 % a second until another octave suits: that begins where
+/// no step leaves its beat.
+TEST(Octave, changes_without_leaving_the_beat) {
+    const DanceMetre metre{Bpm(170.0), 4};
+    for (const auto& [from, faster] : {std::pair{100.0, 0.03}, std::pair{130.0, -0.03}}) {
+        for (int beats_late = 0; beats_late < 8; ++beats_late) {  // when it happens: any
+            DancePhase phase;
+            BeatGrid grid;
+            grid.tempo = Bpm(from);
+            grid.anchor_beat = Beats(beats_late);
+            phase.start(grid, Beats(0.0), metre, StreamTime{});
+            const double first = phase.octave();
+            HopIndex changed = 0;
+            for (HopIndex hop = 1; hop < 3000; ++hop) {
+                const StreamTime now = time_of_hop(hop);
+                grid.anchor_beat = grid.beats_at(now);
+                grid.anchor_time = now;
+                grid.tempo = Bpm(from * std::exp(faster * to_seconds(now)));
+                ASSERT_FALSE(phase.advance(grid, metre, Beats(1e9), now)) << "anchored anew";
+                changed = changed == 0 && phase.octave() != first ? hop : changed;
+                const bool is_slewing = changed != 0 && hop < changed + 50;
+                const double beats = phase.phase().count() / phase.octave();
+                const double off = (grid.anchor_beat.count() - beats) / grid.beats_per_bar;
+                if (!is_slewing) {
+                    ASSERT_NEAR(4.0 * phase.octave() * (off - std::round(off)), 0.0, 0.1) << hop;
+                }
+            }
+            EXPECT_GT(changed, 0);
+        }
+    }
+}
+
 TEST(Idle, stands_with_both_feet_on_the_floor) {
     for (double t = 0.0; t < 20.0; t += 0.37) {
         const WorldPose world = world_pose(
