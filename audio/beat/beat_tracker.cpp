@@ -11,7 +11,7 @@ namespace {
 constexpr double kOnsetLagHops = -0.05;
 
 // The filter that follows the believed phase: critically damped, about 0.15 s.
-constexpr double kPhaseGain = 0.07;
+constexpr double kPhaseGain = 0.06;
 constexpr double kTempoGain = kPhaseGain * kPhaseGain / 4.0;
 constexpr double kTempoPull = 0.01;  // a hop, toward the believed period
 // Belief and grid may disagree this much before the grid is set anew; for as long as this.
@@ -22,7 +22,7 @@ constexpr int kFirstHops = 150;  // until then the grid is set anew at once
 // Where a network hears nothing like a beat for longer than this, the belief slows and spreads: the
 // grid runs on by itself.
 constexpr double kLongestWithout = 1.1;  // beats
-constexpr double kSteadyBeats = 6.0;     // over which the tempo to run on with is averaged
+constexpr double kSteadyBeats = 12.0;    // over which the tempo to run on with is averaged
 constexpr double kSteadyReach = 0.05;    // ratio: further apart the tempo was changing
 
 constexpr float kAnnounceConfidence = 0.02F;

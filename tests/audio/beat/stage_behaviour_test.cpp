@@ -152,18 +152,14 @@ double time_to_find(const Song& first, const Song& second) {
 }
 
 TEST(Stage, finds_the_next_song_within_3_seconds) {
-    std::vector<double> times;
     for (const auto& [first, second] :
          {std::pair{Song{Style::salsa, 182.0}, Song{Style::house, 124.0}},
           std::pair{Song{Style::house, 128.0}, Song{Style::salsa, 190.0}},
           std::pair{Song{Style::maqsum, 104.0}, Song{Style::drums, 140.0}},
           std::pair{Song{Style::drums, 96.0}, Song{Style::maqsum, 118.0}}}) {
-        times.push_back(time_to_find(first, second));
-        EXPECT_LE(times.back(), 4.0) << name_of(first.style) << " to " << name_of(second.style);
+        EXPECT_LE(time_to_find(first, second), 3.0)
+            << name_of(first.style) << " to " << name_of(second.style);
     }
-    // Drums at 96 to maqsum at 118 take 3.6 s.
-    EXPECT_GE(std::count_if(times.begin(), times.end(), [](double time) { return time <= 3.0; }),
-              3);
 }
 
 /// Counting on from house it would take the half beats of rock for its beats, to the end.
@@ -171,13 +167,17 @@ TEST(Stage, finds_the_beat_of_rock_after_house_not_its_half_beat) {
     EXPECT_LE(time_to_find({Style::house, 122.0}, {Style::rock, 120.0}), 4.0);
 }
 
+/// Slow house, hip-hop and drums have eighths as loud as beats.
 TEST(Stage, does_not_flip_between_octaves) {
     for (const auto& [style, bpm] : {std::pair{Style::drums, 85.0},
                                      std::pair{Style::drums, 170.0},
                                      std::pair{Style::salsa, 200.0},
                                      std::pair{Style::maqsum, 100.0},
+                                     std::pair{Style::house, 96.0},
                                      std::pair{Style::house, 104.0},
-                                     std::pair{Style::house, 125.0}}) {
+                                     std::pair{Style::house, 125.0},
+                                     std::pair{Style::hiphop, 75.0},
+                                     std::pair{Style::drums, 60.0}}) {
         const auto states = listen(music(style, {{0.0, bpm}}, 60.0));
         for (std::size_t hop = 800; hop < states.size(); ++hop) {
             ASSERT_NEAR(states[hop].grid.tempo.bpm() / bpm, 1.0, 0.1)
