@@ -2,10 +2,11 @@
 # Learns the beat networks from nothing, three that are heard together (3 to 6 CPU-hours).
 #   scripts/train_beats.sh MIDI_PACK FOLDER [options of `raks train beats`, as --soundfont FILE]
 # FOLDER/beats.json is what is learnt; what lies in FOLDER already is kept, so that it goes on where it
-# was stopped. PERCENT=5 takes 5 % of pieces and steps, to try it; RAKS names the program.
+# was stopped; a six.json that lies there is heard in the place of the first network. PERCENT=5 takes 5 %
+# of pieces and steps, to try it; RAKS names the program.
 set -euo pipefail
 if [ $# -lt 2 ]; then
-    sed -n '3,5s/^#  *//p' "$0" >&2
+    sed -n '3,6s/^#  *//p' "$0" >&2
     exit 2
 fi
 pack=$1 folder=$2

@@ -10,7 +10,8 @@ namespace {
 // An onset is strongest in the window whose middle lies this much behind it; measured on clicks.
 constexpr double kOnsetLagHops = -0.05;
 
-// The filter that follows the believed phase: critically damped, about 0.15 s.
+// The filter that follows the believed phase: critically damped, about 0.17 s. With 0.07 a beat in
+// 77 moved by 5 ms between two sample rates.
 constexpr double kPhaseGain = 0.06;
 constexpr double kTempoGain = kPhaseGain * kPhaseGain / 4.0;
 constexpr double kTempoPull = 0.01;  // a hop, toward the believed period
