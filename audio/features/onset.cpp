@@ -16,13 +16,28 @@ constexpr float kVarianceFloor = 1e-5F;
 constexpr float kLowest = -0.8F;
 constexpr float kHighest = 3.5F;
 
+FilterBank mel_filters() {
+    return triangular_filter_bank({OnsetDetector::kSampleRate,
+                                   OnsetDetector::kWindow,
+                                   OnsetDetector::kMelBands,
+                                   30.0,
+                                   15'500.0});
+}
+
 }  // namespace
 
 OnsetDetector::OnsetDetector()
     : spectrum_(hann_window(kWindow), kWindow),
-      filters_(triangular_filter_bank({kSampleRate, kWindow, kMelBands, 30.0, 15'500.0})),
+      filters_(mel_filters()),
       magnitude_(static_cast<std::size_t>(spectrum_.bins())) {
     reset();
+}
+
+std::array<float, OnsetDetector::kMelBands> OnsetDetector::white_magnitudes() {
+    const std::vector<float> ones(kWindow / 2 + 1, 1.0F);
+    std::array<float, kMelBands> magnitudes{};
+    mel_filters().apply(ones, magnitudes);
+    return magnitudes;
 }
 
 void OnsetDetector::limit_to(double hertz) noexcept {

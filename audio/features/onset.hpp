@@ -52,6 +52,8 @@ class OnsetDetector {
     [[nodiscard]] std::span<const float, kMelBands> mel_magnitudes() const noexcept {
         return magnitudes_;
     }
+    /// What a spectrum with the magnitude 1 in each bin gives: the shape of white noise.
+    [[nodiscard]] static std::array<float, kMelBands> white_magnitudes();
 
  private:
     static constexpr int kHistory = 4;

@@ -73,6 +73,7 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     for (models::SlidingScore& sliding : sliding_) {
         sliding.reset();
     }
+    noise_.reset();
     patterns_.reset();
     listener_.reset();
     next_pattern_ = kGenreWindows.size();
@@ -93,8 +94,9 @@ void GenreRecognizer::advance(const MfccVector& mfcc,
                               MusicState& state) noexcept RAKS_NONBLOCKING {
     if (is_genre_evidence(state)) {
         score_frame(mfcc);
-        listener_.next(model_->network, mel);
-        if (patterns_.add(mel, state.grid, state.time)) {
+        const NoiseFloor::Bands& music = noise_.subtract(mel);
+        listener_.next(model_->network, music);
+        if (patterns_.add(music, state.grid, state.time)) {
             next_pattern_ = 0;
         }
         score_patterns();

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "audio/features/noise_floor.hpp"
 #include "audio/genre/bar_patterns.hpp"
 #include "audio/genre/genre_listener.hpp"
 #include "audio/genre/genre_model.hpp"
@@ -38,7 +39,8 @@ struct GenreSettings {
 ///
 /// MFCC: one HMM a genre, forward score of the sliding window (models/sliding_score.hpp: exact,
 /// from products of blocks of 100 ms). Rhythm and sound: two pattern networks on BarPatterns, every
-/// half second. Network: a recurrent network hears every hop. All are fused by the weights of the
+/// half second. Network: a recurrent network hears every hop. The last three
+/// hear the music without hiss (NoiseFloor). All are fused by the weights of the
 /// window's length; until a window is full the longest that is full speaks. The decision changes
 /// only when another class leads by a margin for a while; silence and sound without a beat keep it.
 ///
@@ -85,6 +87,7 @@ class GenreRecognizer {
     std::vector<std::vector<double>> emissions_;
     std::vector<double> selected_;
     std::vector<double> similarity_work_;
+    NoiseFloor noise_;
     BarPatterns patterns_;
     GenreListener listener_;
     /// By window: ln chances by rhythm and by sound alone.

@@ -1,6 +1,6 @@
 raks_test_program(audio
     SOURCES beat/bar_belief_test.cpp beat/bar_input_test.cpp beat/beat_change_test.cpp beat/beat_pointer_test.cpp beat/beat_regression_test.cpp beat/beat_tracker_test.cpp beat/paper_beat_test.cpp beat/song_listener_test.cpp beat/stage_behaviour_test.cpp beat/tap_tempo_test.cpp
-            features/cepstral_mean_test.cpp features/mfcc_hops_test.cpp features/mfcc_test.cpp features/onset_test.cpp resample/resampler_test.cpp
+            features/cepstral_mean_test.cpp features/mfcc_hops_test.cpp features/mfcc_test.cpp features/noise_floor_test.cpp features/onset_test.cpp resample/resampler_test.cpp
             genre/bar_patterns_test.cpp genre/genre_listener_test.cpp genre/genre_recognizer_test.cpp genre/shipped_genres_test.cpp
             listen.cpp music_analyzer_test.cpp odd_sound_test.cpp
     LIBRARIES raks::audio_analyzer raks::audio_beat raks::audio_evaluate raks::audio_features raks::audio_genre raks::audio_resample raks::audio_synth

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "audio/features/noise_floor.hpp"
 #include "audio/genre/genre_recognizer.hpp"
 #include "audio/genre/training/packed_pieces.hpp"
 #include "audio/music_analyzer.hpp"
@@ -13,7 +14,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::string_view kMagic = "raks-genre-pieces-3\n";
+constexpr std::string_view kMagic = "raks-genre-pieces-4\n";
 constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
 
 class Listener final : public MusicAnalyzer::Sink {
@@ -26,7 +27,8 @@ class Listener final : public MusicAnalyzer::Sink {
             return;
         }
         piece_.frames.push_back(analyzer_.mfcc());
-        const auto mel = analyzer_.mel_magnitudes().first<BarPatterns::kMelBands>();
+        const NoiseFloor::Bands& mel =
+            noise_.subtract(analyzer_.mel_magnitudes().first<NoiseFloor::kBands>());
         piece_.mel.insert(piece_.mel.end(), mel.begin(), mel.end());
         if (patterns_.add(mel, state.grid, state.time) && ++closed_ % 2 == 0) {
             keep_windows();
@@ -47,6 +49,7 @@ class Listener final : public MusicAnalyzer::Sink {
 
     const MusicAnalyzer& analyzer_;
     HeardPiece& piece_;
+    NoiseFloor noise_;
     BarPatterns patterns_;
     int closed_ = 0;
 };

@@ -38,7 +38,7 @@ struct HeardPiece {
     };
     Kind kind = Kind::recorded;
     std::vector<MfccVector> frames;
-    std::vector<float> mel;            ///< of each frame BarPatterns::kMelBands magnitudes
+    std::vector<float> mel;            ///< of each frame NoiseFloor::kBands magnitudes, no hiss
     std::vector<HeardWindow> windows;  ///< every second, of each length that was full
 
     [[nodiscard]] std::size_t hops() const noexcept {
