@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace raks::audio {
@@ -11,6 +13,8 @@ constexpr float kSmoothing = 0.1F;     // a hop
 constexpr std::int64_t kSettled = 30;  // hops: what is smoothed knows nothing before
 constexpr std::int64_t kFirstFloor = 60;
 constexpr std::int64_t kBlockHops = 50;
+constexpr std::ptrdiff_t kAlike = 9;  // bands that hear nothing but noise at times, at the least
+constexpr float kEven = 1.6F;         // times the softest of them
 constexpr float kNever = std::numeric_limits<float>::max();
 
 void lower(NoiseFloor::Bands& least, const NoiseFloor::Bands& bands) noexcept {
@@ -68,11 +72,12 @@ float NoiseFloor::level_under() const noexcept {
     for (const Bands& block : blocks_) {
         lower(least, block);
     }
-    float level = kNever;
-    for (std::size_t band = 0; band < kBands; ++band) {
-        level = std::min(level, least[band] / white_[band]);
-    }
-    return level;
+    std::transform(
+        least.begin(), least.end(), white_.begin(), least.begin(), std::divides<float>());
+    std::nth_element(least.begin(), least.begin() + kAlike, least.end());
+    const float level = *std::min_element(least.begin(), least.begin() + kAlike);
+    // The echoes of a room lie under everything, too, but not alike in all bands.
+    return least[kAlike] <= kEven * level ? level : 0.0F;
 }
 
 }  // namespace raks::audio

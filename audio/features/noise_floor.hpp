@@ -10,9 +10,10 @@
 namespace raks::audio {
 
 /// Takes hiss out of mel magnitudes: the loudest white noise that may lie under the last 4 s, where
-/// no band was ever softer than it. What subtracts each band's own floor takes held chords, too;
-/// white noise has one level for all bands, so one band that rests (the highest, in most music)
-/// says that there is none. (Spectral subtraction: Boll 1979; minimum statistics: Martin 2001.)
+/// no band was ever softer than it and a quarter of them hardly louder. What subtracts each band's
+/// own floor takes held chords and echoes, too; white noise has one level for all bands, so one
+/// that rests (the highest, in most music) says that there is none. (Spectral subtraction: Boll
+/// 1979; minimum statistics: Martin 2001.)
 ///
 /// Threads: one. Real-time: all but the constructor.
 class NoiseFloor {

@@ -53,6 +53,7 @@ std::vector<float> silence(double seconds) {
 /// What `floor` leaves of each hop.
 std::vector<Bands> subtract(const std::vector<Bands>& hops, NoiseFloor& floor) {
     std::vector<Bands> quiet;
+    quiet.reserve(hops.size());
     for (const Bands& hop : hops) {
         quiet.push_back(floor.subtract(hop));
     }
@@ -115,6 +116,18 @@ TEST(NoiseFloor, leaves_music_without_noise_as_it_is) {
         NoiseFloor floor;
         EXPECT_LT(distance(subtract(clean, floor), clean, 0), 0.01 * sum_of(clean, 0));
     }
+}
+
+TEST(NoiseFloor, leaves_sound_that_is_not_alike_in_all_bands) {
+    std::vector<float> samples = with_noise(silence(6.0), 0.1F);
+    float low = 0.0F;
+    for (float& sample : samples) {
+        low += 0.1F * (sample - low);  // falls by 6 dB an octave above 500 Hz
+        sample = low;
+    }
+    const std::vector<Bands> hops = magnitudes_of(samples);
+    NoiseFloor floor;
+    EXPECT_EQ(subtract(hops, floor), hops);
 }
 
 TEST(NoiseFloor, forgets_noise_that_stops_and_learns_noise_that_comes) {
