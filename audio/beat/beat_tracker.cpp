@@ -24,6 +24,7 @@ constexpr int kFirstHops = 150;  // until then the grid is set anew at once
 // grid runs on by itself.
 constexpr double kLongestWithout = 1.1;  // beats
 constexpr double kSteadyBeats = 12.0;    // over which the tempo to run on with is averaged
+constexpr double kFirstSteady = 1.0;     // beats, after a grid was set anew
 constexpr double kSteadyReach = 0.05;    // ratio: further apart the tempo was changing
 
 constexpr float kAnnounceConfidence = 0.02F;
@@ -70,7 +71,7 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     nudge_hops_ = 0.0;
     is_tempo_held_ = false;
     hint_ = Genre::unknown;
-    steady_rate_ = beats_per_hop_;
+    begin_tempo();
     hops_without_ = 0;
     hops_apart_ = hops_heard_ = 0;
     heard_ = {};
@@ -151,24 +152,44 @@ void BeatTracker::listen(const TrackedHop& hop) noexcept {
         hops_without_ = 0;
     }
     ++hops_heard_;
-    const double before = position_ - beats_per_hop_;
     if (hops_heard_ >= kFirstHops && hops_without_ * beats_per_hop_ > kLongestWithout) {
         run_alone();
-    } else {
-        follow(pointer_.estimate(), hop.evidence_lag);
-        const double share = beats_per_hop_ / kSteadyBeats;
-        const double moved = position_ - before;
-        // A grid that was set anew has not moved.
-        const bool is_new = std::abs(moved / beats_per_hop_ - 1.0) > 0.5;
-        steady_rate_ += is_new ? beats_per_hop_ - steady_rate_ : share * (moved - steady_rate_);
+        return;
+    }
+    const double before = position_ - beats_per_hop_;
+    follow(pointer_.estimate(), hop.evidence_lag);
+    keep_tempo(position_ - before);
+}
+
+/// The tempo to run on with is this one, whatever was averaged before.
+void BeatTracker::begin_tempo() noexcept {
+    steady_rate_ = told_rate_ = beats_per_hop_;
+    steady_beats_ = kFirstSteady;
+    strayed_ = 0.0;
+}
+
+/// Averages the tempo, of which `moved` are this hop's beats, and keeps what the last beats told.
+void BeatTracker::keep_tempo(double moved) noexcept {
+    if (std::abs(moved / beats_per_hop_ - 1.0) > 0.5) {  // set anew, not moved
+        begin_tempo();
+        return;
+    }
+    steady_beats_ = std::min(kSteadyBeats, steady_beats_ + beats_per_hop_);
+    steady_rate_ += beats_per_hop_ / steady_beats_ * (moved - steady_rate_);
+    strayed_ += moved - told_rate_;
+    if (hops_without_ == 0) {
+        told_rate_ = steady_rate_;
+        strayed_ = 0.0;
     }
 }
 
-/// No beat is heard: on at the tempo of the last beats, not of the moment in which they ceased.
+/// No beat is heard: on as the last beats told, without what the belief made of their absence until
+/// it was noticed.
 void BeatTracker::run_alone() noexcept {
-    const bool is_steady = std::abs(steady_rate_ / beats_per_hop_ - 1.0) < kSteadyReach;
+    const bool is_steady = std::abs(told_rate_ / beats_per_hop_ - 1.0) < kSteadyReach;
     if (is_steady && !is_tempo_held_) {
-        beats_per_hop_ = steady_rate_;
+        beats_per_hop_ = told_rate_;
+        position_ -= std::exchange(strayed_, 0.0);
     }
 }
 
@@ -326,6 +347,7 @@ void BeatTracker::set_position(double phase) noexcept { position_ += wrapped(pha
 void BeatTracker::change_tempo(double bpm) noexcept {
     const double in_range = std::clamp(bpm, 50.0, 230.0);
     beats_per_hop_ = in_range / (60.0 * kHopsPerSecond);
+    begin_tempo();
     pointer_.expect_tempo(in_range);
     if (std::abs(wrapped(position_)) < 0.25) {
         pointer_.expect_beat();

@@ -77,6 +77,8 @@ class BeatTracker {
     void change_octave(double factor) noexcept;
     void set_position(double phase) noexcept;
     void listen(const TrackedHop& hop) noexcept;
+    void begin_tempo() noexcept;
+    void keep_tempo(double moved) noexcept;
     void run_alone() noexcept;
     void follow(const PointerEstimate& estimate, int lag_hops) noexcept;
     void hear_bars(const TrackedHop& hop) noexcept;
@@ -98,6 +100,9 @@ class BeatTracker {
     bool is_tempo_held_ = false;
     Genre hint_ = Genre::unknown;
     double steady_rate_ = 1.0 / 50;  // beats a hop over the last beats, corrections included
+    double steady_beats_ = 1.0;      // over which it is averaged
+    double told_rate_ = 1.0 / 50;    // the same when a network last heard anything like a beat
+    double strayed_ = 0.0;           // beats from where the grid would be, had it gone on so
     int hops_without_ = 0;           // hops since a network last heard anything like a beat
     int hops_apart_ = 0;             // hops in a row in which belief and grid disagreed
     int hops_heard_ = 0;             // hops with evidence since reset or jump
