@@ -12,11 +12,11 @@ struct BeatPointerConfig {
     double lowest_bpm = 50.0;
     double highest_bpm = 230.0;
     int tempi = 76;             ///< log-spaced between the two
-    double stiffness = 80.0;    ///< a beat's tempo change by ratio r costs exp(-stiffness |r - 1|)
+    double stiffness = 100.0;   ///< a beat's tempo change by ratio r costs exp(-stiffness |r - 1|)
     double trust = 0.7;         ///< exponent of one hop's onset strength, alone
     double trust_beside = 0.3;  ///< the same beside a network's evidence
     double network_trust = 0.22;  ///< exponent of the network's evidence
-    double leak = 1e-5;           ///< share of the prior that flows back in every hop: a new song
+    double leak = 1e-6;           ///< share of the prior that flows back in every hop: a new song
                                   ///< is found within seconds
     double centre_bpm = 120.0;    ///< of the tempo prior, which acts at the start and by the leak
     double octaves = 0.7;         ///< its width
