@@ -44,7 +44,7 @@ target_compile_options(raks_warnings INTERFACE
 # A third less work for a whole build, more for one changed file.
 if(RAKS_UNITY)
     set(CMAKE_UNITY_BUILD ON)
-    set(CMAKE_UNITY_BUILD_BATCH_SIZE 4)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
     # A class of one file may hold a type that the same file keeps to itself.
     add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
 endif()

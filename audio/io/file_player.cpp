@@ -16,7 +16,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kChunkFrames = 512;
+constexpr std::size_t kReadFrames = 512;
 constexpr std::size_t kMinAheadFrames = 1024;
 constexpr std::size_t kMostSegments = 256;
 constexpr std::size_t kMostDroppedPerPull = 16'384;  // frames: bounds the work after a seek
@@ -58,7 +58,7 @@ struct FilePlayer::Impl {
     void push_segment(std::int64_t position, bool is_end);
     void say(std::string line);
     [[nodiscard]] bool can_work() const {
-        const bool has_room = reader && ring.writable() >= 2 * kChunkFrames;
+        const bool has_room = reader && ring.writable() >= 2 * kReadFrames;
         return segments.size() + 2 < kMostSegments && (command || has_room);
     }
 
@@ -89,7 +89,7 @@ struct FilePlayer::Impl {
     std::uint64_t frames_written = 0;
     std::uint64_t frames_before_seek = 0;
     std::vector<float> interleaved;
-    std::array<float, 2 * kChunkFrames> stereo{};
+    std::array<float, 2 * kReadFrames> stereo{};
     // Audio thread only:
     Segment current;
     Segment next;
@@ -196,7 +196,7 @@ void FilePlayer::Impl::go_to(const SeekCommand& seek) {
 
 void FilePlayer::Impl::decode_chunk() {
     const auto channels = static_cast<std::size_t>(reader->info().channels);
-    interleaved.resize(kChunkFrames * channels);
+    interleaved.resize(kReadFrames * channels);
     const std::size_t frames = reader->read(interleaved);
     if (frames == 0) {
         if (!reader->warning().empty()) {

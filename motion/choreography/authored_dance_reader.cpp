@@ -14,7 +14,6 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
-constexpr NumberRange kAny{-1000.0, 1000.0};  // what a control allows is checked with its tracks
 constexpr std::size_t kMostFigures = 200;
 
 struct StyleKey {
@@ -162,7 +161,7 @@ class DanceReader {
             if (node == nullptr) {
                 return;
             }
-            const auto ends = complaints_.numbers<2>(*node, key, kAny, "[least, greatest]");
+            const auto ends = complaints_.numbers<2>(*node, key, kAnyControl, "[least, greatest]");
             if (ends[0] > ends[1]) {
                 complaints_.complain(*node, fmt::format("{} must rise: [least, greatest]", key));
             }

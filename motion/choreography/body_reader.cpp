@@ -8,7 +8,6 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr NumberRange kAny{-1000.0, 1000.0};  // what a control allows is checked with its tracks
 constexpr std::size_t kMostKeys = 1024;
 
 /// Down a chain of dotted names to what is written there.
@@ -41,7 +40,8 @@ void read_keys(const toml::node& node,
         return;
     }
     for (const toml::node& one : *array) {
-        const auto key = complaints.numbers<2>(one, "a key of " + name, kAny, "[beat, value]");
+        const auto key =
+            complaints.numbers<2>(one, "a key of " + name, kAnyControl, "[beat, value]");
         if (!track.keys.empty() && !(key[0] > track.keys.back().beat)) {
             complaints.complain(one,
                                 fmt::format("beat {}: keys of {} must rise, the one before is "
@@ -58,7 +58,7 @@ Track read_track(const toml::node& node, TomlComplaints& complaints, const std::
     Track track;
     const toml::table* const table = node.as_table();
     if (table == nullptr) {
-        track.rest = complaints.number(node, name, kAny);
+        track.rest = complaints.number(node, name, kAnyControl);
         return track;
     }
     const bool has_keys = table->contains("keys");
@@ -72,10 +72,10 @@ Track read_track(const toml::node& node, TomlComplaints& complaints, const std::
     }
     complaints.read(*table, "snap", {0, 0.9}, track.snap);
     complaints.read(*table, "over", {0, 0.5}, track.over);
-    complaints.read(*table, "wave", kAny, track.wave);
+    complaints.read(*table, "wave", kAnyControl, track.wave);
     complaints.read(*table, "every", {0.125, 64}, track.every);
     complaints.read(*table, "peak", {-64, 64}, track.peak);
-    complaints.read(*table, "rest", kAny, track.rest);
+    complaints.read(*table, "rest", kAnyControl, track.rest);
     complaints.read(*table, "skew", {-0.9, 0.9}, track.skew);
     complaints.read(*table, "lag", {-1, 1}, track.lag);
     complaints.read(*table, "vary", {0, 10}, track.vary);

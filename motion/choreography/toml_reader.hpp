@@ -25,6 +25,8 @@ struct NumberRange {
     double lowest;
     double highest;
 };
+/// What a control allows is checked with its tracks.
+inline constexpr NumberRange kAnyControl{-1000.0, 1000.0};
 
 /// Remembers the first fault and where it was; reading goes on harmlessly after it.
 class TomlComplaints {

@@ -20,12 +20,12 @@ constexpr glm::vec3 kAhead{0.0F, 0.0F, 1.0F};
 constexpr float kKnownBend = 0.3F;
 constexpr float kCarriedFoot = 0.1F;
 
-constexpr float kTiny = 1e-5F;  // metres: places so near one another point nowhere
+constexpr float kPointsNowhere = 1e-5F;  // metres: places so near one another point nowhere
 
 /// Unit vector; `otherwise` where there is none.
 glm::vec3 unit(const glm::vec3& vector, const glm::vec3& otherwise) noexcept {
     const float length = glm::length(vector);
-    return length > kTiny ? vector / length : otherwise;
+    return length > kPointsNowhere ? vector / length : otherwise;
 }
 
 glm::mat3 frame_of(const glm::vec3& first, const glm::vec3& second) noexcept {

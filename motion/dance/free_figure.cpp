@@ -18,15 +18,15 @@ constexpr int kFiner = 2;
 constexpr double kArmBandwidth = 2.0;
 constexpr double kTrunkBandwidth = 2.5;
 
-using Feet = std::vector<std::array<SourceFoot, 2>>;
+using FeetByFrame = std::vector<std::array<SourceFoot, 2>>;
 
 SourceFoot foot_of(const Skeleton& skeleton, const WorldPose& world, Side side) {
     return {glm::dvec3(world.position(on_side(Bone::left_foot, side))),
             glm::dvec3(foot_point(world, side, skeleton.toe_tip))};
 }
 
-Feet feet_of(const std::vector<Pose>& poses, const Skeleton& skeleton) {
-    Feet feet;
+FeetByFrame feet_of(const std::vector<Pose>& poses, const Skeleton& skeleton) {
+    FeetByFrame feet;
     for (const Pose& pose : poses) {
         const WorldPose world = world_pose(skeleton, pose);
         std::array<SourceFoot, 2>& both = feet.emplace_back();
@@ -51,7 +51,7 @@ double peak_toe_speed(const FigureModel& model,
     const FigureWay way{0, {0.0, model.net_displacement}};
     const std::vector<Pose> poses = free_poses(model, tracks, way, skeleton);
     const double samples_per_beat = static_cast<double>(model.samples_per_beat) * kFiner;
-    const Feet feet = feet_of(poses, skeleton);
+    const FeetByFrame feet = feet_of(poses, skeleton);
     double peak = 0.0;
     const double rate = rate_of(model);
     for (const Side side : kSides) {
@@ -156,7 +156,7 @@ FreeFigure free_figure(const FigureModel& model,
     FreeFigure figure;
     figure.samples_per_beat = model.samples_per_beat * kFiner;
     figure.poses = free_poses(model, tracks, way, skeleton);
-    Feet seen;
+    FeetByFrame seen;
     for (const Pose& pose : figure.poses) {
         const WorldPose world = world_pose(skeleton, pose);
         std::array<SourceFoot, 2>& both = seen.emplace_back();

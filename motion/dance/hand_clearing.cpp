@@ -25,7 +25,7 @@ constexpr float kLeastPush = 1e-5F;
 // Over a figure: arms are drawn for one trunk and danced on others.
 constexpr float kSpare = 0.04F;      // metres
 constexpr double kPushSigma = 0.15;  // beats, how smoothly a hand goes round the body
-constexpr int kLooks = 4;            // what is smoothed may be short of the skin
+constexpr int kClearings = 4;        // what is smoothed may be short of the skin
 
 /// `depth`, rounded where it begins; once differentiable, 0 below -kSoft.
 float soft_depth(float depth) noexcept {
@@ -117,7 +117,7 @@ void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept {
 
 void lead_hands_round(const Skeleton& skeleton, double samples_per_beat, std::vector<Pose>& poses) {
     for (const Side side : kSides) {
-        for (int look = 0; look < kLooks; ++look) {
+        for (int look = 0; look < kClearings; ++look) {
             std::vector<glm::vec3> pushes;
             pushes.reserve(poses.size());
             float most = 0.0F;

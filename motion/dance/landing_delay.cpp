@@ -16,14 +16,14 @@ constexpr int kLeastRepeats = 3;  // that a landing was learnt from
 
 constexpr double kMostAimed = 0.3;  // beats
 
-using Feet = std::vector<std::array<SourceFoot, 2>>;
+using FeetByFrame = std::vector<std::array<SourceFoot, 2>>;
 
 /// Both feet by frame, from `margin` beats before count 1 to as much after the end.
-Feet feet_of(const FigureModel& model,
-             const FigurePassage& passage,
-             const Skeleton& skeleton,
-             double beats_a_frame) {
-    Feet feet;
+FeetByFrame feet_of(const FigureModel& model,
+                    const FigurePassage& passage,
+                    const Skeleton& skeleton,
+                    double beats_a_frame) {
+    FeetByFrame feet;
     for (double beat = -FigurePassage::kMargin; beat <= model.beats + FigurePassage::kMargin;
          beat += beats_a_frame) {
         Pose pose;
@@ -69,7 +69,7 @@ std::vector<Step> steps_of(const FigureModel& model,
                            const Skeleton& skeleton,
                            double pace) {
     const double beats_a_frame = pace * model.learnt_tempo.beats_per_second() / kFramesPerSecond;
-    const Feet feet = feet_of(model, passage, skeleton, beats_a_frame);
+    const FeetByFrame feet = feet_of(model, passage, skeleton, beats_a_frame);
     std::vector<Step> steps;
     for (const Side side : kSides) {
         for (const double frame : landings(feet, side, kFramesPerSecond)) {

@@ -9,8 +9,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kHips = 0;  // in kBodyBones
-
 double widest(const Places& places) {
     double widest = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -18,7 +18,6 @@ constexpr double kToeHeight = 0.05;    // metres over the floor
 constexpr double kSkating = 0.01;      // metres a frame
 constexpr double kFloorShare = 0.05;   // of the toe tip's heights lie below the floor
 constexpr double kContactScale = 1e4;  // EDGE's factor
-constexpr std::size_t kHips = 0;       // in kBodyBones
 
 BodyTrack at_30_frames_a_second(const BodyTrack& track) {
     const auto stride =

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Field = models::JsonDocument::Field;
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxModelBytes = std::size_t{64} << 20U;
 
 Json json_of(const FigureState& state) {
     return {{"mean", state.mean},
@@ -292,7 +292,7 @@ Expected<FigureModel> parse_figure(std::string_view json, const std::string& nam
 }
 
 Expected<FigureModel> load_figure(const std::filesystem::path& path) {
-    const Expected<std::string> text = read_file(path, kMaxBytes);
+    const Expected<std::string> text = read_file(path, kMaxModelBytes);
     if (!text) {
         return fail(text.error());
     }

@@ -20,7 +20,7 @@ constexpr std::string_view kFormat = "raks-dance";
 constexpr std::int64_t kVersion = 1;
 constexpr std::array<std::string_view, 2> kStartsNames = {"common", "own"};  // by Starts
 constexpr double kLargestWeight = 1e6;
-constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
+constexpr std::size_t kMaxGrammarBytes = std::size_t{1} << 20U;
 constexpr double kFarthest = 10.0;      // metres
 constexpr double kFarthestAside = 1.0;  // metres
 
@@ -263,7 +263,7 @@ Expected<FigureGrammar> parse_grammar(std::string_view text, const std::string& 
 }
 
 Expected<FigureGrammar> load_grammar(const fs::path& path) {
-    auto text = read_text_file(path, kMaxBytes);
+    auto text = read_text_file(path, kMaxGrammarBytes);
     if (!text) {
         return fail(std::move(text.error()));
     }

@@ -13,7 +13,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20U;
 constexpr double kLastFrame = 1e9;
 
 std::vector<std::string_view> split(std::string_view line, char separator) {
@@ -194,7 +194,7 @@ std::optional<Error> overlap_in(const std::vector<FigureLabel>& labels, const st
 template <typename Parse>
 auto load(const std::filesystem::path& path, const Parse& parse)
     -> decltype(parse(std::string_view(), std::string())) {
-    const Expected<std::string> text = read_text_file(path, kMaxBytes);
+    const Expected<std::string> text = read_text_file(path, kMaxTableBytes);
     if (!text) {
         return fail(text.error());
     }

@@ -37,14 +37,14 @@ constexpr std::array kDown = {
     BoneRotation{Bone::left_upper_arm, {0.81081F, 0.11249F, -0.05724F, -0.57153F}},
     BoneRotation{Bone::left_lower_arm, {0.99027F, 0.0F, -0.13917F, 0.0F}},
 };
-constexpr std::array kElbow = {
+constexpr std::array kElbowBend = {
     BoneRotation{Bone::left_lower_arm, {0.34202F, 0.0F, -0.93969F, 0.0F}},
 };
-constexpr std::array kHip = {
+constexpr std::array kHipBend = {
     BoneRotation{Bone::left_upper_leg, {0.5373F, -0.84339F, 0.0F, 0.0F}},
     BoneRotation{Bone::left_lower_leg, {0.70711F, 0.70711F, 0.0F, 0.0F}},
 };
-constexpr std::array kKnee = {
+constexpr std::array kKneeBend = {
     BoneRotation{Bone::left_upper_leg, {0.86603F, -0.5F, 0.0F, 0.0F}},
     BoneRotation{Bone::left_lower_leg, {0.38268F, 0.92388F, 0.0F, 0.0F}},
 };
@@ -104,7 +104,7 @@ constexpr std::array kTwist = {
     BoneRotation{Bone::right_lower_arm, {0.76604F, 0.0F, 0.64279F, 0.0F}},
     BoneRotation{Bone::right_hand, {0.76604F, -0.64279F, 0.0F, 0.0F}},
 };
-constexpr std::array kWrist = {
+constexpr std::array kWristBend = {
     BoneRotation{Bone::left_hand, {0.5F, 0.86603F, 0.0F, 0.0F}},
 };
 
@@ -182,14 +182,14 @@ std::array<NamedPose, 12> make_poses() {
         {"bind", bind()},
         {"cross", with_hands(posed(kCross), 75.0F, 40.0F)},
         {"down", with_hands(posed_on_both_sides(kDown), 14.0F, 15.0F)},
-        {"elbow", posed(kElbow)},
-        {"hip", posed(kHip)},
-        {"knee", posed(kKnee)},
+        {"elbow", posed(kElbowBend)},
+        {"hip", posed(kHipBend)},
+        {"knee", posed(kKneeBend)},
         {"over", with_hands(posed_on_both_sides(kOver), 10.0F, 15.0F)},
         {"salsa", salsa()},
         {"squat", with_hands(posed_on_both_sides(kSquat), 12.0F, 15.0F)},
         {"twist", with_hands(posed(kTwist), 16.0F, 15.0F)},
-        {"wrist", posed(kWrist)},
+        {"wrist", posed(kWristBend)},
     }};
 }
 

@@ -42,7 +42,7 @@ constexpr std::array<Preset, 6> kPresets = {{
     {"top", 0.0F, 55.0F, 5.6F, 0.5F, 26.0F},
 }};
 
-constexpr auto kNames = [] {
+constexpr auto kCameraNames = [] {
     std::array<std::string_view, kPresets.size()> names{};
     std::transform(kPresets.begin(), kPresets.end(), names.begin(), [](const Preset& preset) {
         return preset.name;
@@ -108,7 +108,7 @@ glm::mat4 Camera::clip_from_view(float aspect) const noexcept {
     return glm::perspective(fov, aspect, kNear, kFar);
 }
 
-std::span<const std::string_view> camera_names() noexcept { return kNames; }
+std::span<const std::string_view> camera_names() noexcept { return kCameraNames; }
 
 Expected<Camera> find_camera(std::string_view name) {
     const auto* const found =
@@ -116,7 +116,7 @@ Expected<Camera> find_camera(std::string_view name) {
             return preset.name == name;
         });
     if (found == kPresets.end()) {
-        return fail(unknown_name("camera", name, kNames));
+        return fail(unknown_name("camera", name, kCameraNames));
     }
     return camera_of(*found);
 }

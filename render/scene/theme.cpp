@@ -100,16 +100,17 @@ Theme studio_light() noexcept {
     return theme;
 }
 
-constexpr std::array<std::string_view, 3> kNames = {"stage", "workshop_dark", "studio_light"};
+constexpr std::array<std::string_view, 3> kThemeNames = {"stage", "workshop_dark", "studio_light"};
 
-const std::array<Theme, kNames.size()>& themes() noexcept {
-    static const std::array<Theme, kNames.size()> all = {stage(), workshop_dark(), studio_light()};
+const std::array<Theme, kThemeNames.size()>& themes() noexcept {
+    static const std::array<Theme, kThemeNames.size()> all = {
+        stage(), workshop_dark(), studio_light()};
     return all;
 }
 
 }  // namespace
 
-std::span<const std::string_view> theme_names() noexcept { return kNames; }
+std::span<const std::string_view> theme_names() noexcept { return kThemeNames; }
 
 const Theme& default_theme() noexcept { return themes()[0]; }
 
@@ -119,7 +120,7 @@ Expected<const Theme*> find_theme(std::string_view name) {
             return &theme;
         }
     }
-    return fail(unknown_name("theme", name, kNames));
+    return fail(unknown_name("theme", name, kThemeNames));
 }
 
 }  // namespace raks::render

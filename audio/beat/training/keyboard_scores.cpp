@@ -21,7 +21,7 @@ enum class Texture : char {
 };
 
 /// What the piece is made of, drawn once.
-struct Piece {
+struct KeyboardPiece {
     int beats_per_bar = 4;
     int parts = 4;  ///< of a beat that the runs have: 2, 3, 4 or 6
     Texture texture = Texture::alberti;
@@ -36,7 +36,7 @@ struct Piece {
 
 class Keyboard {
  public:
-    Keyboard(const Piece& piece, Score& score, Dice& dice)
+    Keyboard(const KeyboardPiece& piece, Score& score, Dice& dice)
         : piece_(piece), score_(score), dice_(dice) {}
 
     void play() {
@@ -224,7 +224,7 @@ class Keyboard {
         }
     }
 
-    const Piece& piece_;
+    const KeyboardPiece& piece_;
     Score& score_;
     Dice& dice_;
     int melody_ = 2;
@@ -238,7 +238,7 @@ Score keyboard_score(int beats, Dice& dice) {
         {{0, 2, 4, 5, 7, 9, 11}, {0, 2, 3, 5, 7, 8, 11}}};
     constexpr std::array<std::array<int, 4>, 5> kDegrees = {
         {{0, 3, 4, 0}, {0, 4, 5, 3}, {0, 5, 1, 4}, {0, 0, 4, 4}, {5, 1, 4, 0}}};
-    Piece piece;
+    KeyboardPiece piece;
     piece.beats_per_bar = dice.pick({4, 4, 4, 3, 3, 3, 2});
     piece.parts = dice.pick({2, 2, 4, 4, 4, 3, 6});
     piece.texture = dice.pick({Texture::figuration,

@@ -16,13 +16,13 @@ namespace {
 using models::Frames;
 using models::GaussianHmm;
 
-constexpr int kStretch = 50;  // frames that are drawn together
+constexpr int kFramesTogether = 50;
 constexpr double kStay = 0.9;
 
 using Pieces = std::vector<const HeardPiece*>;
 
 Frames stretch_of(const HeardPiece& piece, std::size_t from, const GenreFeatures& features) {
-    const std::size_t count = std::min<std::size_t>(kStretch, piece.frames.size() - from);
+    const std::size_t count = std::min<std::size_t>(kFramesTogether, piece.frames.size() - from);
     Frames frames(static_cast<Eigen::Index>(count), features.dimension());
     for (std::size_t i = 0; i < count; ++i) {
         features.select(piece.frames[from + i],
@@ -40,7 +40,7 @@ std::vector<Frames> draw_stretches(const Pieces& pieces,
     Pieces recorded;
     Pieces written;
     for (const HeardPiece* piece : pieces) {
-        if (piece->frames.size() >= static_cast<std::size_t>(kStretch)) {
+        if (piece->frames.size() >= static_cast<std::size_t>(kFramesTogether)) {
             (piece->is_recorded() ? recorded : written).push_back(piece);
         }
     }
@@ -49,11 +49,11 @@ std::vector<Frames> draw_stretches(const Pieces& pieces,
         return stretches;
     }
     Dice dice(plan.seed, stream);
-    for (int i = 0; i < plan.frames / kStretch; ++i) {
+    for (int i = 0; i < plan.frames / kFramesTogether; ++i) {
         const bool is_recorded =
             written.empty() || (!recorded.empty() && dice.chance(plan.recorded_share));
         const HeardPiece& piece = *dice.pick<const HeardPiece*>(is_recorded ? recorded : written);
-        const int last = static_cast<int>(piece.frames.size()) - kStretch;
+        const int last = static_cast<int>(piece.frames.size()) - kFramesTogether;
         stretches.push_back(
             stretch_of(piece, static_cast<std::size_t>(dice.whole(0, last)), features));
     }
@@ -95,7 +95,7 @@ Eigen::Index frames_of(const Pieces& pieces) {
     Eigen::Index frames = 0;
     for (const HeardPiece* piece : pieces) {
         const auto own = static_cast<Eigen::Index>(piece->frames.size());
-        frames += own >= kStretch ? own : 0;
+        frames += own >= kFramesTogether ? own : 0;
     }
     return frames;
 }

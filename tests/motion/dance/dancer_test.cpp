@@ -24,7 +24,6 @@ using test::steady_music;
 using test::sure_state;
 
 // No joint of a salsa dancer is faster than 10 m/s.
-constexpr double kFastestStep = 0.10;
 
 bool are_same(const Pose& a, const Pose& b) {
     for (std::size_t i = 0; i < a.local_rotations.size(); ++i) {
@@ -119,7 +118,7 @@ TEST(Dancer, never_jumps_also_when_the_music_does) {
         return state;
     };
     const auto poses = dance_to(rude, 5000);
-    EXPECT_LT(largest_step(poses, 0, 5000), kFastestStep);
+    EXPECT_LT(largest_step(poses, 0, 5000), test::kFastestStep);
 }
 
 TEST(Dancer, predicted_poses_become_the_final_ones_on_steady_music) {
@@ -175,7 +174,7 @@ TEST(Dancer, another_figure_begins_on_its_count_1_without_a_jump) {
         dancer.advance(sure_state(hop, steady_grid(166.0)), *track);
         poses.push_back(track->at_hop(hop));
     }
-    EXPECT_LT(largest_step(poses, 0, 2200), kFastestStep);
+    EXPECT_LT(largest_step(poses, 0, 2200), test::kFastestStep);
 }
 
 TEST(Dancer, is_on_the_beat_again_after_a_change_of_octave) {

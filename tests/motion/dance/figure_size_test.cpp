@@ -13,7 +13,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr int kPerBeat = 32;
+constexpr int kPosesABeat = 32;
 
 const DanceContent& content() {
     static const DanceContent made = [] {
@@ -28,8 +28,8 @@ std::vector<Pose> poses_of(const FigureSize& size) {
     FigureChoice choice = choose_ways(0, 1, 0);
     choice.size = size;
     std::vector<Pose> poses;
-    for (int i = 0; i < content().figures[0].beats * kPerBeat; ++i) {
-        poses.push_back(pose_of(content(), choice, static_cast<double>(i) / kPerBeat));
+    for (int i = 0; i < content().figures[0].beats * kPosesABeat; ++i) {
+        poses.push_back(pose_of(content(), choice, static_cast<double>(i) / kPosesABeat));
     }
     return poses;
 }

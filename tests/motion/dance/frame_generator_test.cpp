@@ -131,7 +131,7 @@ TEST(FrameGenerator, dances_without_planting_feet_repeatably_and_in_real_time) {
         }
         EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
     }
-    EXPECT_LT(test::largest_step(poses[0], 0, 3000), 0.10);  // no joint is faster than 10 m/s
+    EXPECT_LT(test::largest_step(poses[0], 0, 3000), test::kFastestStep);
     for (std::size_t hop = 0; hop < poses[0].size(); ++hop) {
         ASSERT_EQ(poses[0][hop].local_rotations, poses[1][hop].local_rotations) << hop;
         if (hop > 500) {

@@ -18,7 +18,6 @@ using test::steady_grid;
 using test::sure_state;
 
 constexpr double kTempoBpm = 168.0;
-constexpr double kFastestStep = 0.10;  // metres a hop
 
 /// Salsa with all its figures, and a "belly dance" of one salsa step: another library.
 std::shared_ptr<Repertoire> two_dances(Repertoire::Otherwise otherwise) {
@@ -89,7 +88,7 @@ TEST(Repertoire, a_new_dance_begins_on_a_bar_line_from_a_settled_pose) {
     EXPECT_NEAR(floor_frame(settled).heading, 0.0, 0.15);
     EXPECT_NEAR(settled.hips_position.x, 0.0F, 0.06F);
     EXPECT_LT(glm::distance(settled.hips_position, danced[begun - 2].pose.hips_position), 0.005F);
-    EXPECT_LT(largest_step(danced), kFastestStep);
+    EXPECT_LT(largest_step(danced), test::kFastestStep);
 }
 
 TEST(Repertoire, feet_step_to_where_the_dancer_settles_and_do_not_slide) {

@@ -49,6 +49,9 @@ std::vector<Pose> dance_to(const Music& music,
                            HopIndex hops,
                            const FigureModel& model = basic_step());
 
+/// Faster than 10 m/s no joint may go: metres a hop.
+inline constexpr double kFastestStep = 0.10;
+
 /// Largest distance in metres that any joint moves between two poses one hop apart.
 double largest_step(const std::vector<Pose>& poses, HopIndex from, HopIndex to);
 

@@ -12,7 +12,7 @@ namespace {
 
 using test::resting_track;
 
-constexpr double kRate = 60.0;
+constexpr double kFrameRate = 60.0;
 
 /// Every joint swings to and fro: it rests (a beat of the motion) every `period` frames, from frame
 /// `first` on.
@@ -28,7 +28,7 @@ BodyTrack swinging(std::size_t frames, double period, double first) {
 std::vector<double> beats(double first, double period, std::size_t count) {
     std::vector<double> times;
     for (std::size_t i = 0; i < count; ++i) {
-        times.push_back((first + period * static_cast<double>(i)) / kRate);
+        times.push_back((first + period * static_cast<double>(i)) / kFrameRate);
     }
     return times;
 }

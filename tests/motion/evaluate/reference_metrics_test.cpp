@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRate = 60.0;
+constexpr double kClipRate = 60.0;
 constexpr double kFirstFrame = 973.0;  // of take 03 in its cut
 
 struct Cut {
@@ -35,7 +35,7 @@ std::vector<double> count_times(const fs::path& file) {
     std::vector<double> times;
     for (const CountTime& count : *counts) {
         if (count.take == "03") {
-            times.push_back((count.frame - kFirstFrame) / kRate);
+            times.push_back((count.frame - kFirstFrame) / kClipRate);
         }
     }
     return times;
@@ -57,7 +57,7 @@ TEST_P(ReferenceMetrics, equal_those_of_the_reference_program) {
     }
     std::ifstream stream(folder / ("metrics_" + name + ".json"));
     const nlohmann::json expected = nlohmann::json::parse(stream);
-    const auto clip = read_bvh(file, {.frames_per_second = kRate});
+    const auto clip = read_bvh(file, {.frames_per_second = kClipRate});
     ASSERT_TRUE(clip) << clip.error().message;
     const auto track = body_track(*clip, GetParam().metres_per_unit);
     ASSERT_TRUE(track) << track.error().message;

@@ -11,16 +11,6 @@
 namespace raks::motion {
 namespace {
 
-FigureTrainingResult learnt(const TrainingClip& clip,
-                            int figures,
-                            const FigureTrainingOptions& options) {
-    const std::vector<TrainingClip> clips = {clip};
-    Expected<FigureTrainingResult> result =
-        train_figure(clips, test::known_repeats(figures), options);
-    EXPECT_TRUE(result) << result.error().message;
-    return std::move(*result);
-}
-
 TEST(PhaseWarp, goes_through_the_beats_rises_and_is_inverted) {
     const std::vector<double> frames = {10.0, 30.0, 55.0, 70.0, 95.0};
     const PhaseWarp warp(frames);
@@ -72,7 +62,8 @@ TEST(BridgeFaults, replaces_jumps_by_the_straight_way) {
 }
 
 TEST(FigureTrainer, learns_the_known_dance) {
-    const FigureModel model = learnt(test::known_dance(4, 0.25), 4, test::known_options()).model;
+    const FigureModel model =
+        test::learnt(test::known_dance(4, 0.25), 4, test::known_options()).model;
     EXPECT_TRUE(validate(model));
     EXPECT_EQ(model.repeats, 4);
     EXPECT_NEAR(model.learnt_tempo.bpm(), 180.0, 1e-9);
@@ -91,7 +82,7 @@ TEST(FigureTrainer, learns_the_known_dance) {
 }
 
 TEST(FigureTrainer, states_lie_on_equal_slices_of_the_phase) {
-    const FigureModel model = learnt(test::known_dance(3), 3, test::known_options()).model;
+    const FigureModel model = test::learnt(test::known_dance(3), 3, test::known_options()).model;
     for (const PartModel& part : model.parts) {
         ASSERT_EQ(part.states.size(), 16U);
         EXPECT_EQ(part.state_at(0, model.samples()), 0U);
@@ -106,7 +97,7 @@ TEST(FigureTrainer, states_lie_on_equal_slices_of_the_phase) {
 }
 
 TEST(FigureTrainer, learns_when_the_feet_rest_and_land) {
-    const FigureModel model = learnt(test::known_dance(3), 3, test::known_options()).model;
+    const FigureModel model = test::learnt(test::known_dance(3), 3, test::known_options()).model;
     // The left foot rests on beats 0-4 and moves on 4-8; the right the other way round.
     EXPECT_EQ(model.contact[0][16], 1.0);
     EXPECT_EQ(model.contact[0][34], 0.0);
@@ -123,17 +114,17 @@ TEST(FigureTrainer, learns_when_the_feet_rest_and_land) {
 
 TEST(FigureTrainer, gives_the_same_bits_again) {
     const std::string once =
-        figure_text(learnt(test::known_dance(4, 0.1), 4, test::known_options()).model);
+        figure_text(test::learnt(test::known_dance(4, 0.1), 4, test::known_options()).model);
     const std::string again =
-        figure_text(learnt(test::known_dance(4, 0.1), 4, test::known_options()).model);
+        figure_text(test::learnt(test::known_dance(4, 0.1), 4, test::known_options()).model);
     EXPECT_EQ(once, again);
 }
 
 TEST(FigureTrainer, baum_welch_rounds_move_states_and_keep_left_to_right) {
     FigureTrainingOptions options = test::known_options(8);
-    const FigureModel sliced = learnt(test::known_dance(4), 4, options).model;
+    const FigureModel sliced = test::learnt(test::known_dance(4), 4, options).model;
     options.baum_welch_iterations = 5;
-    const FigureModel refined = learnt(test::known_dance(4), 4, options).model;
+    const FigureModel refined = test::learnt(test::known_dance(4), 4, options).model;
     EXPECT_TRUE(validate(refined));
     EXPECT_NE(refined.part(Part::lower).states[3].mean, sliced.part(Part::lower).states[3].mean);
     for (std::size_t i = 0; i < 8; ++i) {
@@ -154,7 +145,7 @@ TEST(FigureTrainer, every_covariance_and_start_gives_a_valid_model_that_tells_th
             options.covariance = covariance;
             options.start = start;
             options.baum_welch_iterations = 2;
-            const FigureTrainingResult result = learnt(same[0], 4, options);
+            const FigureTrainingResult result = test::learnt(same[0], 4, options);
             const PartModel& lower = result.model.part(Part::lower);
             EXPECT_EQ(lower.covariance_kind, covariance);
             EXPECT_EQ(lower.state_covariances.size(), covariance == CovarianceKind::tied ? 0U : 6U);
@@ -171,7 +162,7 @@ TEST(FigureTrainer, every_covariance_and_start_gives_a_valid_model_that_tells_th
 }
 
 TEST(FigureTrainer, keeps_counts_against_states_and_how_long_states_last) {
-    const FigureModel model = learnt(test::known_dance(3), 3, test::known_options(8)).model;
+    const FigureModel model = test::learnt(test::known_dance(3), 3, test::known_options(8)).model;
     for (const PartModel& part : model.parts) {
         ASSERT_EQ(part.occurrence.size(), 8U);
         double all = 0.0;
@@ -190,7 +181,7 @@ TEST(FigureTrainer, keeps_counts_against_states_and_how_long_states_last) {
 }
 
 TEST(FigureTrainer, a_figure_is_told_from_another_by_its_likelihood) {
-    const FigureModel model = learnt(test::known_dance(3), 3, test::known_options()).model;
+    const FigureModel model = test::learnt(test::known_dance(3), 3, test::known_options()).model;
     const std::vector<FigureRepeat> repeats = test::known_repeats(2);
     const std::vector<TrainingClip> same = {test::known_dance(2)};
     std::vector<TrainingClip> other = same;
@@ -204,7 +195,7 @@ TEST(FigureTrainer, a_figure_is_told_from_another_by_its_likelihood) {
 }
 
 TEST(FigureTrainer, one_repeat_and_joints_that_never_move_still_give_a_valid_model) {
-    const FigureModel model = learnt(test::known_dance(1), 1, test::known_options()).model;
+    const FigureModel model = test::learnt(test::known_dance(1), 1, test::known_options()).model;
     EXPECT_TRUE(validate(model));
 }
 

@@ -19,18 +19,9 @@ FigureTrainingOptions position_options(int states = 16) {
     return options;
 }
 
-FigureTrainingResult learnt(const TrainingClip& clip,
-                            int figures,
-                            const FigureTrainingOptions& options) {
-    const std::vector<TrainingClip> clips = {clip};
-    Expected<FigureTrainingResult> result =
-        train_figure(clips, test::known_repeats(figures), options);
-    EXPECT_TRUE(result) << result.error().message;
-    return std::move(*result);
-}
-
-const FigureModel& good_model() {
-    static const FigureModel model = learnt(test::known_dance(3), 3, position_options(4)).model;
+const FigureModel& good_positions() {
+    static const FigureModel model =
+        test::learnt(test::known_dance(3), 3, position_options(4)).model;
     return model;
 }
 
@@ -84,8 +75,9 @@ TEST(PositionFeatures, do_not_know_where_the_dance_stands_nor_which_way_it_faces
 }
 
 TEST(PositionFigure, learns_the_known_dance) {
-    const FigureModel model = learnt(test::known_dance(4, 0.25), 4, position_options()).model;
-    const FigureModel angles = learnt(test::known_dance(4, 0.25), 4, test::known_options()).model;
+    const FigureModel model = test::learnt(test::known_dance(4, 0.25), 4, position_options()).model;
+    const FigureModel angles =
+        test::learnt(test::known_dance(4, 0.25), 4, test::known_options()).model;
     EXPECT_TRUE(validate(model));
     ASSERT_EQ(model.parts.size(), 2U);
     EXPECT_EQ(model.part(Part::upper).states.size(), 16U);
@@ -110,7 +102,7 @@ TEST(PositionFigure, learns_the_known_dance) {
 }
 
 TEST(PositionFigure, is_told_from_another_by_its_likelihood) {
-    const FigureModel model = learnt(test::known_dance(3), 3, position_options()).model;
+    const FigureModel model = test::learnt(test::known_dance(3), 3, position_options()).model;
     const std::vector<FigureRepeat> repeats = test::known_repeats(2);
     const std::vector<TrainingClip> same = {test::known_dance(2)};
     std::vector<TrainingClip> other = same;
@@ -127,26 +119,26 @@ TEST(PositionFigure, is_told_from_another_by_its_likelihood) {
 
 TEST(PositionFigure, one_repeat_and_joints_that_never_move_still_give_a_valid_model) {
     TrainingClip still = test::known_dance(1);
-    EXPECT_TRUE(validate(learnt(still, 1, position_options()).model));
+    EXPECT_TRUE(validate(test::learnt(still, 1, position_options()).model));
     for (Pose& pose : still.poses) {
         pose = still.poses[0];
     }
-    EXPECT_TRUE(validate(learnt(still, 1, position_options()).model));
+    EXPECT_TRUE(validate(test::learnt(still, 1, position_options()).model));
 }
 
 TEST(PositionFigureFile, reads_back_the_same_bits_and_says_its_version) {
-    const std::string text = figure_text(good_model());
+    const std::string text = figure_text(good_positions());
     EXPECT_NE(text.find("\"version\": 2"), std::string::npos);
     EXPECT_NE(text.find("\"features\": \"positions\""), std::string::npos);
     const Expected<FigureModel> again = parse_figure(text, "known.json");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(figure_text(*again), text);
     EXPECT_EQ(again->part(Part::upper).states[2].mean,
-              good_model().part(Part::upper).states[2].mean);
+              good_positions().part(Part::upper).states[2].mean);
 }
 
 TEST(PositionFigureFile, refuses_bad_files_in_one_line) {
-    const std::string good = figure_text(good_model());
+    const std::string good = figure_text(good_positions());
     const auto replaced = [&](const std::string& from, const std::string& to) {
         return raks::test::replaced(good, from, to);
     };
@@ -176,7 +168,7 @@ TEST(PositionFigureFile, refuses_bad_files_in_one_line) {
 }
 
 TEST(PositionFigureFile, survives_cuts_and_flipped_bytes) {
-    test::expect_survives_damage(figure_text(good_model()), 6);
+    test::expect_survives_damage(figure_text(good_positions()), 6);
 }
 
 }  // namespace

@@ -77,11 +77,16 @@ inline FigureTrainingOptions known_options(int states = 16) {
     return options;
 }
 
-/// A small valid model: 4 states of the known dance.
-inline FigureModel small_figure() {
-    const std::vector<TrainingClip> clips = {known_dance(3)};
-    return train_figure(clips, known_repeats(3), known_options(4)).value().model;
+/// What is learnt from so many figures of one clip.
+inline FigureTrainingResult learnt(const TrainingClip& clip,
+                                   int figures,
+                                   const FigureTrainingOptions& options) {
+    const std::vector<TrainingClip> clips = {clip};
+    return train_figure(clips, known_repeats(figures), options).value();
 }
+
+/// A small valid model: 4 states of the known dance.
+inline FigureModel small_figure() { return learnt(known_dance(3), 3, known_options(4)).model; }
 
 /// A figure's file, cut off and with three bytes changed, 300 times each: refused in one line, or
 /// read as a valid figure.
