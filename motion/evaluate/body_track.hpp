@@ -37,7 +37,8 @@ inline constexpr std::array<Bone, 19> kBodyBones = {
     Bone::right_foot,
 };
 
-inline constexpr std::size_t kHips = 0;  // in kBodyBones
+/// Index of the hips in kBodyBones.
+inline constexpr std::size_t kHips = 0;
 
 /// Places of a moving body in the world, metres, y up: what metrics are computed from, whether it
 /// was captured or danced.
