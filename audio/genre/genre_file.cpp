@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "audio/genre/genre_listener.hpp"
 #include "base/file.hpp"
 #include "models/hmm_json.hpp"
 #include "models/json_fields.hpp"
@@ -169,6 +170,22 @@ RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs) {
     return network;
 }
 
+/// Version 1 has none: one that knows nothing takes its place; versions 2 and 3 have one.
+std::vector<RecurrentNetwork> read_networks(const Field& root, int version, std::size_t outputs) {
+    if (version == 1) {
+        return {RecurrentNetwork({.inputs = NetworkInput::kSize, .outputs = outputs})};
+    }
+    if (version < 4) {
+        return {read_recurrent(root["network"], outputs)};
+    }
+    const Field networks = root["networks"];
+    std::vector<RecurrentNetwork> read;
+    for (std::size_t i = 0; i < networks.size() && i <= GenreListener::kMostNetworks; ++i) {
+        read.push_back(read_recurrent(networks[i], outputs));
+    }
+    return read;
+}
+
 Genre read_genre(const Field& field) {
     const std::string name = field.text();
     const auto found = std::find(kGenreNames.begin(), kGenreNames.end(), name);
@@ -275,7 +292,10 @@ std::string genre_text(const GenreModel& model) {
     }
     json["rhythm"] = network_json(model.rhythm);
     json["sound"] = network_json(model.sound);
-    json["network"] = network_json(model.network);
+    json["networks"] = Json::array();
+    for (const RecurrentNetwork& network : model.networks) {
+        json["networks"].push_back(network_json(network));
+    }
     json["fusion"] = fusion_json(model);
     return models::json_text(json);
 }
@@ -286,7 +306,6 @@ Expected<GenreModel> parse_genre(std::string_view text) {
         return fail(std::move(document.error()));
     }
     const Field root = document->root();
-    // Files of version 1 have no recurrent network: one that knows nothing takes its place.
     const int version = root["version"].whole(1, kGenreVersion);
     const FusionParts parts{version >= 2, version >= 3};
     GenreModel model;
@@ -307,10 +326,7 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     }
     model.rhythm = read_network(root["rhythm"], model.classes());
     model.sound = read_network(root["sound"], model.classes());
-    model.network =
-        parts.has_network
-            ? read_recurrent(root["network"], model.classes())
-            : RecurrentNetwork({.inputs = NetworkInput::kSize, .outputs = model.classes()});
+    model.networks = read_networks(root, version, model.classes());
     read_fusion(root["fusion"], parts, model);
     if (auto ok = document->finish(); !ok) {
         return fail(std::move(ok.error()));

@@ -11,7 +11,7 @@
 namespace raks::audio {
 
 inline constexpr std::string_view kGenreFormat = "raks-genre";
-inline constexpr int kGenreVersion = 3;
+inline constexpr int kGenreVersion = 4;
 
 /// JSON text of a model (docs/file_formats.md); numbers with six digits.
 [[nodiscard]] std::string genre_text(const GenreModel& model);
@@ -19,7 +19,7 @@ inline constexpr int kGenreVersion = 3;
 /// What the numbers of a model are about, as its file says it: two that differ do not fit.
 [[nodiscard]] std::string features_text(const GenreFeatures& features);
 
-/// Reads (version 1, too, which has no recurrent network) and validates. Errors, one line without
+/// Reads (earlier versions, too) and validates. Errors, one line without
 /// the file: no JSON, another format, a newer version, a field that is missing or does not fit,
 /// features that this program does not hear.
 [[nodiscard]] Expected<GenreModel> parse_genre(std::string_view text);

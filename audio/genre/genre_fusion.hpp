@@ -32,7 +32,7 @@ struct EvidenceWeights {
     float mfcc = 0.0F;
     float rhythm = 1.0F;   ///< times ln of the rhythm network's chances
     float sound = 1.0F;    ///< times ln of the sound network's chances
-    float network = 1.0F;  ///< times mean ln of the recurrent network's chances
+    float network = 1.0F;  ///< times mean ln of the recurrent networks' chances
 };
 
 /// How the scores of a window of one length become chances: the logarithms are added with these

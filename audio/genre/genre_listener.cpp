@@ -6,14 +6,19 @@
 
 namespace raks::audio {
 
-void GenreListener::next(const RecurrentNetwork& network,
+void GenreListener::next(std::span<const RecurrentNetwork> networks,
                          std::span<const float, BarPatterns::kMelBands> mel) noexcept
     RAKS_NONBLOCKING {
-    RecurrentStream::Logits logits = stream_.next(network, input_.next(mel));
-    const std::span<float> logs = std::span(logits).first(network.outputs());
-    normalize_logs(logs);
-    for (std::size_t c = 0; c < logs.size(); ++c) {
-        open_[c] += std::max(kLeastLog, logs[c]);
+    RAKS_ASSERT(!networks.empty() && networks.size() <= streams_.size());
+    const NetworkInput::Frame frame = input_.next(mel);
+    const float share = 1.0F / static_cast<float>(networks.size());
+    for (std::size_t i = 0; i < networks.size(); ++i) {
+        RecurrentStream::Logits logits = streams_[i].next(networks[i], frame);
+        const std::span<float> logs = std::span(logits).first(networks[i].outputs());
+        normalize_logs(logs);
+        for (std::size_t c = 0; c < logs.size(); ++c) {
+            open_[c] += share * std::max(kLeastLog, logs[c]);
+        }
     }
     if (++open_hops_ < kBlockHops) {
         return;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "audio/genre/genre_listener.hpp"
+
 #include <fmt/format.h>
 
 namespace raks::audio {
@@ -167,7 +169,19 @@ Expected<void> validate(const GenreModel& model) {
     if (auto ok = check_network(model.sound, model.classes(), "sound"); !ok) {
         return ok;
     }
-    return check_network(model.network, model.classes(), "network");
+    if (model.networks.empty() || model.networks.size() > GenreListener::kMostNetworks) {
+        return fail(fmt::format("networks has {} entries, must have 1 to {}",
+                                model.networks.size(),
+                                GenreListener::kMostNetworks));
+    }
+    for (std::size_t i = 0; i < model.networks.size(); ++i) {
+        if (auto ok =
+                check_network(model.networks[i], model.classes(), fmt::format("networks[{}]", i));
+            !ok) {
+            return ok;
+        }
+    }
+    return {};
 }
 
 }  // namespace raks::audio

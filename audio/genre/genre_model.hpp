@@ -55,9 +55,9 @@ struct GenreModel {
     std::optional<models::GaussianHmm> similarity;
     PatternNetwork rhythm;  ///< of the patterns over bar and beat; classes: genres, then none
     PatternNetwork sound;   ///< of the spectrum's shape, the bands' onsets and the swing; the same
-    /// Hears every hop (genre_listener.hpp): inputs NetworkInput::kSize; outputs: genres, then
-    /// none.
-    RecurrentNetwork network{{.inputs = NetworkInput::kSize}};
+    /// Hear every hop together (genre_listener.hpp), 1 to
+    /// GenreListener::kMostNetworks: inputs NetworkInput::kSize; outputs: genres, then none.
+    std::vector<RecurrentNetwork> networks;
     std::array<GenreFusion, kGenreWindows.size()> fusion;
     std::string made_with;    ///< the command
     std::string attribution;  ///< of the music that it was learnt from

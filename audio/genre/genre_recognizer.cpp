@@ -95,7 +95,7 @@ void GenreRecognizer::advance(const MfccVector& mfcc,
     if (is_genre_evidence(state)) {
         score_frame(mfcc);
         const NoiseFloor::Bands& music = noise_.subtract(mel);
-        listener_.next(model_->network, music);
+        listener_.next(model_->networks, music);
         if (patterns_.add(music, state.grid, state.time)) {
             next_pattern_ = 0;
         }

@@ -39,7 +39,7 @@ struct GenreSettings {
 ///
 /// MFCC: one HMM a genre, forward score of the sliding window (models/sliding_score.hpp: exact,
 /// from products of blocks of 100 ms). Rhythm and sound: two pattern networks on BarPatterns, every
-/// half second. Network: a recurrent network hears every hop. The last three hear the music without
+/// half second. Network: recurrent networks hear every hop. The last three hear the music without
 /// hiss (NoiseFloor). All are fused by the weights of the window's length; until a window is full
 /// the longest that is full speaks. The decision changes only when another class leads by a margin
 /// for a while; silence and sound without a beat keep it.

@@ -74,7 +74,7 @@ Expected<void> keep_samples(const GenreOptions& options,
     const auto bytes = static_cast<std::size_t>(options.sample_kilobytes) * 1'000;
     const audio::GenreSamples samples{text_of(hearing, options.plan.features),
                                       {genres.begin(), genres.end()},
-                                      options.plan.written_network,
+                                      options.plan.written_networks,
                                       audio::sample_pieces(pieces, bytes, options.seed)};
     return audio::save_samples(samples, audio::samples_path(options.output));
 }

@@ -87,9 +87,8 @@ std::shared_ptr<const audio::RecurrentNetwork> learnt_once(const GenreOptions& o
 
 }  // namespace
 
-std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOptions& options,
-                                                               const GenreMaterial& material,
-                                                               const std::vector<Genre>& genres) {
+std::vector<std::shared_ptr<const audio::RecurrentNetwork>> written_networks(
+    const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres) {
     std::vector<const audio::HeardPiece*> pieces;
     std::vector<std::size_t> classes;
     std::uint64_t music = hash_of("");
@@ -101,25 +100,30 @@ std::shared_ptr<const audio::RecurrentNetwork> written_network(const GenreOption
             music = hash_of({reinterpret_cast<const char*>(mel.data()), mel.size_bytes()}, music);
         }
     }
-    const audio::NetworkTrainingPlan& plan = options.plan.network;
-    const std::string run = fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}",
-                                        genres.size() + 1,
-                                        plan.layers,
-                                        plan.units,
-                                        plan.written_steps,
-                                        pieces.size(),
-                                        plan.seed,
-                                        music);
-    auto learnt = learnt_once(options, run, genres.size() + 1, [&](const auto& report) {
-        return audio::train_on_written(pieces, classes, genres.size() + 1, plan, report);
-    });
-    if (plan.branches < 2) {
-        return learnt;
+    std::vector<std::shared_ptr<const audio::RecurrentNetwork>> networks;
+    for (int number = 0; number < options.plan.network.networks; ++number) {
+        const audio::NetworkTrainingPlan plan =
+            options.plan.network.of_network(static_cast<std::size_t>(number));
+        const std::string run = fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}",
+                                            genres.size() + 1,
+                                            plan.layers,
+                                            plan.units,
+                                            plan.written_steps,
+                                            pieces.size(),
+                                            plan.seed,
+                                            music);
+        auto learnt = learnt_once(options, run, genres.size() + 1, [&](const auto& report) {
+            return audio::train_on_written(pieces, classes, genres.size() + 1, plan, report);
+        });
+        if (plan.branches > 1) {
+            const std::string name = fmt::format("{}-{}x{}", run, plan.branches, plan.branch_steps);
+            learnt = learnt_once(options, name, genres.size() + 1, [&](const auto& report) {
+                return audio::average_branches(*learnt, pieces, classes, plan, report);
+            });
+        }
+        networks.push_back(std::move(learnt));
     }
-    const std::string branches = fmt::format("{}-{}x{}", run, plan.branches, plan.branch_steps);
-    return learnt_once(options, branches, genres.size() + 1, [&](const auto& report) {
-        return audio::average_branches(*learnt, pieces, classes, plan, report);
-    });
+    return networks;
 }
 
 Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,

@@ -11,8 +11,8 @@
 
 namespace raks::cli {
 
-/// The recurrent network that has learnt from the written music; kept between runs in the cache.
-[[nodiscard]] std::shared_ptr<const audio::RecurrentNetwork> written_network(
+/// The recurrent networks that have learnt from the written music; kept between runs in the cache.
+[[nodiscard]] std::vector<std::shared_ptr<const audio::RecurrentNetwork>> written_networks(
     const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres);
 
 /// Scores of pieces by models that did not hear their artist; prints how good they are.

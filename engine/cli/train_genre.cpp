@@ -15,6 +15,7 @@
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
+#include "audio/genre/genre_listener.hpp"
 #include "audio/genre/training/network_outputs.hpp"
 #include "audio/io/lossy_codec.hpp"
 #include "base/file.hpp"
@@ -108,6 +109,10 @@ void add_options(CLI::App& app, GenreOptions& options) {
         ->check(cli::in_range(2, 128));
     app.add_option("--steps", options.plan.rhythm.steps, "of its training")
         ->check(cli::in_range(10, 1'000'000));
+    app.add_option("--networks",
+                   options.plan.network.networks,
+                   "recurrent networks that learn each by itself and are heard together")
+        ->check(cli::in_range(1, static_cast<int>(audio::GenreListener::kMostNetworks)));
     app.add_option(
            "--network-units", options.plan.network.units, "of each layer of the recurrent network")
         ->check(cli::in_range(4, 128));
@@ -240,10 +245,10 @@ Expected<void> learn(GenreOptions& options,
     }
     const std::clock_t start = std::clock();
     const std::vector<Genre> genres = audio::genres_of(material->pieces);
-    options.plan.written_network =
-        base != nullptr ? std::make_shared<const audio::RecurrentNetwork>(audio::with_outputs(
-                              *base->samples.written_network, base->samples.genres, genres))
-                        : cli::written_network(options, *material, genres);
+    options.plan.written_networks =
+        base != nullptr
+            ? audio::with_outputs(base->samples.written_networks, base->samples.genres, genres)
+            : cli::written_networks(options, *material, genres);
     std::vector<audio::WindowScore> held_out;
     if (!options.skips_validation) {
         auto scores = cli::validate_by_group(options, *material, genres);
@@ -294,7 +299,10 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
     if (!network) {
         return fail(network.error());
     }
-    options.plan.network.start = *network;
+    options.plan.network.starts = {*network};
+    for (const auto& other : (*network)->others()) {
+        options.plan.network.starts.push_back(other);
+    }
     std::optional<cli::GenreBase> base;
     if (!options.add_to.empty()) {
         auto loaded = cli::load_base(options.add_to);

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "audio/genre/genre_listener.hpp"
 #include "audio/genre/training/packed_pieces.hpp"
 #include "audio/math/dice.hpp"
 #include "base/file.hpp"
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kName = "raks-genre-samples-";
-constexpr std::string_view kMagic = "raks-genre-samples-1\n";
+constexpr std::string_view kMagic = "raks-genre-samples-2\n";
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr std::size_t kStretch = 1'200;  // hops
 constexpr std::size_t kShortest = 600;   // hops of a stretch
@@ -286,11 +287,17 @@ Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
     if (!unpacker.is_good() || !are_genres) {
         return fail("is cut short or damaged");
     }
-    auto network = unpack_network(unpacker, samples.genres.size() + 1);
-    if (!network) {
-        return fail(network.error());
+    const std::size_t networks = unpacker.take<std::uint32_t>();
+    if (networks < 1 || networks > GenreListener::kMostNetworks) {
+        return fail("is cut short or damaged");
     }
-    samples.written_network = std::move(*network);
+    for (std::size_t i = 0; i < networks; ++i) {
+        auto network = unpack_network(unpacker, samples.genres.size() + 1);
+        if (!network) {
+            return fail(network.error());
+        }
+        samples.written_networks.push_back(std::move(*network));
+    }
     const std::size_t pieces = unpacker.take<std::uint32_t>();
     if (!unpacker.is_good() || pieces > kMostPieces) {
         return fail("is cut short or damaged");
@@ -344,11 +351,14 @@ Expected<void> save_samples(const GenreSamples& samples, const fs::path& path) {
     Packer packer(kMagic);
     packer.put_list(samples.hearing);
     packer.put_list(samples.genres);
-    const RecurrentNetwork::Shape& shape = samples.written_network->shape();
-    for (const std::size_t number : {shape.inputs, shape.units, shape.layers}) {
-        packer.put(static_cast<std::uint32_t>(number));
+    packer.put(static_cast<std::uint32_t>(samples.written_networks.size()));
+    for (const auto& network : samples.written_networks) {
+        const RecurrentNetwork::Shape& shape = network->shape();
+        for (const std::size_t number : {shape.inputs, shape.units, shape.layers}) {
+            packer.put(static_cast<std::uint32_t>(number));
+        }
+        packer.put_list(network->parameters());
     }
-    packer.put_list(samples.written_network->parameters());
     packer.put(static_cast<std::uint32_t>(samples.pieces.size()));
     for (const HeardPiece& piece : samples.pieces) {
         pack_stretch(piece, packer);

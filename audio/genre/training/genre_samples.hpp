@@ -24,8 +24,9 @@ inline constexpr std::size_t kMostSampleBytes = 2'000'000;
 struct GenreSamples {
     std::string hearing;        ///< names the features and the beat network that it was heard with
     std::vector<Genre> genres;  ///< of the model
-    /// What the model's recurrent network was before it heard recordings; outputs: genres, none.
-    std::shared_ptr<const RecurrentNetwork> written_network;
+    /// What the model's recurrent networks were before they heard recordings, 1 to
+    /// GenreListener::kMostNetworks; outputs: genres, none.
+    std::vector<std::shared_ptr<const RecurrentNetwork>> written_networks;
     std::vector<HeardPiece> pieces;  ///< stretches of up to 12 s
 };
 

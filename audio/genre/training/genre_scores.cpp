@@ -122,7 +122,7 @@ void hear_with_network(const GenreModel& model,
     std::size_t next = 0;  // window; they ascend by their ends
     for (std::size_t frame = 0; frame < piece.frames.size(); ++frame) {
         const std::span<const float> mel(piece.mel);
-        listener.next(model.network,
+        listener.next(model.networks,
                       mel.subspan(frame * BarPatterns::kMelBands)
                           .first<static_cast<std::size_t>(BarPatterns::kMelBands)>());
         const auto end = static_cast<int>(frame) + 1;

@@ -95,15 +95,20 @@ Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
     model.similarity = std::move(mfcc->similarity);
     model.rhythm = train_patterns(pieces, classes, genres.size() + 1, plan.rhythm);
     model.sound = train_patterns(pieces, classes, genres.size() + 1, plan.sound);
-    const auto learnt =
-        plan.written_network
-            ? plan.written_network
-            : std::make_shared<const RecurrentNetwork>(train_on_written(
-                  pieces, classes, genres.size() + 1, plan.network, [](const auto&) {}));
-    if (learnt->outputs() != model.classes()) {
-        return fail("the recurrent network knows other genres than these pieces have");
+    const auto& written = plan.written_networks;
+    const std::size_t networks =
+        written.empty() ? static_cast<std::size_t>(plan.network.networks) : written.size();
+    for (std::size_t i = 0; i < networks; ++i) {
+        const NetworkTrainingPlan own = plan.network.of_network(i);
+        const auto learnt = written.empty()
+                                ? std::make_shared<const RecurrentNetwork>(train_on_written(
+                                      pieces, classes, model.classes(), own, [](const auto&) {}))
+                                : written[i];
+        if (learnt->outputs() != model.classes()) {
+            return fail("the recurrent networks know other genres than these pieces have");
+        }
+        model.networks.push_back(tune_network(*learnt, pieces, classes, own));
     }
-    model.network = tune_network(*learnt, pieces, classes, plan.network);
     return model;
 }
 

@@ -22,9 +22,9 @@ struct GenreTrainingPlan {
     PatternTrainingPlan rhythm = rhythm_training();
     PatternTrainingPlan sound = sound_training();
     NetworkTrainingPlan network;
-    /// What train_on_written made of all written pieces, so that no fold learns them again. None:
-    /// each model learns from its own pieces.
-    std::shared_ptr<const RecurrentNetwork> written_network;
+    /// What train_on_written made of all written pieces, one for each of network.networks, so that
+    /// no fold learns them again. None: each model learns from its own pieces.
+    std::vector<std::shared_ptr<const RecurrentNetwork>> written_networks;
     int folds = 3;  ///< >= 2
 };
 

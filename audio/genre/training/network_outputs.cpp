@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace raks::audio {
+namespace {
 
-RecurrentNetwork with_outputs(const RecurrentNetwork& network,
-                              std::span<const Genre> known,
-                              std::span<const Genre> genres) {
+RecurrentNetwork widened(const RecurrentNetwork& network,
+                         std::span<const Genre> known,
+                         std::span<const Genre> genres) {
     RecurrentNetwork::Shape shape = network.shape();
     shape.outputs = genres.size() + 1;
     RecurrentNetwork wide(shape);
@@ -32,6 +34,19 @@ RecurrentNetwork with_outputs(const RecurrentNetwork& network,
         }
         to[wide.output_biases() + output] =
             from[network.output_biases() + source] - (source == none ? std::log(shares) : 0.0F);
+    }
+    return wide;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const RecurrentNetwork>> with_outputs(
+    std::span<const std::shared_ptr<const RecurrentNetwork>> networks,
+    std::span<const Genre> known,
+    std::span<const Genre> genres) {
+    std::vector<std::shared_ptr<const RecurrentNetwork>> wide;
+    for (const auto& network : networks) {
+        wide.push_back(std::make_shared<const RecurrentNetwork>(widened(*network, known, genres)));
     }
     return wide;
 }

@@ -216,15 +216,29 @@ void descend(RecurrentNetwork& network,
 RecurrentNetwork first_network(std::size_t class_count, const NetworkTrainingPlan& plan) {
     RecurrentNetwork network({NetworkInput::kSize, plan.units, plan.layers, class_count});
     initialize(network, plan.seed);
-    if (plan.start && plan.start->shape().inputs == NetworkInput::kSize &&
-        plan.start->units() == plan.units && plan.start->layers().size() == plan.layers) {
-        const auto layers = plan.start->parameters().first(plan.start->output_weights());
+    if (plan.starts.empty()) {
+        return network;
+    }
+    const RecurrentNetwork& start = *plan.starts.front();
+    if (start.shape().inputs == NetworkInput::kSize && start.units() == plan.units &&
+        start.layers().size() == plan.layers) {
+        const auto layers = start.parameters().first(start.output_weights());
         std::copy(layers.begin(), layers.end(), network.parameters().begin());
     }
     return network;
 }
 
 }  // namespace
+
+NetworkTrainingPlan NetworkTrainingPlan::of_network(std::size_t number) const {
+    NetworkTrainingPlan own = *this;
+    own.networks = 1;
+    own.seed += 10'000 * number;
+    if (!starts.empty()) {
+        own.starts = {starts[number % starts.size()]};
+    }
+    return own;
+}
 
 RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pieces,
                                   std::span<const std::size_t> classes,

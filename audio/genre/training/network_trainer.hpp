@@ -4,15 +4,18 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "audio/genre/training/heard_piece.hpp"
 #include "audio/network/recurrent_network.hpp"
 
 namespace raks::audio {
 
-/// How the recurrent network learns: first from written music, of which there is much, then from it
-/// in several branches whose weights' mean is taken, then some steps more with recordings among it.
+/// How the recurrent networks learn, each by itself: first from written music, of which there is
+/// much, then from it in several branches whose weights' mean is taken, then some steps more with
+/// recordings among it.
 struct NetworkTrainingPlan {
+    int networks = 1;  ///< heard together, 1 to GenreListener::kMostNetworks
     std::size_t units = 64;
     std::size_t layers = 2;
     int written_steps = 1'500;  ///< batches of 24 stretches of 10 s
@@ -24,11 +27,14 @@ struct NetworkTrainingPlan {
     double tuning_rate = 1e-3;
     double recorded_share = 0.4;  ///< of a tuning batch, where a class has recordings
     double cut_chance = 0.33;     ///< that another piece begins within a stretch
-    /// Weights to begin with, where its layers fit: a network of the same inputs that knows rhythm
-    /// already. None: drawn.
-    std::shared_ptr<const RecurrentNetwork> start;
+    /// What they begin with in turn, where the layers fit: networks of the same inputs that know
+    /// rhythm already. None: drawn.
+    std::vector<std::shared_ptr<const RecurrentNetwork>> starts;
     std::uint64_t seed = 1;
     int threads = 2;
+
+    /// How network `number`, from 0, learns: with a start and draws of its own.
+    [[nodiscard]] NetworkTrainingPlan of_network(std::size_t number) const;
 };
 
 /// Mean cross-entropy a hop: of what was learnt from since the last report, and of pieces kept out.

@@ -60,12 +60,20 @@ TEST(GenreFile, faults_are_said_with_their_field) {
               "fusion[0].seconds must be 0.5");
 }
 
+/// A file of version 3, with one recurrent network.
+std::string text_of_version_3() {
+    std::string text =
+        replaced(genre_text(test::small_genre_model()), "\"version\": 4", "\"version\": 3");
+    const std::size_t begin = text.find("\"networks\"");
+    text.replace(begin, text.find('{', begin) - begin, "\"network\": ");
+    return text.erase(text.find(']', text.find('}', begin)), 1);
+}
+
 /// A file of version 1 or 2: without weights of its own for none of the genres; the first also
 /// without a recurrent network.
 std::string old_text(int version) {
-    std::string text = replaced(genre_text(test::small_genre_model()),
-                                "\"version\": 3",
-                                "\"version\": " + std::to_string(version));
+    std::string text =
+        replaced(text_of_version_3(), "\"version\": 3", "\"version\": " + std::to_string(version));
     text.erase(text.find(version == 1 ? "\"network\": {" : "\"fusion\""));
     text += "\"fusion\": [";
     for (const char* const seconds : {"0.5", "1", "3", "5", "10"}) {
@@ -80,7 +88,26 @@ TEST(GenreFile, version_1_reads_with_a_network_that_has_no_say) {
     const auto read = parse_genre(old_text(1));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->fusion[0].dances.network, 0.0F);
-    EXPECT_EQ(read->network.outputs(), 3U);
+    ASSERT_EQ(read->networks.size(), 1U);
+    EXPECT_EQ(read->networks[0].outputs(), 3U);
+}
+
+TEST(GenreFile, version_3_reads_with_its_one_network) {
+    const auto read = parse_genre(text_of_version_3());
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(genre_text(*read), genre_text(test::small_genre_model()));
+}
+
+TEST(GenreFile, networks_are_one_to_four) {
+    GenreModel model = test::small_genre_model();
+    model.networks.resize(4, model.networks[0]);
+    const auto read = parse_genre(genre_text(model));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->networks.size(), 4U);
+    model.networks.resize(5, model.networks[0]);
+    EXPECT_EQ(error_of(genre_text(model)), "networks has 5 entries, must have 1 to 4");
+    model.networks.clear();
+    EXPECT_EQ(error_of(genre_text(model)), "networks has 0 entries, must have 1 to 4");
 }
 
 TEST(GenreFile, version_2_reads_with_the_same_weights_for_all_classes) {
@@ -96,7 +123,7 @@ TEST(GenreFile, version_2_reads_with_the_same_weights_for_all_classes) {
 TEST(GenreFile, a_network_of_another_size_is_refused) {
     const std::string good = genre_text(test::small_genre_model());
     EXPECT_EQ(error_of(replaced(good, "\"layers\": 1", "\"layers\": 2")),
-              "network.parameters has 727 numbers, 4 units in 2 layers have 839");
+              "networks[0].parameters has 727 numbers, 4 units in 2 layers have 839");
 }
 
 TEST(GenreFile, another_feature_size_is_refused) {

@@ -14,13 +14,17 @@ namespace {
 constexpr std::size_t kClasses = 4;
 using Mel = std::array<float, BarPatterns::kMelBands>;
 
-RecurrentNetwork random_network() {
-    RecurrentNetwork network({NetworkInput::kSize, 8, 2, kClasses});
+std::vector<RecurrentNetwork> random_networks(std::size_t count) {
     const CounterRandom random(5);
-    for (std::size_t i = 0; i < network.parameters().size(); ++i) {
-        network.parameters()[i] = static_cast<float>(0.4 * random.normal(i));
+    std::vector<RecurrentNetwork> networks;
+    std::uint64_t next = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        networks.emplace_back(RecurrentNetwork::Shape{NetworkInput::kSize, 8, 2, kClasses});
+        for (float& parameter : networks.back().parameters()) {
+            parameter = static_cast<float>(0.4 * random.normal(next++));
+        }
     }
-    return network;
+    return networks;
 }
 
 std::vector<Mel> random_music(std::size_t hops) {
@@ -39,22 +43,25 @@ std::array<float, kClasses> chances(const GenreListener& listener, int blocks) {
     return out;
 }
 
-TEST(GenreListener, a_window_is_the_mean_of_its_hops) {
-    const RecurrentNetwork network = random_network();
+TEST(GenreListener, a_window_is_the_mean_of_its_hops_and_networks) {
+    const std::vector<RecurrentNetwork> networks = random_networks(3);
     const std::vector<Mel> music = random_music(2'345);  // longer than the ring
     GenreListener listener;
     NetworkInput input;
-    RecurrentStream stream;
+    std::array<RecurrentStream, 3> streams;
     std::vector<std::array<double, kClasses>> hops;
     for (const Mel& mel : music) {
-        listener.next(network, mel);
-        auto logits = stream.next(network, input.next(mel));
-        const std::span<float> logs = std::span(logits).first(kClasses);
-        normalize_logs(logs);
+        listener.next(networks, mel);
+        const NetworkInput::Frame frame = input.next(mel);
         auto& hop = hops.emplace_back();
-        std::transform(logs.begin(), logs.end(), hop.begin(), [](float log) {
-            return static_cast<double>(std::max(log, GenreListener::kLeastLog));
-        });
+        for (std::size_t i = 0; i < networks.size(); ++i) {
+            auto logits = streams.at(i).next(networks[i], frame);
+            const std::span<float> logs = std::span(logits).first(kClasses);
+            normalize_logs(logs);
+            for (std::size_t c = 0; c < kClasses; ++c) {
+                hop[c] += static_cast<double>(std::max(logs[c], GenreListener::kLeastLog)) / 3.0;
+            }
+        }
     }
     ASSERT_EQ(listener.blocks(), GenreListener::kBlocks);
     const std::size_t end = hops.size() / 10 * 10;  // whole blocks
@@ -72,18 +79,18 @@ TEST(GenreListener, a_window_is_the_mean_of_its_hops) {
 }
 
 TEST(GenreListener, reset_forgets) {
-    const RecurrentNetwork network = random_network();
+    const std::vector<RecurrentNetwork> networks = random_networks(2);
     const std::vector<Mel> music = random_music(100);
     GenreListener once;
     GenreListener twice;
     for (const Mel& mel : random_music(300)) {
-        twice.next(network, mel);
+        twice.next(networks, mel);
     }
     twice.reset();
     EXPECT_EQ(twice.blocks(), 0);
     for (const Mel& mel : music) {
-        once.next(network, mel);
-        twice.next(network, mel);
+        once.next(networks, mel);
+        twice.next(networks, mel);
     }
     EXPECT_EQ(chances(once, 10), chances(twice, 10));
 }

@@ -166,6 +166,18 @@ TEST(GenreTraining, branches_give_the_mean_of_the_weights_of_their_runs) {
     }
 }
 
+TEST(GenreTraining, networks_begin_in_turn_with_draws_of_their_own) {
+    NetworkTrainingPlan plan;
+    plan.networks = 3;
+    for (int i = 0; i < 2; ++i) {
+        plan.starts.push_back(std::make_shared<const RecurrentNetwork>(RecurrentNetwork::Shape{}));
+    }
+    EXPECT_EQ(plan.of_network(0).seed, plan.seed);
+    EXPECT_NE(plan.of_network(1).seed, plan.of_network(2).seed);
+    EXPECT_EQ(plan.of_network(1).starts.front(), plan.starts[1]);
+    EXPECT_EQ(plan.of_network(2).starts.front(), plan.starts[0]);
+}
+
 TEST(GenreTraining, a_silent_piece_has_no_scores) {
     const std::vector<HeardPiece> pieces = made_pieces(2);
     std::vector<const HeardPiece*> all;
