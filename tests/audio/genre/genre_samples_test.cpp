@@ -53,6 +53,7 @@ HeardPiece made_piece(Genre genre, int number, HeardPiece::Kind kind, std::size_
 
 std::vector<const HeardPiece*> pointers(const std::vector<HeardPiece>& pieces) {
     std::vector<const HeardPiece*> all;
+    all.reserve(pieces.size());
     for (const HeardPiece& piece : pieces) {
         all.push_back(&piece);
     }
@@ -77,6 +78,7 @@ GenreSamples small_samples() {
 
 TEST(GenreSamples, stay_within_their_bytes_and_take_groups_in_turn) {
     std::vector<HeardPiece> pieces;
+    pieces.reserve(32);
     for (int i = 0; i < 30; ++i) {
         pieces.push_back(made_piece(
             Genre::salsa, i, i < 20 ? HeardPiece::Kind::recorded : HeardPiece::Kind::written));

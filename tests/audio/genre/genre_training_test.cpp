@@ -121,6 +121,7 @@ TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
 TEST(GenreTraining, the_same_plan_gives_the_same_bits_for_any_number_of_threads) {
     const std::vector<HeardPiece> pieces = made_pieces(3);
     std::vector<const HeardPiece*> all;
+    all.reserve(pieces.size());
     for (const HeardPiece& piece : pieces) {
         all.push_back(&piece);
     }
@@ -181,6 +182,7 @@ TEST(GenreTraining, networks_begin_in_turn_with_draws_of_their_own) {
 TEST(GenreTraining, a_silent_piece_has_no_scores) {
     const std::vector<HeardPiece> pieces = made_pieces(2);
     std::vector<const HeardPiece*> all;
+    all.reserve(pieces.size());
     for (const HeardPiece& piece : pieces) {
         all.push_back(&piece);
     }
