@@ -14,7 +14,7 @@ namespace {
 
 using Patterns = BarPatterns;
 
-// First mel band of each of the six; up to 0.2, 0.5, 1.1, 2.4, 5.3 and 15.5 kHz.
+// First mel band of each of the six; up to 0.5, 1.1, 2.3, 4.2, 8.1 and 15.5 kHz.
 constexpr std::array<int, Patterns::kBands + 1> kBandEdges = {0, 5, 10, 16, 22, 29, 36};
 constexpr float kRange = 45.0F;        // dB under the peak that count
 constexpr float kPeakFall = 0.02F;     // dB a hop: 2 dB a second

@@ -54,10 +54,12 @@ struct Cost {
 
 std::string hex(std::uint64_t number) { return fmt::format("{:016x}", number); }
 
-/// One recording: clean, then its altered copies. A copy depends on the file's name and the seed.
+/// One recording, clean and then its altered copies (a copy depends on the file's name and the
+/// seed), or damaged.
 Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
                                                    const GenreOptions& options,
                                                    const audio::HearingPlan& hearing,
+                                                   audio::Damage damage,
                                                    Cost& cost) {
     double start = thread_seconds();
     const auto lap = [&start] {
@@ -70,9 +72,13 @@ Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
     }
     cost.music = static_cast<double>(music->samples.size()) / music->rate.hertz();
     std::vector<audio::HeardPiece> pieces;
-    for (int copy = 0; copy <= options.altered; ++copy) {
+    const int copies = damage == audio::Damage::none ? options.altered : 0;
+    for (int copy = 0; copy <= copies; ++copy) {
         std::vector<float> samples = music->samples;
         audio::HeardPiece& piece = pieces.emplace_back();
+        if (auto damaged = audio::damage(damage, music->rate.hertz(), samples); !damaged) {
+            return fail(file.path.string() + ": " + damaged.error().message);
+        }
         if (copy > 0) {
             audio::Dice dice(options.seed + 1000,
                              hash_of(file.name) + static_cast<std::uint64_t>(copy));
@@ -120,18 +126,24 @@ Expected<std::vector<audio::HeardPiece>> cached(const GenreOptions& options,
 /// Under which name the cache keeps a recording: another as soon as the file or its hearing is.
 std::string name_in_cache(const audio::MusicFile& file,
                           const GenreOptions& options,
-                          std::uint64_t hearing) {
+                          std::uint64_t hearing,
+                          audio::Damage damage) {
     std::error_code error;
     const auto size = fs::file_size(file.path, error);
     const auto written = fs::last_write_time(file.path, error).time_since_epoch().count();
-    return "recording-" + hex(hash_of(fmt::format("{} {} {} {} {} {}{}",
+    const std::string damaged =
+        damage == audio::Damage::none
+            ? std::string()
+            : fmt::format(" {}", audio::kDamageNames[static_cast<std::size_t>(damage)]);
+    return "recording-" + hex(hash_of(fmt::format("{} {} {} {} {} {}{}{}",
                                                   file.name,
                                                   size,
                                                   written,
                                                   options.seed,
                                                   options.altered,
                                                   hearing,
-                                                  without(options.effects))));
+                                                  without(options.effects),
+                                                  damaged)));
 }
 
 void print_cost(const Cost& cost, const GenreOptions& options) {
@@ -174,7 +186,8 @@ std::uint64_t name_of_hearing(const audio::HearingPlan& hearing,
 
 std::vector<audio::HeardUnit> hear_recordings(const std::vector<audio::MusicFile>& files,
                                               const GenreOptions& options,
-                                              const audio::HearingPlan& hearing) {
+                                              const audio::HearingPlan& hearing,
+                                              audio::Damage damage) {
     const std::uint64_t way = name_of_hearing(hearing, options.plan.features);
     std::vector<audio::HeardUnit> units(files.size());
     std::vector<Cost> costs(files.size());
@@ -189,8 +202,8 @@ std::vector<audio::HeardUnit> hear_recordings(const std::vector<audio::MusicFile
     run_parallel(own.size(), options.threads, [&](std::size_t turn) {
         const audio::MusicFile& file = files[own[turn]];
         audio::HeardUnit& unit = units[own[turn]];
-        auto pieces = cached(options, name_in_cache(file, options, way), [&] {
-            return hear_file(file, options, hearing, costs[own[turn]]);
+        auto pieces = cached(options, name_in_cache(file, options, way, damage), [&] {
+            return hear_file(file, options, hearing, damage, costs[own[turn]]);
         });
         if (pieces) {
             unit.pieces = std::move(*pieces);

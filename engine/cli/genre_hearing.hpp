@@ -6,6 +6,7 @@
 
 #include "audio/genre/training/heard_shard.hpp"
 #include "audio/genre/training/music_folder.hpp"
+#include "audio/genre/training/sound_damage.hpp"
 #include "audio/genre/training/written_corpus.hpp"
 #include "base/expected.hpp"
 #include "engine/cli/genre_options.hpp"
@@ -22,11 +23,13 @@ namespace raks::cli {
                                             const audio::GenreFeatures& features);
 
 /// One unit a file, in order: the recording, then its altered copies; those of other shares are
-/// empty. Progress with the time left, and what it cost, goes to stderr.
+/// empty. `damage`: the recordings after it, without copies. Progress with the time left, and what
+/// it cost, goes to stderr.
 [[nodiscard]] std::vector<audio::HeardUnit> hear_recordings(
     const std::vector<audio::MusicFile>& files,
     const GenreOptions& options,
-    const audio::HearingPlan& hearing);
+    const audio::HearingPlan& hearing,
+    audio::Damage damage = audio::Damage::none);
 
 /// Written pieces that are made in one go.
 struct WrittenChunk {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -15,7 +16,9 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "base/parallel.hpp"
+#include "engine/cli/genre_hearing.hpp"
 #include "engine/cli/genre_tables.hpp"
+#include "engine/cli/say.hpp"
 
 #include <fmt/format.h>
 
@@ -91,27 +94,32 @@ std::vector<std::shared_ptr<const audio::RecurrentNetwork>> written_networks(
     const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres) {
     std::vector<const audio::HeardPiece*> pieces;
     std::vector<std::size_t> classes;
+    const auto hash_with = [](std::span<const float> values, std::uint64_t hash) {
+        return hash_of({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, hash);
+    };
     std::uint64_t music = hash_of("");
     for (const audio::HeardPiece& piece : material.pieces) {
         pieces.push_back(&piece);
         classes.push_back(audio::class_of(piece.genre, genres));
         if (!piece.is_recorded()) {
-            const std::span<const float> mel = piece.mel;
-            music = hash_of({reinterpret_cast<const char*>(mel.data()), mel.size_bytes()}, music);
+            music = hash_with(piece.mel, music);
         }
     }
     std::vector<std::shared_ptr<const audio::RecurrentNetwork>> networks;
     for (int number = 0; number < options.plan.network.networks; ++number) {
         const audio::NetworkTrainingPlan plan =
             options.plan.network.of_network(static_cast<std::size_t>(number));
-        const std::string run = fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}",
+        const std::uint64_t learnt_from =
+            plan.starts.empty() ? music : hash_with(plan.starts.front()->parameters(), music);
+        const std::string run = fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}{}",
                                             genres.size() + 1,
                                             plan.layers,
                                             plan.units,
                                             plan.written_steps,
                                             pieces.size(),
                                             plan.seed,
-                                            music);
+                                            learnt_from,
+                                            without(options.effects));
         auto learnt = learnt_once(options, run, genres.size() + 1, [&](const auto& report) {
             return audio::train_on_written(pieces, classes, genres.size() + 1, plan, report);
         });
@@ -126,43 +134,104 @@ std::vector<std::shared_ptr<const audio::RecurrentNetwork>> written_networks(
     return networks;
 }
 
-Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,
-                                                            const GenreMaterial& material,
-                                                            const std::vector<Genre>& genres) {
-    const std::vector<audio::HeardPiece>& pieces = material.pieces;
-    auto scores = audio::cross_validate(pieces, genres, options.plan, [](int done, int all) {
-        std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
-    });
-    if (!scores) {
-        return fail(scores.error());
+namespace {
+
+/// Recordings as they are heard after each damage, one after the other.
+struct DamagedMusic {
+    std::vector<audio::HeardPiece> pieces;
+    std::vector<audio::Damage> damages;  // of each piece
+};
+
+/// Of the recordings in the material.
+DamagedMusic hear_damaged(const GenreOptions& options,
+                          const GenreMaterial& material,
+                          const audio::HearingPlan& hearing) {
+    std::set<std::string> known;
+    for (const audio::HeardPiece& piece : material.pieces) {
+        if (piece.is_recorded()) {
+            known.insert(piece.name);
+        }
     }
-    std::set<std::string> left_out;
+    DamagedMusic music;
+    for (std::size_t number = 1; number < std::size(audio::kDamageNames); ++number) {
+        const auto damage = static_cast<audio::Damage>(number);
+        for (audio::HeardUnit& unit : hear_recordings(material.files, options, hearing, damage)) {
+            if (!unit.fault.empty()) {
+                say(fmt::format("not judged with {}: {}", audio::kDamageNames[number], unit.fault));
+            }
+            for (audio::HeardPiece& piece : unit.pieces) {
+                if (known.contains(piece.name)) {
+                    music.pieces.push_back(std::move(piece));
+                    music.damages.push_back(damage);
+                }
+            }
+        }
+    }
+    return music;
+}
+
+/// Names of the recordings that are not to be judged by.
+std::set<std::string> unjudged(const GenreOptions& options, const GenreMaterial& material) {
+    std::set<std::string> names;
     for (const audio::MusicFile& file : material.files) {
         const std::string& labels = options.judged_labels;
         if (!labels.empty() && labels.find(file.label) == std::string::npos) {
-            left_out.insert(file.name);
+            names.insert(file.name);
         }
     }
-    std::vector<audio::WindowScore> recorded;
-    std::copy_if(
-        scores->begin(), scores->end(), std::back_inserter(recorded), [&](const auto& score) {
-            const audio::HeardPiece& piece = pieces[score.piece];
-            return piece.is_recorded() && !left_out.contains(piece.name);
+    return names;
+}
+
+}  // namespace
+
+Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,
+                                                            const GenreMaterial& material,
+                                                            const audio::HearingPlan& hearing,
+                                                            const std::vector<Genre>& genres) {
+    const std::vector<audio::HeardPiece>& pieces = material.pieces;
+    const DamagedMusic damaged =
+        options.judges_damage ? hear_damaged(options, material, hearing) : DamagedMusic{};
+    const auto scores =
+        audio::cross_validate(pieces, damaged.pieces, genres, options.plan, [](int done, int all) {
+            std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
         });
-    if (recorded.empty()) {
-        return scores;
+    if (!scores) {
+        return fail(scores.error());
+    }
+    const std::set<std::string> left_out = unjudged(options, material);
+    std::vector<audio::WindowScore> clean;
+    std::map<audio::Damage, std::vector<audio::WindowScore>> recorded;
+    for (const audio::WindowScore& score : *scores) {
+        const bool is_damaged = score.piece >= pieces.size();
+        const std::size_t number = is_damaged ? score.piece - pieces.size() : score.piece;
+        const audio::HeardPiece& piece = is_damaged ? damaged.pieces[number] : pieces[number];
+        if (!is_damaged) {
+            clean.push_back(score);
+        }
+        if (piece.kind == audio::HeardPiece::Kind::recorded && !left_out.contains(piece.name)) {
+            recorded[is_damaged ? damaged.damages[number] : audio::Damage::none].push_back(score);
+        }
     }
     const auto asked = enough_recordings(pieces, genres);
-    const JudgedScores judged{recorded, *scores, nullptr};
-    audio::GenrePage page = page_of("recordings, by artist", judged, genres, asked);
-    print_page(page, asked);
-    if (!options.report.empty()) {
-        page.files = judged_files(pieces, judged, genres, asked);
-        if (auto saved = write_file(options.report, audio::genre_page(page)); !saved) {
-            return fail(saved.error());
+    for (const auto& [damage, judged_scores] : recorded) {
+        const JudgedScores judged{judged_scores, clean, nullptr};
+        const bool is_clean = damage == audio::Damage::none;
+        audio::GenrePage page =
+            page_of(is_clean ? "recordings, by artist"
+                             : fmt::format("recordings, by artist, {}",
+                                           audio::kDamageNames[static_cast<std::size_t>(damage)]),
+                    judged,
+                    genres,
+                    asked);
+        print_page(page, asked);
+        if (is_clean && !options.report.empty()) {
+            page.files = judged_files(pieces, judged, genres, asked);
+            if (auto saved = write_file(options.report, audio::genre_page(page)); !saved) {
+                return fail(saved.error());
+            }
         }
     }
-    return scores;
+    return clean;
 }
 
 Expected<void> test_on_written(const GenreOptions& options,

@@ -15,10 +15,14 @@ namespace raks::cli {
 [[nodiscard]] std::vector<std::shared_ptr<const audio::RecurrentNetwork>> written_networks(
     const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres);
 
-/// Scores of pieces by models that did not hear their artist; prints how good they are.
+/// Scores of pieces by models that did not hear their artist; prints how good they are, of
+/// recordings with damage, too, where that is asked for.
 /// Errors: as cross_validate; the report cannot be written.
 [[nodiscard]] Expected<std::vector<audio::WindowScore>> validate_by_group(
-    const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres);
+    const GenreOptions& options,
+    const GenreMaterial& material,
+    const audio::HearingPlan& hearing,
+    const std::vector<Genre>& genres);
 
 /// Prints how the finished model hears written music that it never heard.
 /// Errors: a soundfont cannot be read.

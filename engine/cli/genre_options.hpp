@@ -36,6 +36,7 @@ struct GenreOptions {
     bool trains_on_free_alone = false;
     std::string judged_labels;  // of clips that the validation judges by; empty: of all
     bool skips_validation = false;
+    bool judges_damage = false;  // in the validation
     int altered = 2;
     std::vector<std::string> left_out_effects;  // names of SoundEffect
     audio::SoundEffects effects;

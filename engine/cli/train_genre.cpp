@@ -86,6 +86,9 @@ void add_options(CLI::App& app, GenreOptions& options) {
                    options.judged_labels,
                    "judge by clips with one of these labels alone (AB: not those whose genre is a "
                    "guess); learns from all");
+    app.add_flag("--damage",
+                 options.judges_damage,
+                 "validate with recordings in noise, a room and so on, too: what each costs");
     app.add_flag("--no-validation", options.skips_validation, "keep the default fusion");
     app.add_flag("--strict", options.is_strict, "a file that cannot be read is an error");
     app.add_flag("--no-energy", options.leaves_out_energy, "without C0 and its derivatives");
@@ -206,6 +209,9 @@ Expected<void> check_options(GenreOptions& options) {
     if (options.output.empty() && !(options.share_text.empty() && options.add_to.empty())) {
         return fail("--shard and --add-to need -o FILE: where to keep what they make");
     }
+    if (options.judges_damage && (options.folder.empty() || options.skips_validation)) {
+        return fail("--damage needs a folder of recordings and the validation: it is a part of it");
+    }
     if (!options.output.empty()) {
         std::vector<std::filesystem::path> inputs = options.shards;
         inputs.insert(inputs.end(), options.soundfonts.begin(), options.soundfonts.end());
@@ -223,6 +229,12 @@ Expected<void> check_options(GenreOptions& options) {
         }
     }
     choose_effects(options);
+    if (!options.effects.has(audio::SoundEffect::room)) {
+        options.plan.network.room_chance = 0.0;
+    }
+    if (!options.effects.has(audio::SoundEffect::band)) {
+        options.plan.network.muffled_chance = 0.0;
+    }
     return {};
 }
 
@@ -251,7 +263,7 @@ Expected<void> learn(GenreOptions& options,
             : cli::written_networks(options, *material, genres);
     std::vector<audio::WindowScore> held_out;
     if (!options.skips_validation) {
-        auto scores = cli::validate_by_group(options, *material, genres);
+        auto scores = cli::validate_by_group(options, *material, hearing, genres);
         if (!scores) {
             return fail(scores.error());
         }

@@ -139,6 +139,20 @@ TEST_F(TrainGenre, a_damaged_file_is_named_skipped_and_counted_or_fails_when_str
     EXPECT_FALSE(fs::exists(path("strict.json")));
 }
 
+TEST_F(TrainGenre, what_damage_costs_is_told_by_artist) {
+    write_folder("music");
+    const ProcessResult result = train({path("music"), "--damage", "--folds=2"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const char* const title : {"recordings, by artist\n",
+                                    "recordings, by artist, -12 dB\n",
+                                    "recordings, by artist, noise 10 dB\n",
+                                    "recordings, by artist, room 0.6 s\n"}) {
+        EXPECT_NE(result.out.find(title), std::string::npos) << title;
+    }
+    expect_failure(train({path("music"), "--damage", "--no-validation"}),
+                   "--damage needs a folder of recordings and the validation: it is a part of it");
+}
+
 TEST_F(TrainGenre, folders_that_hold_too_little_are_told_what_they_lack) {
     write_music("one/salsa/a.wav", Style::salsa, 1);
     expect_failure(train({path("one"), "-o", path("x.json")}),

@@ -113,6 +113,7 @@ Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
 }
 
 Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pieces,
+                                                  std::span<const HeardPiece> damaged,
                                                   std::span<const Genre> genres,
                                                   const GenreTrainingPlan& plan,
                                                   const std::function<void(int, int)>& on_fold) {
@@ -130,8 +131,13 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pi
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             if (fold_of(pieces[i]) != fold) {
                 training.push_back(&pieces[i]);
-            } else if (pieces[i].kind == HeardPiece::Kind::recorded || is_kept_out(pieces[i], i)) {
+            } else if (pieces[i].is_recorded() || is_kept_out(pieces[i], i)) {
                 held_out.push_back(i);
+            }
+        }
+        for (std::size_t i = 0; i < damaged.size(); ++i) {
+            if (fold_of(damaged[i]) == fold) {
+                held_out.push_back(pieces.size() + i);
             }
         }
         auto model = train_genres(training, genres, plan);
@@ -140,7 +146,10 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pi
         }
         std::vector<std::vector<WindowScore>> parts(held_out.size());
         run_parallel(held_out.size(), plan.mfcc.threads, [&](std::size_t i) {
-            parts[i] = score_piece(*model, pieces[held_out[i]], held_out[i]);
+            const std::size_t number = held_out[i];
+            const bool is_damaged = number >= pieces.size();
+            parts[i] = score_piece(
+                *model, is_damaged ? damaged[number - pieces.size()] : pieces[number], number);
         });
         for (std::vector<WindowScore>& part : parts) {
             for (WindowScore& score : part) {

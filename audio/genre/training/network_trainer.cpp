@@ -108,21 +108,30 @@ class BatchWriter {
     TrainingBatch batch_;
 };
 
-TrainingBatch draw_batch(
-    const PieceDraw& from, std::size_t chunks, std::size_t outputs, double cut_chance, Dice& dice) {
+TrainingBatch draw_batch(const PieceDraw& from,
+                         std::size_t chunks,
+                         std::size_t outputs,
+                         const NetworkTrainingPlan& plan,
+                         Dice& dice) {
     BatchWriter writer(chunks, outputs);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         const double length = static_cast<double>(kHops);
         const std::size_t cut =
-            dice.chance(cut_chance)
+            dice.chance(plan.cut_chance)
                 ? static_cast<std::size_t>(length * dice.uniform(kEarliestCut, kLatestCut))
                 : kHops;
         NetworkInput input;
         for (const auto& [begin, end] : {std::pair{std::size_t{0}, cut}, std::pair{cut, kHops}}) {
             if (begin < end) {
                 const Drawn drawn = from.draw(dice);
-                const MelHearing hearing =
+                MelHearing hearing =
                     MelHearing::draw(drawn.piece->hops(), end - begin, kMostStretch, dice);
+                if (dice.chance(plan.room_chance)) {
+                    hearing.enter_room(dice);
+                }
+                if (dice.chance(plan.muffled_chance)) {
+                    hearing.muffle(dice);
+                }
                 writer.write(chunk, begin, end, drawn, hearing, input, &dice);
             }
         }
@@ -207,7 +216,7 @@ void descend(RecurrentNetwork& network,
     for (int step = 0; step < steps && !from.is_empty(); ++step) {
         const double loss = descent.step(rate_at(rate, step, steps), [&](std::size_t shard) {
             Dice dice(plan.seed, 5'000 + static_cast<std::uint64_t>(step) * kShards + shard);
-            return draw_batch(from, kChunks / kShards, network.outputs(), plan.cut_chance, dice);
+            return draw_batch(from, kChunks / kShards, network.outputs(), plan, dice);
         });
         after(loss, descent);
     }

@@ -27,6 +27,9 @@ struct NetworkTrainingPlan {
     double tuning_rate = 1e-3;
     double recorded_share = 0.4;  ///< of a tuning batch, where a class has recordings
     double cut_chance = 0.33;     ///< that another piece begins within a stretch
+    double room_chance = 0.35;    ///< that a stretch is heard in a room (MelHearing)
+    /// That its treble is damped: recordings differ there by how they were made.
+    double muffled_chance = 0.3;
     /// What they begin with in turn, where the layers fit: networks of the same inputs that know
     /// rhythm already. None: drawn.
     std::vector<std::shared_ptr<const RecurrentNetwork>> starts;

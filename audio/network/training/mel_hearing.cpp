@@ -8,6 +8,20 @@ namespace raks::audio {
 namespace {
 
 constexpr std::size_t kBands = NetworkInput::kBands;
+constexpr float kChanceKept = 0.6F;  // from hop to hop, whose windows overlap
+
+/// For each band 1 / sqrt(n) for n parts of its spectrum that fluctuate each by itself: a bin of
+/// 31 Hz each, at the centres of bands equally spaced in mel (OnsetDetector).
+std::array<float, kBands> fluctuations() {
+    constexpr double kMelStep = 94.4;
+    std::array<float, kBands> shares{};
+    for (std::size_t band = 0; band < kBands; ++band) {
+        const double mel = 47.3 + kMelStep * static_cast<double>(band + 1);
+        const double width = 700.0 * std::exp(mel / 1127.0) * kMelStep / 1127.0;
+        shares[band] = static_cast<float>(std::sqrt(31.25 / width));
+    }
+    return shares;
+}
 
 }  // namespace
 
@@ -53,6 +67,40 @@ MelHearing MelHearing::draw(std::size_t piece_hops,
     }
     hearing.noise = dice.chance(0.3) ? static_cast<float>(dice.log_uniform(0.01, 0.4)) : 0.0F;
     return hearing;
+}
+
+void MelHearing::enter_room(Dice& dice) {
+    constexpr double kHopSeconds = 0.01;
+    const double seconds = dice.log_uniform(0.15, 1.0);  // to -60 dB
+    decay = static_cast<float>(std::pow(10.0, -6.0 * kHopSeconds / seconds));
+    reverberation = static_cast<float>(dice.log_uniform(0.05, 5.0));
+}
+
+void MelHearing::muffle(Dice& dice) {
+    const auto first = static_cast<std::size_t>(dice.whole(14, 34));
+    const double slope = dice.uniform(0.2, 2.0);
+    for (std::size_t band = first; band < kBands; ++band) {
+        gain[band] *= static_cast<float>(std::exp(-slope * static_cast<double>(band - first + 1)));
+    }
+}
+
+void RoomEcho::add(const MelHearing& hearing, Dice* dice, Bands& bands) {
+    static const std::array<float, kBands> kFluctuations = fluctuations();
+    static const float kRenewal = std::sqrt(1.0F - kChanceKept * kChanceKept);
+    for (std::size_t band = 0; band < kBands; ++band) {
+        const float direct = bands[band] * bands[band];
+        energy_[band] = hearing.decay * energy_[band] + (1.0F - hearing.decay) * direct;
+        const float echo = hearing.reverberation * energy_[band];
+        float chance = 0.0F;
+        if (dice != nullptr) {
+            chance_[band] =
+                kChanceKept * chance_[band] + kRenewal * static_cast<float>(dice->normal(1.0));
+            chance = kFluctuations[band] * chance_[band];
+        }
+        const float met =
+            direct + echo * (1.0F + chance) + std::sqrt(2.0F * direct * echo) * chance;
+        bands[band] = std::sqrt(std::max(met, 0.05F * (direct + echo)));
+    }
 }
 
 std::array<float, kBands> magnitudes_at(std::span<const float> mel, double hop) {

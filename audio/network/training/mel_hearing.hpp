@@ -17,7 +17,9 @@ struct MelHearing {
     double first_hop = 0.0;  ///< in the piece
     double stretch = 1.0;    ///< hops of the piece a hop that is heard
     std::array<float, NetworkInput::kBands> gain{};
-    float noise = 0.0F;  ///< share of the piece's mean magnitude, on every band
+    float noise = 0.0F;          ///< share of the piece's mean magnitude, on every band
+    float reverberation = 0.0F;  ///< energy that a room gives back, of the direct sound's
+    float decay = 0.0F;          ///< of the echo's energy, what is left a hop later
 
     /// From the piece's begin, unchanged.
     [[nodiscard]] static MelHearing plain();
@@ -27,6 +29,25 @@ struct MelHearing {
                                          std::size_t hops,
                                          double most_stretch,
                                          Dice& dice);
+    /// A drawn room: 0.15 to 1 s to -60 dB, with a twentieth to five times the direct energy.
+    void enter_room(Dice& dice);
+    /// Treble that falls off from a drawn band (1.9 to 13 kHz) on.
+    void muffle(Dice& dice);
+};
+
+/// What a room adds to music, hop by hop: per band, energy that dies away exponentially (Polack
+/// 1988: late reverberation is decaying noise). Narrow bands fluctuate by chance as the reflections
+/// add up and cancel; that looks like onsets, so it must be heard while learning.
+class RoomEcho {
+ public:
+    using Bands = std::array<float, NetworkInput::kBands>;
+
+    /// `dice`: where reflections meet, they add up and cancel by chance; null: in the mean.
+    void add(const MelHearing& hearing, Dice* dice, Bands& bands);
+
+ private:
+    Bands energy_{};
+    Bands chance_{};  // how they meet, sd 1
 };
 
 /// Calls put(t, bands) for `hops` hops: magnitudes as they are heard. `dice`: draws the noise;
@@ -63,9 +84,13 @@ void hear_bands(std::span<const float> mel,
                 Dice* dice,
                 const Put& put) {
     const float floor = hearing.noise > 0.0F ? hearing.noise * mean_magnitude(mel) : 0.0F;
+    RoomEcho echo;
     for (std::size_t t = 0; t < hops; ++t) {
         auto bands =
             magnitudes_at(mel, hearing.first_hop + static_cast<double>(t) * hearing.stretch);
+        if (hearing.reverberation > 0.0F) {
+            echo.add(hearing, dice, bands);
+        }
         for (std::size_t band = 0; band < bands.size(); ++band) {
             const float hiss = floor > 0.0F && dice != nullptr
                                    ? floor * static_cast<float>(dice->uniform(0.5, 1.5))

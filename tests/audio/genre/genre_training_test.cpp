@@ -97,7 +97,7 @@ TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
     ASSERT_EQ(genres, (std::vector<Genre>{Genre::salsa, Genre::belly, Genre::rock}));
     int folds = 0;
     const auto scores =
-        cross_validate(pieces, genres, small_plan(), [&](int done, int) { folds = done; });
+        cross_validate(pieces, {}, genres, small_plan(), [&](int done, int) { folds = done; });
     ASSERT_TRUE(scores) << scores.error().message;
     EXPECT_EQ(folds, 3);
     for (const GenreEvidence evidence : {GenreEvidence::mfcc,
@@ -115,6 +115,32 @@ TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
         const GenreTally result = tally(*scores, logs, 3, genres, asked);
         EXPECT_GT(result.macro_recall, 0.9) << static_cast<int>(evidence);
         EXPECT_EQ(result.pieces, (std::vector<std::size_t>{7, 7, 7, 7}));
+    }
+}
+
+TEST(GenreTraining, damaged_copies_are_judged_by_models_that_heard_neither_them_nor_their_artist) {
+    std::vector<HeardPiece> pieces = made_pieces(3);
+    const std::vector<Genre> genres = genres_of(pieces);
+    GenreTrainingPlan plan = small_plan();
+    plan.rhythm.steps = plan.sound.steps = 5;
+    const auto unheard = [](int, int) {};
+    const auto alone = cross_validate(pieces, {}, genres, plan, unheard);
+    const auto both = cross_validate(pieces, pieces, genres, plan, unheard);
+    ASSERT_TRUE(alone && both);
+    const auto order = [](const WindowScore& a, const WindowScore& b) { return a.piece < b.piece; };
+    auto scores = *both;
+    std::stable_sort(scores.begin(), scores.end(), order);
+    auto expected = *alone;
+    std::stable_sort(expected.begin(), expected.end(), order);
+    ASSERT_EQ(scores.size(), 2 * expected.size());
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+        const WindowScore& one = expected[i % expected.size()];
+        const bool is_damaged = i >= expected.size();
+        EXPECT_EQ(scores[i].piece, one.piece + (is_damaged ? pieces.size() : 0));
+        EXPECT_EQ(scores[i].fold, one.fold);
+        EXPECT_EQ(scores[i].mfcc, one.mfcc);
+        EXPECT_EQ(scores[i].rhythm, one.rhythm);
+        EXPECT_EQ(scores[i].network, one.network);
     }
 }
 
