@@ -213,8 +213,9 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& 
         }
     }
     const auto asked = enough_recordings(pieces, genres);
+    const FoldFusions fusions(clean, genres.size() + 1, options.threads);
     for (const auto& [damage, judged_scores] : recorded) {
-        const JudgedScores judged{judged_scores, clean, nullptr};
+        const JudgedScores judged{judged_scores, fusions, nullptr};
         const bool is_clean = damage == audio::Damage::none;
         audio::GenrePage page =
             page_of(is_clean ? "recordings, by artist"
@@ -256,7 +257,8 @@ Expected<void> test_on_written(const GenreOptions& options,
         }
         const auto asked = all_genres(model.genres.size());
         const auto scores = scores_of(model, *pieces, options.threads);
-        print_page(page_of(name, {scores, scores, &model}, model.genres, asked), asked);
+        const FoldFusions fusions(scores, model.classes(), options.threads);
+        print_page(page_of(name, {scores, fusions, &model}, model.genres, asked), asked);
         return {};
     };
     const std::uint64_t seed = options.seed + 500;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "audio/genre/training/fusion_fit.hpp"
+#include "base/parallel.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,26 +24,13 @@ std::vector<audio::GenreScores::Values> fused_scores(const JudgedScores& judged,
                                                      std::size_t classes,
                                                      audio::GenreEvidence evidence) {
     const bool is_ready = judged.calibrated != nullptr && evidence == audio::GenreEvidence::fused;
-    std::map<int, std::vector<audio::WindowScore>> others_of_fold;
-    for (const audio::WindowScore& score : judged.scores) {
-        others_of_fold.try_emplace(score.fold);
-    }
-    for (const audio::WindowScore& score : judged.fitted_to) {
-        for (auto& [fold, others] : others_of_fold) {
-            if (fold != score.fold || others_of_fold.size() == 1) {
-                others.push_back(score);
-            }
-        }
-    }
-    std::map<int, audio::GenreFusion> fusions;
-    for (const auto& [fold, others] : others_of_fold) {
-        fusions[fold] = is_ready ? judged.calibrated->fusion[window]
-                                 : audio::fit_fusion(others, window, classes, evidence);
-    }
     std::vector<audio::GenreScores::Values> logs;
     logs.reserve(judged.scores.size());
     for (const audio::WindowScore& score : judged.scores) {
-        logs.push_back(audio::fuse(score, fusions[score.fold], evidence, classes));
+        const audio::GenreFusion& fusion = is_ready
+                                               ? judged.calibrated->fusion[window]
+                                               : judged.fusions.of(score.fold, evidence, window);
+        logs.push_back(audio::fuse(score, fusion, evidence, classes));
     }
     return logs;
 }
@@ -49,7 +38,40 @@ std::vector<audio::GenreScores::Values> fused_scores(const JudgedScores& judged,
 constexpr std::size_t kFiveSeconds = 3;  // of kGenreWindows
 static_assert(audio::kGenreWindows[kFiveSeconds] == 10);
 
+std::size_t place_of(audio::GenreEvidence evidence, std::size_t window) {
+    return static_cast<std::size_t>(evidence) * audio::kGenreWindows.size() + window;
+}
+
 }  // namespace
+
+FoldFusions::FoldFusions(std::span<const audio::WindowScore> scores,
+                         std::size_t classes,
+                         int threads) {
+    constexpr std::size_t kPlaces = std::size(kEvidenceNames) * audio::kGenreWindows.size();
+    for (const audio::WindowScore& score : scores) {
+        fusions_.try_emplace(score.fold, kPlaces);
+    }
+    for (auto& entry : fusions_) {
+        std::vector<audio::WindowScore> others;
+        std::copy_if(scores.begin(), scores.end(), std::back_inserter(others), [&](const auto& s) {
+            return s.fold != entry.first || fusions_.size() == 1;
+        });
+        run_parallel(kPlaces, threads, [&](std::size_t place) {
+            const std::size_t windows = audio::kGenreWindows.size();
+            entry.second[place] =
+                audio::fit_fusion(others,
+                                  place % windows,
+                                  classes,
+                                  static_cast<audio::GenreEvidence>(place / windows));
+        });
+    }
+}
+
+const audio::GenreFusion& FoldFusions::of(int fold,
+                                          audio::GenreEvidence evidence,
+                                          std::size_t window) const {
+    return fusions_.at(fold)[place_of(evidence, window)];
+}
 
 audio::GenrePage page_of(const std::string& title,
                          const JudgedScores& judged,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,12 +12,25 @@
 
 namespace raks::cli {
 
-/// Scores, and those that a fusion is fitted to where there is no calibrated model or where only
-/// some of its evidence speaks: each fold's to those of the other folds, or, where there is but
-/// one, to its own.
+/// A fusion of each kind of evidence at every window length for each fold: fitted to the scores of
+/// the other folds, or, where there is but one, to its own.
+class FoldFusions {
+ public:
+    FoldFusions(std::span<const audio::WindowScore> scores, std::size_t classes, int threads);
+
+    [[nodiscard]] const audio::GenreFusion& of(int fold,
+                                               audio::GenreEvidence evidence,
+                                               std::size_t window) const;
+
+ private:
+    std::map<int, std::vector<audio::GenreFusion>> fusions_;  // of each fold
+};
+
+/// Scores, and what fuses them where there is no calibrated model or where only some of its
+/// evidence speaks. `fusions`: of these folds.
 struct JudgedScores {
     std::span<const audio::WindowScore> scores;
-    std::span<const audio::WindowScore> fitted_to;
+    const FoldFusions& fusions;
     const audio::GenreModel* calibrated = nullptr;
 };
 

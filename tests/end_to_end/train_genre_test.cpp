@@ -45,10 +45,10 @@ class TrainGenre : public ProgramTest {
     /// Three dances, two files each.
     void write_folder(const std::string& name) const {
         for (const std::uint64_t seed : {1U, 2U}) {
-            const std::string file = "/" + std::to_string(seed) + ".wav";
-            write_music(name + "/salsa" + file, Style::salsa, seed);
-            write_music(name + "/belly" + file, Style::maqsum, seed);
-            write_music(name + "/house" + file, Style::house, seed);
+            const std::string file = std::to_string(seed) + ".wav";
+            write_music(fs::path(name) / "salsa" / file, Style::salsa, seed);
+            write_music(fs::path(name) / "belly" / file, Style::maqsum, seed);
+            write_music(fs::path(name) / "house" / file, Style::house, seed);
         }
     }
     /// As small a model as learns at all.

@@ -41,6 +41,38 @@ std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces, int f
     return fold_of;
 }
 
+/// What one model of a validation learns from, and what it is asked about.
+struct Fold {
+    std::vector<const HeardPiece*> training;
+    std::vector<std::size_t> held_out;  // numbers: damaged recordings count on from the pieces
+};
+
+std::vector<Fold> deal_folds(std::span<const HeardPiece> pieces,
+                             std::span<const HeardPiece> damaged,
+                             int count) {
+    const std::map<std::string, int> folds = deal_groups(pieces, count);
+    const auto fold_of = [&](const HeardPiece& piece) {
+        return static_cast<std::size_t>(
+            folds.at((piece.is_recorded() ? "r " : "w ") + piece.group));
+    };
+    std::vector<Fold> dealt(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::size_t own = fold_of(pieces[i]);
+        for (std::size_t fold = 0; fold < dealt.size(); ++fold) {
+            if (fold != own) {
+                dealt[fold].training.push_back(&pieces[i]);
+            }
+        }
+        if (pieces[i].is_recorded() || is_kept_out(pieces[i], i)) {
+            dealt[own].held_out.push_back(i);
+        }
+    }
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+        dealt[fold_of(damaged[i])].held_out.push_back(pieces.size() + i);
+    }
+    return dealt;
+}
+
 /// Whether something of each genre is left to learn from while something is held out.
 Expected<void> check_groups(std::span<const HeardPiece> pieces, std::span<const Genre> genres) {
     std::map<Genre, std::set<std::string>> groups;
@@ -120,27 +152,11 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pi
     if (auto enough = check_groups(pieces, genres); !enough) {
         return fail(enough.error());
     }
-    const std::map<std::string, int> folds = deal_groups(pieces, plan.folds);
-    const auto fold_of = [&](const HeardPiece& piece) {
-        return folds.at((piece.is_recorded() ? "r " : "w ") + piece.group);
-    };
+    const std::vector<Fold> folds = deal_folds(pieces, damaged, plan.folds);
     std::vector<WindowScore> scores;
     for (int fold = 0; fold < plan.folds; ++fold) {
-        std::vector<const HeardPiece*> training;
-        std::vector<std::size_t> held_out;
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            if (fold_of(pieces[i]) != fold) {
-                training.push_back(&pieces[i]);
-            } else if (pieces[i].is_recorded() || is_kept_out(pieces[i], i)) {
-                held_out.push_back(i);
-            }
-        }
-        for (std::size_t i = 0; i < damaged.size(); ++i) {
-            if (fold_of(damaged[i]) == fold) {
-                held_out.push_back(pieces.size() + i);
-            }
-        }
-        auto model = train_genres(training, genres, plan);
+        const std::vector<std::size_t>& held_out = folds[static_cast<std::size_t>(fold)].held_out;
+        auto model = train_genres(folds[static_cast<std::size_t>(fold)].training, genres, plan);
         if (!model) {
             return fail(model.error());
         }
