@@ -8,20 +8,6 @@ namespace raks::audio {
 namespace {
 
 constexpr std::size_t kBands = NetworkInput::kBands;
-constexpr float kChanceKept = 0.6F;  // from hop to hop, whose windows overlap
-
-/// For each band 1 / sqrt(n) for n parts of its spectrum that fluctuate each by itself: a bin of
-/// 31 Hz each, at the centres of bands equally spaced in mel (OnsetDetector).
-std::array<float, kBands> fluctuations() {
-    constexpr double kMelStep = 94.4;
-    std::array<float, kBands> shares{};
-    for (std::size_t band = 0; band < kBands; ++band) {
-        const double mel = 47.3 + kMelStep * static_cast<double>(band + 1);
-        const double width = 700.0 * std::exp(mel / 1127.0) * kMelStep / 1127.0;
-        shares[band] = static_cast<float>(std::sqrt(31.25 / width));
-    }
-    return shares;
-}
 
 }  // namespace
 
@@ -84,22 +70,11 @@ void MelHearing::muffle(Dice& dice) {
     }
 }
 
-void RoomEcho::add(const MelHearing& hearing, Dice* dice, Bands& bands) {
-    static const std::array<float, kBands> kFluctuations = fluctuations();
-    static const float kRenewal = std::sqrt(1.0F - kChanceKept * kChanceKept);
+void RoomEcho::add(const MelHearing& hearing, Bands& bands) {
     for (std::size_t band = 0; band < kBands; ++band) {
         const float direct = bands[band] * bands[band];
         energy_[band] = hearing.decay * energy_[band] + (1.0F - hearing.decay) * direct;
-        const float echo = hearing.reverberation * energy_[band];
-        float chance = 0.0F;
-        if (dice != nullptr) {
-            chance_[band] =
-                kChanceKept * chance_[band] + kRenewal * static_cast<float>(dice->normal(1.0));
-            chance = kFluctuations[band] * chance_[band];
-        }
-        const float met =
-            direct + echo * (1.0F + chance) + std::sqrt(2.0F * direct * echo) * chance;
-        bands[band] = std::sqrt(std::max(met, 0.05F * (direct + echo)));
+        bands[band] = std::sqrt(direct + hearing.reverberation * energy_[band]);
     }
 }
 

@@ -36,18 +36,16 @@ struct MelHearing {
 };
 
 /// What a room adds to music, hop by hop: per band, energy that dies away exponentially (Polack
-/// 1988: late reverberation is decaying noise). Narrow bands fluctuate by chance as the reflections
-/// add up and cancel; that looks like onsets, so it must be heard while learning.
+/// 1988: late reverberation is decaying noise), in the mean. That narrow bands fluctuate as the
+/// reflections meet is left out: learnt with it, clean music was known less well (docs/genre.md).
 class RoomEcho {
  public:
     using Bands = std::array<float, NetworkInput::kBands>;
 
-    /// `dice`: where reflections meet, they add up and cancel by chance; null: in the mean.
-    void add(const MelHearing& hearing, Dice* dice, Bands& bands);
+    void add(const MelHearing& hearing, Bands& bands);
 
  private:
     Bands energy_{};
-    Bands chance_{};  // how they meet, sd 1
 };
 
 /// Calls put(t, bands) for `hops` hops: magnitudes as they are heard. `dice`: draws the noise;
@@ -89,7 +87,7 @@ void hear_bands(std::span<const float> mel,
         auto bands =
             magnitudes_at(mel, hearing.first_hop + static_cast<double>(t) * hearing.stretch);
         if (hearing.reverberation > 0.0F) {
-            echo.add(hearing, dice, bands);
+            echo.add(hearing, bands);
         }
         for (std::size_t band = 0; band < bands.size(); ++band) {
             const float hiss = floor > 0.0F && dice != nullptr
