@@ -25,7 +25,7 @@ std::vector<Bands> heard(const std::vector<float>& mel, const MelHearing& hearin
     hear_bands(mel,
                hearing,
                mel.size() / NetworkInput::kBands,
-               dice,
+               nullptr,
                [&](std::size_t, const Bands& bands) { hops.push_back(bands); });
     return hops;
 }
