@@ -199,21 +199,24 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& 
         return fail(scores.error());
     }
     const std::set<std::string> left_out = unjudged(options, material);
-    std::vector<audio::WindowScore> clean;
+    std::vector<audio::WindowScore> undamaged;
     std::map<audio::Damage, std::vector<audio::WindowScore>> recorded;
     for (const audio::WindowScore& score : *scores) {
         const bool is_damaged = score.piece >= pieces.size();
         const std::size_t number = is_damaged ? score.piece - pieces.size() : score.piece;
         const audio::HeardPiece& piece = is_damaged ? damaged.pieces[number] : pieces[number];
         if (!is_damaged) {
-            clean.push_back(score);
+            undamaged.push_back(score);
         }
         if (piece.kind == audio::HeardPiece::Kind::recorded && !left_out.contains(piece.name)) {
             recorded[is_damaged ? damaged.damages[number] : audio::Damage::none].push_back(score);
         }
     }
+    if (recorded.empty()) {
+        return undamaged;
+    }
     const auto asked = enough_recordings(pieces, genres);
-    const FoldFusions fusions(clean, genres.size() + 1, options.threads);
+    const FoldFusions fusions(undamaged, genres.size() + 1, options.threads);
     for (const auto& [damage, judged_scores] : recorded) {
         const JudgedScores judged{judged_scores, fusions, nullptr};
         const bool is_clean = damage == audio::Damage::none;
@@ -232,7 +235,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& 
             }
         }
     }
-    return clean;
+    return undamaged;
 }
 
 Expected<void> test_on_written(const GenreOptions& options,

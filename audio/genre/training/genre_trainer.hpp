@@ -37,11 +37,12 @@ struct GenreTrainingPlan {
                                                 std::span<const Genre> genres,
                                                 const GenreTrainingPlan& plan);
 
-/// Scores of every recording, and of the written pieces that are kept out, by a model that heard no
-/// piece of its group: groups are dealt to folds, genre by genre. `damaged`: recordings of these
-/// groups as they are heard after some damage, learnt from by no model and scored by the same as
-/// the others of their group; their scores count on from the pieces'. `on_fold(done, all)` is
-/// called after each. Errors: as train_genres; a genre all of whose pieces are of one group.
+/// Scores of every recording and its altered copies, and of the written pieces that are kept out,
+/// by a model that heard no piece of its group: groups are dealt to folds, genre by genre.
+/// `damaged`: recordings of these groups as they are heard after some damage, learnt from by no
+/// model and scored by the same as the others of their group; their scores count on from the
+/// pieces'. `on_fold(done, all)` is called after each. Errors: as train_genres; a genre all of
+/// whose pieces are of one group.
 [[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
     std::span<const HeardPiece> pieces,
     std::span<const HeardPiece> damaged,

@@ -32,7 +32,7 @@ struct HeardPiece {
     Genre genre = Genre::unknown;  ///< unknown: none of the dances
     enum class Kind : std::uint8_t {
         recorded,
-        altered,  ///< a recording after some damage: to learn from only
+        altered,  ///< a recording after some damage: to learn from and to fit fusions to
         written,
         written_held_out  ///< by a family of arrangements that training may leave out
     };

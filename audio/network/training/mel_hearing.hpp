@@ -42,6 +42,7 @@ class RoomEcho {
  public:
     using Bands = std::array<float, NetworkInput::kBands>;
 
+    /// Turns a hop's magnitudes into what is heard of it in the hearing's room.
     void add(const MelHearing& hearing, Bands& bands);
 
  private:
