@@ -15,7 +15,7 @@ using Numbers = std::array<double, kNumbers>;
 // People dance to recordings. More weight does recordings better still, and takes our own
 // maqsum for hip-hop for seconds.
 constexpr double kRecordedWeight = 1.5;
-constexpr double kOffsetPull = 0.3;  // nats a squared nat: a few clips must not tilt a class
+constexpr double kOffsetPull = 0.1;  // nats a squared nat: a few clips must not tilt a class
 
 EvidenceWeights weights_of(const double* numbers) {
     return {static_cast<float>(numbers[0]),

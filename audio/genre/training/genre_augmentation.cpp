@@ -49,4 +49,9 @@ Expected<void> augment_for_genre(int rate,
     return {};
 }
 
+void enter_drawn_room(int rate, std::vector<float>& samples, Dice& dice) {
+    const double seconds = dice.log_uniform(0.2, 1.2);
+    add_room(rate, seconds, dice.uniform(0.3, 0.7), samples, dice);
+}
+
 }  // namespace raks::audio

@@ -18,4 +18,7 @@ namespace raks::audio {
                                                Dice& dice,
                                                const SoundEffects& effects = {});
 
+/// A drawn room and nothing else: 0.2 to 1.2 s to -60 dB, from mostly direct sound to mostly echo.
+void enter_drawn_room(int rate, std::vector<float>& samples, Dice& dice);
+
 }  // namespace raks::audio

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -55,6 +56,25 @@ TEST(SoundDamage, does_what_it_says) {
     };
     // 60 dB in 0.6 s: 30 dB between two spans 0.3 s apart.
     EXPECT_NEAR(20.0 * std::log10(energy(800, 3'200) / energy(5'600, 8'000)), 30.0, 2.0);
+}
+
+TEST(SoundDamage, a_drawn_room_adds_echoes_and_nothing_else) {
+    constexpr int kRate = 44'100;
+    std::vector<float> click(2 * kRate);
+    click[0] = 1.0F;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Dice dice(1, seed);
+        std::vector<float> heard = click;
+        enter_drawn_room(kRate, heard, dice);
+        const double direct = static_cast<double>(heard[0]);
+        heard[0] = 0.0F;
+        const double echoes = rms_of(heard) * std::sqrt(static_cast<double>(heard.size()));
+        EXPECT_GE(direct, 0.3);
+        EXPECT_LE(direct, 0.7);
+        EXPECT_NEAR(direct + echoes, 1.0, 0.05);  // two may fall on one sample
+        const auto after = heard.begin() + static_cast<std::ptrdiff_t>(1.2 * kRate) + 1;
+        EXPECT_TRUE(std::all_of(after, heard.end(), [](float sample) { return sample == 0.0F; }));
+    }
 }
 
 std::vector<float> clicks_and_tone(int rate, double seconds) {
