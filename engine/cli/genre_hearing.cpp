@@ -25,9 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr int kChunk = 70;
 constexpr std::size_t kReportEvery = 20;  // recordings
-// Which altered copy of a recording is heard in a room and nothing else. Echoes take one dance for
-// another more than all else does, and what happens at random seldom has much of them.
-constexpr int kRoomEvery = 3;
 
 /// Seconds that this thread has computed.
 double thread_seconds() {
@@ -56,21 +53,6 @@ struct Cost {
 };
 
 std::string hex(std::uint64_t number) { return fmt::format("{:016x}", number); }
-
-Expected<void> alter(int rate,
-                     int copy,
-                     const audio::SoundEffects& effects,
-                     std::vector<float>& samples,
-                     audio::Dice& dice) {
-    if (effects.has(audio::SoundEffect::speed)) {
-        audio::change_speed(dice.uniform(0.92, 1.08), samples);
-    }
-    if (copy % kRoomEvery == 0 && effects.has(audio::SoundEffect::room)) {
-        audio::enter_drawn_room(rate, samples, dice);
-        return {};
-    }
-    return audio::augment_for_genre(rate, samples, dice, effects);
-}
 
 /// One recording, clean and then its altered copies (a copy depends on the file's name and the
 /// seed), or damaged.
@@ -101,7 +83,8 @@ Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
             audio::Dice dice(options.seed + 1000,
                              hash_of(file.name) + static_cast<std::uint64_t>(copy));
             piece.kind = audio::HeardPiece::Kind::altered;
-            const auto altered = alter(music->rate.hertz(), copy, options.effects, samples, dice);
+            const auto altered =
+                audio::alter_recording(music->rate.hertz(), copy, samples, dice, options.effects);
             if (!altered) {
                 return fail(file.path.string() + ": " + altered.error().message);
             }
@@ -155,7 +138,7 @@ std::string name_in_cache(const audio::MusicFile& file,
                                                   written,
                                                   options.seed,
                                                   options.altered,
-                                                  kRoomEvery,
+                                                  audio::kRoomEvery,
                                                   hearing,
                                                   without(options.effects),
                                                   damaged)));

@@ -49,9 +49,17 @@ Expected<void> augment_for_genre(int rate,
     return {};
 }
 
-void enter_drawn_room(int rate, std::vector<float>& samples, Dice& dice) {
-    const double seconds = dice.log_uniform(0.2, 1.2);
-    add_room(rate, seconds, dice.uniform(0.3, 0.7), samples, dice);
+Expected<void> alter_recording(
+    int rate, int copy, std::vector<float>& samples, Dice& dice, const SoundEffects& effects) {
+    if (effects.has(SoundEffect::speed)) {
+        change_speed(dice.uniform(0.92, 1.08), samples);
+    }
+    if (copy % kRoomEvery == 0 && effects.has(SoundEffect::room)) {
+        const double seconds = dice.log_uniform(0.2, 1.2);
+        add_room(rate, seconds, dice.uniform(0.3, 0.7), samples, dice);
+        return {};
+    }
+    return augment_for_genre(rate, samples, dice, effects);
 }
 
 }  // namespace raks::audio

@@ -58,14 +58,16 @@ TEST(SoundDamage, does_what_it_says) {
     EXPECT_NEAR(20.0 * std::log10(energy(800, 3'200) / energy(5'600, 8'000)), 30.0, 2.0);
 }
 
-TEST(SoundDamage, a_drawn_room_adds_echoes_and_nothing_else) {
+TEST(SoundDamage, every_third_copy_of_a_recording_is_in_a_room_and_nothing_else) {
     constexpr int kRate = 44'100;
     std::vector<float> click(2 * kRate);
     click[0] = 1.0F;
+    SoundEffects steady;
+    steady.leave_out(SoundEffect::speed);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         Dice dice(1, seed);
         std::vector<float> heard = click;
-        enter_drawn_room(kRate, heard, dice);
+        ASSERT_TRUE(alter_recording(kRate, 3, heard, dice, steady));
         const double direct = static_cast<double>(heard[0]);
         heard[0] = 0.0F;
         const double echoes = rms_of(heard) * std::sqrt(static_cast<double>(heard.size()));
