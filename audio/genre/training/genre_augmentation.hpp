@@ -22,9 +22,9 @@ namespace raks::audio {
 /// than all else does, and what happens at random seldom has much of them.
 inline constexpr int kRoomEvery = 3;
 
-/// Makes altered copy `copy`, from 1, of a recording: up to 8 % slower or faster and augmented;
-/// every third instead in a drawn room, 0.2 to 1.2 s to -60 dB, from mostly direct sound to mostly
-/// echo, and nothing else.
+/// Makes altered copy `copy`, from 1, of a recording: up to 8 % slower or faster, then augmented,
+/// or, every third, in a drawn room and nothing else: 0.2 to 1.2 s to -60 dB, from mostly direct
+/// sound to mostly echo.
 /// Errors: as augment_for_genre.
 [[nodiscard]] Expected<void> alter_recording(
     int rate, int copy, std::vector<float>& samples, Dice& dice, const SoundEffects& effects = {});
