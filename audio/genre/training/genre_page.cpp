@@ -12,7 +12,8 @@ namespace {
 constexpr double kWidth = 560.0;  // of a chart
 constexpr double kHeight = 300.0;
 constexpr double kMargin = 44.0;
-constexpr std::array kColours = {"#c0392b", "#2471a3", "#1e8449", "#b7950b", "#6c3483"};
+// One for each kind of evidence.
+constexpr std::array kColours = {"#c0392b", "#2471a3", "#1e8449", "#b7950b", "#6c3483", "#566573"};
 
 std::string escaped(const std::string& text) {
     std::string safe;
@@ -61,8 +62,8 @@ std::string recall_chart(const GenrePage& page) {
         inside += fmt::format(
             "<polyline points='{}' stroke='{}' stroke-width='2' fill='none'/>", points, stroke);
         inside += fmt::format("<text x='{}' y='{}' fill='{}'>{}</text>",
-                              kWidth - kMargin - 70.0,
-                              kHeight - kMargin - 12.0 - 16.0 * static_cast<double>(colour),
+                              kMargin + 80.0 * static_cast<double>(colour),
+                              kMargin - 8.0,  // above the curves
                               stroke,
                               escaped(evidence));
         ++colour;
