@@ -6,6 +6,8 @@
 
 #include <csignal>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace raks {
 namespace {
 
@@ -13,14 +15,7 @@ namespace fs = std::filesystem;
 
 class FileTest : public ::testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = fs::path(::testing::TempDir()) /
-                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-    fs::path folder_;
+    test::TemporaryFolder folder_;
 };
 
 TEST_F(FileTest, what_was_written_is_read) {
@@ -48,7 +43,7 @@ TEST_F(FileTest, a_new_folder_appears_whole_or_not_at_all) {
         ASSERT_TRUE(given_up) << given_up.error().message;
         ASSERT_TRUE(write_file(given_up->part() / "x", "lost"));
     }
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(folder_.is_empty());
     fs::create_directories(folder_ / "new.part" / "left by a killed run");
     auto pending = PendingFile::create_folder(folder / "");  // as a shell completes it
     ASSERT_TRUE(pending) << pending.error().message;
@@ -67,7 +62,8 @@ TEST_F(FileTest, a_new_folder_appears_whole_or_not_at_all) {
 TEST_F(FileTest, errors_name_the_file_and_the_reason) {
     EXPECT_EQ(read_file(folder_ / "none").error().message,
               (folder_ / "none").string() + ": cannot be opened: No such file or directory");
-    EXPECT_EQ(read_file(folder_).error().message, folder_.string() + ": is a folder, not a file");
+    EXPECT_EQ(read_file(folder_.path()).error().message,
+              folder_.path().string() + ": is a folder, not a file");
     EXPECT_EQ(write_file(folder_ / "a" / "b", "").error().message,
               (folder_ / "a" / "b").string() + ": cannot be written: No such file or directory");
     ASSERT_TRUE(write_file(folder_ / "big", std::string(100, 'x')));

@@ -6,13 +6,13 @@
 #include <string_view>
 
 #include "base/file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks {
 namespace {
 
 class TextFile : public ::testing::Test {
  protected:
-    void TearDown() override { std::filesystem::remove(path_); }
     Expected<std::string> read(std::string_view bytes) const {
         EXPECT_TRUE(write_file(path_, bytes));
         return read_text_file(path_, 1000);
@@ -23,10 +23,8 @@ class TextFile : public ::testing::Test {
         EXPECT_TRUE(text.error().message.starts_with(path_.string() + ": "));
         EXPECT_NE(text.error().message.find(part), std::string::npos) << text.error().message;
     }
-    // Tests run side by side.
-    std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) /
-                                  (std::string("text_file_") +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "text";
 };
 
 TEST_F(TextFile, lines_end_alike_whoever_wrote_them) {

@@ -65,11 +65,11 @@ TEST_F(EvalDance, refuses_what_it_cannot_measure_in_one_line) {
     EXPECT_EQ(unknown.exit_code, 1);
     EXPECT_TRUE(is_one_error_line(unknown.err)) << unknown.err;
     EXPECT_NE(unknown.err.find("salsa-180"), std::string::npos) << unknown.err;
-    const ProcessResult no_labels = run({"eval", "dance", "--clips", folder_.string()});
+    const ProcessResult no_labels = run({"eval", "dance", "--clips", folder_.path().string()});
     EXPECT_EQ(no_labels.exit_code, 2);
     EXPECT_TRUE(is_one_error_line(no_labels.err)) << no_labels.err;
     const ProcessResult no_file =
-        run({"eval", "dance", "--clips", folder_.string(), "--labels", path("none.tsv")});
+        run({"eval", "dance", "--clips", folder_.path().string(), "--labels", path("none.tsv")});
     EXPECT_EQ(no_file.exit_code, 1);
     EXPECT_TRUE(is_one_error_line(no_file.err)) << no_file.err;
 }

@@ -35,7 +35,7 @@ TEST_F(OddFiles, a_pipe_is_refused_instead_of_waited_for) {
         {"train", "figure", path("x.bvh"), "--labels", path("pipe"), "-o", path("x.json")},
         1,
         refused);
-    expect_one_line({"eval", "beats", folder_.string()}, 1, refused);
+    expect_one_line({"eval", "beats", folder_.path().string()}, 1, refused);
     fs::create_directories(folder_ / "config" / "raks");
     ASSERT_EQ(mkfifo((folder_ / "config" / "raks" / "config.toml").c_str(), 0600), 0);
     expect_one_line({"devices"}, 2, refused);
@@ -68,7 +68,7 @@ TEST_F(OddFiles, what_is_read_is_not_written_over) {
     fs::copy_file(path("music.bvh"), path("a.wav"));
     ASSERT_TRUE(write_file(path("index.tsv"), "name\tclass\na\tclicks\n"));
     ASSERT_TRUE(write_file(path("a.beats"), "0.1\n0.5\n"));
-    expect_one_line({"eval", "beats", folder_.string(), "--out", path(".")}, 1, refused);
+    expect_one_line({"eval", "beats", folder_.path().string(), "--out", path(".")}, 1, refused);
     EXPECT_EQ(read_file(path("music.bvh")).value(), before);
     EXPECT_EQ(read_file(path("music.mp4")).value(), before);
     EXPECT_EQ(read_file(path("a.beats")).value(), "0.1\n0.5\n");
@@ -109,11 +109,11 @@ TEST_F(OddFiles, tables_of_spreadsheets_are_read) {
                            "\xef\xbb\xbf"
                            "0.1\r0.5\r"));
     ASSERT_TRUE(write_file(path("index.tsv"), "\xef\xbb\xbfname\tclass\r\na\tclicks\r\n"));
-    const ProcessResult scored = run({"eval", "beats", folder_.string()});
+    const ProcessResult scored = run({"eval", "beats", folder_.path().string()});
     EXPECT_EQ(scored.exit_code, 0) << scored.err;
     const std::string utf16("\xff\xfen\0a\0m\0e\0", 10);
     ASSERT_TRUE(write_file(path("index.tsv"), utf16));
-    expect_one_line({"eval", "beats", folder_.string()}, 1, "UTF-16 text; save it as UTF-8");
+    expect_one_line({"eval", "beats", folder_.path().string()}, 1, "UTF-16 text; save it as UTF-8");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace raks::test {
 
 std::vector<std::string> ProgramTest::files() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
         const std::string name = entry.path().filename().string();
         if (name != "cache" && name != "config") {
             names.push_back(name);

@@ -9,6 +9,7 @@
 
 #include "audio/synth/music_generator.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::test {
 
@@ -16,15 +17,6 @@ namespace raks::test {
 /// environment: no settings of the user, no display, no audio server.
 class ProgramTest : public ::testing::Test {
  protected:
-    void SetUp() override {
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(::testing::TempDir()) /
-                  (std::string(info->test_suite_name()) + "." + info->name());
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     [[nodiscard]] ProcessPlan plan(std::vector<std::string> arguments) const {
         ProcessPlan plan;
         plan.command = {RAKS_PROGRAM};
@@ -56,7 +48,7 @@ class ProgramTest : public ::testing::Test {
     /// Names of what lies in the test's folder, sorted, without the program's own cache.
     [[nodiscard]] std::vector<std::string> files() const;
 
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 /// Exactly one line, starting with "raks: ".

@@ -51,7 +51,7 @@ TEST_F(Stick, draws_one_frame_large_at_the_size_asked_for) {
 
 TEST_F(Stick, draws_a_sheet_where_there_is_no_display) {
     ProcessPlan here = plan({"stick", clip("odd/plain.bvh"), "--frame", "3"});
-    here.folder = folder_;
+    here.folder = folder_.path();
     const ProcessResult result = run_process(here);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "plain.png: front and side of frames 3\n");

@@ -31,7 +31,7 @@ ProcessPlan WindowTest::in_window(std::vector<std::string> arguments) const {
         {"--size", std::to_string(kWindowWidth) + "x" + std::to_string(kWindowHeight)});
     ProcessPlan result = plan(std::move(arguments));
     std::erase(result.unset, "DISPLAY");
-    result.folder = folder_;
+    result.folder = folder_.path();
     return result;
 }
 

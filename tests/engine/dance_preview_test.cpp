@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::cli {
 namespace {
@@ -30,7 +31,6 @@ body.head.tilt = { wave = 8, every = 1, peak = 0 }
 class Preview : public testing::Test {
  protected:
     void SetUp() override { save(kDance); }
-    void TearDown() override { fs::remove(path_); }
 
     /// Each time a second later than the last.
     void save(const std::string& text) {
@@ -43,10 +43,8 @@ class Preview : public testing::Test {
         return std::move(*made);
     }
 
-    // Of each test its own: they may run side by side.
-    fs::path path_ =
-        fs::path(testing::TempDir()) /
-        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml");
+    test::TemporaryFolder folder_;
+    fs::path path_ = folder_ / "dance.toml";
     int saves_ = 0;
 };
 

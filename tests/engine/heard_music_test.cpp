@@ -9,15 +9,10 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/synth/music_generator.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
 namespace {
-
-std::filesystem::path written(const audio::GeneratedMusic& music, const std::string& name) {
-    const auto path = std::filesystem::path(::testing::TempDir()) / name;
-    EXPECT_TRUE(audio::write_wav(path, music.samples, music.channels, music.rate));
-    return path;
-}
 
 motion::FigureLabel label_of(double from, double to, double fps) {
     motion::FigureLabel label;
@@ -33,9 +28,10 @@ TEST(HeardMusic, counts_of_a_salsa_lie_within_hundredths_of_a_beat) {
     plan.tempo = {{0.0, 176.0}};
     const auto music = audio::generate(plan);
     ASSERT_TRUE(music);
-    const auto path = written(*music, "raks_heard_music.wav");
+    const test::TemporaryFolder folder;
+    const auto path = folder / "music.wav";
+    ASSERT_TRUE(audio::write_wav(path, music->samples, music->channels, music->rate));
     Expected<HeardMusic> heard = hear_music(path);
-    std::filesystem::remove(path);
     ASSERT_TRUE(heard) << heard.error().message;
     EXPECT_NEAR(heard->music.duration, 36.0, 0.02);
     EXPECT_EQ(heard->warning, "");
@@ -71,7 +67,8 @@ TEST(HeardMusic, counts_of_a_salsa_lie_within_hundredths_of_a_beat) {
 }
 
 TEST(HeardMusic, silence_has_no_beats_and_a_bad_file_is_said) {
-    const auto path = std::filesystem::path(::testing::TempDir()) / "raks_heard_silence.wav";
+    const test::TemporaryFolder folder;
+    const auto path = folder / "silence.wav";
     const std::vector<float> silence(48'000 * 4, 0.0F);
     ASSERT_TRUE(audio::write_wav(path, silence, 1, SampleRate(48'000)));
     const auto heard = hear_music(path);
@@ -80,7 +77,7 @@ TEST(HeardMusic, silence_has_no_beats_and_a_bad_file_is_said) {
     EXPECT_TRUE(heard->music.beats.empty());
     const auto missing = hear_music(path);
     ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().message.find("raks_heard_silence.wav"), std::string::npos);
+    EXPECT_NE(missing.error().message.find("silence.wav"), std::string::npos);
 }
 
 }  // namespace

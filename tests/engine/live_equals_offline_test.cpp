@@ -17,6 +17,7 @@
 #include "engine/offline_driver.hpp"
 #include "engine/playback.hpp"
 #include "tests/support/realtime_guard.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
 namespace {
@@ -26,10 +27,6 @@ constexpr int kSeconds = 14;
 class LiveEqualsOffline : public ::testing::Test {
  protected:
     void SetUp() override {
-        // A file of this test alone: others of the fixture may run beside it.
-        path_ =
-            std::filesystem::path(::testing::TempDir()) /
-            (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".wav");
         audio::MusicPlan plan;
         plan.style = audio::Style::salsa;
         plan.tempo = {{0.0, 176.0}, {9.0, 176.0}, {9.0, 190.0}};
@@ -43,7 +40,6 @@ class LiveEqualsOffline : public ::testing::Test {
         ASSERT_TRUE(library) << library.error().message;
         library_ = *library;
     }
-    void TearDown() override { std::filesystem::remove(path_); }
 
     [[nodiscard]] motion::Dancer dancer() const {
         motion::Dancer dancer;
@@ -59,7 +55,8 @@ class LiveEqualsOffline : public ::testing::Test {
         return std::move(*made);
     }
 
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "music.wav";
     std::shared_ptr<const motion::DanceLibrary> library_;
 };
 
@@ -72,11 +69,11 @@ class Record final : public OfflineDriver::Sink {
     std::vector<motion::Pose> poses;
 };
 
-std::vector<motion::Pose> danced_offline(const std::filesystem::path& path,
-                                         std::shared_ptr<const motion::DanceLibrary> library) {
+std::vector<motion::Pose> danced_offline(
+    const std::filesystem::path& path, const std::shared_ptr<const motion::DanceLibrary>& library) {
     auto source = MusicSource::open(path);
     EXPECT_TRUE(source);
-    auto driver = OfflineDriver::create(source->rate(), std::move(library), 1);
+    auto driver = OfflineDriver::create(source->rate(), library, 1);
     EXPECT_TRUE(driver);
     Record record;
     for (auto block = source->next(); !block.mono.empty(); block = source->next()) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audio/io/audio_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
 namespace {
@@ -20,9 +21,6 @@ constexpr std::size_t kBlock = 1000;  // frames; no divisor of what is pulled at
 class PlaybackTest : public ::testing::Test {
  protected:
     void SetUp() override {
-        path_ = std::filesystem::path(::testing::TempDir()) /
-                (std::string("playback.") +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".wav");
         std::vector<float> samples(kSeconds * kHertz);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const auto second = i / kHertz;
@@ -36,7 +34,6 @@ class PlaybackTest : public ::testing::Test {
         playback_ = std::move(*made);
         ASSERT_TRUE(playback_->prepare(SampleRate(kHertz)));
     }
-    void TearDown() override { std::filesystem::remove(path_); }
 
     /// One callback when the decoder is ready; the left channel of what it gave.
     std::vector<float> call(std::size_t frames = kBlock) {
@@ -77,7 +74,8 @@ class PlaybackTest : public ::testing::Test {
         return heard;
     }
 
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "seconds.wav";
     std::unique_ptr<Playback> playback_;
 };
 

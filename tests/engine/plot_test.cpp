@@ -7,24 +7,19 @@
 #include "base/random.hpp"
 #include "engine/plot_sheet.hpp"
 #include "engine/plot_svg.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
 namespace {
 
 class ReferenceBeats : public ::testing::Test {
  protected:
-    void SetUp() override {
-        // Tests run side by side: each has a file of its own.
-        const char* const test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-        path_ = std::filesystem::path(::testing::TempDir()) /
-                (std::string("raks_reference_") + test + ".beats");
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
     Expected<std::vector<BeatEvent>> read(const std::string& text) const {
         EXPECT_TRUE(write_file(path_, text));
         return read_reference_beats(path_);
     }
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "reference.beats";
 };
 
 TEST(PlotSheet, base64_agrees_with_rfc_4648) {

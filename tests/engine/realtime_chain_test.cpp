@@ -12,6 +12,7 @@
 #include "engine/motion_stage.hpp"
 #include "engine/playback.hpp"
 #include "tests/support/realtime_guard.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
 namespace {
@@ -78,7 +79,8 @@ void tick_guarded(MotionStage& motion) {
 }
 
 TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
-    const auto path = std::filesystem::path(::testing::TempDir()) / "realtime_chain.wav";
+    const test::TemporaryFolder folder;
+    const auto path = folder / "minute.wav";
     const audio::GeneratedMusic music = minute_of_music(SampleRate(44'100));
     ASSERT_TRUE(audio::write_wav(path, music.samples, music.channels, music.rate));
     auto player = audio::FilePlayer::start({path});
@@ -101,7 +103,6 @@ TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
     EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
     EXPECT_EQ(analysis.states().dropped(), 0U);
     EXPECT_EQ((*playback)->player().underruns(), 0U);
-    std::filesystem::remove(path);
 }
 
 TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {

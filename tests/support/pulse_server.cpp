@@ -1,7 +1,5 @@
 #include "tests/support/pulse_server.hpp"
 
-#include <unistd.h>
-
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -15,17 +13,15 @@ void set_variable(const char* name, const std::string& value) {
 
 }  // namespace
 
-PulseServer::PulseServer(const std::string& description)
-    : folder_(std::filesystem::temp_directory_path() / ("raks-pulse-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
+PulseServer::PulseServer(const std::string& description) {
     std::ofstream(folder_ / "asound.conf") << "</usr/share/alsa/alsa.conf>\n"
                                               "pcm.!default { type pulse }\n"
                                               "ctl.!default { type pulse }\n"
                                               "pcm.pulse { type pulse }\n";
     const std::string socket = (folder_ / "native").string();
-    set_variable("PULSE_RUNTIME_PATH", folder_.string());
-    set_variable("XDG_RUNTIME_DIR", folder_.string());
-    set_variable("HOME", folder_.string());
+    set_variable("PULSE_RUNTIME_PATH", folder_.path().string());
+    set_variable("XDG_RUNTIME_DIR", folder_.path().string());
+    set_variable("HOME", folder_.path().string());
     set_variable("ALSA_CONFIG_PATH", (folder_ / "asound.conf").string());
     set_variable("PULSE_SERVER", "unix:" + socket);
     set_variable("JACK_NO_START_SERVER", "1");
@@ -54,12 +50,6 @@ PulseServer::PulseServer(const std::string& description)
         nanosleep(&pause, nullptr);
     }
     problem_ = "pulseaudio does not start (are pulseaudio and pulseaudio-utils installed?)";
-}
-
-PulseServer::~PulseServer() {
-    process_.reset();
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
 }
 
 }  // namespace raks::test

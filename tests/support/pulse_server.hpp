@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::test {
 
@@ -15,15 +15,12 @@ class PulseServer {
  public:
     /// `description`: what a desktop calls the sink; its monitor is then "Monitor of" that.
     explicit PulseServer(const std::string& description = "Null Output");
-    ~PulseServer();
-    PulseServer(const PulseServer&) = delete;
-    PulseServer& operator=(const PulseServer&) = delete;
 
     /// Empty when the server answers; else why not.
     [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
  private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     std::string problem_;
     std::unique_ptr<ChildProcess> process_;
 };

@@ -10,19 +10,13 @@
 #include "audio/evaluate/beat_corpus.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
 namespace {
 
 class TrainingFiles : public ::testing::Test {
  protected:
-    void SetUp() override {
-        const char* const test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = std::filesystem::path(::testing::TempDir()) / test;
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     /// 4 bars of 4/4 in a MIDI file of one track: a note on every quarter.
     static std::string midi() {
         std::string track;
@@ -45,12 +39,12 @@ class TrainingFiles : public ::testing::Test {
     }
     static constexpr const char* kIndex =
         "file\tset\tkind\tbpm_quarter\ttime_signature\none.mid\tfreedoom\tsong\t120\t4/4\n";
-    std::filesystem::path folder_;
+    raks::test::TemporaryFolder folder_;
 };
 
 TEST_F(TrainingFiles, midi_becomes_a_score_in_beats) {
     write_pack(midi(), kIndex);
-    const auto stretches = read_midi_pack(folder_);
+    const auto stretches = read_midi_pack(folder_.path());
     ASSERT_TRUE(stretches) << stretches.error().message;
     ASSERT_EQ(stretches->size(), 1U);
     const Score& score = stretches->front().score;
@@ -64,13 +58,13 @@ TEST_F(TrainingFiles, midi_becomes_a_score_in_beats) {
 }
 
 TEST_F(TrainingFiles, a_bad_pack_is_named_in_one_line) {
-    EXPECT_FALSE(read_midi_pack(folder_)) << "no index";
+    EXPECT_FALSE(read_midi_pack(folder_.path())) << "no index";
     write_pack("no midi", kIndex);
-    const auto bad = read_midi_pack(folder_);
+    const auto bad = read_midi_pack(folder_.path());
     ASSERT_FALSE(bad);
     EXPECT_NE(bad.error().message.find("one.mid"), std::string::npos);
     write_pack(midi(), "file\tset\n");
-    const auto column = read_midi_pack(folder_);
+    const auto column = read_midi_pack(folder_.path());
     ASSERT_FALSE(column);
     EXPECT_NE(column.error().message.find("kind"), std::string::npos);
 }
@@ -79,14 +73,14 @@ TEST_F(TrainingFiles, mangled_midi_ends_in_an_error_or_a_score) {
     const std::string good = midi();
     for (std::size_t length = 0; length < good.size(); length += 5) {
         write_pack(good.substr(0, length), kIndex);
-        static_cast<void>(read_midi_pack(folder_));
+        static_cast<void>(read_midi_pack(folder_.path()));
     }
     const CounterRandom random(3);
     for (std::uint64_t i = 0; i < 200; ++i) {
         std::string text = good;
         text[random.below(2 * i, text.size())] = static_cast<char>(random.below(2 * i + 1, 256));
         write_pack(text, kIndex);
-        if (const auto stretches = read_midi_pack(folder_)) {
+        if (const auto stretches = read_midi_pack(folder_.path())) {
             for (const MidiStretch& stretch : *stretches) {
                 EXPECT_LT(stretch.score.bar_position.size(), 1'000'000U);
             }
@@ -151,7 +145,7 @@ TEST_F(TrainingFiles, tempi_and_signatures_of_the_index_are_read_strictly) {
                             "a.mid\tgroove\tbeat\t120\t-4/4\n",
                             "a.mid\tgroove\tbeat\t1e99\t4/4\n"}) {
         ASSERT_TRUE(write_file(folder_ / "index.tsv", head + row));
-        const auto refused = read_midi_pack(folder_);
+        const auto refused = read_midi_pack(folder_.path());
         ASSERT_FALSE(refused) << row;
         EXPECT_NE(refused.error().message.find("index.tsv: line 2: "), std::string::npos)
             << refused.error().message;
@@ -161,7 +155,7 @@ TEST_F(TrainingFiles, tempi_and_signatures_of_the_index_are_read_strictly) {
 TEST_F(TrainingFiles, written_music_is_a_folder_that_trackers_are_judged_by) {
     write_pack(midi(), kIndex);
     const std::filesystem::path music = folder_ / "music";
-    CorpusPlan plan{folder_, {folder_ / "none.sf2"}, 1, 12.0};
+    CorpusPlan plan{folder_.path(), {folder_ / "none.sf2"}, 1, 12.0};
     // Some seed's first piece is our own generator's, which takes no soundfont.
     Expected<void> written = fail("none written");
     for (plan.seed = 1; !written && plan.seed < 200; ++plan.seed) {

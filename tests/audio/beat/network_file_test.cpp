@@ -14,18 +14,13 @@
 #include "base/file.hpp"
 #include "base/random.hpp"
 #include "tests/support/mangled.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
 namespace {
 
 class NetworkFile : public ::testing::Test {
  protected:
-    void SetUp() override {
-        const char* const test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-        path_ = std::filesystem::path(::testing::TempDir()) / (std::string(test) + ".json");
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     static BeatNetwork small() {
         BeatNetwork network(4, 1, 2);
         const CounterRandom random(5);
@@ -65,7 +60,8 @@ class NetworkFile : public ::testing::Test {
         EXPECT_NE(at, std::string::npos) << what;
         return text.replace(at, what.size(), with);
     }
-    std::filesystem::path path_;
+    raks::test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "beats.json";
 };
 
 TEST_F(NetworkFile, gives_back_what_was_saved) {

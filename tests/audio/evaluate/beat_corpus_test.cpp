@@ -6,6 +6,7 @@
 
 #include "base/file.hpp"
 #include "base/random.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
 namespace {
@@ -143,32 +144,27 @@ TEST(MangledBeatFiles, flipped_bits) {
 class BeatCorpusTest : public ::testing::Test {
  protected:
     void SetUp() override {
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(::testing::TempDir()) / (std::string("corpus_") + info->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
         write("index.tsv", kIndex);
         write("waltz.beats", kBeats);
         write("waltz.ogg", "sound");
         write("salsa_a.beats", "1.0 1\n2.0 2\n");
         write("salsa_a.flac", "sound");
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void write(const char* name, const std::string& text) const {
         ASSERT_TRUE(write_file(folder_ / name, text));
     }
     [[nodiscard]] std::string error() const {
-        const auto corpus = load_beat_corpus(folder_);
+        const auto corpus = load_beat_corpus(folder_.path());
         return corpus ? "" : corpus.error().message;
     }
     [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
 
-    fs::path folder_;
+    raks::test::TemporaryFolder folder_;
 };
 
 TEST_F(BeatCorpusTest, loads_excerpts_in_the_order_of_the_index) {
-    const auto corpus = load_beat_corpus(folder_);
+    const auto corpus = load_beat_corpus(folder_.path());
     ASSERT_TRUE(corpus) << corpus.error().message;
     ASSERT_EQ(corpus->size(), 2U);
     EXPECT_EQ((*corpus)[0].name, "waltz");
@@ -198,18 +194,18 @@ TEST_F(BeatCorpusTest, names_the_file_that_is_missing_or_bad) {
 
 TEST_F(BeatCorpusTest, estimates_come_back_as_saved) {
     const BeatEstimate estimate{{{0.5, 1.0}, {1, 2}}, std::vector<double>{1.5}};
-    ASSERT_TRUE(save_beat_estimate(folder_, "mine", estimate));
-    const auto again = load_beat_estimate(folder_, "mine");
+    ASSERT_TRUE(save_beat_estimate(folder_.path(), "mine", estimate));
+    const auto again = load_beat_estimate(folder_.path(), "mine");
     ASSERT_TRUE(again) << again.error().message;
     ASSERT_TRUE(*again);
     EXPECT_EQ((*again)->beats.times, estimate.beats.times);
     EXPECT_EQ((*again)->beats.bar_positions, estimate.beats.bar_positions);
     EXPECT_EQ((*again)->predicted, estimate.predicted);
-    EXPECT_EQ(load_beat_estimate(folder_, "waltz")->value().predicted, std::nullopt);
-    EXPECT_EQ(load_beat_estimate(folder_, "unheard").value().has_value(), false);
+    EXPECT_EQ(load_beat_estimate(folder_.path(), "waltz")->value().predicted, std::nullopt);
+    EXPECT_EQ(load_beat_estimate(folder_.path(), "unheard").value().has_value(), false);
     write("mine.pred", "soon\n");
     EXPECT_EQ(
-        load_beat_estimate(folder_, "mine").error().message,
+        load_beat_estimate(folder_.path(), "mine").error().message,
         path("mine.pred") + ": line 1: time is \"soon\", must be seconds from -10 to 1000000");
 }
 

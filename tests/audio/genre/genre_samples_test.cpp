@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "base/random.hpp"
 #include "tests/support/mangled.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
 namespace {
@@ -107,17 +108,18 @@ TEST(GenreSamples, stay_within_their_bytes_and_take_groups_in_turn) {
     EXPECT_GE(salsa, 8);
     EXPECT_NEAR(written, 0.5 * salsa, 1.0);
     EXPECT_EQ(static_cast<int>(sample.size()) - salsa, 1) << "rock has one piece";
-    const fs::path file = fs::temp_directory_path() / "raks-genre-samples-bound-test";
+    const raks::test::TemporaryFolder folder;
+    const fs::path file = folder / "samples";
     GenreSamples samples = small_samples();
     samples.pieces = sample;
     ASSERT_TRUE(save_samples(samples, file));
     EXPECT_LT(fs::file_size(file), 2 * kBytes);
     EXPECT_GT(fs::file_size(file), kBytes);
-    fs::remove(file);
 }
 
 TEST(GenreSamples, read_back_as_they_were_but_for_8_bits) {
-    const fs::path file = fs::temp_directory_path() / "raks-genre-samples-test";
+    const raks::test::TemporaryFolder folder;
+    const fs::path file = folder / "samples";
     const GenreSamples samples = small_samples();
     ASSERT_TRUE(save_samples(samples, file));
     const auto read = load_samples(file);
@@ -152,11 +154,11 @@ TEST(GenreSamples, read_back_as_they_were_but_for_8_bits) {
             ASSERT_NEAR(is.windows[w].features[7], was.windows[w].features[7], 0.02F);
         }
     }
-    fs::remove(file);
 }
 
 TEST(GenreSamples, cut_and_mangled_files_are_refused_or_read_without_harm) {
-    const fs::path file = fs::temp_directory_path() / "raks-genre-samples-fuzz-test";
+    const raks::test::TemporaryFolder folder;
+    const fs::path file = folder / "samples";
     GenreSamples samples = small_samples();
     samples.pieces.front().windows.resize(1);
     ASSERT_TRUE(save_samples(samples, file));
@@ -186,7 +188,6 @@ TEST(GenreSamples, cut_and_mangled_files_are_refused_or_read_without_harm) {
     ASSERT_TRUE(write_file(file, "raks-genre-samples-7\n..."));
     EXPECT_EQ(load_samples(file).error().message,
               file.string() + ": is of another version of this program; train the model again");
-    fs::remove(file);
 }
 
 TEST(GenreSamples, a_new_output_begins_with_half_of_what_is_none_of_them) {

@@ -7,6 +7,7 @@
 #include "base/file.hpp"
 #include "base/random.hpp"
 #include "tests/support/mangled.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
 namespace {
@@ -45,17 +46,11 @@ HeardShard shard_of(ShardNumber share) {
 
 class GenreShard : public ::testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / "raks-genre-shard-test";
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
     [[nodiscard]] fs::path save(const HeardShard& shard, const std::string& name) const {
         EXPECT_TRUE(save_shard(shard, folder_ / name));
         return folder_ / name;
     }
-    fs::path folder_;
+    raks::test::TemporaryFolder folder_;
 };
 
 TEST_F(GenreShard, shares_come_together_in_the_order_of_the_whole) {

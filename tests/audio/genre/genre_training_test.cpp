@@ -14,6 +14,7 @@
 #include "audio/genre/training/music_folder.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
 namespace {
@@ -233,8 +234,7 @@ TEST(GenreTraining, too_little_sound_for_a_model_is_said) {
 }
 
 TEST(GenreTraining, pieces_read_back_and_cut_ones_are_refused) {
-    const fs::path folder = fs::temp_directory_path() / "raks-genre-pieces-test";
-    fs::create_directories(folder);
+    const raks::test::TemporaryFolder folder;
     const std::vector<HeardPiece> pieces = {made_piece(Genre::belly, 1)};
     const fs::path file = folder / "a.pieces";
     ASSERT_TRUE(save_pieces(pieces, file));
@@ -254,12 +254,11 @@ TEST(GenreTraining, pieces_read_back_and_cut_ones_are_refused) {
         // Cut right behind the name of the format it holds nothing.
         EXPECT_TRUE(!cut || cut->empty()) << size;
     }
-    fs::remove_all(folder);
 }
 
 TEST(GenreTraining, folders_and_tables_name_what_is_wrong) {
-    const fs::path folder = fs::temp_directory_path() / "raks-genre-folder-test";
-    fs::remove_all(folder);
+    const raks::test::TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     fs::create_directories(folder / "latin");
     EXPECT_EQ(list_music(folder).error().message,
               folder.string() + ": holds no folder of music; it needs one a genre");
@@ -285,12 +284,11 @@ TEST(GenreTraining, folders_and_tables_name_what_is_wrong) {
     ASSERT_TRUE(listed);
     EXPECT_FALSE(listed->front().may_train);
     EXPECT_EQ(listed->front().genre, Genre::waltz);
-    fs::remove_all(folder);
 }
 
 TEST(GenreTraining, the_same_file_under_two_genres_is_said) {
-    const fs::path folder = fs::temp_directory_path() / "raks-genre-twins-test";
-    fs::remove_all(folder);
+    const raks::test::TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     for (const char* const genre : {"salsa", "rock"}) {
         fs::create_directories(folder / genre);
         ASSERT_TRUE(write_file(folder / genre / "a.wav", "the same"));
@@ -304,7 +302,6 @@ TEST(GenreTraining, the_same_file_under_two_genres_is_said) {
                   " are the same file under two genres; remove one");
     fs::remove(folder / "salsa" / "a.wav");
     EXPECT_TRUE(check_distinct(*list_music(folder))) << "twice under one genre is only a waste";
-    fs::remove_all(folder);
 }
 
 }  // namespace

@@ -283,7 +283,7 @@ TEST_F(AudioFileTest, a_full_disk_leaves_no_wav) {
     setrlimit(RLIMIT_FSIZE, &saved);
     ASSERT_FALSE(result);
     EXPECT_THAT(result.error().message, HasSubstr("x.wav: cannot be written whole"));
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(folder_.is_empty());
 }
 
 }  // namespace

@@ -10,22 +10,13 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/synth/music_generator.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio::test {
 
 /// A folder of its own for each test, gone afterwards.
 class SoundFilesTest : public ::testing::Test {
  protected:
-    void SetUp() override {
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string("raks_") + info->test_suite_name() + "_" + info->name();
-        std::replace(name.begin(), name.end(), '/', '_');
-        folder_ = std::filesystem::path(::testing::TempDir()) / name;
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     /// Encodes `wav` by the ffmpeg program; the name's ending says into what.
     std::filesystem::path encode(const std::filesystem::path& wav,
                                  const std::string& name,
@@ -37,7 +28,7 @@ class SoundFilesTest : public ::testing::Test {
         return out;
     }
 
-    std::filesystem::path folder_;
+    raks::test::TemporaryFolder folder_;
 };
 
 /// Some drums: broad-band, and different everywhere.

@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "small_dance.hpp"
 #include "tests/support/mangled.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::motion {
 namespace {
@@ -160,10 +161,10 @@ TEST(AuthoredDance, survives_every_cut_and_flipped_bytes) {
 
 TEST(AuthoredDance, a_missing_or_huge_file_is_one_line) {
     EXPECT_FALSE(load_authored_dance("no_such.toml"));
-    const fs::path path = fs::path(testing::TempDir()) / "huge.toml";
+    const raks::test::TemporaryFolder folder;
+    const fs::path path = folder / "huge.toml";
     ASSERT_TRUE(write_file(path, std::string(2U << 20U, '#')));
     EXPECT_FALSE(load_authored_dance(path));
-    fs::remove(path);
 }
 
 TEST(AuthoredDance, names_every_hop) {

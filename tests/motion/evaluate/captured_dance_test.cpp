@@ -8,6 +8,7 @@
 
 #include "base/file.hpp"
 #include "tests/support/shared_data.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::motion {
 namespace {
@@ -16,14 +17,7 @@ namespace fs = std::filesystem;
 
 class CapturedClips : public ::testing::Test {
  protected:
-    void SetUp() override {
-        clips_ = raks::test::shared_data() / "mocap" / "salsa";
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(::testing::TempDir()) / (std::string("CapturedClips.") + info->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    void SetUp() override { clips_ = raks::test::shared_data() / "mocap" / "salsa"; }
 
     [[nodiscard]] CapturedDancePlan plan(const std::string& labels) const {
         const std::string heads = "take\trole\tstart\tend\tfigure\tbeats\tconfidence\n";
@@ -37,7 +31,7 @@ class CapturedClips : public ::testing::Test {
     }
 
     fs::path clips_;
-    fs::path folder_;
+    raks::test::TemporaryFolder folder_;
 };
 
 constexpr const char* kTwoBasics =

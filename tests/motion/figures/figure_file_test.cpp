@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "tests/motion/figures/small_figure.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/text.hpp"
 
 namespace raks::motion {
@@ -47,8 +48,8 @@ TEST(FigureFile, keeps_how_its_size_follows_the_tempo) {
 }
 
 TEST(FigureFile, is_saved_whole_and_loaded) {
-    const std::filesystem::path path =
-        std::filesystem::path(::testing::TempDir()) / "raks_known_figure.json";
+    const raks::test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / "known.json";
     ASSERT_TRUE(save_figure(good_model(), path));
     const Expected<FigureModel> again = load_figure(path);
     ASSERT_TRUE(again) << again.error().message;

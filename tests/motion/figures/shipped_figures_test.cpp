@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/training_plan.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::motion {
 namespace {
@@ -108,15 +109,14 @@ TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
     }
     const bool is_lead = GetParam() == DanceRole::lead;
     const std::string prefix = is_lead ? "60" : "61";
-    const fs::path folder = fs::path(::testing::TempDir()) / ("raks_salsa_" + prefix);
-    fs::create_directories(folder);
-    const std::string command = "tar -xJf '" + archive.string() + "' -C '" + folder.string() +
-                                "' --wildcards '*" + prefix + "_*.bvh'";
+    const raks::test::TemporaryFolder folder;
+    const std::string command = "tar -xJf '" + archive.string() + "' -C '" +
+                                folder.path().string() + "' --wildcards '*" + prefix + "_*.bvh'";
     // NOLINTNEXTLINE(concurrency-mt-unsafe, cert-env33-c): a test that unpacks its own input
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
 
     FigureTrainingPlan plan;
-    plan.clips = {folder};
+    plan.clips = {folder.path()};
     plan.labels = mocap / "labels_salsa.tsv";
     plan.counts = mocap / "salsa_counts.tsv";
     plan.faults = mocap / "salsa_glitches.tsv";
@@ -137,7 +137,6 @@ TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
                 << figure;
         }
     }
-    fs::remove_all(folder);
 }
 
 }  // namespace

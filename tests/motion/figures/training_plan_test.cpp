@@ -9,19 +9,14 @@
 #include "base/file.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "tests/motion/figures/small_figure.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::motion {
 namespace {
 
-namespace fs = std::filesystem;
-
 class TrainingPlan : public ::testing::Test {
  protected:
     void SetUp() override {
-        folder_ = fs::path(::testing::TempDir()) /
-                  ("raks_plan_" +
-                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::create_directories(folder_);
         const TrainingClip clip = test::known_dance(3);
         ASSERT_TRUE(write_bvh(folder_ / "60_99.bvh", mannequin_skeleton(), clip.poses, 120.0));
         std::string labels = "take\trole\tstart\tend\tfigure\tbeats\tconfidence\tsplit\n";
@@ -37,14 +32,13 @@ class TrainingPlan : public ::testing::Test {
         }
         write("labels.tsv", labels);
         write("counts.tsv", counts);
-        plan_.clips = {folder_};
+        plan_.clips = {folder_.path()};
         plan_.labels = folder_ / "labels.tsv";
         plan_.counts = folder_ / "counts.tsv";
         plan_.frames_per_second = 60.0;  // the file says 120
         plan_.metres_per_unit = 1.0;
         plan_.min_confidence = 0.85;
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void write(const std::string& name, const std::string& text) const {
         ASSERT_TRUE(write_file(folder_ / name, text));
@@ -54,7 +48,7 @@ class TrainingPlan : public ::testing::Test {
         return report ? std::string("learnt") : report.error().message;
     }
 
-    fs::path folder_;
+    raks::test::TemporaryFolder folder_;
     FigureTrainingPlan plan_;
 };
 

@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "tests/support/mangled.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::motion {
 namespace {
@@ -176,10 +177,10 @@ TEST(Bvh, written_poses_read_back) {
         poses[i].rotation(Bone::left_upper_arm) = glm::angleAxis(-angle, glm::vec3(0, 0, 1));
         poses[i].rotation(Bone::right_lower_leg) = glm::angleAxis(angle, glm::vec3(1, 0, 0));
     }
-    const fs::path path = fs::path(::testing::TempDir()) / "round_trip.bvh";
+    const raks::test::TemporaryFolder folder;
+    const fs::path path = folder / "round_trip.bvh";
     ASSERT_TRUE(write_bvh(path, mannequin_skeleton(), poses, 30.0));
     const auto clip = read_bvh(path);
-    fs::remove(path);
     ASSERT_TRUE(clip) << clip.error().message;
     EXPECT_NEAR(clip->frames_per_second, 30.0, 1e-6);
     const auto mapping = map_humanoid(*clip);
@@ -196,7 +197,8 @@ TEST(Bvh, written_poses_read_back) {
 }
 
 TEST(Bvh, poses_that_cannot_be_written_are_refused) {
-    const fs::path path = fs::path(::testing::TempDir()) / "never.bvh";
+    const raks::test::TemporaryFolder folder;
+    const fs::path path = folder / "never.bvh";
     EXPECT_FALSE(write_bvh(path, mannequin_skeleton(), {}, 30.0));
     const std::vector<Pose> poses(1);
     EXPECT_FALSE(write_bvh(path, mannequin_skeleton(), poses, 0.0));

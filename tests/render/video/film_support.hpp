@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -14,28 +13,9 @@
 #include "base/random.hpp"
 #include "render/video/video_writer.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::render {
-
-/// A folder that goes away with the test.
-class TemporaryFolder {
- public:
-    TemporaryFolder() {
-        std::string pattern = testing::TempDir() + "raks-film-XXXXXX";
-        path_ = mkdtemp(pattern.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-        return path_ / name;
-    }
-    [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(path_); }
-
- private:
-    std::filesystem::path path_;
-};
 
 using Rgba = std::vector<std::uint8_t>;
 

@@ -98,7 +98,7 @@ class FilmSync : public testing::TestWithParam<std::tuple<const char*, SyncCase>
 
 TEST_P(FilmSync, a_flash_is_seen_when_its_click_is_heard) {
     const auto& [extension, c] = GetParam();
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const auto path = folder / (std::string("sync") + extension);
     ASSERT_NO_FATAL_FAILURE(write_film(path, c));
 
@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(forms_and_rates,
                          });
 
 TEST(FilmLength, sound_that_is_short_is_filled_and_sound_that_is_long_is_cut) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     for (const double seconds : {0.3, 3.0}) {
         for (const char* const name : {"length.mp4", "length.avi"}) {
             const auto path = folder / name;

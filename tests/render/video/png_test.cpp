@@ -24,7 +24,7 @@ Rgba read_png(const std::filesystem::path& path, int& width, int& height) {
 }
 
 TEST(Png, every_byte_comes_back) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     for (const auto& [wide, high] : {std::pair{1, 1}, std::pair{17, 3}, std::pair{640, 360}}) {
         const Rgba picture = noise_picture(wide, high, 5);
         ASSERT_TRUE(write_png(folder / "a.png", wide, high, picture));
@@ -37,7 +37,7 @@ TEST(Png, every_byte_comes_back) {
 }
 
 TEST(Png, the_same_picture_gives_the_same_bytes) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const Rgba picture = noise_picture(33, 21, 6);
     ASSERT_TRUE(write_png(folder / "a.png", 33, 21, picture));
     ASSERT_TRUE(write_png(folder / "b.png", 33, 21, picture));
@@ -45,7 +45,7 @@ TEST(Png, the_same_picture_gives_the_same_bytes) {
 }
 
 TEST(Png, a_size_that_does_not_fit_and_a_missing_folder_are_refused) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const auto wrong = write_png(folder / "a.png", 10, 10, Rgba(399));
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().message,

@@ -64,7 +64,7 @@ TEST(FrameRate, decimal_numbers_mean_the_fractions_of_television) {
 }
 
 TEST(VideoWriter, faults_of_the_options_are_one_line_that_says_what_to_do) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const std::string x = (folder / "x").string();
     struct Row {
         std::string name;
@@ -110,7 +110,7 @@ TEST(VideoWriter, faults_of_the_options_are_one_line_that_says_what_to_do) {
 
 class EveryForm : public testing::TestWithParam<const char*> {
  protected:
-    TemporaryFolder folder_;
+    raks::test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / (std::string("film") + GetParam());
 };
 
@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(VideoWriter, a_small_film_that_only_the_end_does_not_fit_is_refused_at_the_end) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const FileSizeLimit full(1500);  // passes header and pictures, not the table at the end
     auto film =
         VideoWriter::create(folder / "a.mp4", {.width = 64, .height = 64, .audio_channels = 0});
@@ -228,7 +228,7 @@ struct Colour {
 };
 
 TEST(VideoWriter, colours_come_back_from_both_forms) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     constexpr std::array kColours = {Colour{0, 0, 0},
                                      Colour{255, 255, 255},
                                      Colour{200, 30, 40},
@@ -263,7 +263,7 @@ TEST(VideoWriter, colours_come_back_from_both_forms) {
 }
 
 TEST(VideoWriter, the_top_row_comes_first) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     Rgba picture = plain_picture(64, 64, 0, 0, 0);
     std::fill(picture.begin(), picture.begin() + 64 * 32 * 4, std::uint8_t{255});
     auto film = VideoWriter::create(folder / "top.mp4", {.width = 64, .height = 64});
@@ -275,7 +275,7 @@ TEST(VideoWriter, the_top_row_comes_first) {
 }
 
 TEST(VideoWriter, an_mp4_says_that_it_is_bt709_h264_and_aac) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     ASSERT_TRUE(write_noise(folder / "a.mp4", 5));
     EXPECT_EQ(probe(folder / "a.mp4", "v:0", "codec_name"), "h264");
     EXPECT_EQ(probe(folder / "a.mp4", "v:0", "pix_fmt"), "yuv420p");
@@ -288,7 +288,7 @@ TEST(VideoWriter, an_mp4_says_that_it_is_bt709_h264_and_aac) {
 }
 
 TEST(VideoWriter, sound_that_is_no_number_or_too_loud_is_mended) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     auto film =
         VideoWriter::create(folder / "a.avi", {.width = 64, .height = 64, .audio_channels = 1});
     const std::vector<float> sound = {std::nanf(""), 7.0F, -7.0F, INFINITY, 0.5F};
@@ -306,7 +306,7 @@ TEST(VideoWriter, sound_that_is_no_number_or_too_loud_is_mended) {
 }
 
 TEST(VideoWriter, a_folder_that_holds_files_is_left_alone) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     ASSERT_TRUE(write_noise(folder / "pictures", 3));
     const auto again = write_noise(folder / "pictures/", 1);
     ASSERT_FALSE(again);
@@ -317,7 +317,7 @@ TEST(VideoWriter, a_folder_that_holds_files_is_left_alone) {
 }
 
 TEST(VideoWriter, a_film_that_exists_is_replaced_only_when_the_new_one_is_complete) {
-    const TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     ASSERT_TRUE(write_noise(folder / "a.avi", 2));
     const std::string first = read_file(folder / "a.avi").value();
     {
