@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,10 +34,33 @@ std::string point(double x, double y) {
                        kHeight - kMargin - y * (kHeight - 2.0 * kMargin));
 }
 
-std::string frame_with(const std::string& inside, const std::string& x, const std::string& y) {
+/// A curve through `points`, a dot at each.
+std::string curve(const std::vector<std::pair<double, double>>& points, const char* colour) {
+    std::string places;
+    std::string dots;
+    for (const auto& [x, y] : points) {
+        places += point(x, y) + " ";
+        dots += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='3' fill='{}'/>",
+                            kMargin + x * (kWidth - 2.0 * kMargin),
+                            kHeight - kMargin - y * (kHeight - 2.0 * kMargin),
+                            colour);
+    }
+    return fmt::format(
+        "<polyline points='{}' stroke='{}' stroke-width='2' fill='none'/>{}", places, colour, dots);
+}
+
+/// An axis and its name; x ends at `most_x`, y at 1.
+std::string frame_with(const std::string& inside,
+                       const std::string& x,
+                       double most_x,
+                       const std::string& y) {
     std::string svg = fmt::format("<svg viewBox='0 0 {} {}' width='{}'>", kWidth, kHeight, kWidth);
     for (int tenth = 0; tenth <= 10; tenth += 2) {
         const double share = 0.1 * tenth;
+        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>{:g}</text>",
+                           kMargin + share * (kWidth - 2.0 * kMargin),
+                           kHeight - kMargin + 18.0,
+                           share * most_x);
         svg += fmt::format("<polyline points='{} {}' stroke='#ddd' fill='none'/>",
                            point(0.0, share),
                            point(1.0, share));
@@ -51,16 +78,16 @@ std::string frame_with(const std::string& inside, const std::string& x, const st
 
 /// Macro recall against the window's length, one line a kind of evidence.
 std::string recall_chart(const GenrePage& page) {
-    std::map<std::string, std::string> lines;
+    constexpr double kMostSeconds = 10.0;
+    std::map<std::string, std::vector<std::pair<double, double>>> lines;
     for (const GenrePage::Row& row : page.rows) {
-        lines[row.evidence] += point(row.seconds / 10.0, row.tally.macro_recall) + " ";
+        lines[row.evidence].emplace_back(row.seconds / kMostSeconds, row.tally.macro_recall);
     }
     std::string inside;
     std::size_t colour = 0;
     for (const auto& [evidence, points] : lines) {
         const char* const stroke = kColours[colour % kColours.size()];
-        inside += fmt::format(
-            "<polyline points='{}' stroke='{}' stroke-width='2' fill='none'/>", points, stroke);
+        inside += curve(points, stroke);
         inside += fmt::format("<text x='{}' y='{}' fill='{}'>{}</text>",
                               kMargin + 80.0 * static_cast<double>(colour),
                               kMargin - 8.0,  // above the curves
@@ -68,22 +95,21 @@ std::string recall_chart(const GenrePage& page) {
                               escaped(evidence));
         ++colour;
     }
-    return frame_with(inside, "window, 0 to 10 s", "mean recall of the genres");
+    return frame_with(inside, "window, s", kMostSeconds, "mean recall of the genres");
 }
 
 /// How often what is said with some chance is right.
 std::string reliability_chart(const GenreTally& tally) {
     std::string inside = fmt::format(
         "<polyline points='{} {}' stroke='#999' fill='none'/>", point(0.0, 0.0), point(1.0, 1.0));
-    std::string points;
+    std::vector<std::pair<double, double>> points;
     for (const GenreTally::Bin& bin : tally.reliability) {
         if (bin.weight > 0.0) {
-            points += point(bin.chance / bin.weight, bin.right / bin.weight) + " ";
+            points.emplace_back(bin.chance / bin.weight, bin.right / bin.weight);
         }
     }
-    inside += fmt::format(
-        "<polyline points='{}' stroke='{}' stroke-width='2' fill='none'/>", points, kColours[0]);
-    return frame_with(inside, "chance that was said", "share that was right");
+    inside += curve(points, kColours[0]);
+    return frame_with(inside, "chance that was said", 1.0, "share that was right");
 }
 
 std::string confusion_table(const GenrePage& page, const GenreTally& tally) {
@@ -94,8 +120,16 @@ std::string confusion_table(const GenrePage& page, const GenreTally& tally) {
     html += "<th>pieces</th></tr>";
     for (std::size_t truth = 0; truth < page.genres.size(); ++truth) {
         html += fmt::format("<tr><th>{}</th>", name_of(page.genres[truth]));
+        const std::vector<double>& shares = tally.confusion[truth];
+        const bool is_judged =
+            std::any_of(shares.begin(), shares.end(), [](double share) { return share > 0.0; });
         for (std::size_t c = 0; c < page.genres.size(); ++c) {
-            html += fmt::format("<td>{:.2f}</td>", tally.confusion[truth][c]);
+            // The darker the more; green where it is right.
+            html += is_judged ? fmt::format("<td style='background:rgba({},{:.2f})'>{:.2f}</td>",
+                                            c == truth ? "30,132,73" : "192,57,43",
+                                            0.6 * shares[c],
+                                            shares[c])
+                              : std::string("<td>-</td>");
         }
         html += fmt::format("<td>{}</td></tr>", tally.pieces[truth]);
     }
