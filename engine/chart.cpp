@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/plot_sheet.hpp"
+#include "engine/web_page.hpp"
 
 #include <fmt/format.h>
 

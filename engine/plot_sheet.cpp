@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/web_page.hpp"
+
 #include <fmt/format.h>
 
 namespace raks::engine {
@@ -24,62 +26,7 @@ std::string time_label(double seconds, double longest) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-/// Overlong forms, surrogates, beyond U+10FFFF, and the two characters that XML forbids.
-bool is_forbidden(unsigned first, unsigned second, unsigned third) noexcept {
-    return (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-           (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F) ||
-           (first == 0xEF && second == 0xBF && third >= 0xBE);
-}
-
-/// Bytes of the UTF-8 character at the start of `text`; 0 when there is none.
-std::size_t utf8_length(std::string_view text) noexcept {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(0);
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xC2 ? 0
-                               : first < 0xE0 ? 2
-                               : first < 0xF0 ? 3
-                               : first < 0xF5 ? 4
-                                              : 0;
-    if (length == 0 || length > text.size()) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    const unsigned second = length > 1 ? byte(1) : 0U;
-    const unsigned third = length > 2 ? byte(2) : 0U;
-    return is_forbidden(first, second, third) ? 0 : length;
-}
-
 }  // namespace
-
-std::string xml_text(std::string_view text) {
-    std::string out;
-    while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        const char first = text.front();
-        if (length == 0) {
-            out += "\xEF\xBF\xBD";
-        } else if (first == '&') {
-            out += "&amp;";
-        } else if (first == '<') {
-            out += "&lt;";
-        } else if (first == '>') {
-            out += "&gt;";
-        } else if (first == '"') {
-            out += "&quot;";
-        } else if (length == 1 && (first < ' ' || first == '\x7F')) {
-            out += ' ';
-        } else {
-            out += text.substr(0, length);
-        }
-        text.remove_prefix(std::max<std::size_t>(1, length));
-    }
-    return out;
-}
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view kDigits =

@@ -60,8 +60,6 @@ class PlotSheet {
     std::string body_;
 };
 
-/// Text for XML: escaped, control characters as blanks, what is not UTF-8 as U+FFFD.
-[[nodiscard]] std::string xml_text(std::string_view text);
 /// RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::string_view bytes);
 

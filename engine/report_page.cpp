@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "engine/plot_sheet.hpp"
 #include "engine/report_charts.hpp"
+#include "engine/web_page.hpp"
 
 #include <fmt/format.h>
 
@@ -17,39 +17,6 @@ using motion::DancerEvaluation;
 using motion::Decisions;
 using motion::FigureReport;
 using motion::Part;
-
-constexpr std::string_view kStyle =
-    "body{margin:0;background:#fff;color:#334155;"
-    "font:15px/1.5 Inter,Helvetica,Arial,sans-serif}\n"
-    "main{width:1200px;margin:0 auto;padding:36px 20px 60px}\n"
-    "h1{font-size:30px;line-height:1.2;margin:0 0 6px;color:#0f172a;font-weight:650}\n"
-    "h2{font-size:22px;margin:56px 0 2px;color:#0f172a;border-top:1px solid #cbd5e1;"
-    "padding-top:26px;font-weight:650}\n"
-    "h3{font-size:16px;margin:28px 0 2px;color:#0f172a;font-weight:650}\n"
-    "h4{font-size:13px;margin:0 0 2px;font-weight:650}\n"
-    "p{margin:2px 0 12px;max-width:860px}\n"
-    ".sub{color:#64748b}\n"
-    ".three{display:grid;grid-template-columns:repeat(3,380px);gap:10px 30px}\n"
-    ".row{display:flex;gap:13px}\n"
-    ".over{font-size:12px;color:#64748b;margin:2px 0 0 46px}\n"
-    ".feature{font-size:13px;color:#334155;margin:10px 0 2px 40px}\n"
-    ".take{font-size:12px;color:#64748b;width:250px;padding-left:40px}\n"
-    "svg{display:block}\n"
-    "svg .frame{fill:#f8fafc;stroke:#cbd5e1}\n"
-    "svg .grid{stroke:#e2e8f0;fill:none}\n"
-    "svg text{font-size:11px;fill:#64748b}\n"
-    "svg .label{text-anchor:middle;font-size:12px}\n"
-    "svg .mark{text-anchor:middle;font-size:10px}\n"
-    "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:14px}\n"
-    "th{font-weight:600;color:#475569;text-align:right;padding:4px 12px;font-size:13px}\n"
-    "td{text-align:right;padding:4px 12px}\n"
-    "th:first-child,td:first-child{text-align:left;padding-left:0}\n"
-    "tbody tr{border-top:1px solid #e2e8f0}\n"
-    ".tables{display:flex;flex-wrap:wrap;gap:28px 44px;align-items:flex-start}\n"
-    ".own{background:#dcfce7;color:#14532d;font-weight:600}\n"
-    ".wrong{background:#fee2e2;color:#7f1d1d}\n"
-    ".none{color:#cbd5e1}\n"
-    "caption{text-align:left;font-weight:650;color:#0f172a;font-size:14px;padding-bottom:4px}\n";
 
 /// "cross_body_lead" as words.
 std::string words_of(std::string name) {
@@ -283,15 +250,9 @@ std::string classifier_section(const ClassifierEvaluation& classifier, Parts par
 }  // namespace
 
 std::string draw_report(const ReportData& data) {
-    const std::string title = "How " + xml_text(data.dance) + " was learnt";
     std::string page = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n"
         "<p class=\"sub\">Left-to-right hidden Markov models of {} with free durations. "
         "Log-likelihoods in nats a sample.</p>\n",
-        title,
-        kStyle,
-        title,
         data.figures.front().features == motion::FigureFeatures::positions
             ? "where the joints of the upper and the lower body are"
             : "the joints' angles of torso, arms and legs");
@@ -306,7 +267,7 @@ std::string draw_report(const ReportData& data) {
     if (data.classifier) {
         page += classifier_section(*data.classifier, parts_of(data.figures.front().features));
     }
-    return page + "</main>\n</body>\n</html>\n";
+    return web_page("How " + data.dance + " was learnt", page);
 }
 
 }  // namespace raks::engine

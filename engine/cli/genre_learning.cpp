@@ -11,7 +11,6 @@
 #include <string>
 #include <utility>
 
-#include "audio/genre/training/genre_page.hpp"
 #include "audio/genre/training/genre_trainer.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
@@ -220,7 +219,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& 
     for (const auto& [damage, judged_scores] : recorded) {
         const JudgedScores judged{judged_scores, fusions, nullptr};
         const bool is_clean = damage == audio::Damage::none;
-        audio::GenrePage page =
+        engine::GenrePage page =
             page_of(is_clean ? "recordings, by artist"
                              : fmt::format("recordings, by artist, {}",
                                            audio::kDamageNames[static_cast<std::size_t>(damage)]),
@@ -230,7 +229,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& 
         print_page(page, asked);
         if (is_clean && !options.report.empty()) {
             page.files = judged_files(pieces, judged, genres, asked);
-            if (auto saved = write_file(options.report, audio::genre_page(page)); !saved) {
+            if (auto saved = write_file(options.report, engine::draw_genre_page(page)); !saved) {
                 return fail(saved.error());
             }
         }

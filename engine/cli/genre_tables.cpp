@@ -73,12 +73,12 @@ const audio::GenreFusion& FoldFusions::of(int fold,
     return fusions_.at(fold)[place_of(evidence, window)];
 }
 
-audio::GenrePage page_of(const std::string& title,
-                         const JudgedScores& judged,
-                         std::span<const Genre> genres,
-                         std::span<const std::size_t> asked) {
+engine::GenrePage page_of(const std::string& title,
+                          const JudgedScores& judged,
+                          std::span<const Genre> genres,
+                          std::span<const std::size_t> asked) {
     using audio::GenreEvidence;
-    audio::GenrePage page;
+    engine::GenrePage page;
     page.title = title;
     page.genres.assign(genres.begin(), genres.end());
     const bool has_similarity =
@@ -96,9 +96,9 @@ audio::GenrePage page_of(const std::string& title,
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
             const auto logs = fused_scores(judged, window, genres.size() + 1, evidence);
-            audio::GenrePage::Row row{kEvidenceNames[static_cast<std::size_t>(evidence)],
-                                      audio::kGenreWindows[window] * audio::kSegmentSeconds,
-                                      audio::tally(judged.scores, logs, window, genres, asked)};
+            engine::GenrePage::Row row{kEvidenceNames[static_cast<std::size_t>(evidence)],
+                                       audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                                       audio::tally(judged.scores, logs, window, genres, asked)};
             if (row.tally.windows > 0) {
                 page.rows.push_back(std::move(row));
             }
@@ -107,7 +107,7 @@ audio::GenrePage page_of(const std::string& title,
     return page;
 }
 
-void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked) {
+void print_page(const engine::GenrePage& page, std::span<const std::size_t> asked) {
     fmt::print("{}\n{:10} {:>7} {:>9} {:>9} {:>9} {:>7}\n",
                page.title,
                "",
@@ -116,7 +116,7 @@ void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked
                "2 dances",
                "unknown",
                "ECE");
-    for (const audio::GenrePage::Row& row : page.rows) {
+    for (const engine::GenrePage::Row& row : page.rows) {
         fmt::print("{:10} {:5.1f} s {:9.3f} {:9.3f} {:9.3f} {:7.3f}\n",
                    row.evidence,
                    row.seconds,
@@ -136,10 +136,10 @@ void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked
     std::fflush(stdout);
 }
 
-std::vector<audio::GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
-                                                 const JudgedScores& judged,
-                                                 std::span<const Genre> genres,
-                                                 std::span<const std::size_t> asked) {
+std::vector<engine::GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
+                                                  const JudgedScores& judged,
+                                                  std::span<const Genre> genres,
+                                                  std::span<const std::size_t> asked) {
     const auto logs =
         fused_scores(judged, kFiveSeconds, genres.size() + 1, audio::GenreEvidence::fused);
     const std::span<const audio::WindowScore> scores = judged.scores;
@@ -156,7 +156,7 @@ std::vector<audio::GenrePage::File> judged_files(std::span<const audio::HeardPie
         right += best == truth ? 1 : 0;
         ++all;
     }
-    std::vector<audio::GenrePage::File> files;
+    std::vector<engine::GenrePage::File> files;
     files.reserve(right_of_all.size());
     for (const auto& [piece, counts] : right_of_all) {
         files.push_back({pieces[piece].name,

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "audio/genre/training/genre_page.hpp"
 #include "audio/genre/training/genre_trainer.hpp"
 #include "base/music_state.hpp"
+#include "engine/genre_page.hpp"
 
 namespace raks::cli {
 
@@ -35,16 +35,16 @@ struct JudgedScores {
 };
 
 /// How every kind of evidence does at every window length, asked among these genres.
-[[nodiscard]] audio::GenrePage page_of(const std::string& title,
-                                       const JudgedScores& judged,
-                                       std::span<const Genre> genres,
-                                       std::span<const std::size_t> asked);
+[[nodiscard]] engine::GenrePage page_of(const std::string& title,
+                                        const JudgedScores& judged,
+                                        std::span<const Genre> genres,
+                                        std::span<const std::size_t> asked);
 
 /// The page as a table on stdout.
-void print_page(const audio::GenrePage& page, std::span<const std::size_t> asked);
+void print_page(const engine::GenrePage& page, std::span<const std::size_t> asked);
 
 /// How often each recorded file's windows of 5 s were taken for what they are, among the asked.
-[[nodiscard]] std::vector<audio::GenrePage::File> judged_files(
+[[nodiscard]] std::vector<engine::GenrePage::File> judged_files(
     std::span<const audio::HeardPiece> pieces,
     const JudgedScores& judged,
     std::span<const Genre> genres,

@@ -15,7 +15,7 @@ raks_test_program(audio_training_files
 raks_test_program(audio_training
     SOURCES beat/bar_training_test.cpp beat/mel_hearing_test.cpp beat/network_training_test.cpp beat/training_music_test.cpp
             genre/genre_samples_test.cpp genre/genre_shard_test.cpp genre/genre_training_test.cpp
-            genre/fusion_fit_test.cpp genre/genre_page_test.cpp genre/quarter_tones_test.cpp genre/sound_damage_test.cpp
+            genre/fusion_fit_test.cpp genre/quarter_tones_test.cpp genre/sound_damage_test.cpp
             genre/synthesizers_test.cpp
             genre/written_music_test.cpp
     LIBRARIES raks::audio_beat_training raks::audio_codec raks::audio_genre_training)

@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "engine/plot_sheet.hpp"
 #include "engine/plot_svg.hpp"
+#include "engine/web_page.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {

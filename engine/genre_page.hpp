@@ -5,7 +5,7 @@
 
 #include "audio/genre/training/genre_tally.hpp"
 
-namespace raks::audio {
+namespace raks::engine {
 
 /// What a training report shows.
 struct GenrePage {
@@ -14,7 +14,7 @@ struct GenrePage {
     struct Row {
         std::string evidence;
         double seconds = 0.0;  ///< of the window
-        GenreTally tally;
+        audio::GenreTally tally;
     };
     std::vector<Row> rows;
     /// How often the fused decision of 5 s was right for each file.
@@ -26,8 +26,8 @@ struct GenrePage {
     std::vector<File> files;
 };
 
-/// One HTML page that needs nothing else: recall against window length, confusion and reliability
+/// Its HTML: recall against window length, confusion and reliability
 /// of the fused decision at 5 s, and the files that fail. The same data give the same bytes.
-[[nodiscard]] std::string genre_page(const GenrePage& page);
+[[nodiscard]] std::string draw_genre_page(const GenrePage& page);
 
-}  // namespace raks::audio
+}  // namespace raks::engine
