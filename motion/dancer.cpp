@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "motion/dance/beat_phase.hpp"
+#include "motion/dance/body/leg_ik.hpp"
 #include "motion/dance/figure_sequence.hpp"
 #include "motion/dance/inertialization.hpp"
-#include "motion/dance/leg_ik.hpp"
 #include "motion/dance/standing.hpp"
 #include "motion/library_content.hpp"
 #include "motion/repertoire.hpp"

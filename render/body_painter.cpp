@@ -1,4 +1,5 @@
 #include "render/body_painter.hpp"
+#include "render/avatar/skinning.hpp"
 
 #include <cstddef>
 #include <glm/ext/matrix_transform.hpp>

@@ -20,7 +20,7 @@ if [ -t 2 ]; then
 else
     cmake --build --preset release --target raks >>"$log" 2>&1 || true
 fi
-raks=build/release/engine/cli/raks
+raks=build/release/bin/raks
 [ -x $raks ] && cmake --build --preset release --target raks >>"$log" 2>&1 ||
     { tail -n 20 "$log" >&2; exit 1; }
 

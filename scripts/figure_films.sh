@@ -4,7 +4,7 @@
 # Usage: scripts/figure_films.sh FOLDER [dance ...]
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-raks=${RAKS:-$root/build/release/engine/cli/raks}
+raks=${RAKS:-$root/build/release/bin/raks}
 out=${1:?usage: scripts/figure_films.sh FOLDER [dance ...]}
 shift
 mkdir -p "$out"

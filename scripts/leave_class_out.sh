@@ -10,7 +10,7 @@ if [ $# -lt 4 ]; then
 fi
 excerpts=$1 pack=$2 soundfont=$3 folder=$4
 shift 4
-raks=${RAKS:-$(dirname "$0")/../build/release/engine/cli/raks}
+raks=${RAKS:-$(dirname "$0")/../build/release/bin/raks}
 
 declare -A families=(
     [rock]="pop" [electronic]="electronic hiphop game" [drums]="latin jazz groove free"

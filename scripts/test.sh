@@ -35,8 +35,8 @@ cmake --build --preset release -j "$(nproc)"
 
 scripts/tidy.sh --changed
 
-sanitized asan base models skeleton figures choreography audio_io audio_evaluate audio_models \
-    audio_training_files engine_files render_video
+sanitized asan base models skeleton figures choreography training_figures audio_io audio_evaluate \
+    audio_models training_files engine_files apps_plots render_video
 sanitized tsan base engine
 
 step "release: tests"

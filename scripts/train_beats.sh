@@ -13,7 +13,7 @@ if [ $# -lt 2 ]; then
 fi
 pack=$1 folder=$2
 shift 2
-raks=${RAKS:-$(dirname "$0")/../build/release/engine/cli/raks}
+raks=${RAKS:-$(dirname "$0")/../build/release/bin/raks}
 percent=${PERCENT:-100}
 options=("$@")
 [[ " $* " == *" --soundfont "* ]] || options+=(--soundfont /usr/share/sounds/sf2/FluidR3_GM.sf2)

@@ -4,7 +4,7 @@
 # Usage: scripts/train_dances.sh [folder to write into]
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-raks=${RAKS:-$root/build/release/engine/cli/raks}
+raks=${RAKS:-$root/build/release/bin/raks}
 for dance in belly hiphop house rock waltz; do
     "$raks" train figure "$root/config/choreographies/$dance.toml" -o "${1:-$root/models/trained}"
 done

@@ -7,7 +7,7 @@ if [ $# -ne 4 ]; then
     sed -n '2,4s/^# *//p' "$0" >&2
     exit 2
 fi
-raks=${RAKS:-$(dirname "$0")/../build/release/engine/cli/raks}
+raks=${RAKS:-$(dirname "$0")/../build/release/bin/raks}
 tables=$3
 output=$4
 mkdir -p "$output"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "audio/math/fast_exp.hpp"
 #include "base/simd_clones.hpp"
 #include "base/time.hpp"
+#include "models/fast_exp.hpp"
 
 namespace raks::audio {
 namespace {
@@ -103,7 +103,8 @@ RAKS_SIMD_CLONES void weigh_flux(float* __restrict states,
                                  float leak,
                                  float strength) noexcept {
     for (std::size_t i = 0; i < count; ++i) {
-        states[i] = ((1.0F - leak) * states[i] + leak * prior[i]) * fast_exp(shape[i] * strength);
+        states[i] =
+            ((1.0F - leak) * states[i] + leak * prior[i]) * models::fast_exp(shape[i] * strength);
     }
 }
 

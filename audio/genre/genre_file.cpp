@@ -144,19 +144,19 @@ PatternNetwork read_network(const Field& field, std::size_t classes) {
     return network;
 }
 
-Json network_json(const RecurrentNetwork& network) {
+Json network_json(const models::RecurrentNetwork& network) {
     return {{"units", network.units()},
             {"layers", network.layers().size()},
             {"parameters", list_of(network.parameters())}};
 }
 
-RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs) {
-    RecurrentNetwork::Shape shape{.inputs = NetworkInput::kSize, .outputs = outputs};
+models::RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs) {
+    models::RecurrentNetwork::Shape shape{.inputs = NetworkInput::kSize, .outputs = outputs};
     shape.units = static_cast<std::size_t>(
-        field["units"].whole(1, static_cast<int>(RecurrentNetwork::kMaxUnits)));
+        field["units"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxUnits)));
     shape.layers = static_cast<std::size_t>(
-        field["layers"].whole(1, static_cast<int>(RecurrentNetwork::kMaxLayers)));
-    RecurrentNetwork network(shape);
+        field["layers"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxLayers)));
+    models::RecurrentNetwork network(shape);
     const std::vector<float> parameters = floats_of(field["parameters"]);
     if (parameters.size() != network.parameters().size()) {
         field["parameters"].complain(fmt::format("has {} numbers, {} units in {} layers have {}",
@@ -171,15 +171,17 @@ RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs) {
 }
 
 /// Version 1 has none: one that knows nothing takes its place; versions 2 and 3 have one.
-std::vector<RecurrentNetwork> read_networks(const Field& root, int version, std::size_t outputs) {
+std::vector<models::RecurrentNetwork> read_networks(const Field& root,
+                                                    int version,
+                                                    std::size_t outputs) {
     if (version == 1) {
-        return {RecurrentNetwork({.inputs = NetworkInput::kSize, .outputs = outputs})};
+        return {models::RecurrentNetwork({.inputs = NetworkInput::kSize, .outputs = outputs})};
     }
     if (version < 4) {
         return {read_recurrent(root["network"], outputs)};
     }
     const Field networks = root["networks"];
-    std::vector<RecurrentNetwork> read;
+    std::vector<models::RecurrentNetwork> read;
     for (std::size_t i = 0; i < networks.size() && i <= GenreListener::kMostNetworks; ++i) {
         read.push_back(read_recurrent(networks[i], outputs));
     }
@@ -293,7 +295,7 @@ std::string genre_text(const GenreModel& model) {
     json["rhythm"] = network_json(model.rhythm);
     json["sound"] = network_json(model.sound);
     json["networks"] = Json::array();
-    for (const RecurrentNetwork& network : model.networks) {
+    for (const models::RecurrentNetwork& network : model.networks) {
         json["networks"].push_back(network_json(network));
     }
     json["fusion"] = fusion_json(model);

@@ -6,14 +6,14 @@
 
 namespace raks::audio {
 
-void GenreListener::next(std::span<const RecurrentNetwork> networks,
+void GenreListener::next(std::span<const models::RecurrentNetwork> networks,
                          std::span<const float, BarPatterns::kMelBands> mel) noexcept
     RAKS_NONBLOCKING {
     RAKS_ASSERT(!networks.empty() && networks.size() <= streams_.size());
     const NetworkInput::Frame frame = input_.next(mel);
     const float share = 1.0F / static_cast<float>(networks.size());
     for (std::size_t i = 0; i < networks.size(); ++i) {
-        RecurrentStream::Logits logits = streams_[i].next(networks[i], frame);
+        models::RecurrentStream::Logits logits = streams_[i].next(networks[i], frame);
         const std::span<float> logs = std::span(logits).first(networks[i].outputs());
         normalize_logs(logs);
         for (std::size_t c = 0; c < logs.size(); ++c) {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <span>
 
+#include "audio/features/network_input.hpp"
 #include "audio/genre/bar_patterns.hpp"
 #include "audio/genre/pattern_network.hpp"
-#include "audio/network/network_input.hpp"
-#include "audio/network/recurrent_network.hpp"
 #include "base/realtime.hpp"
+#include "models/recurrent_network.hpp"
 
 namespace raks::audio {
 
@@ -32,7 +32,7 @@ class GenreListener {
     /// Takes a hop of music (leave silence out). `networks`: the same every time, 1 to
     /// kMostNetworks; inputs NetworkInput::kSize, outputs alike. `mel`: the magnitudes of the onset
     /// detector.
-    void next(std::span<const RecurrentNetwork> networks,
+    void next(std::span<const models::RecurrentNetwork> networks,
               std::span<const float, BarPatterns::kMelBands> mel) noexcept RAKS_NONBLOCKING;
     /// Blocks that are closed, at most kBlocks.
     [[nodiscard]] int blocks() const noexcept { return closed_ < kBlocks ? closed_ : kBlocks; }
@@ -44,10 +44,10 @@ class GenreListener {
  private:
     using Sums = std::array<float, PatternNetwork::kMaxClasses>;
     static_assert(BarPatterns::kMelBands == NetworkInput::kBands);
-    static_assert(PatternNetwork::kMaxClasses <= RecurrentNetwork::kMaxOutputs);
+    static_assert(PatternNetwork::kMaxClasses <= models::RecurrentNetwork::kMaxOutputs);
 
     NetworkInput input_;
-    std::array<RecurrentStream, kMostNetworks> streams_;
+    std::array<models::RecurrentStream, kMostNetworks> streams_;
     Sums open_{};
     int open_hops_ = 0;
     std::array<Sums, kBlocks> ring_{};

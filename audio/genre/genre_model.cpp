@@ -88,7 +88,7 @@ Expected<void> check_network(const PatternNetwork& network,
     return {};
 }
 
-Expected<void> check_network(const RecurrentNetwork& network,
+Expected<void> check_network(const models::RecurrentNetwork& network,
                              std::size_t classes,
                              const std::string& name) {
     if (network.shape().inputs != NetworkInput::kSize || network.outputs() != classes) {

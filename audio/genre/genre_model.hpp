@@ -7,14 +7,14 @@
 
 #include "audio/features/cepstral_mean.hpp"
 #include "audio/features/mfcc.hpp"
+#include "audio/features/network_input.hpp"
 #include "audio/genre/bar_patterns.hpp"
 #include "audio/genre/genre_fusion.hpp"
 #include "audio/genre/pattern_network.hpp"
-#include "audio/network/network_input.hpp"
-#include "audio/network/recurrent_network.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "models/gaussian_hmm.hpp"
+#include "models/recurrent_network.hpp"
 
 namespace raks::audio {
 
@@ -57,7 +57,7 @@ struct GenreModel {
     PatternNetwork sound;   ///< of the spectrum's shape, the bands' onsets and the swing; the same
     /// Hear every hop together (genre_listener.hpp), 1 to
     /// GenreListener::kMostNetworks: inputs NetworkInput::kSize; outputs: genres, then none.
-    std::vector<RecurrentNetwork> networks;
+    std::vector<models::RecurrentNetwork> networks;
     std::array<GenreFusion, kGenreWindows.size()> fusion;
     std::string made_with;    ///< the command
     std::string attribution;  ///< of the music that it was learnt from

@@ -5,10 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/toml_reader.hpp"
 #include "motion/choreography/authored_dance.hpp"
-#include "motion/choreography/toml_reader.hpp"
 
 namespace raks::motion {
+
+/// What a control allows is checked with its tracks.
+inline constexpr NumberRange kAnyControl{-1000.0, 1000.0};
 
 /// Tracks as written under [body] or a figure's body, before they are checked against a figure.
 struct WrittenBody {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/toml_reader.hpp"
 #include "motion/choreography/authored_dance.hpp"
-#include "motion/choreography/toml_reader.hpp"
 
 namespace raks::motion {
 

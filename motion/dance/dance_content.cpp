@@ -5,15 +5,15 @@
 #include <thread>
 
 #include "base/random.hpp"
-#include "motion/dance/arm_directions.hpp"
-#include "motion/dance/detail.hpp"
-#include "motion/dance/frame_generator.hpp"
-#include "motion/dance/hand_clearing.hpp"
-#include "motion/dance/hand_meeting.hpp"
-#include "motion/dance/landing_delay.hpp"
-#include "motion/dance/relaxed_hands.hpp"
-#include "motion/dance/variation.hpp"
-#include "motion/figures/figure_trainer.hpp"
+#include "motion/dance/baking/arm_directions.hpp"
+#include "motion/dance/baking/detail.hpp"
+#include "motion/dance/baking/frame_generator.hpp"
+#include "motion/dance/baking/hand_meeting.hpp"
+#include "motion/dance/baking/landing_delay.hpp"
+#include "motion/dance/baking/variation.hpp"
+#include "motion/dance/body/hand_clearing.hpp"
+#include "motion/dance/body/relaxed_hands.hpp"
+#include "motion/figures/source_body.hpp"
 #include "motion/skeleton/hand_shape.hpp"
 
 namespace raks::motion {

@@ -8,11 +8,11 @@
 
 #include "base/beats.hpp"
 #include "base/expected.hpp"
-#include "motion/dance/arm_mixes.hpp"
+#include "motion/dance/baking/arm_mixes.hpp"
+#include "motion/dance/baking/figure_passage.hpp"
+#include "motion/dance/baking/figure_size.hpp"
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/choreography.hpp"
-#include "motion/dance/figure_passage.hpp"
-#include "motion/dance/figure_size.hpp"
+#include "motion/dance/figure_chooser.hpp"
 #include "motion/dance/generator.hpp"
 
 namespace raks::motion {

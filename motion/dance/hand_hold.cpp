@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/dance/easing.hpp"
-#include "motion/dance/limb_ik.hpp"
+#include "motion/dance/body/easing.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 
 #include <glm/geometric.hpp>
 

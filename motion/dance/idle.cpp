@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "motion/dance/leg_ik.hpp"
-#include "motion/dance/relaxed_hands.hpp"
+#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/relaxed_hands.hpp"
 
 namespace raks::motion {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/dance/easing.hpp"
+#include "motion/dance/body/easing.hpp"
 #include "motion/dance/idle.hpp"
 
 #include <glm/gtc/quaternion.hpp>

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "base/time.hpp"
-#include "motion/dance/floor_move.hpp"
-#include "motion/dance/leg_ik.hpp"
+#include "motion/dance/body/floor_move.hpp"
+#include "motion/dance/body/leg_ik.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 

@@ -1,7 +1,5 @@
 #include "motion/figures/figure_hmm.hpp"
 
-#include "models/hmm_scorer.hpp"
-
 namespace raks::motion {
 namespace {
 
@@ -27,18 +25,6 @@ std::vector<std::vector<double>> rows_of(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
-models::CovarianceType type_of(CovarianceKind kind) noexcept {
-    switch (kind) {
-        case CovarianceKind::full:
-            return models::CovarianceType::full;
-        case CovarianceKind::diagonal:
-            return models::CovarianceType::diagonal;
-        case CovarianceKind::tied:
-            break;
-    }
-    return models::CovarianceType::tied;
-}
-
 CovarianceKind kind_of(models::CovarianceType type) noexcept {
     switch (type) {
         case models::CovarianceType::full:
@@ -53,6 +39,18 @@ CovarianceKind kind_of(models::CovarianceType type) noexcept {
 }
 
 }  // namespace
+
+models::CovarianceType covariance_type_of(CovarianceKind kind) noexcept {
+    switch (kind) {
+        case CovarianceKind::full:
+            return models::CovarianceType::full;
+        case CovarianceKind::diagonal:
+            return models::CovarianceType::diagonal;
+        case CovarianceKind::tied:
+            break;
+    }
+    return models::CovarianceType::tied;
+}
 
 Eigen::MatrixXd matrix_of(const std::vector<std::vector<double>>& rows) {
     Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()),
@@ -74,7 +72,7 @@ models::GaussianHmm hmm_of(const PartModel& part) {
     for (std::size_t k = 0; k < part.states.size(); ++k) {
         hmm.means.row(static_cast<Eigen::Index>(k)) = vector_of(part.states[k].mean).transpose();
     }
-    hmm.covariance_type = type_of(part.covariance_kind);
+    hmm.covariance_type = covariance_type_of(part.covariance_kind);
     if (part.covariance_kind == CovarianceKind::tied) {
         hmm.covariances = {matrix_of(part.covariance)};
     }
@@ -105,49 +103,6 @@ void take_hmm(const models::GaussianHmm& hmm, const Eigen::MatrixXd& tied, PartM
         part.state_covariances.push_back(
             rows_of(is_column ? Eigen::MatrixXd(covariance.transpose()) : covariance));
     }
-}
-
-Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
-                                              const StateLearning& learning) {
-    const models::BaumWelchOptions options{.iterations = learning.iterations,
-                                           .tolerance = 0.0,
-                                           .variance_floor = learning.covariance_floor};
-    const auto start_of =
-        learning.start == StatesStart::segmental ? &models::segmental_start : &models::sliced_start;
-    const Expected<models::GaussianHmm> start =
-        start_of(learning.states, type_of(learning.covariance), set, options);
-    if (!start) {
-        return fail(start.error());
-    }
-    return models::baum_welch(*start, set, options);
-}
-
-Expected<FollowedStates> follow_states(const models::GaussianHmm& hmm,
-                                       const models::TrainingSet& set,
-                                       double covariance_floor) {
-    const Expected<models::HmmScorer> scorer = models::HmmScorer::create(hmm);
-    if (!scorer) {
-        return fail(scorer.error());
-    }
-    FollowedStates followed;
-    for (const models::Frames& frames : set.sequences) {
-        followed.paths.push_back(models::viterbi(*scorer, scorer->log_emissions(frames)).path);
-    }
-    if (hmm.covariance_type == models::CovarianceType::tied) {
-        followed.tied = hmm.covariances.front();
-        return followed;
-    }
-    const models::BaumWelchOptions options{.variance_floor = covariance_floor};
-    const Expected<models::GaussianHmm> tied = models::from_alignment(
-        models::left_to_right(hmm.states(), hmm.dimension(), models::CovarianceType::tied, 1.0),
-        set,
-        followed.paths,
-        options);
-    if (!tied) {
-        return fail(tied.error());
-    }
-    followed.tied = tied->covariances.front();
-    return followed;
 }
 
 models::Frames frames_of(const FeatureTrack& track, std::size_t first, std::size_t count) {

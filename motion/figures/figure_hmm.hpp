@@ -5,12 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/expected.hpp"
 #include "models/gaussian_hmm.hpp"
-#include "models/hmm_training.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/motion_features.hpp"
-#include "motion/figures/state_learning.hpp"
 
 namespace raks::motion {
 
@@ -24,18 +21,8 @@ inline constexpr std::array<std::string_view, 2> kSideNames = {"left", "right"};
 /// covariance, too. `tied`: D x D, the covariance of all states about their own means.
 void take_hmm(const models::GaussianHmm& hmm, const Eigen::MatrixXd& tied, PartModel& part);
 
-/// A left-to-right HMM. Errors: no sequence of at least as many frames as states.
-[[nodiscard]] Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
-                                                            const StateLearning& learning);
-
-/// The most likely states of every sequence, and the tied covariance about their means.
-struct FollowedStates {
-    std::vector<std::vector<std::size_t>> paths;  ///< Viterbi; of each sequence
-    Eigen::MatrixXd tied;                         ///< D x D, with the floor on its diagonal
-};
-[[nodiscard]] Expected<FollowedStates> follow_states(const models::GaussianHmm& hmm,
-                                                     const models::TrainingSet& set,
-                                                     double covariance_floor);
+/// The type of covariance that the trainer of HMMs calls so.
+[[nodiscard]] models::CovarianceType covariance_type_of(CovarianceKind kind) noexcept;
 
 [[nodiscard]] Eigen::MatrixXd matrix_of(const std::vector<std::vector<double>>& rows);
 

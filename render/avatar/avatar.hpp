@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -107,25 +106,5 @@ struct Avatar {
     std::array<HelperJoint, kHelperCount> helpers{};
     std::string licence;  ///< SPDX identifier
 };
-
-/// The built-in mannequin: a dancer of 1.71 m, closed, manifold and mirror-symmetric, 10,000 to
-/// 15,000 vertices, made from formulas alone. The same binary makes the same bytes. Costs about
-/// 0.2 s of one core.
-/// Threads: any. Real-time: no (allocates).
-[[nodiscard]] Avatar build_mannequin();
-
-/// The pose as the body shows it: collar bones rise with raised arms (scapulohumeral rhythm) where
-/// the pose does not say so itself; the arm keeps its direction in the world. The identity for arms
-/// below the horizontal. `skinning_palette` applies it; a stick figure should, too.
-/// Threads: any. Real-time: yes.
-[[nodiscard]] motion::Pose with_shoulder_rhythm(const motion::Pose& pose) noexcept;
-
-/// Skinning matrices of one pose, `world_from_bind`: a vertex goes to
-/// `sum_i weights[i] / 255 * palette[joints[i]] * vec4(position, 1)`.
-/// Identity matrices for the avatar's bind pose. The hips are placed at `pose.hips_position`.
-/// Threads: any. Real-time: yes (no allocation).
-void skinning_palette(const Avatar& avatar,
-                      const motion::Pose& pose,
-                      std::span<glm::mat4, kPaletteSize> palette) noexcept;
 
 }  // namespace raks::render

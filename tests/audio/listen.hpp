@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "audio/music/generator/music_generator.hpp"
 #include "audio/music_analyzer.hpp"
-#include "audio/synth/music_generator.hpp"
 #include "base/music_state.hpp"
 
 namespace raks::audio::test {

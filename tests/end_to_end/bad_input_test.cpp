@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "audio/io/audio_file.hpp"
-#include "audio/synth/music_generator.hpp"
+#include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "motion/skeleton/skeleton.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "audio/io/audio_file.hpp"
-#include "audio/synth/music_generator.hpp"
+#include "audio/music/generator/music_generator.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/jack_server.hpp"
 #include "tests/support/pulse_server.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "audio/io/audio_file.hpp"
-#include "audio/synth/music_generator.hpp"
+#include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "tests/end_to_end/program.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "audio/synth/music_generator.hpp"
+#include "audio/music/generator/music_generator.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 

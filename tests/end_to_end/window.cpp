@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "audio/io/audio_file.hpp"
-#include "audio/synth/music_generator.hpp"
+#include "audio/music/generator/music_generator.hpp"
 #include "tests/support/program.hpp"
 
 namespace raks::test {

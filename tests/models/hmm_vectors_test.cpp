@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "models/hmm_scorer.hpp"
-#include "models/hmm_training.hpp"
 #include "tests/support/realtime_guard.hpp"
+#include "training/hmm/hmm_training.hpp"
 
 namespace raks::models {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace raks::audio {
 
-BarEvidence BarNetwork::evidence_of(const RecurrentStream::Logits& logits) noexcept
+BarEvidence BarNetwork::evidence_of(const models::RecurrentStream::Logits& logits) noexcept
     RAKS_NONBLOCKING {
     const float most = std::max({logits[0], logits[1], logits[2]});
     const float first = std::exp(logits[0] - most);

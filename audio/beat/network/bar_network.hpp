@@ -1,8 +1,8 @@
 #pragma once
 
 #include "audio/beat/network/bar_input.hpp"
-#include "audio/network/network_listener.hpp"
 #include "base/realtime.hpp"
+#include "models/network_stream.hpp"
 
 namespace raks::audio {
 
@@ -15,7 +15,7 @@ struct BarEvidence {
 
 /// A recurrent network that hears bars: one frame a beat (BarInput), a choice of three. Weights
 /// only; immutable once built. Threads: any may read.
-class BarNetwork : public RecurrentNetwork {
+class BarNetwork : public models::RecurrentNetwork {
  public:
     static constexpr std::size_t kOutputs = 3;  ///< first, middle, other
     using Frame = BarInput::Frame;
@@ -23,13 +23,14 @@ class BarNetwork : public RecurrentNetwork {
 
     /// All parameters 0.
     BarNetwork(std::size_t units, std::size_t layers)
-        : RecurrentNetwork({BarInput::kSize, units, layers, kOutputs}) {}
+        : models::RecurrentNetwork({BarInput::kSize, units, layers, kOutputs}) {}
 
     /// Real-time: yes.
-    static BarEvidence evidence_of(const RecurrentStream::Logits& logits) noexcept RAKS_NONBLOCKING;
+    static BarEvidence evidence_of(const models::RecurrentStream::Logits& logits) noexcept
+        RAKS_NONBLOCKING;
 };
 
 /// Beat by beat.
-using BarListener = NetworkListener<BarNetwork>;
+using BarListener = models::NetworkStream<BarNetwork>;
 
 }  // namespace raks::audio

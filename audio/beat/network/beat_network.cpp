@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "audio/math/gates.hpp"
+#include "models/gates.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +70,7 @@ Expected<BeatNetwork> together(std::span<const std::shared_ptr<const BeatNetwork
 }
 
 BeatEvidence BeatListener::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
-    RecurrentStream::Logits sum = streams_[0].next(*network_, frame);
+    models::RecurrentStream::Logits sum = streams_[0].next(*network_, frame);
     for (std::size_t i = 1; i < streams_.size(); ++i) {
         const auto more = streams_[i].next(*network_->others()[i - 1], frame);
         for (std::size_t output = 0; output < BeatNetwork::kOutputs; ++output) {
@@ -84,14 +84,14 @@ BeatEvidence BeatListener::next(const NetworkInput::Frame& frame) noexcept RAKS_
 }
 
 void BeatListener::reset() noexcept RAKS_NONBLOCKING {
-    for (RecurrentStream& stream : streams_) {
+    for (models::RecurrentStream& stream : streams_) {
         stream.reset();
     }
 }
 
-BeatEvidence BeatNetwork::evidence_of(const RecurrentStream::Logits& logits) noexcept
+BeatEvidence BeatNetwork::evidence_of(const models::RecurrentStream::Logits& logits) noexcept
     RAKS_NONBLOCKING {
-    return {logistic(logits[0]), logistic(logits[1]), logistic(logits[2])};
+    return {models::logistic(logits[0]), models::logistic(logits[1]), models::logistic(logits[2])};
 }
 
 }  // namespace raks::audio

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "audio/network/network_input.hpp"
-#include "audio/network/recurrent_network.hpp"
+#include "audio/features/network_input.hpp"
 #include "base/expected.hpp"
 #include "base/realtime.hpp"
+#include "models/recurrent_network.hpp"
 
 namespace raks::audio {
 
@@ -24,7 +24,7 @@ class BarNetwork;
 
 /// A recurrent network that hears beats: three logistic outputs over the NetworkInput of each hop.
 /// Weights only; immutable once built. Threads: any may read.
-class BeatNetwork : public RecurrentNetwork {
+class BeatNetwork : public models::RecurrentNetwork {
  public:
     static constexpr std::size_t kOutputs = 3;
     using Frame = NetworkInput::Frame;
@@ -33,7 +33,8 @@ class BeatNetwork : public RecurrentNetwork {
     /// All parameters 0. `lookahead`: hops by which its evidence comes after the sound that it is
     /// about.
     BeatNetwork(std::size_t units, std::size_t layers, int lookahead)
-        : RecurrentNetwork({NetworkInput::kSize, units, layers, kOutputs}), lookahead_(lookahead) {}
+        : models::RecurrentNetwork({NetworkInput::kSize, units, layers, kOutputs}),
+          lookahead_(lookahead) {}
 
     [[nodiscard]] int lookahead() const noexcept { return lookahead_; }
 
@@ -52,7 +53,7 @@ class BeatNetwork : public RecurrentNetwork {
     }
 
     /// Real-time: yes.
-    static BeatEvidence evidence_of(const RecurrentStream::Logits& logits) noexcept
+    static BeatEvidence evidence_of(const models::RecurrentStream::Logits& logits) noexcept
         RAKS_NONBLOCKING;
 
  private:
@@ -90,7 +91,7 @@ class BeatListener {
 
  private:
     std::shared_ptr<const BeatNetwork> network_;
-    std::vector<RecurrentStream> streams_;  // the network's, then one of each of the others
+    std::vector<models::RecurrentStream> streams_;  // the network's, then one of each of the others
 };
 
 }  // namespace raks::audio

@@ -25,7 +25,7 @@ constexpr double kLargestWeight = 1e6;
 using Field = models::JsonDocument::Field;
 
 /// Fills the row from "parameters"; notes what does not fit.
-void read_parameters(const Field& object, RecurrentNetwork& network) {
+void read_parameters(const Field& object, models::RecurrentNetwork& network) {
     const Field field = object["parameters"];
     const std::vector<double> values = field.numbers();
     const std::span<float> parameters = network.parameters();
@@ -58,8 +58,10 @@ struct Size {
     std::size_t layers = 1;
 };
 Size read_size(const Field& object) {
-    const int units = object["units"].whole(1, static_cast<int>(RecurrentNetwork::kMaxUnits));
-    const int layers = object["layers"].whole(1, static_cast<int>(RecurrentNetwork::kMaxLayers));
+    const int units =
+        object["units"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxUnits));
+    const int layers =
+        object["layers"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxLayers));
     return {static_cast<std::size_t>(units), static_cast<std::size_t>(layers)};
 }
 
@@ -80,7 +82,7 @@ std::vector<std::shared_ptr<const BeatNetwork>> read_others(const Field& list, i
 }
 
 /// {"units", "layers", ..., "parameters": [...]} without its braces.
-std::string network_text(const RecurrentNetwork& network, const std::string& more) {
+std::string network_text(const models::RecurrentNetwork& network, const std::string& more) {
     std::string text = fmt::format("\"units\": {},\n\"layers\": {},\n{}\"parameters\": [",
                                    network.units(),
                                    network.layers().size(),

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "audio/beat/network/bar_network.hpp"
-#include "audio/network/recurrent_network.hpp"
 #include "base/random.hpp"
+#include "models/recurrent_network.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::audio {

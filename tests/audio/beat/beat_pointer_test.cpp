@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "audio/math/fast_exp.hpp"
+#include "models/fast_exp.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::audio {
@@ -13,7 +13,7 @@ namespace {
 TEST(FastExp, is_exp_within_a_millionth) {
     for (float x = -80.0F; x <= 80.0F; x += 0.0137F) {
         const double exact = std::exp(static_cast<double>(x));
-        EXPECT_NEAR(static_cast<double>(fast_exp(x)) / exact, 1.0, 1e-6) << x;
+        EXPECT_NEAR(static_cast<double>(models::fast_exp(x)) / exact, 1.0, 1e-6) << x;
     }
 }
 

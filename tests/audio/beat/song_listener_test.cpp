@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "audio/network/recurrent_network.hpp"
 #include "base/random.hpp"
+#include "models/recurrent_network.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::audio {

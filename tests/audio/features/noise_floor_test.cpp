@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "audio/synth/music_generator.hpp"
+#include "audio/music/generator/music_generator.hpp"
 #include "base/random.hpp"
 #include "tests/support/realtime_guard.hpp"
 

@@ -14,12 +14,12 @@ namespace {
 constexpr std::size_t kClasses = 4;
 using Mel = std::array<float, BarPatterns::kMelBands>;
 
-std::vector<RecurrentNetwork> random_networks(std::size_t count) {
+std::vector<models::RecurrentNetwork> random_networks(std::size_t count) {
     const CounterRandom random(5);
-    std::vector<RecurrentNetwork> networks;
+    std::vector<models::RecurrentNetwork> networks;
     std::uint64_t next = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        networks.emplace_back(RecurrentNetwork::Shape{NetworkInput::kSize, 8, 2, kClasses});
+        networks.emplace_back(models::RecurrentNetwork::Shape{NetworkInput::kSize, 8, 2, kClasses});
         for (float& parameter : networks.back().parameters()) {
             parameter = static_cast<float>(0.4 * random.normal(next++));
         }
@@ -44,11 +44,11 @@ std::array<float, kClasses> chances(const GenreListener& listener, int blocks) {
 }
 
 TEST(GenreListener, a_window_is_the_mean_of_its_hops_and_networks) {
-    const std::vector<RecurrentNetwork> networks = random_networks(3);
+    const std::vector<models::RecurrentNetwork> networks = random_networks(3);
     const std::vector<Mel> music = random_music(2'345);  // longer than the ring
     GenreListener listener;
     NetworkInput input;
-    std::array<RecurrentStream, 3> streams;
+    std::array<models::RecurrentStream, 3> streams;
     std::vector<std::array<double, kClasses>> hops;
     for (const Mel& mel : music) {
         listener.next(networks, mel);
@@ -79,7 +79,7 @@ TEST(GenreListener, a_window_is_the_mean_of_its_hops_and_networks) {
 }
 
 TEST(GenreListener, reset_forgets) {
-    const std::vector<RecurrentNetwork> networks = random_networks(2);
+    const std::vector<models::RecurrentNetwork> networks = random_networks(2);
     const std::vector<Mel> music = random_music(100);
     GenreListener once;
     GenreListener twice;

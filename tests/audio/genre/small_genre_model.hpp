@@ -35,7 +35,7 @@ inline GenreModel small_genre_model() {
     network.output_weights.assign(network.classes * network.units, 0.0F);
     network.output_bias.assign(network.classes, 0.0F);
     model.sound = network;
-    model.networks = {RecurrentNetwork({NetworkInput::kSize, 4, 1, 3})};
+    model.networks = {models::RecurrentNetwork({NetworkInput::kSize, 4, 1, 3})};
     for (GenreFusion& fusion : model.fusion) {
         fusion = {{.mfcc = 1.0F}, {.mfcc = 1.0F}, {}};
     }

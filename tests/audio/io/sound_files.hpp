@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "audio/io/audio_file.hpp"
-#include "audio/synth/music_generator.hpp"
+#include "audio/music/generator/music_generator.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio::test {

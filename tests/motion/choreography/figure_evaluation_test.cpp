@@ -13,7 +13,7 @@
 
 #include "motion/choreography/joint_limits.hpp"
 #include "motion/choreography/motion_check.hpp"
-#include "small_dance.hpp"
+#include "tests/motion/choreography/small_dance.hpp"
 
 #include <glm/geometric.hpp>
 

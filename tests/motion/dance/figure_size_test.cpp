@@ -1,11 +1,11 @@
-#include "motion/dance/figure_size.hpp"
+#include "motion/dance/baking/figure_size.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "motion/dance/body/leg_ik.hpp"
 #include "motion/dance/dance_content.hpp"
-#include "motion/dance/leg_ik.hpp"
 #include "tests/motion/dance/stage.hpp"
 
 #include <glm/geometric.hpp>

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/hand_clearing.hpp"
+#include "motion/dance/body/hand_clearing.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 #include "motion/dance/hand_hold.hpp"
-#include "motion/dance/limb_ik.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/skeleton/body_capsules.hpp"
 #include "motion/skeleton/skeleton.hpp"

@@ -5,13 +5,13 @@
 #include <initializer_list>
 #include <numeric>
 
+#include "motion/dance/baking/foot_lock.hpp"
+#include "motion/dance/baking/trajectory.hpp"
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/foot_lock.hpp"
-#include "motion/dance/hand_clearing.hpp"
+#include "motion/dance/body/hand_clearing.hpp"
+#include "motion/dance/body/leg_ik.hpp"
 #include "motion/dance/idle.hpp"
 #include "motion/dance/inertialization.hpp"
-#include "motion/dance/leg_ik.hpp"
-#include "motion/dance/trajectory.hpp"
 #include "motion/skeleton/body_capsules.hpp"
 #include "tests/motion/dance/stage.hpp"
 

@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "base/random.hpp"
-#include "motion/dance/arm_directions.hpp"
-#include "motion/dance/feature_pose.hpp"
+#include "motion/dance/baking/arm_directions.hpp"
+#include "motion/dance/baking/feature_pose.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
-#include "motion/figures/figure_trainer.hpp"
 #include "tests/motion/dance/stage.hpp"
 #include "tests/support/realtime_guard.hpp"
+#include "training/figures/figure_trainer.hpp"
 
 #include <glm/geometric.hpp>
 

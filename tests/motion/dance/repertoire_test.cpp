@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "motion/dance/floor_move.hpp"
+#include "motion/dance/body/floor_move.hpp"
 #include "tests/motion/dance/stage.hpp"
 #include "tests/support/realtime_guard.hpp"
 

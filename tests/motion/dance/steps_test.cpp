@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "motion/dance/banded_system.hpp"
-#include "motion/dance/detail.hpp"
-#include "motion/dance/easing.hpp"
-#include "motion/dance/flight.hpp"
-#include "motion/dance/free_figure.hpp"
-#include "motion/dance/step_timing.hpp"
+#include "motion/dance/baking/banded_system.hpp"
+#include "motion/dance/baking/detail.hpp"
+#include "motion/dance/baking/flight.hpp"
+#include "motion/dance/baking/free_figure.hpp"
+#include "motion/dance/baking/step_timing.hpp"
+#include "motion/dance/body/easing.hpp"
 #include "motion/dancer.hpp"
 #include "motion/repertoire.hpp"
 #include "tests/motion/dance/stage.hpp"

@@ -9,7 +9,7 @@
 
 #include "base/random.hpp"
 #include "motion/figures/figure_model.hpp"
-#include "motion/figures/figure_trainer.hpp"
+#include "training/figures/figure_trainer.hpp"
 
 namespace raks::motion::test {
 

@@ -1,4 +1,6 @@
 #include "tests/render/avatar/posed_mesh.hpp"
+#include "render/avatar/skinning.hpp"
+#include "render/mannequin/mannequin.hpp"
 
 #include <array>
 

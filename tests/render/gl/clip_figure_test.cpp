@@ -8,7 +8,7 @@
 #include <string>
 
 #include "motion/skeleton/bvh.hpp"
-#include "render/avatar/avatar.hpp"
+#include "render/mannequin/mannequin.hpp"
 #include "render/pose_sheet.hpp"
 #include "tests/render/gl/pictures.hpp"
 

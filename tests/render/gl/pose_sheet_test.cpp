@@ -1,6 +1,6 @@
 #include "render/pose_sheet.hpp"
 
-#include "render/avatar/avatar.hpp"
+#include "render/mannequin/mannequin.hpp"
 #include "tests/render/gl/pictures.hpp"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 #include <glm/vec4.hpp>
 #include <string>
 
-#include "render/avatar/avatar.hpp"
+#include "render/mannequin/mannequin.hpp"
 #include "render/renderer.hpp"
 
 namespace raks::render {

@@ -1,0 +1,186 @@
+#include "apps/raks/commands.hpp"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "apps/reports/analysis_document.hpp"
+#include "apps/reports/plot_svg.hpp"
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/say.hpp"
+#include "apps/terminal/signals.hpp"
+#include "audio/beat/paper_file.hpp"
+#include "audio/music_analyzer.hpp"
+#include "base/file.hpp"
+#include "base/printable.hpp"
+#include "engine/offline/music_source.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+
+namespace raks::apps {
+namespace {
+
+/// Collects the states whose moment lies inside the file.
+class Collect final : public audio::MusicAnalyzer::Sink {
+ public:
+    Collect(AnalysisDocument& document, PlotData* plot) : document_(document), plot_(plot) {}
+    void on_state(const MusicState& state) noexcept override {
+        if (state.time < end) {
+            document_.add(state);
+            if (plot_ != nullptr) {
+                plot_->add(state);
+            }
+        }
+        newest = state.time;
+    }
+    StreamTime end = StreamTime::max();
+    StreamTime newest{Nanos(-1)};
+
+ private:
+    AnalysisDocument& document_;
+    PlotData* plot_;  // may be null
+};
+
+audio::BeatMethod streaming_method(FileBeatMethod method) {
+    return method == FileBeatMethod::pointer ? audio::BeatMethod::pointer
+                                             : audio::BeatMethod::paper;
+}
+
+/// Everything that listens to the file.
+struct Listeners {
+    audio::MusicAnalyzer analyzer;
+    std::optional<audio::PaperFile> whole;  // --beat paper-whole
+    std::optional<PlotData> plot;           // --plot
+    std::optional<std::vector<BeatEvent>> reference;
+    std::optional<PendingFile> plot_file;
+};
+
+/// Checks and opens all that is asked for before the first sample is heard.
+Expected<void> prepare(const AnalyzeArguments& arguments, SampleRate rate, Listeners& to) {
+    if (!arguments.plot.empty()) {
+        if (arguments.plot.extension() != ".svg") {
+            return fail(arguments.plot.string() + ": a plot is written as .svg");
+        }
+        const std::vector<Path> read = {arguments.input, arguments.reference};
+        if (auto checked = check_is_no_input(arguments.plot, read); !checked) {
+            return checked;
+        }
+        auto file = PendingFile::create(arguments.plot);
+        if (!file) {
+            return fail(std::move(file.error()));
+        }
+        to.plot_file = std::move(*file);
+        if (auto prepared = to.plot.emplace().prepare(rate); !prepared) {
+            return prepared;
+        }
+    }
+    if (!arguments.reference.empty()) {
+        auto beats = read_reference_beats(arguments.reference);
+        if (!beats) {
+            return fail(std::move(beats.error()));
+        }
+        to.reference = std::move(*beats);
+    }
+    if (arguments.beat == FileBeatMethod::paper_whole) {
+        if (auto prepared = to.whole.emplace().prepare(rate); !prepared) {
+            return prepared;
+        }
+    }
+    auto analyzer = engine::make_analyzer(rate, streaming_method(arguments.beat));
+    if (!analyzer) {
+        return fail(std::move(analyzer.error()));
+    }
+    to.analyzer = std::move(*analyzer);
+    return {};
+}
+
+/// All of the file, and the silence after it that brings the last hops out; what is said beyond the
+/// file's end is not told.
+void hear(engine::MusicSource& source, Listeners& listeners, Collect& collect) {
+    ProgressLine progress("analyzing");
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        listeners.analyzer.process(block.mono, collect);
+        if (listeners.whole) {
+            listeners.whole->add(block.mono);
+        }
+        if (listeners.plot) {
+            listeners.plot->hear(block.mono);
+        }
+        if (const auto share = source.progress()) {
+            progress.show(*share);
+        }
+    }
+    collect.end = StreamTime(source.given());
+    const std::array<float, 256> silence{};
+    for (Nanos fed{};
+         fed <= listeners.analyzer.delay() + kHop && collect.newest + kHop < collect.end;
+         fed += source.rate().time_of(silence.size()).time_since_epoch()) {
+        listeners.analyzer.process(silence, collect);
+    }
+}
+
+const char* name_of(FileBeatMethod method) {
+    switch (method) {
+        case FileBeatMethod::pointer:
+            return "bar pointer, streaming";
+        case FileBeatMethod::paper:
+            return "the paper's method, streaming";
+        case FileBeatMethod::paper_whole:
+            return "the paper's method, whole file";
+    }
+    return "";
+}
+
+Expected<void> write_plot(const AnalyzeArguments& arguments, Listeners& listeners, Nanos duration) {
+    listeners.plot->finish(duration);
+    const auto svg = draw_plot(*listeners.plot,
+                               {.title = printable(arguments.input.filename().string(), 200),
+                                .method = name_of(arguments.beat),
+                                .reference = std::move(listeners.reference)});
+    if (!svg) {
+        return fail(svg.error());
+    }
+    if (std::ofstream out(listeners.plot_file->part(), std::ios::binary); !(out << *svg).flush()) {
+        return fail(arguments.plot.string() + ": cannot be written; is the disk full?");
+    }
+    return listeners.plot_file->commit();
+}
+
+}  // namespace
+
+ExitCode analyze(const AnalyzeArguments& arguments) {
+    auto source = engine::MusicSource::open(arguments.input);
+    if (!source) {
+        return fail(source.error());
+    }
+    Listeners listeners;
+    if (auto prepared = prepare(arguments, source->rate(), listeners); !prepared) {
+        return fail(std::move(prepared.error()));
+    }
+    AnalysisDocument document(arguments.input.string(), source->rate());
+    Collect collect(document, listeners.plot ? &*listeners.plot : nullptr);
+    hear(*source, listeners, collect);
+    if (listeners.whole) {
+        auto beats = listeners.whole->finish(source->given());
+        if (listeners.plot) {
+            listeners.plot->replace_beats(beats);
+        }
+        document.replace_beats(std::move(beats));
+    }
+    if (!source->warning().empty()) {
+        say(source->warning());
+    }
+    if (listeners.plot) {
+        if (auto written = write_plot(arguments, listeners, source->given()); !written) {
+            return fail(std::move(written.error()));
+        }
+    }
+    const std::string text =
+        arguments.as_json ? document.to_json(source->given()) : document.to_text(source->given());
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,92 @@
+#include "apps/raks/arguments.hpp"
+
+#include <cstdio>
+#include <string>
+
+#include "apps/raks/command_table.hpp"
+#include "apps/terminal/option_checks.hpp"
+#include "apps/terminal/say.hpp"
+#include "apps/terminal/usage.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/show/picture.hpp"
+
+namespace raks::apps {
+namespace {
+
+constexpr const char* kVersion = "0.1.0";
+
+constexpr const char* kExamples =
+    "raks: an avatar that dances to what it hears\n"
+    "\n"
+    "  raks live                          dance to what this computer plays, or to a microphone\n"
+    "  raks play song.mp3                 play a file and dance to it\n"
+    "  raks render song.mp3 -o out.mp4    write a video of the dance\n"
+    "\n"
+    "raks --help lists all commands.\n";
+
+/// The first fault of the settings: a value out of range, or a name that nothing has.
+std::string fault_of(const engine::Settings& settings) {
+    if (const auto faults = engine::validate(settings); !faults.empty()) {
+        return faults.front();
+    }
+    if (const auto look = engine::read_look(settings); !look) {
+        return look.error().message;
+    }
+    if (const auto checked = engine::check_dance(settings.dance); !checked) {
+        return checked.error().message;
+    }
+    if (const auto checked = engine::check_fallback_dance(settings.fallback_dance); !checked) {
+        return checked.error().message;
+    }
+    return {};
+}
+
+void add_config(RaksCommands& table) {
+    auto [app, a] =
+        table.add(table.app(), "config", "show, locate or create the settings file", config);
+    app->add_option("action", a->action, "show, path or init")
+        ->check(one_of({"show", "path", "init"}));
+}
+
+}  // namespace
+
+void add_figures_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option("--figures", settings.figures, "learnt as angles or positions of the joints");
+}
+
+void add_generator_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option(
+        "--generator", settings.generator, "trajectories, or frames: the paper's, for comparison");
+}
+
+ParsedCommand parse_arguments(int argc, char** argv) {
+    const auto settings = engine::load_settings();
+    RaksCommands table(settings.value_or(engine::Settings{}));
+    table.app().require_subcommand(0, 1);
+    table.app().set_version_flag("--version", std::string("raks ") + kVersion);
+    add_dancing_commands(table);
+    add_measuring_commands(table);
+    add_training_commands(table);
+    add_config(table);
+    if (const auto ended = read_usage(table.app(), argc, argv)) {
+        return {nullptr, *ended};
+    }
+    if (!table.chosen()) {
+        std::fputs(kExamples, stdout);
+        return {nullptr, kExitDone};
+    }
+    // Help is given, and the file found, whatever the file says.
+    if (!settings && !table.app().got_subcommand("config")) {
+        say(settings.error().message);
+        return {nullptr, kExitUsage};
+    }
+    if (table.chosen_settings() != nullptr) {
+        if (const std::string fault = fault_of(*table.chosen_settings()); !fault.empty()) {
+            say(fault);
+            return {nullptr, kExitUsage};
+        }
+    }
+    return {table.chosen(), kExitDone};
+}
+
+}  // namespace raks::apps

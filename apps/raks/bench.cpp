@@ -1,0 +1,257 @@
+#include "apps/raks/bench.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "apps/raks/bench_peers.hpp"
+#include "apps/raks/commands.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "audio/music_analyzer.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/show/show.hpp"
+#include "motion/dancer.hpp"
+#include "render/gl/offscreen_context.hpp"
+#include "render/gl/offscreen_target.hpp"
+#include "render/mannequin/mannequin.hpp"
+#include "render/scene/beat_rings.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+
+double thread_cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double process_cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+Spread spread_of(std::vector<double> values) {
+    if (values.empty()) {
+        return {};
+    }
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) {
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    };
+    return {at(0.50), at(0.95), at(0.99), values.back()};
+}
+
+namespace {
+
+Expected<audio::GeneratedMusic> bench_music(double seconds) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::salsa;
+    plan.tempo = {{0.0, 184.0}};
+    plan.seconds = seconds;
+    plan.channels = 1;
+    return audio::generate(plan);
+}
+
+class CollectStates final : public audio::MusicAnalyzer::Sink {
+ public:
+    explicit CollectStates(double seconds) {
+        states.reserve(static_cast<std::size_t>(seconds * kHopsPerSecond) + 16);
+    }
+    void on_state(const MusicState& state) noexcept override { states.push_back(state); }
+    std::vector<MusicState> states;
+};
+
+double microseconds_since(HostTime start) {
+    return static_cast<double>((HostClock::now() - start).count()) * 1e-3;
+}
+
+/// Adds what an analyzer needs for a piece; names end in `suffix`.
+void add_analysis(audio::MusicAnalyzer& analyzer,
+                  const audio::GeneratedMusic& music,
+                  double seconds,
+                  const std::string& suffix,
+                  BenchReport& report) {
+    CollectStates collect(seconds);
+    std::vector<double> hop_us;
+    const double start = thread_cpu_seconds();
+    const std::size_t hop = static_cast<std::size_t>(music.rate.hertz() / 100);
+    for (std::size_t at = 0; at + hop <= music.samples.size(); at += hop) {
+        const HostTime hop_start = HostClock::now();
+        analyzer.process(std::span(music.samples).subspan(at, hop), collect);
+        hop_us.push_back(microseconds_since(hop_start));
+    }
+    const double cpu = thread_cpu_seconds() - start;
+    report.values.emplace_back("times_real_time" + suffix, seconds / cpu);
+    report.values.emplace_back("cpu_us_a_hop" + suffix,
+                               1e6 * cpu / static_cast<double>(hop_us.size()));
+    report.spreads.emplace_back("wall_us_a_hop" + suffix, spread_of(hop_us));
+}
+
+Expected<BenchReport> bench_analysis(double seconds) {
+    const auto music = bench_music(seconds);
+    auto network = engine::load_beat_network();
+    if (!music || !network) {
+        return fail(!music ? music.error() : network.error());
+    }
+    auto plain =
+        engine::make_analyzer(music->rate, audio::BeatMethod::pointer, std::move(*network));
+    auto whole = engine::make_analyzer(music->rate);
+    if (!plain || !whole) {
+        return fail(!plain ? plain.error() : whole.error());
+    }
+    BenchReport report;
+    add_analysis(*plain, *music, seconds, "", report);
+    add_analysis(*whole, *music, seconds, "_with_genre", report);
+    add_aubio(*music, seconds, report);
+    if (auto added = add_mfcc(*music, seconds, report); !added) {
+        return fail(added.error());
+    }
+    return report;
+}
+
+Expected<BenchReport> bench_motion(double seconds) {
+    const auto music = bench_music(seconds);
+    if (!music) {
+        return fail(music.error());
+    }
+    const auto library = engine::load_dance("salsa");
+    if (!library) {
+        return fail(library.error());
+    }
+    auto analyzer = engine::make_analyzer(music->rate);
+    if (!analyzer) {
+        return fail(analyzer.error());
+    }
+    motion::Dancer dancer;
+    if (auto prepared = dancer.prepare(*library, motion::mannequin_skeleton(), 1); !prepared) {
+        return fail(prepared.error());
+    }
+    CollectStates collect(seconds);
+    analyzer->process(music->samples, collect);
+    const auto track = std::make_unique<motion::PoseTrack>();
+    constexpr HopIndex kHopsAFigure = 400;  // asks for another one so often: joins cost most
+    std::set<std::string> figures;
+    constexpr double kPoses = 1.0 + motion::PoseTrack::kPredictedPoses;
+    std::vector<double> pose_us;
+    const double start = thread_cpu_seconds();
+    for (const MusicState& state : collect.states) {
+        if (state.hop % kHopsAFigure == 0) {
+            dancer.command({.time = state.time});
+            figures.insert(dancer.status().figure.data());
+        }
+        const HostTime hop_start = HostClock::now();
+        dancer.advance(state, *track);
+        pose_us.push_back(microseconds_since(hop_start) / kPoses);
+    }
+    const double cpu = thread_cpu_seconds() - start;
+    figures.erase("");  // standing
+    BenchReport report;
+    report.values.emplace_back("figures_danced", static_cast<double>(figures.size()));
+    report.values.emplace_back("cpu_us_a_pose",
+                               1e6 * cpu / (kPoses * static_cast<double>(collect.states.size())));
+    report.spreads.emplace_back("wall_us_a_pose", spread_of(pose_us));
+    return report;
+}
+
+/// CPU milliseconds of whole pictures of one size, overlay and read-back apart.
+Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
+                                            const render::Scene& scene,
+                                            int width,
+                                            int height) {
+    auto target = render::OffscreenTarget::create(
+        {.width = width, .height = height, .samples = renderer.samples()});
+    if (!target) {
+        return fail(target.error());
+    }
+    motion::Pose pose;
+    pose.hips_position = motion::mannequin_skeleton().offsets[0];
+    std::vector<double> costs;
+    constexpr int kPictures = 60;
+    for (int i = 0; i < kPictures; ++i) {
+        const double start = process_cpu_seconds();
+        renderer.draw(scene, pose, target->frame());
+        target->finish();
+        costs.push_back(1e3 * (process_cpu_seconds() - start));
+    }
+    return costs;
+}
+
+Expected<BenchReport> bench_render() {
+    const auto context = render::OffscreenContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    const double avatar_start = process_cpu_seconds();
+    const render::Avatar avatar = render::build_mannequin();
+    const double avatar_ms = 1e3 * (process_cpu_seconds() - avatar_start);
+    auto renderer = render::Renderer::create(avatar);
+    if (!renderer) {
+        return fail(renderer.error());
+    }
+    BenchReport report;
+    report.notes.emplace_back("driver", context->renderer_name());
+    render::Scene scene;
+    scene.rings = render::beat_rings({.confidence = 1.0F}, stream_time_from_seconds(0.2));
+    for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{640, 360}}) {
+        const auto costs = picture_costs(*renderer, scene, width, height);
+        if (!costs) {
+            return fail(costs.error());
+        }
+        report.spreads.emplace_back(fmt::format("cpu_ms_{}x{}", width, height), spread_of(*costs));
+    }
+    report.values.emplace_back("mannequin_cpu_ms", avatar_ms);
+    return report;
+}
+
+}  // namespace
+
+std::string to_text(const BenchReport& report) {
+    std::string text;
+    for (const auto& [name, note] : report.notes) {
+        text += fmt::format("{:<24} {}\n", name, note);
+    }
+    for (const auto& [name, value] : report.values) {
+        text += fmt::format("{:<24} {:.2f}\n", name, value);
+    }
+    for (const auto& [name, spread] : report.spreads) {
+        text += fmt::format("{:<24} p50 {:.3f}  p95 {:.3f}  p99 {:.3f}  max {:.3f}\n",
+                            name,
+                            spread.p50,
+                            spread.p95,
+                            spread.p99,
+                            spread.max);
+    }
+    return text;
+}
+
+ExitCode bench(const BenchArguments& arguments) {
+    auto report = arguments.what == "analysis" ? bench_analysis(arguments.seconds)
+                  : arguments.what == "motion" ? bench_motion(arguments.seconds)
+                  : arguments.what == "render" ? bench_render()
+                  : arguments.what == "train"  ? bench_train()
+                                               : bench_latency(arguments.seconds);
+    if (!report) {
+        return fail(report.error());
+    }
+    const std::string text =
+        arguments.as_json ? to_json(arguments.what, *report) : to_text(*report);
+    std::fputs(text.c_str(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,285 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "apps/raks/bench.hpp"
+#include "apps/raks/bench_peers.hpp"
+#include "apps/terminal/signals.hpp"
+#include "audio/io/devices.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "engine/live/live_graph.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/trials/loop_recorder.hpp"
+#include "engine/trials/shown_landing.hpp"
+#include "motion/figures/figure_model.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+constexpr Nanos kPictureTime = std::chrono::microseconds(16'667);
+constexpr double kBpm = 180.0;
+// Silence before the first beat: time to connect the loop.
+constexpr double kLeadIn = 2.0;
+constexpr int kOwnClockBlock = 256;
+
+void sleep_until(HostTime time) {
+    timespec until{};
+    until.tv_sec = time.time_since_epoch().count() / 1'000'000'000;
+    until.tv_nsec = time.time_since_epoch().count() % 1'000'000'000;
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
+
+/// What every displayed picture would have shown.
+struct Watched {
+    std::vector<double> music_age_ms;  // of the newest state, at the moment of drawing
+    std::vector<double> pose_age_ms;   // how far the shown pose lies before the newest final one
+    std::vector<double> late_ms;       // how late the picture was drawn
+    std::vector<double> bpm;
+    std::vector<BeatGrid> grids;
+    std::vector<engine::ShownPicture> pictures;
+};
+
+Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
+    Watched watched;
+    watched.pictures.reserve(static_cast<std::size_t>(seconds / to_seconds(kPictureTime)) + 1);
+    const HostTime start = HostClock::now();
+    for (HostTime due = start; due < start + nanos_from_seconds(seconds) && !stop_signal();
+         due += kPictureTime) {
+        sleep_until(due);
+        if (const auto lost = graph.watch(HostClock::now())) {
+            return fail(*lost);
+        }
+        const engine::StageState& stage = graph.stage();
+        const HostTime now = HostClock::now();
+        const engine::ClockLine clock = graph.analysis().clock();
+        if (stage.track().is_empty() || !clock.is_running) {
+            continue;
+        }
+        const StreamTime moment = graph.moment_at(now);
+        watched.late_ms.push_back(1e3 * to_seconds(now - due));
+        watched.music_age_ms.push_back(
+            1e3 * to_seconds(graph.analysis().taken_until() - stage.music.time));
+        watched.pose_age_ms.push_back(
+            1e3 * to_seconds(time_of_hop(stage.track().newest_final()) - moment));
+        watched.bpm.push_back(stage.music.grid.tempo.bpm());
+        watched.grids.push_back(stage.music.grid);
+        watched.pictures.push_back({now,
+                                    moment,
+                                    clock,
+                                    stage.dancer.is_dancing,
+                                    stage.dancer.octave,
+                                    stage.track().at(moment)});
+    }
+    return watched;
+}
+
+Expected<audio::GeneratedMusic> music_for(const std::optional<audio::AudioDevice>& output,
+                                          double seconds) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::drums;
+    plan.tempo = {{0.0, kBpm}};
+    plan.seconds = kLeadIn + seconds + 2.0;
+    plan.first_beat_seconds = kLeadIn;
+    // At the loudspeaker's own rate: what comes back are the very samples that were made.
+    const SampleRate rate(output ? static_cast<int>(std::lround(output->default_rate)) : 48'000);
+    plan.rate = rate.is_supported() ? rate : plan.rate;
+    return audio::generate(plan);
+}
+
+/// Beats by which the tracker's bar lies after the music's, 0..3.
+double bar_offset(const BeatGrid& grid, const audio::GeneratedMusic& music) {
+    const double position = grid.bar_position(grid.beats_at(music.beats[0].time));
+    return std::fmod(4.0 - std::round(position), 4.0);
+}
+
+/// How late the grid's beats lie after the music's, at each picture's moment; ms. What the landing
+/// inherits from the tracker.
+std::vector<double> grid_errors_ms(const Watched& watched, const audio::GeneratedMusic& music) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < watched.pictures.size(); ++i) {
+        if (!watched.pictures[i].is_dancing) {
+            continue;
+        }
+        const double beats =
+            to_seconds(watched.pictures[i].moment - music.beats[0].time) * kBpm / 60.0;
+        const double tracked = watched.grids[i].beats_at(watched.pictures[i].moment).count();
+        const double ahead = std::remainder(tracked - beats, 1.0);
+        errors.push_back(-1e3 * ahead * 60.0 / kBpm);
+    }
+    return errors;
+}
+
+Spread absolute_errors_ms(const motion::LandingReport& landing) {
+    std::vector<double> errors;
+    for (const motion::Landing& one : landing.landings) {
+        errors.push_back(1e3 * std::abs(one.error));
+    }
+    return spread_of(std::move(errors));
+}
+
+void add_landing(const Watched& watched,
+                 const engine::SoundLine& sound,
+                 const audio::GeneratedMusic& music,
+                 BenchReport& report) {
+    const auto path = engine::data_path("models/trained/salsa_basic_lead.json");
+    const auto figure = path ? motion::load_figure(*path) : fail(path.error());
+    const auto landing =
+        figure ? engine::shown_landing(watched.pictures, sound, music, *figure) : std::nullopt;
+    if (!landing) {
+        report.notes.emplace_back("landing", "not measured: too little was danced");
+        return;
+    }
+    report.notes.emplace_back(
+        "landing",
+        fmt::format("against the clicks that came back; count 1 on a downbeat of the music, the "
+                    "half of the figure by its steps ({} missing; {} in the other half)",
+                    landing->report.missing,
+                    landing->other_half.missing));
+    const motion::LandingReport& taken = landing->report;
+    report.values.emplace_back("landings", static_cast<double>(taken.landings.size()));
+    report.values.emplace_back("landings_missing", static_cast<double>(taken.missing));
+    report.values.emplace_back("landings_unexpected", static_cast<double>(taken.unexpected));
+    report.values.emplace_back("landing_mean_ms", 1e3 * taken.mean);
+    report.values.emplace_back("landing_sd_ms", 1e3 * taken.deviation);
+    report.spreads.emplace_back("landing_abs_ms", absolute_errors_ms(taken));
+}
+
+/// All that needs the sound that came back.
+void add_loop(const Watched& watched,
+              const Expected<engine::LoopRecording>& recording,
+              const audio::GeneratedMusic& music,
+              Nanos reported_latency,
+              BenchReport& report) {
+    constexpr std::size_t kLeastBeats = 16;
+    const auto not_measured = [&](const std::string& why) {
+        for (const char* name : {"loop", "landing"}) {
+            report.notes.emplace_back(name, "not measured: " + why);
+        }
+    };
+    if (!recording) {
+        not_measured(recording.error().message);
+        return;
+    }
+    const std::vector<engine::HeardBeat> heard = engine::heard_beats(*recording, music);
+    if (heard.size() < kLeastBeats) {
+        not_measured(fmt::format("only {} beats came back", heard.size()));
+        return;
+    }
+    report.notes.emplace_back("loop", "JACK, our output ports to our input ports");
+    const engine::SoundLine sound(heard, music);
+    const Spread latency = spread_of(engine::loop_latencies_ms(heard, music, watched.pictures));
+    report.values.emplace_back("beats_back", static_cast<double>(heard.size()));
+    report.values.emplace_back("loop_latency_ms", latency.p50);
+    report.values.emplace_back("loop_minus_reported_ms",
+                               latency.p50 - 1e3 * to_seconds(reported_latency));
+    report.spreads.emplace_back("loop_latency_ms_spread", latency);
+    report.spreads.emplace_back("picture_lead_ms",
+                                spread_of(engine::picture_leads_ms(watched.pictures, sound)));
+    add_landing(watched, sound, music, report);
+}
+
+/// What the device's thread does with its time.
+void add_callback(engine::LiveGraph& graph, BenchReport& report) {
+    const audio::DeviceStream* const stream = graph.stream();
+    const engine::TimingHistogram& times = graph.analysis().callback_times();
+    const Spread callback{
+        times.quantile_ms(0.5), times.quantile_ms(0.95), times.quantile_ms(0.99), times.max_ms()};
+    const int block = stream != nullptr ? stream->block_frames() : kOwnClockBlock;
+    const int rate = stream != nullptr ? stream->rate().hertz() : 48'000;
+    report.notes.emplace_back("callback_scheduling",
+                              stream != nullptr ? stream->scheduling() : "no device");
+    report.values.emplace_back("block_frames", block);
+    report.values.emplace_back("sample_rate_hz", rate);
+    report.values.emplace_back("callback_p99_share", 1e-3 * callback.p99 * rate / block);
+    report.spreads.emplace_back("callback_ms", callback);
+}
+
+void add_ages(const Watched& watched, const audio::GeneratedMusic& music, BenchReport& report) {
+    report.spreads.emplace_back("music_age_ms", spread_of(watched.music_age_ms));
+    report.spreads.emplace_back("pose_age_ms", spread_of(watched.pose_age_ms));
+    report.spreads.emplace_back("picture_late_ms", spread_of(watched.late_ms));
+    report.values.emplace_back("bpm", spread_of(watched.bpm).p50);
+    if (!watched.grids.empty()) {
+        report.values.emplace_back("bar_offset_beats", bar_offset(watched.grids.back(), music));
+    }
+    report.spreads.emplace_back("grid_late_ms", spread_of(grid_errors_ms(watched, music)));
+}
+
+void add_counters(const engine::LiveCounters& counters, BenchReport& report) {
+    report.values.emplace_back("dropped_states", static_cast<double>(counters.dropped_states));
+    report.values.emplace_back("xruns", static_cast<double>(counters.xruns));
+    report.values.emplace_back("underruns", static_cast<double>(counters.underruns));
+}
+
+Expected<std::unique_ptr<engine::LoopRecorder>> recorder_for(
+    const Expected<audio::AudioSystem>& system,
+    const std::optional<audio::AudioDevice>& output,
+    double seconds) {
+    if (!output) {
+        return fail("no loudspeaker");
+    }
+    return engine::LoopRecorder::start(system->devices(), *output, seconds);
+}
+
+std::optional<audio::AudioDevice> loudspeaker(const Expected<audio::AudioSystem>& system) {
+    if (!system) {
+        return std::nullopt;
+    }
+    const auto choice = audio::choose_output(system->devices());
+    return choice ? std::optional(choice->device) : std::nullopt;
+}
+
+}  // namespace
+
+Expected<BenchReport> bench_latency(double seconds) {
+    const auto system = audio::AudioSystem::open();
+    const std::optional<audio::AudioDevice> output = loudspeaker(system);
+    const auto music = music_for(output, seconds);
+    if (!music) {
+        return fail(music.error());
+    }
+    const TemporaryMusic file(*music);
+    if (!file.written()) {
+        return fail(file.written().error());
+    }
+    engine::LiveGraphConfig config;
+    auto library = engine::load_dance("salsa");
+    auto player = audio::FilePlayer::start({file.path()});
+    if (!library || !player) {
+        return fail(!library ? library.error() : player.error());
+    }
+    config.members = motion::members_of(
+        motion::Formation::solo, motion::Repertoire::of_one(*library), nullptr, 1);
+    (*player)->wait_until_ready(4096);
+    auto recorder = recorder_for(system, output, kLeadIn + seconds + 5.0);
+    auto graph = engine::LiveGraph::play(std::move(*player), output, config);
+    if (!graph) {
+        return fail(graph.error());
+    }
+    auto loop = recorder ? (*recorder)->close_loop() : fail(recorder.error());
+    // One figure, whose learnt landings are compared with.
+    (*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0);
+    const auto watched = watch(**graph, kLeadIn + seconds);
+    if (!watched) {
+        return fail(watched.error());
+    }
+
+    BenchReport report;
+    report.notes.emplace_back("output", output ? output->name : "none: paced by the clock");
+    add_callback(**graph, report);
+    add_ages(*watched, *music, report);
+    report.values.emplace_back("reported_output_latency_ms",
+                               1e3 * to_seconds((*graph)->output_latency()));
+    add_loop(*watched,
+             loop ? (*recorder)->recording() : fail(loop.error()),
+             *music,
+             (*graph)->output_latency(),
+             report);
+    add_counters((*graph)->counters(), report);
+    return report;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "apps/raks/commands.hpp"
+#include "apps/terminal/command_table.hpp"
+#include "engine/setup/settings.hpp"
+
+namespace raks::apps {
+
+/// The commands of `raks`. Those with settings begin with what the files say.
+class RaksCommands : public CommandTable {
+ public:
+    /// `settings`: what the files say; options are laid over them.
+    explicit RaksCommands(engine::Settings settings)
+        : CommandTable("raks: an avatar that dances to what it hears", "raks"),
+          settings_(std::move(settings)) {}
+
+    template <typename Arguments>
+    Command<Arguments> add(CLI::App& parent,
+                           const char* name,
+                           const char* help,
+                           ExitCode (*run)(const Arguments&)) {
+        auto command = CommandTable::add(parent, name, help, run);
+        if constexpr (requires { command.arguments->settings; }) {
+            command.arguments->settings = settings_;
+            command.app->callback([this, arguments = command.arguments, run] {
+                chosen_settings_ = {arguments, &arguments->settings};
+                choose([arguments, run] { return run(*arguments); });
+            });
+        }
+        return command;
+    }
+
+    /// Of the command that was asked for; null where it has none.
+    [[nodiscard]] const engine::Settings* chosen_settings() const noexcept {
+        return chosen_settings_.get();
+    }
+
+ private:
+    engine::Settings settings_;
+    std::shared_ptr<const engine::Settings> chosen_settings_;
+};
+
+/// play, live, render, dance, sheet, stick, synth.
+void add_dancing_commands(RaksCommands& table);
+/// analyze, eval, bench, devices.
+void add_measuring_commands(RaksCommands& table);
+/// train.
+void add_training_commands(RaksCommands& table);
+
+/// Options of several commands.
+void add_figures_option(CLI::App& app, engine::Settings& settings);
+void add_generator_option(CLI::App& app, engine::Settings& settings);
+
+}  // namespace raks::apps

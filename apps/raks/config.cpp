@@ -1,0 +1,36 @@
+#include "apps/raks/commands.hpp"
+
+#include <cstdio>
+#include <system_error>
+
+#include "base/file.hpp"
+
+namespace raks::apps {
+
+ExitCode config(const ConfigArguments& arguments) {
+    const Path path = engine::user_settings_path();
+    if (arguments.action == "path") {
+        std::printf("%s\n", path.c_str());
+        return kExitDone;
+    }
+    if (arguments.action == "init") {
+        std::error_code error;
+        if (std::filesystem::exists(path, error)) {
+            return fail(path.string() + ": is there already; edit it, or remove it first");
+        }
+        std::filesystem::create_directories(path.parent_path(), error);
+        if (auto written = write_file(path, engine::to_toml({})); !written) {
+            return fail(written.error());
+        }
+        std::printf("%s\n", path.c_str());
+        return kExitDone;
+    }
+    const auto settings = engine::load_settings();
+    if (!settings) {
+        return fail(settings.error());
+    }
+    std::fputs(engine::to_toml(*settings).c_str(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,83 @@
+#include "apps/raks/commands.hpp"
+
+#include <cstdio>
+
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/say.hpp"
+#include "apps/terminal/signals.hpp"
+#include "base/file.hpp"
+#include "engine/offline/collect_poses.hpp"
+#include "engine/offline/music_source.hpp"
+#include "engine/offline/offline_driver.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "motion/skeleton/bvh.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+/// x.bvh of one dancer; of several x_1.bvh, x_2.bvh, ...: of a couple 1 leads.
+Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
+    if (dancers == 1) {
+        return output;
+    }
+    Path path = output;
+    path.replace_filename(
+        fmt::format("{}_{}{}", output.stem().string(), dancer + 1, output.extension().string()));
+    return path;
+}
+
+}  // namespace
+
+ExitCode dance(const DanceArguments& arguments) {
+    if (arguments.output.extension() != ".bvh") {
+        return fail(arguments.output.string() + ": cannot write this kind of motion; known: .bvh");
+    }
+    if (auto checked = check_output(arguments.output, {arguments.input}); !checked) {
+        return fail(std::move(checked.error()));
+    }
+    auto source = engine::MusicSource::open(arguments.input);
+    if (!source) {
+        return fail(source.error());
+    }
+    auto dancers = engine::Dancers::load(arguments.settings);
+    if (!dancers) {
+        return fail(dancers.error());
+    }
+    if (auto all = dancers->wait(); !all) {
+        return fail(all.error());
+    }
+    auto driver = engine::OfflineDriver::create(source->rate(), dancers->members());
+    if (!driver) {
+        return fail(driver.error());
+    }
+    engine::CollectPoses collect(arguments.fps);
+    ProgressLine progress("dancing");
+    for (auto block = source->next(); !block.mono.empty() && !stop_signal();
+         block = source->next()) {
+        driver->feed(block.mono, collect);
+        if (const auto share = source->progress()) {
+            progress.show(*share);
+        }
+    }
+    driver->finish(collect);
+    collect.finish(source->given());
+    if (!source->warning().empty()) {
+        say(source->warning());
+    }
+    if (collect.dancers.empty()) {
+        collect.dancers.emplace_back();  // of no length: write_bvh says that there are no poses
+    }
+    for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
+        const Path path = file_of(arguments.output, i, collect.dancers.size());
+        if (auto written = motion::write_bvh(
+                path, motion::mannequin_skeleton(), collect.dancers[i], arguments.fps);
+            !written) {
+            return fail(written.error());
+        }
+    }
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,153 @@
+#include <cstdint>
+
+#include "apps/raks/command_table.hpp"
+#include "apps/terminal/option_checks.hpp"
+
+namespace raks::apps {
+namespace {
+
+void add_formation_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option(
+        "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
+}
+
+/// The options of DESIGN 6 that play, live and render share.
+void add_picture_options(CLI::App& app, engine::Settings& settings) {
+    app.add_option("--dance", settings.dance, "the dance to keep to, or auto");
+    add_figures_option(app, settings);
+    add_formation_option(app, settings);
+    add_generator_option(app, settings);
+    app.add_option("--seed", settings.seed, "same seed, same dance");
+    app.add_option("--theme", settings.theme, "stage, workshop_dark or studio_light");
+    app.add_option("--camera", settings.camera, "wide, portrait, front or side");
+    app.add_option("--size", settings.size, "picture size, such as 1280x720");
+    app.add_option("--fps", settings.fps, "pictures a second");
+    app.add_option("--quality", settings.quality, "auto, fast or high");
+    app.add_option("--view", settings.view, "skin, stick or auto");
+    app.add_flag("--overlay,!--no-overlay", settings.overlay, "beat, tempo and levels on top");
+    app.add_option("--latency-offset",
+                   settings.latency_offset_ms,
+                   "milliseconds added to the latency that the device reports");
+}
+
+void add_section_options(CLI::App& app, Section& section) {
+    app.add_option("--start", section.start, "seconds into the file")
+        ->check(in_range(0.0, kLongestSeconds));
+    app.add_option_function<double>(
+           "--duration",
+           [&section](const double& seconds) { section.duration = seconds; },
+           "seconds; to the end when not given")
+        ->check(in_range(kShortestSeconds, kLongestSeconds));
+}
+
+void add_play(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
+    app->add_option("files", a->files, "music files and folders; none: a salsa of our own");
+    app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
+    app->add_option("--volume", a->settings.volume, "1 is the file's own level");
+    app->add_flag("--headless", a->is_headless, "no window");
+    app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
+    app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
+    add_section_options(*app, a->section);
+    add_picture_options(*app, a->settings);
+}
+
+void add_live(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
+    app->add_option("--device", a->settings.device, "input: name, part of it, or number");
+    app->add_option_function<double>(
+           "--duration",
+           [arguments = a](const double& seconds) { arguments->duration = seconds; },
+           "seconds to listen; until stopped when not given")
+        ->check(in_range(kShortestSeconds, kLongestSeconds));
+    app->add_flag("--headless", a->is_headless, "no window");
+    app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
+    add_picture_options(*app, a->settings);
+}
+
+void add_render(RaksCommands& table) {
+    auto [app, a] =
+        table.add(table.app(), "render", "write a video of the dance to a file", render);
+    app->add_option("file", a->input, "music file; none: a salsa of our own");
+    app->add_option("-o,--out", a->output, "X.mp4, X.avi, or a folder for .png")->required();
+    add_section_options(*app, a->section);
+    add_picture_options(*app, a->settings);
+}
+
+void add_dance(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "dance", "write the dance to a file as motion", dance);
+    app->add_option("file", a->input, "music file")->required();
+    app->add_option("-o,--out", a->output, "X.bvh; of several dancers X_1.bvh, X_2.bvh, ...")
+        ->required();
+    app->add_option("--fps", a->fps, "poses a second")->check(in_range(1.0, 240.0));
+    add_formation_option(*app, a->settings);
+    app->add_option("--dance", a->settings.dance, "the dance to keep to, or auto");
+    add_figures_option(*app, a->settings);
+    add_generator_option(*app, a->settings);
+    app->add_option("--seed", a->settings.seed, "same seed, same dance");
+}
+
+void add_sheet(RaksCommands& table) {
+    auto [app, a] =
+        table.add(table.app(), "sheet", "draw a figure as a pose sheet, or film it", sheet);
+    app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.avi or a folder")->required();
+    app->add_option("--dance", a->settings.dance, "salsa, belly, house, hiphop, rock or waltz");
+    app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
+    add_figures_option(*app, a->settings);
+    add_generator_option(*app, a->settings);
+    app->add_option("--bpm", a->bpm, "tempo danced to")->check(in_range(50.0, 230.0));
+    app->add_option("--seed", a->settings.seed, "same seed, same dance")
+        ->check(CLI::NonNegativeNumber);
+    app->add_option("--fps", a->settings.fps, "pictures a second of a film")
+        ->check(CLI::Range(1.0, 240.0));
+    app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
+    app->add_option("--view", a->settings.view, "skin, stick or auto");
+    app->add_option("--quality", a->settings.quality, "auto, fast or high");
+}
+
+void add_stick(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "stick", "play a motion clip as a stick figure", stick);
+    app->add_option("file", a->input, "X.bvh, or a written dance X.toml")->required();
+    app->add_option("-o,--out", a->output, "X.png: front and side views, no window");
+    app->add_option("--figure", a->figure, "figure of the dance");
+    app->add_option("--tempo", a->bpm, "BPM to dance it at")->check(in_range(30.0, 300.0));
+    app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
+        ->check(in_range(1.0, 1000.0));
+    app->add_option("--scale", a->scale, "metres per unit of the file")
+        ->check(in_range(1e-4, 10.0));
+    app->add_option_function<std::int64_t>(
+           "--frame",
+           [arguments = a](const std::int64_t& frame) {
+               arguments->frame = static_cast<std::size_t>(frame);
+           },
+           "stand at this frame; with -o draw it alone")
+        ->check(in_range<std::int64_t>(0, 1'000'000'000));
+    app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
+    app->add_option("--size", a->settings.size, "of the window, such as 1280x720");
+    app->add_option("--quality", a->settings.quality, "auto, fast or high");
+}
+
+void add_synth(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "synth", "write music of our own generator", synth);
+    app->add_option(
+        "style", a->style, "salsa, maqsum, house, rock, hiphop, waltz, drums or clicks");
+    app->add_option("-o,--out", a->output, "X.wav")->required();
+    app->add_option("--bpm", a->bpm, "tempo")->check(in_range(50.0, 230.0));
+    app->add_option("--duration", a->seconds, "seconds")->check(in_range(1.0, 3600.0));
+    app->add_option("--seed", a->seed, "same seed, same music")
+        ->check(in_range<std::int64_t>(0, 9'000'000'000'000'000));
+}
+
+}  // namespace
+
+void add_dancing_commands(RaksCommands& table) {
+    add_play(table);
+    add_live(table);
+    add_render(table);
+    add_dance(table);
+    add_sheet(table);
+    add_stick(table);
+    add_synth(table);
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,70 @@
+#include "apps/raks/commands.hpp"
+
+#include <cstdio>
+
+#include "audio/io/devices.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace raks::apps {
+namespace {
+
+std::string to_json(const std::vector<audio::AudioDevice>& devices) {
+    nlohmann::ordered_json document = {{"format", "raks-devices"}, {"version", 1}};
+    auto& list = document["devices"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const audio::AudioDevice& device = devices[i];
+        list.push_back({{"number", i},
+                        {"name", device.name},
+                        {"description", device.description},
+                        {"host_api", device.host_api},
+                        {"inputs", device.input_channels},
+                        {"outputs", device.output_channels},
+                        {"rate", device.default_rate},
+                        {"monitor", device.is_monitor()}});
+    }
+    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string to_text(const std::vector<audio::AudioDevice>& devices) {
+    if (devices.empty()) {
+        return "no audio devices: no sound card, JACK or PulseAudio server was found\n";
+    }
+    std::string text = "   #  in out   rate  name\n";
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const audio::AudioDevice& device = devices[i];
+        text += fmt::format("{:4} {:3} {:3} {:6.0f}  {}{}\n",
+                            i,
+                            device.input_channels,
+                            device.output_channels,
+                            device.default_rate,
+                            audio::described(device),
+                            device.is_monitor() ? ": what this computer plays" : "");
+    }
+    if (const auto input = audio::choose_input(devices)) {
+        text += "live  " + input->reason + "\n";
+    }
+    if (const auto output = audio::choose_output(devices)) {
+        text += "play  " + output->reason + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+ExitCode devices(const DevicesArguments& arguments) {
+    const auto system = audio::AudioSystem::open();
+    if (!system) {
+        return fail(system.error());
+    }
+    if (arguments.asks_for_output) {
+        return audio::choose_output(system->devices()) ? kExitDone : kExitFailed;
+    }
+    const std::string text =
+        arguments.as_json ? to_json(system->devices()) : to_text(system->devices());
+    std::fputs(text.c_str(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::apps

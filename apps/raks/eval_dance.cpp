@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/raks/commands.hpp"
+#include "apps/reports/eval_dance_report.hpp"
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/signals.hpp"
+#include "base/suggest.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/trials/trained_figures.hpp"
+
+namespace raks::apps {
+namespace {
+
+using Figures = std::vector<motion::FigureModel>;
+
+/// All trials, or those named.
+Expected<std::vector<engine::DanceTrial>> chosen_trials(std::string_view dance,
+                                                        const Figures& figures,
+                                                        const std::vector<std::string>& names) {
+    double seconds_per_beat = 0.0;
+    for (const motion::FigureModel& figure : figures) {
+        seconds_per_beat +=
+            figure.learnt_tempo.seconds_per_beat() / static_cast<double>(figures.size());
+    }
+    std::vector<engine::DanceTrial> all =
+        engine::standard_trials(dance, Bpm::from_period(seconds_per_beat));
+    if (names.empty()) {
+        return all;
+    }
+    std::vector<std::string_view> known;
+    known.reserve(all.size());
+    for (const engine::DanceTrial& trial : all) {
+        known.push_back(trial.name);
+    }
+    std::vector<engine::DanceTrial> chosen;
+    for (const std::string& name : names) {
+        const auto found = std::find_if(
+            all.begin(), all.end(), [&](const auto& trial) { return trial.name == name; });
+        if (found == all.end()) {
+            return fail(unknown_name("trial", name, known));
+        }
+        chosen.push_back(*found);
+    }
+    return chosen;
+}
+
+/// The lead dances what `raks play` does; a follow has the figures learnt from follows.
+Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const DanceReport& report,
+                                                                 const engine::DanceForm& form,
+                                                                 const Figures& figures) {
+    if (report.role == motion::DanceRole::lead) {
+        return engine::load_dance(report.dance, report.role, form);
+    }
+    return motion::DanceLibrary::build(
+        figures, motion::mannequin_skeleton(), nullptr, form.generator);
+}
+
+/// Who dances: the role alone, or in a couple.
+Expected<engine::TrialCast> cast_of(const EvalDanceArguments& arguments,
+                                    const DanceReport& report,
+                                    const Figures& figures) {
+    using motion::Formation;
+    using motion::Repertoire;
+    const auto seed = static_cast<std::uint64_t>(report.seed);
+    const engine::DanceForm form = engine::form_of(arguments.settings);
+    if (form.company != engine::Company::couple) {
+        const auto library = library_of(report, form, figures);
+        if (!library) {
+            return fail(library.error());
+        }
+        return engine::TrialCast{
+            motion::members_of(Formation::solo, Repertoire::of_one(*library), nullptr, seed), 0};
+    }
+    const auto lead = engine::load_dance(report.dance, motion::DanceRole::lead, form);
+    if (!lead) {
+        return fail(lead.error());
+    }
+    const auto follow = engine::load_dance(report.dance, motion::DanceRole::follow, form);
+    if (!follow) {
+        return fail(follow.error());
+    }
+    return engine::TrialCast{
+        motion::members_of(
+            Formation::couple, Repertoire::of_one(*lead), Repertoire::of_one(*follow), seed),
+        static_cast<std::size_t>(report.role)};
+}
+
+/// The figures of a written dance, each by itself.
+Expected<std::vector<engine::DancedWrittenFigure>> written_of(const EvalDanceArguments& arguments,
+                                                              const DanceReport& report) {
+    const auto library =
+        engine::load_dance(report.dance, report.role, engine::form_of(arguments.settings));
+    if (!library) {
+        return fail(library.error());
+    }
+    return engine::danced_written_figures(
+        report.dance, *library, static_cast<std::uint64_t>(report.seed));
+}
+
+Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
+                                               motion::DanceRole role,
+                                               const Figures& figures) {
+    if (arguments.clips.empty()) {
+        return std::vector<MeasuredDance>{};
+    }
+    motion::CapturedDancePlan plan;
+    plan.folder = arguments.clips;
+    plan.labels = arguments.labels;
+    plan.role = role;
+    plan.metres_per_unit = arguments.scale;
+    if (!arguments.counts.empty()) {
+        plan.counts = arguments.counts;
+    }
+    if (!arguments.faults.empty()) {
+        plan.faults = arguments.faults;
+    }
+    if (arguments.fps > 0.0) {
+        plan.frames_per_second = arguments.fps;
+    }
+    const auto takes = motion::measure_captured(plan, figures);
+    if (!takes) {
+        return fail(takes.error());
+    }
+    return as_rows(*takes);
+}
+
+}  // namespace
+
+ExitCode eval_dance(const EvalDanceArguments& arguments) {
+    DanceReport report;
+    report.dance = engine::dance_to_load(arguments.settings);
+    report.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
+    report.seed = arguments.settings.seed;
+    report.generator = arguments.settings.generator;
+    const auto figures = engine::trained_figures(
+        report.dance, report.role, engine::form_of(arguments.settings).features);
+    if (!figures) {
+        return fail(figures.error());
+    }
+    const auto trials = chosen_trials(report.dance, *figures, arguments.trials);
+    if (!trials) {
+        return fail(trials.error());
+    }
+    const auto cast = cast_of(arguments, report, *figures);
+    if (!cast) {
+        return fail(cast.error());
+    }
+    // Clips before trials: a fault there should not cost a minute.
+    auto people = people_of(arguments, report.role, *figures);
+    if (!people) {
+        return fail(people.error());
+    }
+    report.people = std::move(*people);
+    auto written = written_of(arguments, report);
+    if (!written) {
+        return fail(written.error());
+    }
+    report.written = std::move(*written);
+    {
+        ProgressLine progress("dancing");
+        for (const engine::DanceTrial& trial : *trials) {
+            if (stop_signal()) {
+                return kExitDone;  // half a table would mislead
+            }
+            progress.show(trial.name);
+            auto result = engine::run_trial(trial, *cast, *figures);
+            if (!result) {
+                return fail(std::move(result.error()).in(trial.name));
+            }
+            report.trials.push_back({trial.name, trial.kind, std::move(*result)});
+        }
+    }
+    const std::string text = arguments.as_json ? to_json(report) : to_text(report);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,314 @@
+// raks eval genre: how well a model tells dances apart on a folder of music.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <utility>
+
+#include "apps/raks/commands.hpp"
+#include "apps/terminal/say.hpp"
+#include "audio/evaluate/genre_folder.hpp"
+#include "audio/evaluate/genre_scores.hpp"
+#include "audio/evaluate/genre_tally.hpp"
+#include "audio/evaluate/piece_features.hpp"
+#include "audio/genre/genre_file.hpp"
+#include "audio/io/audio_file.hpp"
+#include "audio/music/damage/sound_damage.hpp"
+#include "base/parallel.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace raks::apps {
+namespace {
+
+using audio::GenreEvidence;
+using Json = nlohmann::ordered_json;
+
+struct Row {
+    std::string damage;
+    std::string evidence;
+    double seconds = 0.0;
+    audio::GenreTally tally;
+};
+
+/// What the program shows of one file: switches of the decision, and how long it was right.
+struct Shown {
+    std::string file;
+    Genre truth = Genre::unknown;
+    double seconds = 0.0;
+    int switches = 0;          ///< after the first genre
+    double right_share = 0.0;  ///< of the hops from 10 s on
+};
+
+struct Evaluation {
+    std::vector<Genre> genres;
+    std::vector<std::size_t> asked;
+    std::vector<Row> rows;
+    std::vector<Shown> shown;
+    std::vector<std::string> skipped;
+    std::size_t files = 0;
+};
+
+class WatchDecision final : public audio::MusicAnalyzer::Sink {
+ public:
+    explicit WatchDecision(Genre truth) { shown_.truth = truth; }
+    void on_state(const MusicState& state) noexcept override {
+        const bool is_switch = state.genre != last_ && last_ != Genre::unknown;
+        shown_.switches += is_switch ? 1 : 0;
+        last_ = state.genre;
+        shown_.seconds = to_seconds(state.time);
+        if (shown_.seconds >= kSettled) {
+            ++counted_;
+            right_ += state.genre == shown_.truth ? 1 : 0;
+        }
+    }
+    [[nodiscard]] Shown result(std::string file) const {
+        Shown result = shown_;
+        result.file = std::move(file);
+        result.right_share = counted_ > 0 ? static_cast<double>(right_) / counted_ : 0.0;
+        return result;
+    }
+
+ private:
+    static constexpr double kSettled = 10.0;  // s
+    Shown shown_;
+    Genre last_ = Genre::unknown;
+    int counted_ = 0;
+    int right_ = 0;
+};
+
+struct HeardFile {
+    audio::HeardPiece piece;
+    Shown shown;
+};
+
+Expected<HeardFile> hear(const audio::MusicFile& file,
+                         audio::Damage damage,
+                         const std::shared_ptr<const audio::GenreModel>& model,
+                         const std::shared_ptr<const audio::BeatNetwork>& network) {
+    auto music = audio::read_all_mono(file.path);
+    if (!music) {
+        return fail(music.error());
+    }
+    if (auto done = audio::damage(damage, music->rate.hertz(), music->samples); !done) {
+        return fail(done.error());
+    }
+    HeardFile heard;
+    heard.piece.name = file.name;
+    heard.piece.group = file.group;
+    heard.piece.genre = file.genre;
+    if (auto done = audio::hear_piece(
+            music->samples, music->rate, {network, model->features.cepstral_mean}, heard.piece);
+        !done) {
+        return fail(file.path.string() + ": " + done.error().message);
+    }
+    if (heard.piece.windows.empty()) {
+        return fail(file.path.string() + ": is silent or shorter than 1 s");
+    }
+    audio::MusicAnalyzer analyzer;
+    if (auto prepared = analyzer.prepare({.sample_rate = music->rate,
+                                          .beat_network = network,
+                                          .cepstral_mean = {},
+                                          .genre_model = model});
+        !prepared) {
+        return fail(prepared.error());
+    }
+    WatchDecision watch(file.genre);
+    analyzer.process(music->samples, watch);
+    heard.shown = watch.result(file.name);
+    return heard;
+}
+
+constexpr std::array kEvidence = {std::pair{GenreEvidence::mfcc, "mfcc"},
+                                  std::pair{GenreEvidence::mfcc_similarity, "mfcc+igs"},
+                                  std::pair{GenreEvidence::rhythm, "rhythm"},
+                                  std::pair{GenreEvidence::sound, "sound"},
+                                  std::pair{GenreEvidence::network, "network"},
+                                  std::pair{GenreEvidence::fused, "fused"}};
+
+void add_rows(const audio::GenreModel& model,
+              const std::vector<audio::WindowScore>& scores,
+              const std::string& damage,
+              Evaluation& evaluation) {
+    for (const auto& [evidence, name] : kEvidence) {
+        if (evidence == GenreEvidence::mfcc_similarity && !model.similarity) {
+            continue;
+        }
+        for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
+            const audio::GenreFusion fusion = evidence == GenreEvidence::fused
+                                                  ? model.fusion[window]
+                                                  : audio::GenreFusion{{1.0F}, {1.0F}, {}};
+            std::vector<audio::GenreScores::Values> logs;
+            logs.reserve(scores.size());
+            for (const audio::WindowScore& score : scores) {
+                logs.push_back(audio::fuse(score, fusion, evidence, model.classes()));
+            }
+            Row row{damage,
+                    name,
+                    audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                    audio::tally(scores, logs, window, evaluation.genres, evaluation.asked)};
+            if (row.tally.windows > 0) {
+                evaluation.rows.push_back(std::move(row));
+            }
+        }
+    }
+}
+
+/// Genres that occur in at least `least` files; all that occur when fewer than two do.
+std::vector<std::size_t> asked_genres(const std::vector<audio::MusicFile>& files,
+                                      const std::vector<Genre>& genres,
+                                      std::ptrdiff_t least) {
+    std::vector<std::size_t> asked;
+    for (std::size_t c = 0; c < genres.size(); ++c) {
+        const auto count = std::count_if(
+            files.begin(), files.end(), [&](const auto& file) { return file.genre == genres[c]; });
+        if (count >= least) {
+            asked.push_back(c);
+        }
+    }
+    return asked.size() < 2 && least > 1 ? asked_genres(files, genres, 1) : asked;
+}
+
+Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
+    auto model = engine::load_genre_model(arguments.model);
+    auto network = engine::load_beat_network();
+    auto files = arguments.groups.empty() ? audio::list_music(arguments.folder)
+                                          : audio::list_music(arguments.folder, arguments.groups);
+    if (!model || !network || !files) {
+        return fail(!model ? model.error() : !network ? network.error() : files.error());
+    }
+    if (!arguments.labels.empty()) {
+        std::erase_if(*files, [&](const audio::MusicFile& file) {
+            return arguments.labels.find(file.label) == std::string::npos;
+        });
+    }
+    Evaluation evaluation;
+    evaluation.genres = (*model)->genres;
+    evaluation.files = files->size();
+    constexpr std::ptrdiff_t kEnoughFiles = 5;
+    evaluation.asked = asked_genres(*files, evaluation.genres, kEnoughFiles);
+    const std::size_t damages = arguments.with_damage ? std::size(audio::kDamageNames) : 1;
+    for (std::size_t damage = 0; damage < damages; ++damage) {
+        std::vector<Expected<HeardFile>> heard(files->size(), fail("not heard"));
+        run_parallel(files->size(), arguments.threads, [&](std::size_t i) {
+            heard[i] = hear((*files)[i], static_cast<audio::Damage>(damage), *model, *network);
+        });
+        std::vector<audio::WindowScore> scores;
+        for (std::size_t i = 0; i < heard.size(); ++i) {
+            if (!heard[i]) {
+                if (damage == 0) {
+                    evaluation.skipped.push_back(heard[i].error().message);
+                }
+                continue;
+            }
+            auto part = audio::score_piece(**model, heard[i]->piece, i);
+            std::move(part.begin(), part.end(), std::back_inserter(scores));
+            if (damage == 0) {
+                evaluation.shown.push_back(std::move(heard[i]->shown));
+            }
+        }
+        if (damage > 0 && scores.empty() && !heard.empty() && !heard.front()) {
+            evaluation.skipped.push_back(heard.front().error().message);
+        }
+        add_rows(**model, scores, std::string(audio::kDamageNames[damage]), evaluation);
+    }
+    return evaluation;
+}
+
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+double switches_a_minute(const Evaluation& evaluation) {
+    double seconds = 0.0;
+    int switches = 0;
+    for (const Shown& shown : evaluation.shown) {
+        seconds += shown.seconds;
+        switches += shown.switches;
+    }
+    return seconds > 0.0 ? 60.0 * switches / seconds : 0.0;
+}
+
+std::string json_of(const Evaluation& evaluation) {
+    Json json = {{"format", "raks-eval-genre"}, {"version", 1}, {"files", evaluation.files}};
+    json["skipped"] = evaluation.skipped;
+    json["genres"] = Json::array();
+    for (const Genre genre : evaluation.genres) {
+        json["genres"].push_back(name_of(genre));
+    }
+    json["asked"] = Json::array();
+    for (const std::size_t c : evaluation.asked) {
+        json["asked"].push_back(name_of(evaluation.genres[c]));
+    }
+    json["rows"] = Json::array();
+    for (const Row& row : evaluation.rows) {
+        Json confusion = Json::array();
+        for (const auto& line : row.tally.confusion) {
+            Json shares = Json::array();
+            std::transform(line.begin(), line.end(), std::back_inserter(shares), rounded);
+            confusion.push_back(shares);
+        }
+        json["rows"].push_back({{"damage", row.damage},
+                                {"evidence", row.evidence},
+                                {"seconds", row.seconds},
+                                {"windows", row.tally.windows},
+                                {"macro_recall", rounded(row.tally.macro_recall)},
+                                {"salsa_or_belly", rounded(row.tally.two_dances)},
+                                {"auroc_unknown", rounded(row.tally.auroc_unknown)},
+                                {"calibration_error", rounded(row.tally.calibration_error)},
+                                {"confusion", confusion}});
+    }
+    json["switches_a_minute"] = rounded(switches_a_minute(evaluation));
+    json["shown"] = Json::array();
+    for (const Shown& shown : evaluation.shown) {
+        json["shown"].push_back({{"file", shown.file},
+                                 {"genre", name_of(shown.truth)},
+                                 {"switches", shown.switches},
+                                 {"right", rounded(shown.right_share)}});
+    }
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string text_of(const Evaluation& evaluation) {
+    std::string text = fmt::format("{:16} {:9} {:>6} {:>7} {:>7} {:>8} {:>7}\n",
+                                   "sound",
+                                   "evidence",
+                                   "window",
+                                   "macro",
+                                   "2 dance",
+                                   "unknown",
+                                   "ECE");
+    for (const Row& row : evaluation.rows) {
+        text += fmt::format("{:16} {:9} {:4.1f} s {:7.3f} {:7.3f} {:8.3f} {:7.3f}\n",
+                            row.damage,
+                            row.evidence,
+                            row.seconds,
+                            row.tally.macro_recall,
+                            row.tally.two_dances,
+                            row.tally.auroc_unknown,
+                            row.tally.calibration_error);
+    }
+    text += fmt::format("decision: {:.2f} switches a minute\n", switches_a_minute(evaluation));
+    return text;
+}
+
+}  // namespace
+
+ExitCode eval_genre(const EvalGenreArguments& arguments) {
+    const auto evaluation = evaluate(arguments);
+    if (!evaluation) {
+        return fail(evaluation.error());
+    }
+    for (const std::string& reason : evaluation->skipped) {
+        say("skipped " + reason);
+    }
+    if (evaluation->rows.empty()) {
+        return fail({arguments.folder.string() + ": no file could be judged"});
+    }
+    std::fputs((arguments.as_json ? json_of(*evaluation) : text_of(*evaluation)).c_str(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,152 @@
+#include "apps/raks/excerpt_analysis.hpp"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <optional>
+#include <utility>
+
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/signals.hpp"
+#include "audio/beat/paper_file.hpp"
+#include "audio/music_analyzer.hpp"
+#include "engine/offline/music_source.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+constexpr auto kBetweenLooks = std::chrono::milliseconds(100);  // at how far the workers are
+
+double rounded_seconds(StreamTime time) { return std::round(to_seconds(time) * 1e6) / 1e6; }
+
+/// Notes beats and predictions of the states whose moment lies before `end`.
+class NoteBeats final : public audio::MusicAnalyzer::Sink {
+ public:
+    void on_state(const MusicState& state) noexcept override {
+        newest = state.time;
+        if (state.time >= end) {
+            return;
+        }
+        if (state.has_beat) {
+            beats.push_back(state.beat);
+        }
+        if (state.has_predicted) {
+            predicted.push_back(rounded_seconds(state.predicted));
+        }
+    }
+    StreamTime end = StreamTime::max();
+    StreamTime newest{Nanos(-1)};
+    std::vector<BeatEvent> beats;
+    std::vector<double> predicted;
+};
+
+enum class Bars { told, not_told };
+audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
+    audio::BeatList list;
+    for (const BeatEvent& beat : beats) {
+        list.times.push_back(rounded_seconds(beat.time));
+        if (bars == Bars::told) {
+            list.bar_positions.push_back(beat.bar_position);
+        }
+    }
+    return list;
+}
+
+Expected<audio::BeatEstimate> hear_streaming(engine::MusicSource& source,
+                                             audio::BeatMethod method,
+                                             std::shared_ptr<const audio::BeatNetwork> network) {
+    auto analyzer = engine::make_analyzer(source.rate(), method, std::move(network));
+    if (!analyzer) {
+        return fail(std::move(analyzer.error()));
+    }
+    NoteBeats notes;
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        analyzer->process(block.mono, notes);
+    }
+    // Silence brings the last hops out.
+    notes.end = StreamTime(source.given());
+    const std::array<float, 256> silence{};
+    for (Nanos fed{}; fed <= analyzer->delay() + kHop && notes.newest + kHop < notes.end;
+         fed += source.rate().time_of(silence.size()).time_since_epoch()) {
+        analyzer->process(silence, notes);
+    }
+    const Bars bars = method == audio::BeatMethod::pointer ? Bars::told : Bars::not_told;
+    return audio::BeatEstimate{list_of(notes.beats, bars), std::move(notes.predicted)};
+}
+
+Expected<audio::BeatEstimate> hear_whole(engine::MusicSource& source) {
+    audio::PaperFile paper;
+    if (auto prepared = paper.prepare(source.rate()); !prepared) {
+        return fail(std::move(prepared.error()));
+    }
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        paper.add(block.mono);
+    }
+    return audio::BeatEstimate{list_of(paper.finish(source.given()), Bars::not_told), std::nullopt};
+}
+
+}  // namespace
+
+Expected<HeardBeats> hear_beats(const Path& audio,
+                                FileBeatMethod method,
+                                std::shared_ptr<const audio::BeatNetwork> network) {
+    auto source = engine::MusicSource::open(audio);
+    if (!source) {
+        return fail(std::move(source.error()));
+    }
+    auto estimate = method == FileBeatMethod::paper_whole ? hear_whole(*source)
+                    : method == FileBeatMethod::paper
+                        ? hear_streaming(*source, audio::BeatMethod::paper, nullptr)
+                        : hear_streaming(*source, audio::BeatMethod::pointer, std::move(network));
+    if (!estimate) {
+        return fail(std::move(estimate.error()).in(audio.string()));
+    }
+    return HeardBeats{std::move(*estimate), source->warning()};
+}
+
+Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
+    std::span<const audio::BeatExcerpt> excerpts,
+    FileBeatMethod method,
+    const std::vector<std::shared_ptr<const audio::BeatNetwork>>& networks,
+    const std::string& what) {
+    std::vector<std::optional<Expected<HeardBeats>>> heard(excerpts.size());
+    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> done{0};
+    // Each excerpt has its own slot. Relaxed: the futures' get() orders the slots before reading.
+    const auto work = [&] {
+        for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed); i < excerpts.size();
+             i = next.fetch_add(1, std::memory_order_relaxed)) {
+            auto result = hear_beats(excerpts[i].audio, method, networks[i]);
+            if (stop_signal()) {
+                return;  // this one may have been broken off
+            }
+            heard[i] = std::move(result);
+            done.fetch_add(1, std::memory_order_relaxed);
+        }
+    };
+    ProgressLine progress(what);
+    std::array<std::future<void>, 2> workers = {std::async(std::launch::async, work),
+                                                std::async(std::launch::async, work)};
+    for (std::future<void>& worker : workers) {
+        while (worker.wait_for(kBetweenLooks) == std::future_status::timeout) {
+            progress.show(fmt::format(
+                "{} of {} excerpts", done.load(std::memory_order_relaxed), excerpts.size()));
+        }
+        worker.get();
+    }
+    std::vector<std::optional<HeardBeats>> results;
+    for (auto& result : heard) {
+        if (result && !*result) {
+            return fail(std::move(result->error()));
+        }
+        results.push_back(result ? std::optional(std::move(**result)) : std::nullopt);
+    }
+    return results;
+}
+
+}  // namespace raks::apps

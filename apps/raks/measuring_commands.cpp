@@ -1,0 +1,118 @@
+#include <map>
+#include <string>
+
+#include "apps/raks/command_table.hpp"
+#include "apps/terminal/option_checks.hpp"
+
+namespace raks::apps {
+namespace {
+
+template <typename Methods>  // one or several
+void add_beat_option(CLI::App& app, Methods& method) {
+    const std::map<std::string, FileBeatMethod> names = {
+        {"pointer", FileBeatMethod::pointer},
+        {"paper", FileBeatMethod::paper},
+        {"paper-whole", FileBeatMethod::paper_whole},
+    };
+    app.add_option("--beat",
+                   method,
+                   "tracker: pointer, or the paper's method, streaming (paper) or with the whole "
+                   "file before it (paper-whole)")
+        ->transform(CLI::CheckedTransformer(names))
+        ->allow_extra_args(false)
+        ->option_text("pointer|paper|paper-whole");
+}
+
+void add_devices(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "devices", "list inputs and loudspeakers", devices);
+    app->add_flag("--json", a->as_json, "one JSON document");
+    app->add_flag("--has-output", a->asks_for_output, "print nothing; fail without one");
+}
+
+void add_analyze(RaksCommands& table) {
+    auto [app, a] =
+        table.add(table.app(), "analyze", "tell beats, tempo and dance of a file", analyze);
+    app->add_option("file", a->input, "music file")->required();
+    app->add_flag("--json", a->as_json, "one JSON document");
+    add_beat_option(*app, a->beat);
+    auto* plot = app->add_option("--plot", a->plot, "X.svg: a picture of what was heard");
+    app->add_option("--reference", a->reference, "beats to draw beside: seconds, bar position")
+        ->needs(plot);
+}
+
+void add_eval_dance(RaksCommands& table, CLI::App& eval) {
+    auto [app, a] = table.add(eval, "dance", "measure the dancer on generated music", eval_dance);
+    app->add_flag("--json", a->as_json, "one JSON document");
+    app->add_option("--role", a->role, "lead or follow")->check(one_of({"lead", "follow"}));
+    app->add_option("--dance", a->settings.dance, "the dance to measure");
+    add_figures_option(*app, a->settings);
+    add_generator_option(*app, a->settings);
+    app->add_option("--formation", a->settings.formation, "solo or couple")
+        ->check(one_of({"solo", "couple"}));
+    app->add_option("--seed", a->settings.seed, "same seed, same dance");
+    app->add_option("--trial", a->trials, "only this one, such as salsa-180")
+        ->allow_extra_args(false);
+    auto* clips = app->add_option("--clips", a->clips, "folder of people's clips, TAKE.bvh");
+    auto* labels =
+        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    clips->needs(labels);
+    labels->needs(clips);
+    app->add_option("--counts", a->counts, "TSV: when each count falls")->needs(clips);
+    app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong")
+        ->needs(clips);
+    app->add_option("--fps", a->fps, "frames a second of the clips, when they are wrong")
+        ->check(in_range(1.0, 1000.0));
+    app->add_option("--scale", a->scale, "metres per unit of the clips")
+        ->check(in_range(1e-4, 10.0));
+}
+
+void add_eval_genre(RaksCommands& table, CLI::App& eval) {
+    auto [app, a] = table.add(eval, "genre", "measure how dances are told apart", eval_genre);
+    app->add_option("folder", a->folder, "of music: one folder a genre")->required();
+    app->add_option("--groups", a->groups, "table of its clips: clip, genre, artist, label");
+    app->add_option("--model", a->model, "X.json instead of the one that comes with Raks");
+    app->add_option("--labels", a->labels, "only clips with one of these labels, such as AB");
+    app->add_flag("--damage", a->with_damage, "also quieter, low-passed, with noise, in a room");
+    app->add_option("--threads", a->threads)->check(in_range(1, 64));
+    app->add_flag("--json", a->as_json, "one JSON document");
+}
+
+void add_eval(RaksCommands& table) {
+    CLI::App* eval = table.app().add_subcommand("eval", "measure beats, genre and dance");
+    eval->require_subcommand(1);
+    auto [app, a] = table.add(*eval, "beats", "score the beat tracker", eval_beats);
+    app->add_option("folder", a->corpus, "index.tsv, NAME.beats, NAME.ogg")->required();
+    app->add_flag("--json", a->as_json, "one JSON document");
+    app->add_flag("--each", a->asks_for_each, "a row for each excerpt");
+    app->add_option("--class", a->category, "only excerpts of this class");
+    app->add_option("--out", a->output, "folder for NAME.beats and NAME.pred as heard");
+    app->add_option("--peers", a->peers, "folder of NAME.beats, or a folder per tracker")
+        ->allow_extra_args(false);
+    app->add_option("--network", a->network, "X.json for the pointer, or none: onsets alone");
+    app->add_option("--leave-class-out",
+                    a->left_out,
+                    "folder of CLASS.json: networks that were trained without that class");
+    add_beat_option(*app, a->methods);
+    add_eval_dance(table, *eval);
+    add_eval_genre(table, *eval);
+}
+
+void add_bench(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "bench", "measure this machine", bench);
+    app->add_option("what", a->what, "latency, analysis, motion, render or train")
+        ->required()
+        ->check(one_of({"latency", "analysis", "motion", "render", "train"}));
+    app->add_flag("--json", a->as_json, "one JSON document");
+    app->add_option("--duration", a->seconds, "seconds of music")->check(in_range(5.0, 3600.0));
+}
+
+}  // namespace
+
+void add_measuring_commands(RaksCommands& table) {
+    add_devices(table);
+    add_analyze(table);
+    add_eval(table);
+    add_bench(table);
+}
+
+}  // namespace raks::apps

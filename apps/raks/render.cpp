@@ -1,0 +1,195 @@
+#include "apps/raks/commands.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "apps/terminal/progress.hpp"
+#include "apps/terminal/say.hpp"
+#include "apps/terminal/signals.hpp"
+#include "base/file.hpp"
+#include "engine/offline/music_source.hpp"
+#include "engine/offline/offline_driver.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/show/show.hpp"
+#include "render/gl/offscreen_context.hpp"
+#include "render/gl/offscreen_target.hpp"
+#include "render/video/video_writer.hpp"
+
+namespace raks::apps {
+namespace {
+
+/// Draws the pictures that are due as the dance goes on, and hands them to the film.
+class Film final : public engine::OfflineDriver::Sink {
+ public:
+    Film(engine::Show& show,
+         render::OffscreenTarget& target,
+         render::VideoWriter& writer,
+         const RenderArguments& arguments,
+         render::FrameRate rate)
+        : show_(show),
+          target_(target),
+          writer_(writer),
+          rate_(rate),
+          start_seconds_(arguments.section.start),
+          lead_(nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3)),
+          source_(arguments.input.filename().string()),
+          rgba_(static_cast<std::size_t>(target.width()) *
+                static_cast<std::size_t>(target.height()) * 4) {}
+
+    void on_hop(const engine::PerformedHop& hop) override {
+        last_.emplace(Last{hop.music, hop.dancer});
+        tracks_ = hop.tracks;
+        while (!fault_ && next_moment() + lead_ <= time_of_hop(hop.track.newest_final())) {
+            draw();
+        }
+    }
+
+    /// The pictures up to the end of the music that have not been drawn.
+    void finish(StreamTime end) {
+        while (!fault_ && last_ && next_moment() < end) {
+            draw();
+        }
+    }
+
+    [[nodiscard]] const std::optional<Error>& fault() const noexcept { return fault_; }
+    [[nodiscard]] std::int64_t pictures() const noexcept { return next_; }
+
+ private:
+    struct Last {
+        MusicState music;
+        motion::DancerStatus dancer;
+    };
+
+    [[nodiscard]] StreamTime next_moment() const {
+        return StreamTime(Nanos(next_ * rate_.denominator * 1'000'000'000 / rate_.numerator));
+    }
+
+    void draw() {
+        const StreamTime moment = next_moment();
+        render::OverlayState info;
+        info.source = source_;
+        info.position = start_seconds_ + to_seconds(moment);
+        poses_.clear();
+        for (const motion::PoseTrack& track : tracks_) {
+            poses_.push_back(track.at(moment + lead_));
+        }
+        show_.draw({last_->music, last_->dancer, poses_, moment}, info, target_.frame());
+        auto done = target_.read_rgba(rgba_);
+        if (done) {
+            done = writer_.add_picture(rgba_);
+        }
+        if (!done) {
+            fault_ = done.error();
+        }
+        ++next_;
+    }
+
+    engine::Show& show_;
+    render::OffscreenTarget& target_;
+    render::VideoWriter& writer_;
+    render::FrameRate rate_;
+    double start_seconds_;
+    Nanos lead_;
+    std::string source_;
+    std::vector<std::uint8_t> rgba_;
+    std::int64_t next_ = 0;
+    std::optional<Last> last_;
+    std::span<const motion::PoseTrack> tracks_;
+    std::vector<motion::Pose> poses_;
+    std::optional<Error> fault_;
+};
+
+/// Feeds the music to dancer and film, to its end or to a signal.
+Expected<void> run(engine::MusicSource& source,
+                   engine::OfflineDriver& driver,
+                   render::VideoWriter& writer,
+                   Film& film) {
+    ProgressLine progress("rendering");
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        if (auto added = writer.add_sound(block.stereo); !added) {
+            return added;
+        }
+        driver.feed(block.mono, film);
+        if (film.fault()) {
+            return fail(*film.fault());
+        }
+        if (const auto share = source.progress()) {
+            progress.show(*share);
+        }
+    }
+    driver.finish(film);
+    film.finish(StreamTime(source.given()));
+    if (film.fault()) {
+        return fail(*film.fault());
+    }
+    return writer.finish();
+}
+
+}  // namespace
+
+ExitCode render(const RenderArguments& given) {
+    RenderArguments arguments = given;
+    if (arguments.input.empty()) {
+        const auto demo = engine::demo_music();
+        if (!demo) {
+            return fail(demo.error());
+        }
+        arguments.input = *demo;
+    }
+    if (auto checked = check_is_no_input(arguments.output, {arguments.input}); !checked) {
+        return fail(std::move(checked.error()));
+    }
+    auto source = engine::MusicSource::open(
+        arguments.input, arguments.section.start, arguments.section.duration);
+    if (!source) {
+        return fail(source.error());
+    }
+    const auto look = engine::read_look(arguments.settings);
+    if (!look) {
+        return fail(look.error());
+    }
+    const auto dancers = engine::Dancers::load(arguments.settings);
+    if (!dancers) {
+        return fail(dancers.error());
+    }
+    auto driver = engine::OfflineDriver::create(source->rate(), dancers->members());
+    if (!driver) {
+        return fail(std::move(driver.error()).in(arguments.input.string()));
+    }
+    render::VideoOptions options;
+    options.width = look->size.width;
+    options.height = look->size.height;
+    options.rate = render::FrameRate::nearest(arguments.settings.fps);
+    options.audio_rate = source->rate().hertz();
+    auto writer = render::VideoWriter::create(arguments.output, options);
+    if (!writer) {
+        return fail(writer.error());
+    }
+    const auto context = render::OffscreenContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    auto show = engine::Show::create(*look, arguments.settings.overlay);
+    if (!show) {
+        return fail(show.error());
+    }
+    auto target = render::OffscreenTarget::create(
+        {.width = options.width, .height = options.height, .samples = show->samples()});
+    if (!target) {
+        return fail(target.error());
+    }
+    Film film(*show, *target, **writer, arguments, options.rate);
+    if (auto ran = run(*source, *driver, **writer, film); !ran) {
+        return fail(ran.error());
+    }
+    if (!source->warning().empty()) {
+        say(source->warning());
+    }
+    return kExitDone;
+}
+
+}  // namespace raks::apps

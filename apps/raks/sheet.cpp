@@ -1,0 +1,75 @@
+#include "apps/raks/commands.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "apps/raks/sheet_file.hpp"
+#include "base/suggest.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/trials/figure_alone.hpp"
+
+namespace raks::apps {
+namespace {
+
+constexpr int kCounts = 8;       // of a sheet
+constexpr int kFilmCounts = 16;  // of a film: at least two repeats
+
+/// How long, and how often there is a pose.
+struct SheetPlan {
+    int counts = kCounts;
+    double poses_per_beat = kPosesPerBeat;
+};
+
+/// One figure from count 1 on.
+Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments,
+                                                      const SheetPlan& plan) {
+    const engine::Settings& settings = arguments.settings;
+    const auto library = engine::load_dance(
+        engine::dance_to_load(settings), motion::DanceRole::lead, engine::form_of(settings));
+    if (!library) {
+        return fail(library.error());
+    }
+    const std::vector<std::string_view> names = (*library)->figure_names();
+    const auto figure = std::find(names.begin(), names.end(), arguments.figure);
+    if (figure == names.end() && !arguments.figure.empty()) {
+        return fail(unknown_name("figure", arguments.figure, names));
+    }
+    const auto index = arguments.figure.empty() ? 0 : figure - names.begin();
+    std::vector<double> beats;
+    const auto poses = static_cast<std::size_t>(plan.counts * plan.poses_per_beat);
+    for (std::size_t i = 0; i < poses; ++i) {
+        beats.push_back(static_cast<double>(i) / plan.poses_per_beat);
+    }
+    engine::FigureOnBeat on;
+    on.figure = static_cast<std::size_t>(index);
+    on.tempo = Bpm(arguments.bpm);
+    on.seed = static_cast<std::uint64_t>(settings.seed);
+    return engine::dance_alone(*library, on, beats);
+}
+
+}  // namespace
+
+ExitCode sheet(const SheetArguments& arguments) {
+    const auto look = engine::read_look(arguments.settings);
+    if (!look) {
+        return fail(look.error());
+    }
+    const bool is_sheet = arguments.output.extension() == ".png";
+    const double fps = arguments.settings.fps;
+    const SheetPlan plan =
+        is_sheet ? SheetPlan() : SheetPlan{kFilmCounts, 60.0 * fps / arguments.bpm};
+    const auto poses = poses_of_a_figure(arguments, plan);
+    if (!poses) {
+        return fail(poses.error());
+    }
+    if (auto written = is_sheet ? write_sheet(arguments.output, *look, *poses, figure_sheet())
+                                : write_film(arguments.output, *look, *poses, fps);
+        !written) {
+        return fail(written.error());
+    }
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+
+#include "apps/raks/commands.hpp"
+#include "base/expected.hpp"
+#include "engine/show/picture.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "render/pose_sheet.hpp"
+
+namespace raks::apps {
+
+/// How figures are laid out on a sheet: two beats in eighths a row.
+constexpr int kPosesPerBeat = 8;
+[[nodiscard]] inline render::PoseSheetConfig figure_sheet() {
+    render::PoseSheetConfig config;
+    config.columns = 2 * kPosesPerBeat;
+    config.tile_width = 120;
+    config.tile_height = 180;
+    return config;
+}
+
+/// Draws a pose sheet off-screen and writes it as PNG. Errors: no OpenGL, those of the sheet and of
+/// the file.
+[[nodiscard]] Expected<void> write_sheet(const Path& output,
+                                         const engine::Look& look,
+                                         std::span<const motion::Pose> poses,
+                                         const render::PoseSheetConfig& config);
+[[nodiscard]] Expected<void> write_sheet(const Path& output,
+                                         const engine::Look& look,
+                                         std::span<const render::ClipFigure> figures,
+                                         const render::PoseSheetConfig& config);
+
+/// Films poses off-screen, one a picture: from the front and, beside it, from the side; no sound.
+/// `output`: .mp4 or .avi, or a folder of pictures. Errors: no OpenGL, those of the film.
+[[nodiscard]] Expected<void> write_film(const Path& output,
+                                        const engine::Look& look,
+                                        std::span<const motion::Pose> poses,
+                                        double fps);
+
+}  // namespace raks::apps

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/raks/commands.hpp"
+#include "apps/raks/sheet_file.hpp"
+#include "apps/raks/stick_window.hpp"
+#include "apps/terminal/say.hpp"
+#include "engine/show/clip_transport.hpp"
+#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/text_lines.hpp"
+#include "render/gl/window.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+constexpr std::size_t kSheetPoses = 24;
+
+Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
+    if (motion::lower(arguments.input.extension().string()) != ".bvh") {
+        return fail(arguments.input.string() +
+                    ": cannot read this kind of motion; known: .bvh, .toml");
+    }
+    motion::BvhOptions options;
+    if (arguments.fps > 0.0) {
+        options.frames_per_second = arguments.fps;
+    }
+    auto clip = motion::read_bvh(arguments.input, options);
+    if (clip) {
+        for (const std::string& warning : clip->warnings) {
+            say(arguments.input.string() + ": " + warning);
+        }
+    }
+    return clip;
+}
+
+/// Metres a unit as given, or as guessed, which is said.
+double scale_of(const motion::MotionClip& clip, const StickArguments& arguments) {
+    if (arguments.scale > 0.0) {
+        return arguments.scale;
+    }
+    const double guess = motion::guess_metres_per_unit(clip);
+    say(fmt::format("{}: one unit is taken for {:.4g} m, by the body's height (--scale sets it)",
+                    arguments.input.string(),
+                    guess));
+    return guess;
+}
+
+/// Fills a tile, or a window, with a standing body with its hands up, of whatever size.
+render::Camera framed(render::Camera camera, const render::ClipFigures& figures) {
+    constexpr float kDistance = 4.8F;  // for the mannequin's size; metres
+    constexpr float kMiddle = 1.0F;
+    camera.distance = std::clamp(
+        kDistance * figures.size(), render::Camera::kMinDistance, render::Camera::kMaxDistance);
+    camera.target.y = std::min(kMiddle * figures.size(), render::Camera::kMaxTargetHeight);
+    return camera;
+}
+
+/// The frame asked for alone, or some over the whole clip, the first and the last among them.
+std::vector<std::size_t> frames_to_draw(const motion::MotionClip& clip,
+                                        const std::optional<std::size_t>& frame) {
+    if (frame) {
+        return {*frame};
+    }
+    const std::size_t count = std::min(kSheetPoses, clip.frame_count);
+    std::vector<std::size_t> frames;
+    for (std::size_t i = 0; i < count; ++i) {
+        frames.push_back(count == 1 ? 0 : i * (clip.frame_count - 1) / (count - 1));
+    }
+    return frames;
+}
+
+Expected<void> write_frames(const Path& output,
+                            const engine::Look& look,
+                            const render::ClipFigures& figures,
+                            const std::vector<std::size_t>& frames) {
+    render::PoseSheetConfig config;
+    const bool is_alone = frames.size() == 1;
+    config.columns = is_alone ? 1 : 12;
+    config.tile_width = is_alone ? 720 : 180;
+    config.tile_height = is_alone ? 960 : 240;
+    for (render::Camera& camera : config.cameras) {
+        camera = framed(camera, figures);
+    }
+    std::vector<render::ClipFigure> bodies;
+    bodies.reserve(frames.size());
+    for (const std::size_t frame : frames) {
+        bodies.push_back(figures.at(frame));
+    }
+    if (auto written = write_sheet(output, look, bodies, config); !written) {
+        return written;
+    }
+    std::string numbers;
+    for (const std::size_t frame : frames) {
+        numbers += fmt::format(" {}", frame);
+    }
+    std::fputs(fmt::format("{}: front and side of frames{}\n", output.string(), numbers).c_str(),
+               stdout);
+    return {};
+}
+
+}  // namespace
+
+ExitCode stick(const StickArguments& arguments) {
+    if (!arguments.output.empty() && arguments.output.extension() != ".png") {
+        return fail(arguments.output.string() + ": cannot write this kind of picture; known: .png");
+    }
+    if (motion::lower(arguments.input.extension().string()) == ".toml") {
+        return stick_dance(arguments);
+    }
+    const auto clip = read_clip(arguments);
+    if (!clip) {
+        return fail(clip.error());
+    }
+    const std::string name = arguments.input.string();
+    if (arguments.frame && *arguments.frame >= clip->frame_count) {
+        return fail(fmt::format(
+            "{}: has no frame {}, its last is {}", name, *arguments.frame, clip->frame_count - 1));
+    }
+    const auto figures = render::ClipFigures::create(*clip, scale_of(*clip, arguments));
+    if (!figures) {
+        return fail(name + ": " + figures.error().message);
+    }
+    auto look = engine::read_look(arguments.settings);
+    if (!look) {
+        return fail(look.error());
+    }
+    look->scene.camera = framed(look->scene.camera, *figures);
+    Path output = arguments.output;
+    if (output.empty()) {
+        auto window = render::Window::create({.title = "Raks: " + name,
+                                              .width = look->size.width,
+                                              .height = look->size.height,
+                                              .max_fps = arguments.settings.fps});
+        if (window) {
+            engine::ClipTransport transport =
+                arguments.frame ? engine::ClipTransport(
+                                      clip->frame_count, clip->frames_per_second, *arguments.frame)
+                                : engine::ClipTransport(clip->frame_count, clip->frames_per_second);
+            if (auto played = play_clip(*window, *look, *figures, transport); !played) {
+                return fail(played.error());
+            }
+            return kExitDone;
+        }
+        output = arguments.input.stem();
+        output += ".png";
+        say("no window (" + window.error().message + "): drawing a sheet");
+    }
+    if (auto written =
+            write_frames(output, *look, *figures, frames_to_draw(*clip, arguments.frame));
+        !written) {
+        return fail(written.error());
+    }
+    return kExitDone;
+}
+
+}  // namespace raks::apps

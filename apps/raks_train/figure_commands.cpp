@@ -1,0 +1,76 @@
+// The options of `raks train figure` and `raks train report`.
+#include "apps/raks_train/commands.hpp"
+#include "apps/terminal/option_checks.hpp"
+
+namespace raks::apps {
+
+void add_train_figure(CommandTable& table) {
+    auto [app, a] =
+        table.add(table.app(), "figure", "learn a dance figure from motion", train_figure);
+    app->add_option("clips", a->clips, "BVH files, a folder of them, or a written X.toml")
+        ->required();
+    app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
+    auto* music = app->add_option("--music", a->music, "music danced to: its beats are the counts");
+    music->excludes(counts);
+    app->add_option("--offset", a->offset, "seconds of the music at a clip's first frame")
+        ->check(in_range(-kLongestSeconds, kLongestSeconds))
+        ->needs(music);
+    app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
+    app->add_option("--figure", a->figure, "which label, or figure of a dance, to learn");
+    app->add_option("--dance", a->dance, "the dance that it belongs to");
+    app->add_option("--role", a->role, "lead or follow")->check(one_of({"lead", "follow"}));
+    app->add_option("--features", a->features, "of the joints: angles or positions")
+        ->check(one_of({"angles", "positions"}));
+    app->add_option("--split", a->split, "only labels of this split");
+    app->add_option("--min-confidence", a->min_confidence, "only labels at least so sure")
+        ->check(in_range(0.0, 1.0));
+    app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
+        ->check(in_range(1.0, 1000.0));
+    app->add_option("--scale", a->scale, "metres per unit of the file")
+        ->check(in_range(1e-4, 10.0));
+    app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
+    app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
+    app->add_option("--covariance", a->covariance, "of the states: tied, full or diagonal")
+        ->check(one_of({"tied", "full", "diagonal"}));
+    app->add_option("--start", a->start, "where states lie before Baum-Welch: flat, segmental")
+        ->check(one_of({"flat", "segmental"}));
+    app->add_option("--source", a->source, "cmu: the model acknowledges mocap.cs.cmu.edu")
+        ->check(one_of({"cmu"}));
+    app->add_option("-o,--out", a->output, "X.json; of a dance also a folder")->required();
+}
+
+void add_train_report(CommandTable& table) {
+    auto [app, a] = table.add(table.app(), "report", "show how figures are learnt", train_report);
+    app->add_option("clips", a->clips, "BVH files, or a folder of them")->required();
+    app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")->required();
+    app->add_option("--counts", a->counts, "TSV: when each count falls");
+    app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
+    app->add_option("--figure", a->figures, "one or several; several are also told apart");
+    app->add_option("--dance", a->dance, "the dance that they belong to");
+    app->add_option("--role", a->role, "lead, follow or both")
+        ->check(one_of({"lead", "follow", "both"}));
+    app->add_option("--features", a->features, "of the joints: angles or positions")
+        ->check(one_of({"angles", "positions"}));
+    app->add_option("--split", a->split, "learn only from labels of this split");
+    app->add_option("--test-split", a->test_split, "tell figures apart in this split, too");
+    app->add_option("--min-confidence", a->min_confidence, "learn only from labels as sure")
+        ->check(in_range(0.0, 1.0));
+    app->add_option("--test-confidence", a->test_confidence, "the same of --test-split")
+        ->check(in_range(0.0, 1.0));
+    app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
+        ->check(in_range(1.0, 1000.0));
+    app->add_option("--scale", a->scales, "metres per unit of the file: lead's, follow's")
+        ->expected(1, 2)
+        ->check(in_range(1e-4, 10.0));
+    app->add_option("--most-states", a->most_states, "tried: from 2 to this")
+        ->check(in_range(2, 64));
+    app->add_option("--states", a->states, "of the models that tell figures apart")
+        ->check(in_range(2, 64));
+    app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
+    app->add_option("--threads", a->threads, "0: all cores; the page is the same for any")
+        ->check(in_range(0, 256));
+    app->add_option("-o,--out", a->output, "X.html")->required();
+}
+
+}  // namespace raks::apps

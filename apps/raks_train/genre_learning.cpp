@@ -1,0 +1,285 @@
+#include "apps/raks_train/genre_learning.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "apps/raks_train/genre_features.hpp"
+#include "apps/reports/genre_tables.hpp"
+#include "apps/terminal/say.hpp"
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/parallel.hpp"
+#include "training/genre/genre_trainer.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+std::vector<audio::WindowScore> scores_of(const audio::GenreModel& model,
+                                          std::span<const audio::HeardPiece> pieces,
+                                          int threads) {
+    std::vector<std::vector<audio::WindowScore>> parts(pieces.size());
+    run_parallel(pieces.size(), threads, [&](std::size_t i) {
+        parts[i] = audio::score_piece(model, pieces[i], i);
+    });
+    std::vector<audio::WindowScore> scores;
+    for (auto& part : parts) {
+        std::move(part.begin(), part.end(), std::back_inserter(scores));
+    }
+    return scores;
+}
+
+/// What an earlier run has learnt from written music; null if it left nothing that fits.
+std::shared_ptr<const models::RecurrentNetwork> load_weights(
+    const std::filesystem::path& path,
+    std::size_t classes,
+    const audio::NetworkTrainingPlan& plan) {
+    auto network = std::make_shared<models::RecurrentNetwork>(models::RecurrentNetwork::Shape{
+        audio::NetworkInput::kSize, plan.units, plan.layers, classes});
+    const std::span<float> weights = network->parameters();
+    const auto bytes = read_file(path, weights.size_bytes());
+    if (!bytes || bytes->size() != weights.size_bytes()) {
+        return nullptr;
+    }
+    std::memcpy(weights.data(), bytes->data(), bytes->size());
+    return network;
+}
+
+/// What an earlier run left in the cache under this name, or what `learn(report)` gives.
+template <class Learn>
+std::shared_ptr<const models::RecurrentNetwork> learnt_once(const GenreOptions& options,
+                                                            const std::string& name,
+                                                            std::size_t classes,
+                                                            const Learn& learn) {
+    const std::filesystem::path kept = options.cache / (name + ".weights");
+    if (!options.cache.empty()) {
+        if (auto known = load_weights(kept, classes, options.plan.network)) {
+            return known;
+        }
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const audio::ReportNetwork report = [&](const audio::NetworkTrainingProgress& now) {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        std::fprintf(
+            stderr,
+            "raks: network: step %d of %d, loss %.3f, of pieces kept out %.3f, %.0f s left\n",
+            now.step,
+            now.steps,
+            now.training_loss,
+            now.validation_loss,
+            spent.count() * (now.steps - now.step) / now.step);
+    };
+    auto network = std::make_shared<const models::RecurrentNetwork>(learn(report));
+    if (!options.cache.empty()) {
+        const auto weights = network->parameters();
+        static_cast<void>(write_file(
+            kept, {reinterpret_cast<const char*>(weights.data()), weights.size_bytes()}));
+    }
+    return network;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
+    const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres) {
+    std::vector<const audio::HeardPiece*> pieces;
+    std::vector<std::size_t> classes;
+    const auto hash_with = [](std::span<const float> values, std::uint64_t hash) {
+        return hash_of({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, hash);
+    };
+    std::uint64_t music = hash_of("");
+    for (const audio::HeardPiece& piece : material.pieces) {
+        pieces.push_back(&piece);
+        classes.push_back(audio::class_of(piece.genre, genres));
+        if (!piece.is_recorded()) {
+            music = hash_with(piece.mel, music);
+        }
+    }
+    std::vector<std::shared_ptr<const models::RecurrentNetwork>> networks;
+    for (int number = 0; number < options.plan.network.networks; ++number) {
+        const audio::NetworkTrainingPlan plan =
+            options.plan.network.of_network(static_cast<std::size_t>(number));
+        const std::uint64_t learnt_from =
+            plan.starts.empty() ? music : hash_with(plan.starts.front()->parameters(), music);
+        const std::string run = fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}{}",
+                                            genres.size() + 1,
+                                            plan.layers,
+                                            plan.units,
+                                            plan.written_steps,
+                                            pieces.size(),
+                                            plan.seed,
+                                            learnt_from,
+                                            without(options.effects));
+        auto learnt = learnt_once(options, run, genres.size() + 1, [&](const auto& report) {
+            return audio::train_on_written(pieces, classes, genres.size() + 1, plan, report);
+        });
+        if (plan.branches > 1) {
+            const std::string name = fmt::format("{}-{}x{}", run, plan.branches, plan.branch_steps);
+            learnt = learnt_once(options, name, genres.size() + 1, [&](const auto& report) {
+                return audio::average_branches(*learnt, pieces, classes, plan, report);
+            });
+        }
+        networks.push_back(std::move(learnt));
+    }
+    return networks;
+}
+
+namespace {
+
+/// Recordings as they are heard after each damage, one after the other.
+struct DamagedMusic {
+    std::vector<audio::HeardPiece> pieces;
+    std::vector<audio::Damage> damages;  // of each piece
+};
+
+/// Of the recordings in the material.
+DamagedMusic hear_damaged(const GenreOptions& options,
+                          const GenreMaterial& material,
+                          const audio::HearingPlan& hearing) {
+    std::set<std::string> known;
+    for (const audio::HeardPiece& piece : material.pieces) {
+        if (piece.is_recorded()) {
+            known.insert(piece.name);
+        }
+    }
+    DamagedMusic music;
+    for (std::size_t number = 1; number < std::size(audio::kDamageNames); ++number) {
+        const auto damage = static_cast<audio::Damage>(number);
+        for (audio::HeardUnit& unit : hear_recordings(material.files, options, hearing, damage)) {
+            if (!unit.fault.empty()) {
+                say(fmt::format("not judged with {}: {}", audio::kDamageNames[number], unit.fault));
+            }
+            for (audio::HeardPiece& piece : unit.pieces) {
+                if (known.contains(piece.name)) {
+                    music.pieces.push_back(std::move(piece));
+                    music.damages.push_back(damage);
+                }
+            }
+        }
+    }
+    return music;
+}
+
+/// Names of the recordings that are not to be judged by.
+std::set<std::string> unjudged(const GenreOptions& options, const GenreMaterial& material) {
+    std::set<std::string> names;
+    for (const audio::MusicFile& file : material.files) {
+        const std::string& labels = options.judged_labels;
+        if (!labels.empty() && labels.find(file.label) == std::string::npos) {
+            names.insert(file.name);
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,
+                                                            const GenreMaterial& material,
+                                                            const audio::HearingPlan& hearing,
+                                                            const std::vector<Genre>& genres) {
+    const std::vector<audio::HeardPiece>& pieces = material.pieces;
+    const DamagedMusic damaged =
+        options.judges_damage ? hear_damaged(options, material, hearing) : DamagedMusic{};
+    const auto scores =
+        audio::cross_validate(pieces, damaged.pieces, genres, options.plan, [](int done, int all) {
+            std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
+        });
+    if (!scores) {
+        return fail(scores.error());
+    }
+    const std::set<std::string> left_out = unjudged(options, material);
+    std::vector<audio::WindowScore> undamaged;
+    std::map<audio::Damage, std::vector<audio::WindowScore>> recorded;
+    for (const audio::WindowScore& score : *scores) {
+        const bool is_damaged = score.piece >= pieces.size();
+        const std::size_t number = is_damaged ? score.piece - pieces.size() : score.piece;
+        const audio::HeardPiece& piece = is_damaged ? damaged.pieces[number] : pieces[number];
+        if (!is_damaged) {
+            undamaged.push_back(score);
+        }
+        if (piece.kind == audio::HeardPiece::Kind::recorded && !left_out.contains(piece.name)) {
+            recorded[is_damaged ? damaged.damages[number] : audio::Damage::none].push_back(score);
+        }
+    }
+    if (recorded.empty()) {
+        return undamaged;
+    }
+    const auto asked = enough_recordings(pieces, genres);
+    const FoldFusions fusions(undamaged, genres.size() + 1, options.threads);
+    for (const auto& [damage, judged_scores] : recorded) {
+        const JudgedScores judged{judged_scores, fusions, nullptr};
+        const bool is_clean = damage == audio::Damage::none;
+        GenrePage page =
+            page_of(is_clean ? "recordings, by artist"
+                             : fmt::format("recordings, by artist, {}",
+                                           audio::kDamageNames[static_cast<std::size_t>(damage)]),
+                    judged,
+                    genres,
+                    asked);
+        print_page(page, asked);
+        if (is_clean && !options.report.empty()) {
+            page.files = judged_files(pieces, judged, genres, asked);
+            if (auto saved = write_file(options.report, draw_genre_page(page)); !saved) {
+                return fail(saved.error());
+            }
+        }
+    }
+    return undamaged;
+}
+
+Expected<void> test_on_written(const GenreOptions& options,
+                               const audio::HearingPlan& hearing,
+                               const audio::GenreModel& model) {
+    using Families = audio::WrittenCorpusPlan::Families;
+    const auto test = [&](const std::string& name,
+                          const auto& soundfonts,
+                          Families families,
+                          std::uint64_t seed) -> Expected<void> {
+        auto pieces = written(options,
+                              hearing,
+                              name,
+                              {.soundfonts = soundfonts,
+                               .families = families,
+                               .pieces = options.test_pieces,
+                               .seed = seed,
+                               .augmentation = audio::WrittenCorpusPlan::Augmentation::off,
+                               .hearing = {}});
+        if (!pieces) {
+            return fail(pieces.error());
+        }
+        const auto asked = all_genres(model.genres.size());
+        const auto scores = scores_of(model, *pieces, options.threads);
+        const FoldFusions fusions(scores, model.classes(), options.threads);
+        print_page(page_of(name, {scores, fusions, &model}, model.genres, asked), asked);
+        return {};
+    };
+    const std::uint64_t seed = options.seed + 500;
+    const Families known = options.leaves_out_families ? Families::always : Families::all;
+    if (auto ok = test("written, new seeds, soundfonts heard", options.soundfonts, known, seed);
+        !ok) {
+        return ok;
+    }
+    if (options.leaves_out_families) {
+        if (auto ok = test(
+                "written, rhythms never heard", options.soundfonts, Families::held_out, seed + 1);
+            !ok) {
+            return ok;
+        }
+    }
+    if (!options.test_soundfonts.empty()) {
+        return test("written, soundfont never heard", options.test_soundfonts, known, seed + 2);
+    }
+    return {};
+}
+
+}  // namespace raks::apps

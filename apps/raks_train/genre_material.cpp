@@ -1,0 +1,248 @@
+#include "apps/raks_train/genre_material.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <iterator>
+#include <utility>
+
+#include "apps/raks_train/genre_features.hpp"
+#include "apps/terminal/say.hpp"
+#include "base/hash.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
+constexpr int kFurtherShare =
+    10;  // ... a piece without a beat to dance to, and one of our own generator's
+constexpr int kSynthesizedShare = 2;  // ... a piece with sounds drawn for it
+
+/// Hears chunks; those that `is_wanted(i)` refuses stay empty.
+template <class IsWanted>
+Expected<std::vector<audio::HeardUnit>> hear_chunks(const GenreOptions& options,
+                                                    const std::vector<WrittenChunk>& chunks,
+                                                    const IsWanted& is_wanted) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t computed = std::clock();
+    std::vector<audio::HeardUnit> units(chunks.size());
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        if (is_wanted(i)) {
+            auto pieces = hear_chunk(options, chunks[i]);
+            if (!pieces) {
+                return fail(pieces.error());
+            }
+            units[i].pieces = std::move(*pieces);
+        }
+        ++done;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        std::fprintf(
+            stderr,
+            "raks: %s: %zu of %zu chunks played and heard (%.0f s of computing), %.0f s "
+            "left\n",
+            chunks[i].name.c_str(),
+            done,
+            chunks.size(),
+            static_cast<double>(std::clock() - computed) / CLOCKS_PER_SEC,
+            spent.count() * static_cast<double>(chunks.size() - done) / static_cast<double>(done));
+    }
+    return units;
+}
+
+/// The music asked for, to be written. What may be left out is written apart, so that a model
+/// without it learns the same music else.
+std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
+                                     const audio::HearingPlan& hearing) {
+    using Families = audio::WrittenCorpusPlan::Families;
+    audio::WrittenCorpusPlan plan{.soundfonts = options.soundfonts,
+                                  .families = Families::always,
+                                  .pieces = options.synthesize,
+                                  .seed = options.seed,
+                                  .hearing = {}};
+    std::vector<WrittenChunk> chunks = chunks_of(options, hearing, "written", plan);
+    if (!options.leaves_out_families) {
+        plan.families = Families::held_out;
+        plan.pieces = options.synthesize / kRestShare;
+        auto rest = chunks_of(options, hearing, "written-rest", plan);
+        std::move(rest.begin(), rest.end(), std::back_inserter(chunks));
+    }
+    if (options.edition >= 3) {
+        using Music = audio::WrittenCorpusPlan::Music;
+        plan.families = Families::always;
+        const auto add = [&](Music music, const char* name, int pieces) {
+            plan.music = music;
+            plan.pieces = pieces;
+            auto more = chunks_of(options, hearing, name, plan);
+            std::move(more.begin(), more.end(), std::back_inserter(chunks));
+        };
+        add(Music::undanceable, "written-undanceable", options.synthesize / kFurtherShare);
+        add(Music::own, "written-own", options.synthesize / kFurtherShare);
+        if (options.edition >= 4) {
+            add(Music::synthesized, "written-synthesized", options.synthesize / kSynthesizedShare);
+        }
+    }
+    return chunks;
+}
+
+std::string credit_of_written(const GenreOptions& options) {
+    if (options.synthesize == 0) {
+        return {};
+    }
+    std::string text = "Music written by this program, played with soundfonts";
+    for (const auto& soundfont : options.soundfonts) {
+        text += " " + soundfont.filename().string();
+    }
+    return text + ". ";
+}
+
+/// All units of this machine's share; recordings first.
+Expected<audio::HeardMaterial> hear_all(const GenreOptions& options,
+                                        const audio::HearingPlan& hearing) {
+    audio::HeardMaterial material;
+    material.written_with = credit_of_written(options);
+    if (!options.folder.empty()) {
+        auto listed = options.index.empty() ? audio::list_music(options.folder)
+                                            : audio::list_music(options.folder, options.index);
+        if (!listed) {
+            return fail(listed.error());
+        }
+        material.files = std::move(*listed);
+        if (auto distinct = audio::check_distinct(material.files); !distinct) {
+            return fail(distinct.error());
+        }
+        material.units = hear_recordings(material.files, options, hearing);
+    }
+    if (options.synthesize > 0) {
+        if (options.soundfonts.empty()) {
+            return fail("--synthesize needs --soundfont X.sf2: what the music is played with");
+        }
+        const std::size_t first = material.units.size();
+        auto more = hear_chunks(options, all_chunks(options, hearing), [&](std::size_t i) {
+            return options.share.has(first + i);
+        });
+        if (!more) {
+            return fail(more.error());
+        }
+        std::move(more->begin(), more->end(), std::back_inserter(material.units));
+    }
+    return material;
+}
+
+/// Says which recordings were left out.
+Expected<void> report_faults(const GenreOptions& options, const audio::HeardMaterial& material) {
+    std::size_t skipped = 0;
+    const std::string* first = nullptr;
+    for (const audio::HeardUnit& unit : material.units) {
+        if (!unit.fault.empty()) {
+            say("skipped " + unit.fault);
+            first = first == nullptr ? &unit.fault : first;
+            ++skipped;
+        }
+    }
+    if (skipped > 0) {
+        std::fprintf(stderr, "raks: %zu of %zu files skipped\n", skipped, material.files.size());
+    }
+    if (options.is_strict && skipped > 0) {
+        return fail(fmt::format("{} of {} files cannot be used (--strict): {}",
+                                skipped,
+                                material.files.size(),
+                                *first));
+    }
+    return {};
+}
+
+/// All that shapes what is heard, in one line.
+std::string plan_text(const GenreOptions& options,
+                      const audio::HearingPlan& hearing,
+                      const audio::HeardMaterial& material) {
+    std::uint64_t files = hash_of("");
+    for (const audio::MusicFile& file : material.files) {
+        files =
+            hash_of(fmt::format("{} {} {}\n", file.name, file.group, name_of(file.genre)), files);
+    }
+    return fmt::format("hearing {:x} files {:x} altered {} seed {} edition {} written {} {} {}{}",
+                       name_of_hearing(hearing, options.plan.features),
+                       files,
+                       options.altered,
+                       options.seed,
+                       options.edition,
+                       options.synthesize,
+                       options.leaves_out_families ? "always" : "all",
+                       material.written_with,
+                       without(options.effects));
+}
+
+}  // namespace
+
+Expected<std::vector<audio::HeardPiece>> written(const GenreOptions& options,
+                                                 const audio::HearingPlan& hearing,
+                                                 const std::string& name,
+                                                 const audio::WrittenCorpusPlan& plan) {
+    auto units =
+        hear_chunks(options, chunks_of(options, hearing, name, plan), [](auto) { return true; });
+    if (!units) {
+        return fail(units.error());
+    }
+    std::vector<audio::HeardPiece> pieces;
+    for (audio::HeardUnit& unit : *units) {
+        std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(pieces));
+    }
+    return pieces;
+}
+
+Expected<void> write_shard(const GenreOptions& options,
+                           const audio::HearingPlan& hearing,
+                           const std::string& command) {
+    auto material = hear_all(options, hearing);
+    if (!material) {
+        return fail(material.error());
+    }
+    if (auto reported = report_faults(options, *material); !reported) {
+        return reported;
+    }
+    const std::string plan = plan_text(options, hearing, *material);
+    return audio::save_shard({options.share, plan, command, std::move(*material)}, options.output);
+}
+
+Expected<GenreMaterial> gather(const GenreOptions& options, const audio::HearingPlan& hearing) {
+    auto heard =
+        options.shards.empty() ? hear_all(options, hearing) : audio::merge_shards(options.shards);
+    if (!heard) {
+        return fail(heard.error());
+    }
+    if (auto reported = report_faults(options, *heard); !reported) {
+        return fail(reported.error());
+    }
+    GenreMaterial material;
+    material.files = std::move(heard->files);
+    material.written_with = std::move(heard->written_with);
+    for (audio::HeardUnit& unit : heard->units) {
+        std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(material.pieces));
+    }
+    if (!options.beats_corpus.empty()) {
+        using Families = audio::WrittenCorpusPlan::Families;
+        auto more = audio::read_beats_corpus(
+            options.beats_corpus, options.leaves_out_families ? Families::always : Families::all);
+        if (!more) {
+            return fail(more.error());
+        }
+        std::move(more->begin(), more->end(), std::back_inserter(material.pieces));
+    }
+    std::erase_if(material.pieces, [&](const audio::HeardPiece& piece) {
+        const auto& left_out = options.left_out;
+        return std::find(left_out.begin(), left_out.end(), name_of(piece.genre)) != left_out.end();
+    });
+    if (material.pieces.empty() && !material.files.empty()) {
+        return fail(fmt::format("none of the {} files can be learnt from", material.files.size()));
+    }
+    if (material.pieces.empty()) {
+        return fail("no music: name a folder, or --synthesize N with --soundfont X.sf2");
+    }
+    return material;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,39 @@
+// The program raks-train, that `raks train` starts: it alone needs FluidSynth and a BLAS, which the
+// dancing program should not load.
+#include <filesystem>
+#include <string>
+
+#include "apps/raks_train/commands.hpp"
+#include "apps/terminal/program.hpp"
+#include "apps/terminal/usage.hpp"
+
+namespace {
+
+using namespace raks::apps;
+
+/// The command as it is kept in what it makes: without folders.
+std::string kept_command(int argc, char** argv) {
+    std::string command = "raks train";
+    for (int i = 1; i < argc; ++i) {
+        command += ' ' + Path(argv[i]).filename().string();
+    }
+    return command;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CommandTable table("learn dance figures, beats and genres", "raks train");
+    return run_program([&table, argc, argv]() -> ParsedCommand {
+        table.app().require_subcommand(1);
+        const std::string command = kept_command(argc, argv);
+        add_train_figure(table);
+        add_train_report(table);
+        add_train_beats(table, command);
+        add_train_genre(table, command);
+        if (const auto ended = read_usage(table.app(), argc, argv)) {
+            return {nullptr, *ended};
+        }
+        return {table.chosen(), kExitDone};
+    });
+}

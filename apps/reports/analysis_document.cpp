@@ -1,0 +1,126 @@
+#include "apps/reports/analysis_document.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace raks::apps {
+namespace {
+
+constexpr HopIndex kHopsPerPoint = 50;  // tempo, genre and loudness twice a second
+
+/// Microseconds are finer than any beat; more digits only make the document longer.
+double rounded(double seconds) { return std::round(seconds * 1e6) / 1e6; }
+double rounded(StreamTime time) { return rounded(to_seconds(time)); }
+double shortened(float value) { return std::round(static_cast<double>(value) * 1e4) / 1e4; }
+
+}  // namespace
+
+AnalysisDocument::AnalysisDocument(std::string file, SampleRate rate)
+    : file_(std::move(file)), rate_(rate) {}
+
+void AnalysisDocument::add(const MusicState& state) {
+    if (state.has_beat) {
+        beats_.push_back(state.beat);
+    }
+    if (state.has_predicted) {
+        predicted_.push_back(rounded(state.predicted));
+    }
+    beats_per_bar_ = state.grid.beats_per_bar;
+    if (state.hop % kHopsPerPoint != 0) {
+        return;
+    }
+    const double time = rounded(state.time);
+    tempo_.push_back({time, state.grid.tempo.bpm(), state.grid.confidence});
+    genre_.push_back({time, state.genre, state.genre_log_probability});
+    loudness_.push_back({time, state.loudness_lufs});
+}
+
+void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
+    beats_ = std::move(beats);
+    predicted_.clear();
+    std::size_t next = 1;  // the interval from beat next - 1 to next holds the moment
+    for (TempoPoint& point : tempo_) {
+        while (next + 1 < beats_.size() && to_seconds(beats_[next].time) <= point.time) {
+            ++next;
+        }
+        point.confidence = 0.0F;
+        if (next < beats_.size()) {
+            point.bpm = 60.0 / to_seconds(beats_[next].time - beats_[next - 1].time);
+            point.confidence = beats_[next].confidence;
+        }
+    }
+}
+
+std::string AnalysisDocument::to_json(Nanos duration) const {
+    nlohmann::ordered_json document;
+    document["format"] = "raks-analysis";
+    document["version"] = 1;
+    document["file"] = file_;
+    document["duration"] = rounded(to_seconds(duration));
+    document["sample_rate"] = rate_.hertz();
+    auto& tempo = document["tempo"] = nlohmann::ordered_json::array();
+    for (const TempoPoint& point : tempo_) {
+        tempo.push_back({{"time", point.time},
+                         {"bpm", std::round(point.bpm * 1e3) / 1e3},
+                         {"confidence", shortened(point.confidence)}});
+    }
+    auto& beats = document["beats"] = nlohmann::ordered_json::array();
+    for (const BeatEvent& beat : beats_) {
+        beats.push_back({{"time", rounded(beat.time)},
+                         {"bar_position", beat.bar_position},
+                         {"confidence", shortened(beat.confidence)}});
+    }
+    document["predicted"] = predicted_;
+    document["meter"] = beats_per_bar_;
+    auto& genre = document["genre"] = nlohmann::ordered_json::array();
+    for (const GenrePoint& point : genre_) {
+        nlohmann::ordered_json posterior;
+        for (std::size_t i = 0; i < kGenreNames.size(); ++i) {
+            posterior[std::string(kGenreNames[i])] = shortened(std::exp(point.log_probability[i]));
+        }
+        genre.push_back(
+            {{"time", point.time}, {"label", name_of(point.label)}, {"posterior", posterior}});
+    }
+    auto& loudness = document["loudness"] = nlohmann::ordered_json::array();
+    for (const LoudnessPoint& point : loudness_) {
+        loudness.push_back({{"time", point.time},
+                            {"lufs", std::round(static_cast<double>(point.lufs) * 10) / 10}});
+    }
+    // A file name need not be UTF-8; what is not is shown as the replacement character.
+    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+double AnalysisDocument::median_bpm() const {
+    std::vector<double> bpm;
+    for (const TempoPoint& point : tempo_) {
+        if (point.confidence > 0.3F) {
+            bpm.push_back(point.bpm);
+        }
+    }
+    if (bpm.empty()) {
+        return 0.0;
+    }
+    const auto middle = bpm.begin() + static_cast<std::ptrdiff_t>(bpm.size() / 2);
+    std::nth_element(bpm.begin(), middle, bpm.end());
+    return *middle;
+}
+
+std::string AnalysisDocument::to_text(Nanos duration) const {
+    const double bpm = median_bpm();
+    std::string text = fmt::format("{}: {:.1f} s\n", file_, to_seconds(duration));
+    text += bpm > 0.0 ? fmt::format("tempo  {:.1f} BPM, bars of {}\n", bpm, beats_per_bar_)
+                      : std::string("tempo  none found\n");
+    text += fmt::format("beats  {}", beats_.size());
+    if (!beats_.empty()) {
+        text += fmt::format(", the first at {:.3f} s", to_seconds(beats_.front().time));
+    }
+    text += "\ndance  ";
+    text += genre_.empty() ? "unknown" : name_of(genre_.back().label);
+    return text + "\n";
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/music_state.hpp"
+#include "base/time.hpp"
+
+namespace raks::apps {
+
+/// What `raks analyze --json` tells of one file: the streaming tracker's own announcements, without
+/// look-ahead; `beats` are never revised, `predicted` are the beats as committed 100 ms ahead.
+/// The form is in docs/file_formats.md (raks-analysis, version 1).
+class AnalysisDocument {
+ public:
+    AnalysisDocument(std::string file, SampleRate rate);
+
+    /// Takes the next state, in order.
+    void add(const MusicState& state);
+
+    /// The beats of a method that had the whole file before it, in place of the announced ones; the
+    /// tempo becomes that of the beats around each moment, and nothing is predicted.
+    void replace_beats(std::vector<BeatEvent> beats);
+
+    /// The JSON document. `duration`: length of the audio.
+    [[nodiscard]] std::string to_json(Nanos duration) const;
+
+    /// A few lines for people: tempo, meter, beats, dance, loudness.
+    [[nodiscard]] std::string to_text(Nanos duration) const;
+
+ private:
+    struct TempoPoint {
+        double time;
+        double bpm;
+        float confidence;
+    };
+    struct GenrePoint {
+        double time;
+        Genre label;
+        std::array<float, kGenreCount> log_probability;
+    };
+    struct LoudnessPoint {
+        double time;
+        float lufs;
+    };
+
+    [[nodiscard]] double median_bpm() const;
+
+    std::string file_;
+    SampleRate rate_;
+    std::vector<TempoPoint> tempo_;
+    std::vector<BeatEvent> beats_;
+    std::vector<double> predicted_;
+    std::vector<GenrePoint> genre_;
+    std::vector<LoudnessPoint> loudness_;
+    int beats_per_bar_ = 4;
+};
+
+}  // namespace raks::apps

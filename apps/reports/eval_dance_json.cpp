@@ -1,0 +1,174 @@
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "apps/reports/eval_dance_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace raks::apps {
+namespace {
+
+using engine::TrialKind;
+using Json = nlohmann::ordered_json;
+
+const char* name_of(TrialKind kind) {
+    switch (kind) {
+        case TrialKind::steady:
+            return "steady";
+        case TrialKind::ramp:
+            return "ramp";
+        case TrialKind::breaks:
+            return "breaks";
+    }
+    return "";
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json optional_number(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json figures_of(std::span<const MeasuredDance> dances) {
+    Json figures = Json::array();
+    for (const FigureSummary& figure : figure_summaries(dances)) {
+        figures.push_back({{"figure", figure.figure},
+                           {"repeats", figure.repeats},
+                           {"hips_travel", figure.hips_travel},
+                           {"toe_travel", figure.toe_travel},
+                           {"peak_toe_speed", figure.peak_toe_speed},
+                           {"peak_ball_speed", figure.peak_ball_speed},
+                           {"repeat_distance",
+                            {{"median", optional_number(figure.distance_median)},
+                             {"p10", optional_number(figure.distance_p10)},
+                             {"p90", optional_number(figure.distance_p90)}}}});
+    }
+    return figures;
+}
+
+Json values_of(const MeasuredDance& dance) {
+    Json values = Json::object();
+    for (const DanceQuantity& quantity : dance_quantities()) {
+        values[std::string(quantity.id)] = optional_number(quantity.value(dance));
+    }
+    return values;
+}
+
+/// Landings of each figure, foot and count by themselves: where a mean comes from.
+Json landings_of(const motion::LandingReport& report) {
+    std::map<std::tuple<std::string, motion::Side, int>, motion::LandingReport> groups;
+    for (const motion::Landing& landing : report.landings) {
+        groups[{landing.figure->name, landing.side, landing.count}].landings.push_back(landing);
+    }
+    Json landings = Json::array();
+    for (auto& [key, group] : groups) {
+        const auto& [figure, side, count] = key;
+        motion::summarize(group);
+        landings.push_back({{"figure", figure},
+                            {"foot", side == motion::Side::left ? "left" : "right"},
+                            {"count", count},
+                            {"landings", group.landings.size()},
+                            {"mean_ms", 1e3 * group.mean},
+                            {"deviation_ms", 1e3 * group.deviation}});
+    }
+    return landings;
+}
+
+Json written_of(const DanceReport& report) {
+    Json figures = Json::array();
+    for (const engine::DancedWrittenFigure& figure : report.written) {
+        const motion::TakeMeasures& is = figure.measures;
+        figures.push_back({{"figure", figure.name},
+                           {"hip_travel_cm_a_beat", is.hip_travel},
+                           {"toe_contacts_a_bar", is.toe_contacts},
+                           {"hand_delay_beats", is.hand_delay},
+                           {"hand_likeness", is.hand_likeness},
+                           {"jerk_rms", is.jerk_rms},
+                           {"jerk_p999", is.jerk_p999},
+                           {"slip_p90_m", is.slip_p90},
+                           {"repeat_distance_m", is.repeat_distance},
+                           {"hand_clearance_m", is.hand_clearance},
+                           {"hand_near", is.hand_near},
+                           {"least_knee_degrees", is.least_knee},
+                           {"faults", figure.faults}});
+    }
+    return figures;
+}
+
+/// Names of what lies outside its bound, or is missing where a bound asks for it.
+Json outside_of(const MeasuredDance& dance, const JerkStandard& jerk) {
+    Json outside = Json::array();
+    for (const DanceQuantity& quantity : dance_quantities()) {
+        const auto bound = quantity.bound(*dance.kind, jerk);
+        const auto value = quantity.value(dance);
+        if (bound && !(value && bound->holds(*value))) {
+            outside.push_back(std::string(quantity.id));
+        }
+    }
+    return outside;
+}
+
+Json bounds_of(TrialKind kind, const JerkStandard& jerk) {
+    Json bounds = Json::object();
+    for (const DanceQuantity& quantity : dance_quantities()) {
+        if (const auto bound = quantity.bound(kind, jerk)) {
+            bounds[std::string(quantity.id)] = {finite(bound->lowest), finite(bound->highest)};
+        }
+    }
+    return bounds;
+}
+
+}  // namespace
+
+std::string to_json(const DanceReport& report) {
+    const JerkStandard jerk = jerk_standard(report.dance, report.role);
+    Json document = {{"format", "raks-eval-dance"},
+                     {"version", 1},
+                     {"dance", report.dance},
+                     {"role", motion::kRoleNames[static_cast<std::size_t>(report.role)]},
+                     {"generator", report.generator},
+                     {"seed", report.seed}};
+    auto& bounds = document["bounds"] = Json::object();
+    for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {
+        bounds[name_of(kind)] = bounds_of(kind, jerk);
+    }
+    auto& trials = document["trials"] = Json::array();
+    for (const MeasuredDance& trial : report.trials) {
+        trials.push_back({{"name", trial.name},
+                          {"kind", name_of(*trial.kind)},
+                          {"values", values_of(trial)},
+                          {"outside", outside_of(trial, jerk)},
+                          {"landings", landings_of(trial.result.landing)},
+                          {"figures", figures_of(std::span(&trial, 1))}});
+        if (const auto& couple = trial.result.couple) {
+            trials.back()["couple"] = {{"hands_p90", couple->hands_p90},
+                                       {"facing_p90", couple->facing_p90},
+                                       {"closest", couple->closest},
+                                       {"closest_in", couple->closest_in},
+                                       {"overlapping", couple->overlapping}};
+        }
+    }
+    document["figures"] = figures_of(report.trials);
+    if (!report.written.empty()) {
+        document["written_figures"] = written_of(report);
+    }
+    if (!report.people.empty()) {
+        auto& takes = document["people"]["takes"] = Json::array();
+        for (const MeasuredDance& take : report.people) {
+            takes.push_back({{"name", take.name}, {"values", values_of(take)}});
+        }
+        document["people"]["all"] = values_of(all_people(report.people));
+        document["people"]["figures"] = figures_of(report.people);
+        auto& paces = document["people"]["jerk_by_pace"] = Json::array();
+        const auto jerks = jerk_by_pace(report.people);
+        for (std::size_t p = 0; p < jerks.size(); ++p) {
+            paces.push_back({{"pace", motion::kJudgedPaces[p]}, {"rms", jerks[p]}});
+        }
+    }
+    // A take's name need not be UTF-8; what is not is shown as the replacement character.
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace raks::apps

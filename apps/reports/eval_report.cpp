@@ -1,0 +1,138 @@
+#include "apps/reports/eval_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "apps/reports/text_table.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+using audio::BeatMeasure;
+
+constexpr std::array kByClass = {BeatMeasure::f,
+                                 BeatMeasure::cml_total,
+                                 BeatMeasure::aml_total,
+                                 BeatMeasure::prediction_f,
+                                 BeatMeasure::downbeat_f};
+
+std::string cell(BeatMeasure measure, const std::optional<double>& value) {
+    if (!value) {
+        return "-";
+    }
+    const bool is_share = audio::info_of(measure).unit == audio::BeatMeasureInfo::Unit::share;
+    return fmt::format("{:.1f}", is_share ? 100.0 * *value : *value);
+}
+
+void append_measure_names(Row& row) {
+    for (std::size_t i = 0; i < audio::kBeatMeasures; ++i) {
+        row.emplace_back(audio::info_of(static_cast<BeatMeasure>(i)).name);
+    }
+    row.emplace_back("never locked");
+}
+
+void append_scores(Row& row, const audio::BeatSummary& summary) {
+    for (std::size_t i = 0; i < audio::kBeatMeasures; ++i) {
+        const auto measure = static_cast<BeatMeasure>(i);
+        row.push_back(cell(measure, summary.scores[measure]));
+    }
+    row.push_back(std::to_string(summary.never_locked));
+}
+
+std::string one_tracker_by_class(const BeatReport& report) {
+    std::vector<Row> rows = {{report.trackers.front().name, "n"}};
+    append_measure_names(rows.front());
+    for (const BeatGroup& group : groups_of(report)) {
+        Row& row = rows.emplace_back(Row{group.name, std::to_string(group.excerpts.size())});
+        append_scores(row, summary_of(report.trackers.front(), group));
+    }
+    return text_table(rows);
+}
+
+std::string trackers_over_all(const BeatReport& report) {
+    const BeatGroup all = groups_of(report).front();
+    std::vector<Row> rows = {{fmt::format("{} excerpts", report.excerpts.size())}};
+    append_measure_names(rows.front());
+    for (const ScoredTracker& tracker : report.trackers) {
+        append_scores(rows.emplace_back(Row{tracker.name}), summary_of(tracker, all));
+    }
+    return text_table(rows);
+}
+
+std::string trackers_by_class(const BeatReport& report, BeatMeasure measure) {
+    const std::vector<BeatGroup> groups = groups_of(report);
+    std::vector<Row> rows = {{std::string(audio::info_of(measure).name)}};
+    for (const BeatGroup& group : groups) {
+        rows.front().push_back(group.name);
+    }
+    for (const ScoredTracker& tracker : report.trackers) {
+        Row row = {tracker.name};
+        for (const BeatGroup& group : groups) {
+            row.push_back(cell(measure, summary_of(tracker, group).scores[measure]));
+        }
+        // A tracker that tells no bars or predicts nothing has no place in that table.
+        if (std::any_of(row.begin() + 1, row.end(), [](const auto& c) { return c != "-"; })) {
+            rows.push_back(std::move(row));
+        }
+    }
+    return rows.size() > 1 ? "\n" + text_table(rows) : std::string();
+}
+
+std::string by_excerpt(const BeatReport& report, const ScoredTracker& tracker) {
+    std::vector<Row> rows = {{tracker.name, "class"}};
+    append_measure_names(rows.front());
+    for (std::size_t i = 0; i < report.excerpts.size(); ++i) {
+        Row& row = rows.emplace_back(Row{report.excerpts[i].name, report.excerpts[i].category});
+        append_scores(row, summary_of(tracker, {report.excerpts[i].name, {i}}));
+    }
+    return "\n" + text_table(rows);
+}
+
+}  // namespace
+
+std::vector<BeatGroup> groups_of(const BeatReport& report) {
+    std::vector<BeatGroup> groups = {{"all", {}}};
+    for (std::size_t i = 0; i < report.excerpts.size(); ++i) {
+        const std::string& category = report.excerpts[i].category;
+        groups.front().excerpts.push_back(i);
+        auto group = std::find_if(groups.begin() + 1, groups.end(), [&](const BeatGroup& known) {
+            return known.name == category;
+        });
+        if (group == groups.end()) {
+            group = groups.insert(groups.end(), {category, {}});
+        }
+        group->excerpts.push_back(i);
+    }
+    return groups;
+}
+
+audio::BeatSummary summary_of(const ScoredTracker& tracker, const BeatGroup& group) {
+    std::vector<audio::BeatScores> scores;
+    for (const std::size_t i : group.excerpts) {
+        scores.push_back(tracker.scores[i]);
+    }
+    return audio::summarize(scores);
+}
+
+std::string to_text(const BeatReport& report, Detail detail) {
+    std::string text;
+    if (report.trackers.size() == 1) {
+        text = one_tracker_by_class(report);
+    } else {
+        text = trackers_over_all(report);
+        for (const BeatMeasure measure : kByClass) {
+            text += trackers_by_class(report, measure);
+        }
+    }
+    if (detail == Detail::by_excerpt) {
+        for (const ScoredTracker& tracker : report.trackers) {
+            text += by_excerpt(report, tracker);
+        }
+    }
+    return text;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,157 @@
+#include "apps/reports/genre_page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "apps/reports/chart.hpp"
+#include "apps/reports/web_page.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+// One for each kind of evidence.
+constexpr std::array kColours = {"#dc2626", "#2563eb", "#7c3aed", "#ca8a04", "#64748b", "#16a34a"};
+
+/// From 0 to `most_x` and from 0 to 1.
+Chart empty_chart(double most_x, std::string_view x_label) {
+    Chart chart({.width = 560.0, .height = 280.0, .x = {0.0, most_x}, .y = {}, .x_label = x_label});
+    chart.grid_y(5);
+    for (int fifth = 0; fifth <= 5; ++fifth) {
+        chart.tick_x(0.2 * fifth * most_x, fmt::format("{:g}", 0.2 * fifth * most_x));
+    }
+    return chart;
+}
+
+/// A curve with a dot at each point.
+void draw_curve(Chart& chart, std::span<const Chart::Point> points, std::string_view colour) {
+    chart.line(points, fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour));
+    for (const Chart::Point& point : points) {
+        chart.dot(point, 3.0, fmt::format("fill=\"{}\"", colour));
+    }
+}
+
+/// Macro recall against the window's length, one line a kind of evidence.
+std::string recall_chart(const GenrePage& page) {
+    constexpr double kMostSeconds = 10.0;
+    std::vector<std::pair<std::string, std::vector<Chart::Point>>> lines;
+    for (const GenrePage::Row& row : page.rows) {
+        if (lines.empty() || lines.back().first != row.evidence) {
+            lines.emplace_back(row.evidence, std::vector<Chart::Point>());
+        }
+        lines.back().second.emplace_back(row.seconds, row.tally.macro_recall);
+    }
+    Chart chart = empty_chart(kMostSeconds, "window, s");
+    std::string legend = "<p>";
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const char* const colour = kColours.at(i % kColours.size());
+        draw_curve(chart, lines[i].second, colour);
+        legend +=
+            fmt::format("<b style=\"color:{}\">{}</b> &nbsp; ", colour, xml_text(lines[i].first));
+    }
+    return legend + "</p>\n" + chart.svg();
+}
+
+/// How often what is said with some chance is right.
+std::string reliability_chart(const audio::GenreTally& tally) {
+    std::vector<Chart::Point> points;
+    for (const audio::GenreTally::Bin& bin : tally.reliability) {
+        if (bin.weight > 0.0) {
+            points.emplace_back(bin.chance / bin.weight, bin.right / bin.weight);
+        }
+    }
+    Chart chart = empty_chart(1.0, "chance that was said");
+    chart.line(std::array{Chart::Point{0.0, 0.0}, Chart::Point{1.0, 1.0}},
+               "stroke=\"#94a3b8\" stroke-dasharray=\"4 4\"");
+    draw_curve(chart, points, kColours[1]);
+    return chart.svg();
+}
+
+/// Genres that were not judged are left out as truths.
+std::string confusion_table(const GenrePage& page, const audio::GenreTally& tally) {
+    std::string html = "<table><thead><tr><th>truth</th>";
+    for (const Genre genre : page.genres) {
+        html += fmt::format("<th>{}</th>", name_of(genre));
+    }
+    html += "<th>pieces</th></tr></thead><tbody>\n";
+    for (std::size_t truth = 0; truth < page.genres.size(); ++truth) {
+        const std::vector<double>& shares = tally.confusion[truth];
+        if (std::all_of(shares.begin(), shares.end(), [](double share) { return share == 0.0; })) {
+            continue;
+        }
+        html += fmt::format("<tr><td>{}</td>", name_of(page.genres[truth]));
+        for (std::size_t c = 0; c < page.genres.size(); ++c) {
+            html += fmt::format("<td class=\"{}\">{:.2f}</td>",
+                                shares[c] < 0.005 ? "none"
+                                : c == truth      ? "own"
+                                                  : "wrong",
+                                shares[c]);
+        }
+        html += fmt::format("<td>{}</td></tr>\n", tally.pieces[truth]);
+    }
+    return html + "</tbody></table>\n";
+}
+
+std::string rows_table(const GenrePage& page) {
+    std::string html =
+        "<table><thead><tr><th>evidence</th><th>window</th><th>mean recall</th><th>salsa or "
+        "belly</th><th>AUROC unknown</th><th>calibration error</th></tr></thead><tbody>\n";
+    for (const GenrePage::Row& row : page.rows) {
+        html += fmt::format(
+            "<tr><td>{}</td><td>{:.1f} s</td><td>{:.3f}</td><td>{:.3f}</td>"
+            "<td>{:.3f}</td><td>{:.3f}</td></tr>\n",
+            xml_text(row.evidence),
+            row.seconds,
+            row.tally.macro_recall,
+            row.tally.two_dances,
+            row.tally.auroc_unknown,
+            row.tally.calibration_error);
+    }
+    return html + "</tbody></table>\n";
+}
+
+std::string failing_table(const GenrePage& page) {
+    std::vector<GenrePage::File> failing;
+    std::copy_if(page.files.begin(),
+                 page.files.end(),
+                 std::back_inserter(failing),
+                 [](const GenrePage::File& file) { return file.right < 0.5; });
+    std::stable_sort(failing.begin(), failing.end(), [](const auto& a, const auto& b) {
+        return a.right < b.right;
+    });
+    std::string html =
+        "<table><thead><tr><th>file</th><th>genre</th><th>right</th></tr></thead><tbody>\n";
+    for (const GenrePage::File& file : failing) {
+        html += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.2f}</td></tr>\n",
+                            xml_text(file.name),
+                            name_of(file.truth),
+                            file.right);
+    }
+    return html + "</tbody></table>\n";
+}
+
+}  // namespace
+
+std::string draw_genre_page(const GenrePage& page) {
+    std::string body =
+        "<p class=\"sub\">Every piece was judged by a model that heard no piece of its "
+        "artist.</p>\n<h2>Recall against the window's length</h2>\n" +
+        recall_chart(page) + rows_table(page);
+    const auto fused =
+        std::find_if(page.rows.begin(), page.rows.end(), [](const GenrePage::Row& row) {
+            return row.evidence == "fused" && row.seconds == 5.0;
+        });
+    if (fused != page.rows.end()) {
+        body += "<h2>Fused, 5 s: what is taken for what</h2>\n" +
+                confusion_table(page, fused->tally) +
+                "<h2>Reliability</h2>\n<p>How often what was said with some chance was right; "
+                "dashed: what it should be.</p>\n" +
+                reliability_chart(fused->tally);
+    }
+    body += "<h2>Files that are mostly wrong</h2>\n" + failing_table(page);
+    return web_page(page.title, body);
+}
+
+}  // namespace raks::apps

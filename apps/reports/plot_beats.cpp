@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "apps/reports/plotter.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+using namespace plot_colour;
+
+constexpr double kLeastGap = 0.4;  // units between two marks: closer ones cannot be told apart
+constexpr Nanos kHitWindow = std::chrono::milliseconds(70);
+constexpr Nanos kScoredFrom = std::chrono::seconds(5);
+
+/// Which of `beats` have a beat of `others` within the window, one to one.
+std::vector<bool> hits_of(std::span<const BeatEvent> beats, std::span<const BeatEvent> others) {
+    std::vector<bool> hits(beats.size(), false);
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < beats.size() && j < others.size()) {
+        const Nanos apart = others[j].time - beats[i].time;
+        if (std::chrono::abs(apart) <= kHitWindow) {
+            hits[i] = true;
+            ++i;
+            ++j;
+        } else if (apart > Nanos(0)) {
+            ++i;
+        } else {
+            ++j;
+        }
+    }
+    return hits;
+}
+
+std::span<const BeatEvent> scored(std::span<const BeatEvent> beats) {
+    const auto first = std::find_if(beats.begin(), beats.end(), [](const BeatEvent& beat) {
+        return beat.time >= StreamTime(kScoredFrom);
+    });
+    return {first, beats.end()};
+}
+
+}  // namespace
+
+double Plotter::f_measure() const {
+    const auto beats = scored(data_.beats());
+    const auto reference = scored(*labels_.reference);
+    const auto hits = hits_of(beats, reference);
+    const auto found = static_cast<double>(std::count(hits.begin(), hits.end(), true));
+    const auto both = static_cast<double>(beats.size() + reference.size());
+    return both > 0.0 ? 2.0 * found / both : 0.0;
+}
+
+void Plotter::beat_row(std::span<const BeatEvent> beats,
+                       std::span<const BeatEvent> others,
+                       double foot,
+                       double length) {
+    const std::vector<bool> hits = hits_of(beats, others);
+    std::array<std::string, 2> paths;  // misses, hits
+    std::array<double, 2> last = {-1.0, -1.0};
+    std::string downbeats;
+    for (std::size_t i = 0; i < beats.size(); ++i) {
+        const std::size_t kind = hits[i] ? 1 : 0;
+        const double at = sheet_.x(to_seconds(beats[i].time));
+        if (at < last[kind] + kLeastGap) {
+            continue;
+        }
+        last[kind] = at;
+        const bool is_downbeat = beats[i].bar_position == 1;
+        const double reach = is_downbeat ? length : 0.66 * length;
+        paths[kind] += fmt::format("M{:.1f} {:.1f}v-{:.1f}", at, foot, reach);
+        if (is_downbeat) {
+            downbeats += fmt::format("M{0:.1f} {1:.1f}l-3.2 -5h6.4z", at, foot - reach + 2.0);
+        }
+    }
+    const bool is_compared = labels_.reference.has_value();
+    stroke(paths[0], is_compared ? kRed : kBlue, 1.6);
+    stroke(paths[1], kGreen, 1.6);
+    fill(downbeats, "#0f172a");
+}
+
+void Plotter::beats() {
+    const bool is_compared = labels_.reference.has_value();
+    const double height = is_compared ? 92.0 : 50.0;
+    const Panel panel = sheet_.begin_panel(
+        {"beats", is_compared ? "Beats against the reference" : "Beats", "", height, 0.0, 1.0});
+    sheet_.legend(panel, "#0f172a", "downbeat");
+    if (is_compared) {
+        sheet_.legend(panel, kRed, "not matched");
+        sheet_.legend(panel, kGreen, "within 70 ms");
+        sheet_.tick(panel, 0.75, "tracker");
+        sheet_.tick(panel, 0.25, "reference");
+        beat_row(data_.beats(), *labels_.reference, panel.top + 44.0, 36.0);
+        beat_row(*labels_.reference, data_.beats(), panel.top + 90.0, 36.0);
+    } else {
+        sheet_.tick(panel, 0.5, "tracker");
+        beat_row(data_.beats(), {}, panel.top + panel.height - 2.0, 40.0);
+    }
+    sheet_.end_panel();
+}
+
+void Plotter::tempo() {
+    const Values bpm =
+        collect([](const PlotColumn& c) { return c.states > 0 ? c.bpm / c.states : std::nan(""); });
+    Values seen;
+    std::copy_if(
+        bpm.begin(), bpm.end(), std::back_inserter(seen), [](double v) { return !std::isnan(v); });
+    std::string dots;
+    Values reference;
+    std::vector<double> reference_x;
+    if (labels_.reference) {
+        const auto& beats = *labels_.reference;
+        for (std::size_t i = 1; i < beats.size(); ++i) {
+            const double at = 0.5 * (to_seconds(beats[i - 1].time) + to_seconds(beats[i].time));
+            const double x = sheet_.x(at);
+            if (reference_x.empty() || x > reference_x.back() + 2.0) {
+                reference_x.push_back(x);
+                reference.push_back(60.0 / to_seconds(beats[i].time - beats[i - 1].time));
+            }
+        }
+    }
+    seen.insert(seen.end(), reference.begin(), reference.end());
+    double low = seen.empty() ? 100.0 : quantile(seen, 0.005);
+    double high = seen.empty() ? 140.0 : quantile(seen, 0.995);
+    const double spare = std::max(0.12 * (high - low), 0.5 * (24.0 - (high - low)));
+    low = std::max(0.0, low - std::max(4.0, spare));
+    high += std::max(4.0, spare);
+    const Panel panel = sheet_.begin_panel({"tempo", "Tempo", "BPM", 110.0, low, high});
+    const double step = high - low > 120.0 ? 40.0 : high - low > 50.0 ? 20.0 : 10.0;
+    for (double value = step * std::ceil(low / step); value <= high; value += step) {
+        sheet_.tick(panel, value, fmt::format("{:.0f}", value));
+    }
+    if (labels_.reference) {
+        sheet_.legend(panel, kOrange, "reference intervals");
+    }
+    sheet_.legend(panel, kBlue, "tracker");
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        dots += fmt::format("M{:.1f} {:.1f}h0", reference_x[i], panel.y(reference[i]));
+    }
+    sheet_.raw(
+        fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"4\" stroke-linecap=\"round\"/>\n",
+                    dots,
+                    kOrange));
+    stroke(line(panel, bpm), kBlue, 1.6);
+    sheet_.end_panel();
+}
+
+void Plotter::bar() {
+    int positions = 4;
+    bool is_known = false;
+    for (const BeatEvent& beat : data_.beats()) {
+        positions = std::max(positions, beat.bar_position);
+        is_known = is_known || beat.bar_position > 0;
+    }
+    const Panel panel =
+        sheet_.begin_panel({"bar", "Bar position", "beat", 76.0, 0.4, positions + 0.6});
+    for (int position = 1; position <= positions; ++position) {
+        sheet_.tick(panel, position, fmt::format("{}", position));
+    }
+    if (!is_known) {
+        sheet_.note(panel, "this tracker knows no bars");
+    }
+    const auto dots = [&](std::span<const BeatEvent> beats) {
+        std::string path;
+        double last = -1.0;
+        for (const BeatEvent& beat : beats) {
+            const double at = sheet_.x(to_seconds(beat.time));
+            if (beat.bar_position > 0 && beat.bar_position <= positions && at >= last + kLeastGap) {
+                last = at;
+                path += fmt::format("M{:.1f} {:.1f}h0", at, panel.y(beat.bar_position));
+            }
+        }
+        return path;
+    };
+    const auto draw = [&](std::span<const BeatEvent> beats, const char* colour, double width) {
+        sheet_.raw(fmt::format(
+            "<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>\n",
+            dots(beats),
+            colour,
+            width));
+    };
+    if (labels_.reference) {
+        sheet_.legend(panel, kOrange, "reference");
+        draw(*labels_.reference, kOrange, 8.0);
+        draw(*labels_.reference, "#f8fafc", 5.0);
+    }
+    sheet_.legend(panel, kBlue, "tracker");
+    draw(data_.beats(), kBlue, 4.5);
+    sheet_.end_panel();
+}
+
+void Plotter::confidence() {
+    const Values values =
+        collect([](const PlotColumn& c) { return c.states > 0 ? c.confidence / c.states : 0.0; });
+    const Panel panel = sheet_.begin_panel({"confidence", "Confidence", "0 to 1", 64.0, 0.0, 1.0});
+    sheet_.tick(panel, 0.0, "0");
+    sheet_.tick(panel, 0.5, "0.5");
+    sheet_.tick(panel, 1.0, "1");
+    fill(area(panel, values, Values(values.size(), 0.0)), "#ccfbf1");
+    stroke(line(panel, values), kTeal, 1.4);
+    sheet_.end_panel();
+}
+
+}  // namespace raks::apps

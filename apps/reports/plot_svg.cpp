@@ -1,0 +1,222 @@
+#include "apps/reports/plot_svg.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "apps/reports/plotter.hpp"
+#include "render/video/png.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+using namespace plot_colour;
+
+constexpr float kQuietest = -90.0F;  // dBFS, black
+constexpr float kLoudest = -15.0F;   // dBFS, bright
+
+/// Dark to bright, after matplotlib's "magma".
+std::array<std::uint8_t, 4> colour_of(float share) {
+    constexpr std::array<std::array<float, 3>, 6> kStops = {{{2, 3, 18},
+                                                             {58, 15, 110},
+                                                             {138, 34, 127},
+                                                             {220, 66, 102},
+                                                             {252, 148, 102},
+                                                             {252, 250, 190}}};
+    // 64 shades pack three times smaller than all, and look the same.
+    const float at = std::round(std::clamp(share, 0.0F, 1.0F) * 63.0F) / 63.0F *
+                     static_cast<float>(kStops.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+    const float part = at - static_cast<float>(i);
+    std::array<std::uint8_t, 4> rgba{0, 0, 0, 255};
+    for (std::size_t k = 0; k < 3; ++k) {
+        rgba[k] =
+            static_cast<std::uint8_t>(kStops[i][k] + part * (kStops[i + 1][k] - kStops[i][k]));
+    }
+    return rgba;
+}
+
+}  // namespace
+
+Expected<std::string> Plotter::draw() {
+    head();
+    waveform();
+    if (auto drawn = spectrogram(); !drawn) {
+        return fail(std::move(drawn.error()));
+    }
+    onsets();
+    beats();
+    tempo();
+    bar();
+    confidence();
+    return sheet_.finish();
+}
+
+std::string Plotter::line(const Panel& panel, const Values& values) const {
+    std::string path;
+    bool is_drawing = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::isnan(values[i])) {
+            is_drawing = false;
+            continue;
+        }
+        path +=
+            fmt::format("{}{:.1f} {:.1f}", is_drawing ? 'L' : 'M', column_x(i), panel.y(values[i]));
+        is_drawing = true;
+    }
+    return path;
+}
+
+std::string Plotter::area(const Panel& panel, const Values& high, const Values& low) const {
+    std::string path;
+    for (std::size_t i = 0; i < high.size(); ++i) {
+        path += fmt::format("{}{:.1f} {:.1f}", i == 0 ? 'M' : 'L', column_x(i), panel.y(high[i]));
+    }
+    for (std::size_t i = low.size(); i > 0; --i) {
+        path += fmt::format("L{:.1f} {:.1f}", column_x(i - 1), panel.y(low[i - 1]));
+    }
+    return path.empty() ? path : path + "Z";
+}
+
+void Plotter::stroke(std::string_view path, std::string_view colour, double width) {
+    sheet_.raw(
+        fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+                    "stroke-linejoin=\"round\"/>\n",
+                    path,
+                    colour,
+                    width));
+}
+
+void Plotter::fill(std::string_view path, std::string_view colour) {
+    sheet_.raw(fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, colour));
+}
+
+double Plotter::quantile(Values values, double share) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+void Plotter::head() {
+    std::string about = fmt::format(
+        "{:.1f} s, beats by {}: {}", data_.duration(), labels_.method, data_.beats().size());
+    const Values bpm =
+        collect([](const PlotColumn& c) { return c.states > 0 ? c.bpm / c.states : 0.0; });
+    if (const double median = quantile(bpm, 0.5); median > 0.0 && !data_.beats().empty()) {
+        about += fmt::format(", median tempo {:.1f} BPM", median);
+    }
+    if (labels_.reference) {
+        about += fmt::format(", F {:.1f} % against {} reference beats (within 70 ms, from 5 s on)",
+                             100.0 * f_measure(),
+                             labels_.reference->size());
+    }
+    sheet_.header(labels_.title, about);
+}
+
+void Plotter::waveform() {
+    const Values low = collect([](const PlotColumn& c) { return static_cast<double>(c.low); });
+    const Values high = collect([](const PlotColumn& c) { return static_cast<double>(c.high); });
+    double peak = 0.01;
+    for (std::size_t i = 0; i < low.size(); ++i) {
+        peak = std::max({peak, -low[i], high[i]});
+    }
+    const Panel panel =
+        sheet_.begin_panel({"waveform", "Waveform", "amplitude", 76.0, -peak, peak});
+    sheet_.tick(panel, peak, fmt::format("{:.2f}", peak));
+    sheet_.tick(panel, 0.0, "0");
+    sheet_.tick(panel, -peak, fmt::format("-{:.2f}", peak));
+    fill(area(panel, high, low), kGrey);
+    stroke(line(panel, high), kGrey, 0.6);
+    sheet_.end_panel();
+}
+
+Expected<void> Plotter::spectrogram() {
+    const Panel panel =
+        sheet_.begin_panel({"spectrogram", "Spectrogram", "Hz (mel scale)", 180.0, 0.0, 1.0});
+    const auto columns = data_.columns();
+    if (!columns.empty()) {
+        std::vector<std::uint8_t> rgba(columns.size() * kPlotBands * 4);
+        for (std::size_t row = 0; row < kPlotBands; ++row) {
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                const float level =
+                    columns[i].hops > 0 ? columns[i].level[kPlotBands - 1 - row] : kQuietest;
+                const auto colour = colour_of((level - kQuietest) / (kLoudest - kQuietest));
+                std::copy(
+                    colour.begin(),
+                    colour.end(),
+                    rgba.begin() + static_cast<std::ptrdiff_t>((row * columns.size() + i) * 4));
+            }
+        }
+        auto png = render::encode_png(
+            static_cast<int>(columns.size()), static_cast<int>(kPlotBands), rgba);
+        if (!png) {
+            return fail(std::move(png.error()));
+        }
+        sheet_.raw(
+            fmt::format("<image x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+                        "preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,{}\"/>\n",
+                        PlotSheet::kLeft,
+                        panel.top,
+                        column_x(columns.size()) - PlotSheet::kLeft,
+                        panel.height,
+                        base64(*png)));
+    }
+    const auto mel = [](double hertz) { return std::log10(1.0 + hertz / 700.0); };
+    for (const auto& [hertz, label] : {std::pair(100.0, "100"),
+                                       std::pair(500.0, "500"),
+                                       std::pair(1000.0, "1k"),
+                                       std::pair(2000.0, "2k"),
+                                       std::pair(4000.0, "4k"),
+                                       std::pair(8000.0, "8k"),
+                                       std::pair(16000.0, "16k")}) {
+        sheet_.tick(panel, (mel(hertz) - mel(30.0)) / (mel(16000.0) - mel(30.0)), label);
+    }
+    for (const float share : {1.0F, 0.75F, 0.5F, 0.25F, 0.0F}) {
+        const auto c = colour_of(share);
+        sheet_.legend(panel,
+                      fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]),
+                      fmt::format("{:.0f} dBFS", kQuietest + share * (kLoudest - kQuietest)));
+    }
+    sheet_.end_panel();
+    return {};
+}
+
+void Plotter::onsets() {
+    const Values strength =
+        collect([](const PlotColumn& c) { return static_cast<double>(c.strength); });
+    const Values threshold =
+        collect([](const PlotColumn& c) { return static_cast<double>(c.threshold); });
+    Values below = strength;
+    for (std::size_t i = 0; i < below.size(); ++i) {
+        below[i] = std::min(strength[i], threshold[i]);
+    }
+    // A single clash must not flatten all the rest.
+    const double top = std::max(1.0, 1.1 * quantile(strength, 0.998));
+    const Panel panel = sheet_.begin_panel(
+        {"onsets", "Onset strength (spectral energy flux)", "flux", 120.0, 0.0, top});
+    sheet_.tick(panel, 0.0, "0");
+    const double step = std::pow(10.0, std::floor(std::log10(0.5 * top)));
+    for (double value = step * std::max(1.0, std::round(0.4 * top / step)); value < top;
+         value *= 2.0) {
+        sheet_.tick(panel, value, fmt::format("{:g}", value));
+    }
+    sheet_.legend(panel, kOrange, "threshold (moving median)");
+    sheet_.legend(panel, kPale, "below it");
+    sheet_.legend(panel, kBlue, "onset");
+    fill(area(panel, strength, Values(strength.size(), 0.0)), kBlue);
+    fill(area(panel, below, Values(below.size(), 0.0)), kPale);
+    stroke(line(panel, threshold), kOrange, 1.2);
+    sheet_.end_panel();
+}
+
+Expected<std::string> draw_plot(const PlotData& data, const PlotLabels& labels) {
+    return Plotter(data, labels).draw();
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "apps/reports/plot_data.hpp"
+#include "apps/reports/plot_sheet.hpp"
+#include "apps/reports/plot_svg.hpp"
+#include "base/expected.hpp"
+#include "base/music_state.hpp"
+
+/// What the panels of a plot share; what is drawn lies in plot_svg.cpp (the sound) and
+/// plot_beats.cpp (what the tracker heard in it).
+namespace raks::apps {
+
+namespace plot_colour {
+inline constexpr const char* kBlue = "#2563eb";
+inline constexpr const char* kPale = "#bfdbfe";
+inline constexpr const char* kOrange = "#f97316";
+inline constexpr const char* kGreen = "#16a34a";
+inline constexpr const char* kRed = "#dc2626";
+inline constexpr const char* kGrey = "#64748b";
+inline constexpr const char* kTeal = "#0d9488";
+}  // namespace plot_colour
+
+/// Draws the panels, one method each.
+class Plotter {
+ public:
+    Plotter(const PlotData& data, const PlotLabels& labels)
+        : data_(data), labels_(labels), sheet_(data.duration()) {}
+
+    Expected<std::string> draw();
+
+ private:
+    using Panel = PlotSheet::Panel;
+    using Values = std::vector<double>;
+
+    [[nodiscard]] double column_x(std::size_t column) const {
+        return sheet_.x(static_cast<double>(column) * data_.seconds_per_column());
+    }
+
+    /// A line through the values of the columns; NaN breaks it.
+    [[nodiscard]] std::string line(const Panel& panel, const Values& values) const;
+
+    /// The area between two rows of values.
+    [[nodiscard]] std::string area(const Panel& panel, const Values& high, const Values& low) const;
+    void stroke(std::string_view path, std::string_view colour, double width);
+    void fill(std::string_view path, std::string_view colour);
+    /// The value that this share of them does not exceed; 0 where there are none.
+    [[nodiscard]] static double quantile(Values values, double share);
+
+    /// Of every column, by what `value` says.
+    template <typename Value>
+    [[nodiscard]] Values collect(Value&& value) const {
+        Values values;
+        values.reserve(data_.columns().size());
+        for (const PlotColumn& column : data_.columns()) {
+            values.push_back(value(column));
+        }
+        return values;
+    }
+
+    /// F-measure of the beats from 5 s on, +-70 ms, against the reference, which there must be.
+    [[nodiscard]] double f_measure() const;
+
+    void head();
+    void waveform();
+    Expected<void> spectrogram();
+    void onsets();
+    void beats();
+    /// Marks of some beats, those with one of the others beside them told apart.
+    void beat_row(std::span<const BeatEvent> beats,
+                  std::span<const BeatEvent> others,
+                  double foot,
+                  double length);
+    void tempo();
+    void bar();
+    void confidence();
+
+    const PlotData& data_;
+    const PlotLabels& labels_;
+    PlotSheet sheet_;
+};
+
+}  // namespace raks::apps

@@ -1,0 +1,34 @@
+#include "apps/reports/text_table.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+
+std::string text_table(const std::vector<Row>& rows) {
+    std::vector<std::size_t> widths(rows.front().size(), 3);
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widths[i] = std::max(widths[i], row[i].size());
+        }
+    }
+    std::string text;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            text += i == 0 ? fmt::format("| {:<{}} ", rows[r][i], widths[i])
+                           : fmt::format("| {:>{}} ", rows[r][i], widths[i]);
+        }
+        text += "|\n";
+        if (r == 0) {
+            for (std::size_t i = 0; i < widths.size(); ++i) {
+                text += i == 0 ? "|" + std::string(widths[i] + 2, '-')
+                               : "|" + std::string(widths[i] + 1, '-') + ":";
+            }
+            text += "|\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace raks::apps

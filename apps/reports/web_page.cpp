@@ -1,0 +1,112 @@
+#include "apps/reports/web_page.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+constexpr std::string_view kStyle =
+    "body{margin:0;background:#fff;color:#334155;"
+    "font:15px/1.5 Inter,Helvetica,Arial,sans-serif}\n"
+    "main{width:1200px;margin:0 auto;padding:36px 20px 60px}\n"
+    "h1{font-size:30px;line-height:1.2;margin:0 0 6px;color:#0f172a;font-weight:650}\n"
+    "h2{font-size:22px;margin:56px 0 2px;color:#0f172a;border-top:1px solid #cbd5e1;"
+    "padding-top:26px;font-weight:650}\n"
+    "h3{font-size:16px;margin:28px 0 2px;color:#0f172a;font-weight:650}\n"
+    "h4{font-size:13px;margin:0 0 2px;font-weight:650}\n"
+    "p{margin:2px 0 12px;max-width:860px}\n"
+    ".sub{color:#64748b}\n"
+    ".three{display:grid;grid-template-columns:repeat(3,380px);gap:10px 30px}\n"
+    ".row{display:flex;gap:13px}\n"
+    ".over{font-size:12px;color:#64748b;margin:2px 0 0 46px}\n"
+    ".feature{font-size:13px;color:#334155;margin:10px 0 2px 40px}\n"
+    ".take{font-size:12px;color:#64748b;width:250px;padding-left:40px}\n"
+    "svg{display:block}\n"
+    "svg .frame{fill:#f8fafc;stroke:#cbd5e1}\n"
+    "svg .grid{stroke:#e2e8f0;fill:none}\n"
+    "svg text{font-size:11px;fill:#64748b}\n"
+    "svg .label{text-anchor:middle;font-size:12px}\n"
+    "svg .mark{text-anchor:middle;font-size:10px}\n"
+    "table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:14px}\n"
+    "th{font-weight:600;color:#475569;text-align:right;padding:4px 12px;font-size:13px}\n"
+    "td{text-align:right;padding:4px 12px}\n"
+    "th:first-child,td:first-child{text-align:left;padding-left:0}\n"
+    "tbody tr{border-top:1px solid #e2e8f0}\n"
+    ".tables{display:flex;flex-wrap:wrap;gap:28px 44px;align-items:flex-start}\n"
+    ".own{background:#dcfce7;color:#14532d;font-weight:600}\n"
+    ".wrong{background:#fee2e2;color:#7f1d1d}\n"
+    ".none{color:#cbd5e1}\n"
+    "caption{text-align:left;font-weight:650;color:#0f172a;font-size:14px;padding-bottom:4px}\n";
+
+/// Overlong forms, surrogates, beyond U+10FFFF, and the two characters that XML forbids.
+bool is_forbidden(unsigned first, unsigned second, unsigned third) noexcept {
+    return (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+           (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F) ||
+           (first == 0xEF && second == 0xBF && third >= 0xBE);
+}
+
+/// Bytes of the UTF-8 character at the start of `text`; 0 when there is none.
+std::size_t utf8_length(std::string_view text) noexcept {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xC2 ? 0
+                               : first < 0xE0 ? 2
+                               : first < 0xF0 ? 3
+                               : first < 0xF5 ? 4
+                                              : 0;
+    if (length == 0 || length > text.size()) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    const unsigned second = length > 1 ? byte(1) : 0U;
+    const unsigned third = length > 2 ? byte(2) : 0U;
+    return is_forbidden(first, second, third) ? 0 : length;
+}
+
+}  // namespace
+
+std::string xml_text(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const char first = text.front();
+        if (length == 0) {
+            out += "\xEF\xBF\xBD";
+        } else if (first == '&') {
+            out += "&amp;";
+        } else if (first == '<') {
+            out += "&lt;";
+        } else if (first == '>') {
+            out += "&gt;";
+        } else if (first == '"') {
+            out += "&quot;";
+        } else if (length == 1 && (first < ' ' || first == '\x7F')) {
+            out += ' ';
+        } else {
+            out += text.substr(0, length);
+        }
+        text.remove_prefix(std::max<std::size_t>(1, length));
+    }
+    return out;
+}
+
+std::string web_page(std::string_view title, std::string_view body) {
+    const std::string text = xml_text(title);
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n{}"
+        "</main>\n</body>\n</html>\n",
+        text,
+        kStyle,
+        text,
+        body);
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,40 @@
+#include "apps/terminal/progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "base/printable.hpp"
+#include "base/time.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+constexpr double kSecondsBetween = 0.2;
+}
+
+ProgressLine::ProgressLine(std::string what)
+    : what_(printable(what, 60)), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+    if (has_shown_) {
+        std::fputs("\r\033[K", stderr);
+    }
+}
+
+void ProgressLine::show(double share) { show(fmt::format("{:3.0f} %", 100.0 * share)); }
+
+void ProgressLine::show(const std::string& text) {
+    const double now = to_seconds(Nanos(HostClock::now().time_since_epoch()));
+    if (!is_terminal_ || now - last_seconds_ < kSecondsBetween) {
+        return;
+    }
+    last_seconds_ = now;
+    has_shown_ = true;
+    std::fprintf(stderr, "\r\033[K%s %s", what_.c_str(), text.c_str());
+    std::fflush(stderr);
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,96 @@
+#include "apps/terminal/usage.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/terminal/exit_code.hpp"
+#include "base/printable.hpp"
+#include "base/suggest.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace raks::apps {
+namespace {
+
+/// The command that the words chose, from the program's name on.
+std::vector<const CLI::App*> chosen_commands(const CLI::App& app) {
+    std::vector<const CLI::App*> chosen = {&app};
+    for (auto inner = app.get_subcommands(); !inner.empty();
+         inner = chosen.back()->get_subcommands()) {
+        chosen.push_back(inner.back());
+    }
+    return chosen;
+}
+
+/// Without their dashes: those make all names alike.
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::App* inner : command.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(inner->get_name());
+    }
+    return names;
+}
+
+/// What is wrong with a word that nothing takes.
+std::string about_extra(const CLI::App& command, const std::string& word) {
+    const std::string name = printable(word.substr(0, word.find('=')), 40);
+    const bool is_option = name.size() > 1 && name.front() == '-';
+    const std::vector<std::string> names =
+        is_option ? option_names(command) : command_names(command);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    if (!is_option) {
+        return known.empty() ? "\"" + name + "\" is a word too many"
+                             : unknown_name("command", name, known);
+    }
+    // Of options there are too many to list.
+    const std::string_view nearest =
+        nearest_name(name.substr(std::min(name.find_first_not_of('-'), name.size())), known);
+    const std::string hint =
+        nearest.empty() ? "" : "; did you mean \"--" + std::string(nearest) + "\"?";
+    return "option \"" + name + "\" is unknown" + hint;
+}
+
+std::string about(const CLI::App& app, const CLI::Error& error) {
+    const std::vector<const CLI::App*> chosen = chosen_commands(app);
+    std::string what = error.what();
+    const std::vector<std::string> extras = app.remaining(true);
+    // A misspelt command is also one that is missing.
+    const bool is_of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                             dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (is_of_words && !extras.empty()) {
+        what = about_extra(*chosen.back(), extras.front());
+    }
+    std::string names;
+    for (const CLI::App* command : chosen) {
+        names += command->get_name() + " ";
+    }
+    return printable(what) + " (" + names + "--help shows what there is)";
+}
+
+}  // namespace
+
+std::optional<int> read_usage(CLI::App& app, int argc, char** argv) {
+    app.failure_message([](const CLI::App* program, const CLI::Error& error) {
+        return "raks: " + about(*program, error) + "\n";
+    });
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kExitDone : kExitUsage;
+    }
+    return std::nullopt;
+}
+
+}  // namespace raks::apps

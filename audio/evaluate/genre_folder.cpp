@@ -1,0 +1,225 @@
+#include "audio/evaluate/genre_folder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/text_file.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestIndex = std::size_t{16} << 20U;
+constexpr const char* kLabels =
+    "salsa (latin), belly (mideast), house (electronic), hiphop, rock, waltz or other";
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+    std::vector<std::string_view> cells;
+    while (true) {
+        const std::size_t tab = line.find('\t');
+        cells.push_back(line.substr(0, tab));
+        if (tab == std::string_view::npos) {
+            return cells;
+        }
+        line.remove_prefix(tab + 1);
+    }
+}
+
+/// Lines without their ends; empty ones are kept, so that numbers agree.
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        std::string_view line = text.substr(0, end);
+        if (line.ends_with('\r')) {
+            line.remove_suffix(1);
+        }
+        lines.push_back(line);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return lines;
+}
+
+/// Columns by name.
+class Head {
+ public:
+    explicit Head(std::string_view line) {
+        const auto cells = cells_of(line);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            columns_.emplace(cells[i], i);
+        }
+        count_ = cells.size();
+    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] bool has(std::string_view name) const { return columns_.contains(name); }
+    [[nodiscard]] std::string cell(const std::vector<std::string_view>& cells,
+                                   std::string_view name) const {
+        const auto found = columns_.find(name);
+        return found == columns_.end() ? std::string() : std::string(cells[found->second]);
+    }
+
+ private:
+    std::map<std::string_view, std::size_t> columns_;
+    std::size_t count_ = 0;
+};
+
+Expected<MusicFile> file_of(const Head& head,
+                            const std::vector<std::string_view>& cells,
+                            const fs::path& folder) {
+    const std::string label = head.cell(cells, "genre");
+    const auto genre = genre_from_label(label);
+    if (!genre) {
+        return fail(fmt::format("genre '{}' must be {}", label, kLabels));
+    }
+    MusicFile file;
+    file.name = head.cell(cells, "clip");
+    file.path = folder / file.name;
+    file.genre = *genre;
+    file.group = head.has("artist") ? head.cell(cells, "artist") : file.name;
+    file.label = head.cell(cells, "label");
+    file.may_train = !head.has("train_ok") || head.cell(cells, "train_ok") == "yes";
+    if (head.has("artist")) {
+        file.credit = fmt::format("{}, {} ({})",
+                                  head.cell(cells, "artist"),
+                                  head.cell(cells, "title"),
+                                  head.cell(cells, "licence"));
+    }
+    return file;
+}
+
+}  // namespace
+
+std::optional<Genre> genre_from_label(std::string_view label) noexcept {
+    constexpr std::array<std::pair<std::string_view, Genre>, 5> kOthers = {
+        {{"latin", Genre::salsa},
+         {"mideast", Genre::belly},
+         {"electronic", Genre::house},
+         {"other", Genre::unknown},
+         {"hip-hop", Genre::hiphop}}};
+    const auto* const known = std::find(kGenreNames.begin(), kGenreNames.end(), label);
+    if (known != kGenreNames.end()) {
+        return static_cast<Genre>(known - kGenreNames.begin());
+    }
+    for (const auto& [name, genre] : kOthers) {
+        if (label == name) {
+            return genre;
+        }
+    }
+    return std::nullopt;
+}
+
+Expected<std::vector<MusicFile>> list_music(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) {
+        return fail(folder.string() + ": no such folder");
+    }
+    std::vector<MusicFile> files;
+    const auto listed = list_folder(folder, ListingDepth::tree);
+    if (!listed) {
+        return fail(listed.error());
+    }
+    for (const fs::path& path : *listed) {
+        const fs::path inside = path.lexically_relative(folder);
+        const bool is_hidden = std::any_of(inside.begin(), inside.end(), [](const fs::path& part) {
+            return part.string().starts_with('.');
+        });
+        if (!fs::is_regular_file(path, error) || is_hidden) {
+            continue;
+        }
+        const std::string label = inside.begin()->string();
+        if (std::next(inside.begin()) == inside.end()) {
+            continue;  // beside the genres' folders: lists, licences
+        }
+        const auto genre = genre_from_label(label);
+        if (!genre) {
+            return fail(
+                fmt::format("{}: folder '{}' must be named {}", folder.string(), label, kLabels));
+        }
+        files.push_back({path, inside.string(), *genre, inside.string(), "", true, ""});
+    }
+    if (files.empty()) {
+        return fail(folder.string() + ": holds no folder of music; it needs one a genre");
+    }
+    return files;
+}
+
+Expected<std::vector<MusicFile>> list_music(const fs::path& folder, const fs::path& index) {
+    const auto text = read_text_file(index, kLargestIndex);
+    if (!text) {
+        return fail(text.error());
+    }
+    const auto lines = lines_of(*text);
+    if (lines.empty()) {
+        return fail(index.string() + ": is empty");
+    }
+    const Head head(lines.front());
+    for (const char* const column : {"clip", "genre"}) {
+        if (!head.has(column)) {
+            return fail(fmt::format("{}: line 1 names no column '{}'", index.string(), column));
+        }
+    }
+    std::vector<MusicFile> files;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].empty()) {
+            continue;
+        }
+        const auto cells = cells_of(lines[i]);
+        if (cells.size() != head.count()) {
+            return fail(fmt::format("{}: line {}: {} columns, the first line has {}",
+                                    index.string(),
+                                    i + 1,
+                                    cells.size(),
+                                    head.count()));
+        }
+        auto file = file_of(head, cells, folder);
+        if (!file) {
+            return fail(
+                fmt::format("{}: line {}: {}", index.string(), i + 1, file.error().message));
+        }
+        files.push_back(std::move(*file));
+    }
+    if (files.empty()) {
+        return fail(index.string() + ": names no file");
+    }
+    return files;
+}
+
+Expected<void> check_distinct(std::span<const MusicFile> files) {
+    std::map<std::uintmax_t, std::vector<const MusicFile*>> by_size;
+    for (const MusicFile& file : files) {
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(file.path, error);
+        if (!error) {
+            by_size[size].push_back(&file);
+        }
+    }
+    for (const auto& [size, same_size] : by_size) {
+        // Names for the contents, not these: a folder of WAV files of equal length is larger than
+        // the memory.
+        std::map<std::uint64_t, const MusicFile*> by_content;
+        for (const MusicFile* file : same_size) {
+            const Expected<std::string> content =
+                same_size.size() > 1 ? read_file(file->path) : fail("alone in its size");
+            if (!content) {
+                continue;  // what cannot be read is said when it is heard
+            }
+            const auto [found, is_new] = by_content.try_emplace(hash_of(*content), file);
+            if (!is_new && found->second->genre != file->genre) {
+                return fail(fmt::format("{} and {} are the same file under two genres; remove one",
+                                        found->second->path.string(),
+                                        file->path.string()));
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,179 @@
+#include "audio/evaluate/genre_scores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "audio/genre/genre_listener.hpp"
+#include "audio/genre/genre_recognizer.hpp"
+#include "models/hmm_scorer.hpp"
+#include "models/sliding_score.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr int kBlock = 10;  // frames
+constexpr int kBlocksASegment = BarPatterns::kSegmentHops / kBlock;
+
+/// The models of a genre model, streaming, with and without the frames that all genres share.
+class Streams {
+ public:
+    explicit Streams(const GenreModel& model) : model_(model) {
+        std::for_each(model.mfcc.begin(), model.mfcc.end(), [this](const auto& hmm) { add(hmm); });
+        add(model.background);
+        if (model.similarity) {
+            similarity_ = *models::HmmScorer::create(*model.similarity);
+            similarity_work_.resize(similarity_->states());
+        }
+        selected_.resize(static_cast<std::size_t>(model.features.dimension()));
+    }
+
+    void process(const MfccVector& vector) {
+        model_.features.select(vector, selected_);
+        double best = models::kImpossible;
+        for (std::size_t c = 0; c < scorers_.size(); ++c) {
+            scorers_[c].log_emissions(selected_, emissions_[c]);
+            sliding_[c].process(emissions_[c]);
+            if (c < model_.genres.size()) {
+                best = std::max(best, frame_density(emissions_[c]));
+            }
+        }
+        if (!similarity_) {
+            return;
+        }
+        similarity_->log_emissions(selected_, similarity_work_);
+        const bool is_shared = frame_density(similarity_work_) > best;
+        for (std::size_t c = 0; c < scorers_.size(); ++c) {
+            if (is_shared) {
+                std::fill(emissions_[c].begin(), emissions_[c].end(), 0.0);
+            }
+            sliding_rest_[c].process(emissions_[c]);
+        }
+    }
+    /// Nats a frame of a class; `rest`: by the frames that are not shared.
+    [[nodiscard]] float nats(std::size_t c, int segments) const {
+        return nats_of(sliding_[c], segments);
+    }
+    [[nodiscard]] float nats_of_rest(std::size_t c, int segments) const {
+        return similarity_ ? nats_of(sliding_rest_[c], segments) : 0.0F;
+    }
+
+ private:
+    void add(const models::GaussianHmm& hmm) {
+        const models::SlidingScore::Plan plan{.block = kBlock,
+                                              .blocks = BarPatterns::kSegments * kBlocksASegment};
+        scorers_.push_back(*models::HmmScorer::create(hmm));
+        emissions_.emplace_back(scorers_.back().states());
+        sliding_.emplace_back(scorers_.back(), plan);
+        sliding_rest_.emplace_back(scorers_.back(), plan);
+    }
+    [[nodiscard]] static float nats_of(const models::SlidingScore& sliding, int segments) {
+        const int blocks = segments * kBlocksASegment;
+        return static_cast<float>(sliding.score(blocks) / (blocks * kBlock));
+    }
+
+    const GenreModel& model_;
+    std::vector<models::HmmScorer> scorers_;
+    std::optional<models::HmmScorer> similarity_;
+    std::vector<models::SlidingScore> sliding_;
+    std::vector<models::SlidingScore> sliding_rest_;
+    std::vector<std::vector<double>> emissions_;
+    std::vector<double> selected_;
+    std::vector<double> similarity_work_;
+};
+
+}  // namespace
+
+std::size_t class_of(Genre genre, std::span<const Genre> genres) noexcept {
+    return static_cast<std::size_t>(std::find(genres.begin(), genres.end(), genre) -
+                                    genres.begin());
+}
+
+std::vector<double> balanced_weights(std::span<const WindowScore* const> scores) {
+    using Origin = std::pair<std::size_t, bool>;
+    std::map<std::size_t, double> windows_of_piece;
+    std::map<Origin, std::set<std::size_t>> pieces_of_origin;
+    std::map<std::size_t, std::set<bool>> origins_of_class;
+    for (const WindowScore* score : scores) {
+        windows_of_piece[score->piece] += 1.0;
+        pieces_of_origin[{score->truth, score->is_recorded}].insert(score->piece);
+        origins_of_class[score->truth].insert(score->is_recorded);
+    }
+    std::vector<double> weights;
+    for (const WindowScore* score : scores) {
+        const std::size_t pieces = pieces_of_origin[{score->truth, score->is_recorded}].size();
+        const std::size_t parts = origins_of_class[score->truth].size() * origins_of_class.size();
+        weights.push_back(1.0 /
+                          (windows_of_piece[score->piece] * static_cast<double>(pieces * parts)));
+    }
+    return weights;
+}
+
+namespace {
+
+void hear_with_network(const GenreModel& model,
+                       const HeardPiece& piece,
+                       std::span<WindowScore> scores) {
+    static_assert(GenreListener::kBlockHops == kBlock);
+    GenreListener listener;
+    std::size_t next = 0;  // window; they ascend by their ends
+    for (std::size_t frame = 0; frame < piece.frames.size(); ++frame) {
+        const std::span<const float> mel(piece.mel);
+        listener.next(model.networks,
+                      mel.subspan(frame * BarPatterns::kMelBands)
+                          .first<static_cast<std::size_t>(BarPatterns::kMelBands)>());
+        const auto end = static_cast<int>(frame) + 1;
+        for (; next < scores.size() && piece.windows[next].end_frame == end; ++next) {
+            listener.log_chances(piece.windows[next].segments * kBlocksASegment,
+                                 std::span(scores[next].network).first(model.classes()));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<WindowScore> score_piece(const GenreModel& model,
+                                     const HeardPiece& piece,
+                                     std::size_t piece_index) {
+    const std::size_t truth = class_of(piece.genre, model.genres);
+    std::vector<WindowScore> scores;
+    if (piece.windows.empty()) {
+        return scores;  // silence, or too short
+    }
+    scores.reserve(piece.windows.size());
+    for (const HeardWindow& window : piece.windows) {
+        WindowScore& score = scores.emplace_back();
+        score.piece = piece_index;
+        score.truth = truth;
+        score.is_recorded = piece.is_recorded();
+        score.window = static_cast<std::size_t>(
+            std::find(kGenreWindows.begin(), kGenreWindows.end(), window.segments) -
+            kGenreWindows.begin());
+        std::array<float, PatternNetwork::kInputs> inputs{};
+        model.rhythm.standardize(window.features, window.segments, inputs);
+        model.rhythm.log_chances(inputs, std::span(score.rhythm).first(model.classes()));
+        model.sound.standardize(window.features, window.segments, inputs);
+        model.sound.log_chances(inputs, std::span(score.sound).first(model.classes()));
+    }
+    hear_with_network(model, piece, scores);
+    Streams streams(model);
+    std::size_t next = 0;  // window; they ascend by their ends
+    // The scores of a window are known one block after its end: the last frame is held that long.
+    for (std::size_t frame = 0; frame < piece.frames.size() + kBlock; ++frame) {
+        streams.process(piece.frames[std::min(frame, piece.frames.size() - 1)]);
+        const auto end = static_cast<int>(frame) + 1 - kBlock;
+        for (; next < scores.size() && piece.windows[next].end_frame == end; ++next) {
+            const int segments = piece.windows[next].segments;
+            for (std::size_t c = 0; c < model.classes(); ++c) {
+                scores[next].mfcc[c] = streams.nats(c, segments);
+                scores[next].similarity[c] = streams.nats_of_rest(c, segments);
+            }
+        }
+    }
+    return scores;
+}
+
+}  // namespace raks::audio

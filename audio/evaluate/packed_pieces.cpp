@@ -1,0 +1,75 @@
+#include "audio/evaluate/packed_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace raks::audio {
+
+namespace {
+
+constexpr float kMost = 1e9F;  // beyond it sums become infinite
+
+template <class Numbers>
+bool are_sound(const Numbers& numbers) {
+    return std::all_of(
+        numbers.begin(), numbers.end(), [](float number) { return std::abs(number) < kMost; });
+}
+
+/// Whether all numbers are what hearing gives: not huge, magnitudes not negative.
+bool is_heard(const HeardPiece& piece) {
+    return std::all_of(piece.frames.begin(), piece.frames.end(), are_sound<MfccVector>) &&
+           are_sound(piece.mel) &&
+           std::all_of(piece.mel.begin(), piece.mel.end(), [](float mel) { return mel >= 0.0F; }) &&
+           std::all_of(piece.windows.begin(), piece.windows.end(), [](const HeardWindow& window) {
+               return are_sound(window.features);
+           });
+}
+
+}  // namespace
+
+void pack_piece(const HeardPiece& piece, Packer& packer) {
+    packer.put_list(piece.name);
+    packer.put_list(piece.group);
+    packer.put(piece.genre);
+    packer.put(piece.kind);
+    packer.put_list(piece.frames);
+    packer.put_list(piece.mel);
+    packer.put_list(piece.windows);
+}
+
+Expected<HeardPiece> unpack_piece(Unpacker& unpacker) {
+    HeardPiece piece;
+    piece.name = unpacker.take_list<std::string>();
+    piece.group = unpacker.take_list<std::string>();
+    piece.genre = unpacker.take<Genre>();
+    piece.kind = unpacker.take<HeardPiece::Kind>();
+    piece.frames = unpacker.take_list<std::vector<MfccVector>>();
+    piece.mel = unpacker.take_list<std::vector<float>>();
+    piece.windows = unpacker.take_list<std::vector<HeardWindow>>();
+    if (!unpacker.is_good()) {
+        return fail("is cut short");
+    }
+    if (!is_heard(piece)) {
+        return fail("holds numbers that no sound gives");
+    }
+    if (piece.mel.size() != piece.frames.size() * BarPatterns::kMelBands) {
+        return fail("frames of two kinds differ in number");
+    }
+    const bool fit =
+        std::all_of(piece.windows.begin(), piece.windows.end(), [&](const HeardWindow& window) {
+            return window.segments >= 1 && window.segments <= BarPatterns::kSegments &&
+                   window.end_frame >= window.segments * BarPatterns::kSegmentHops &&
+                   window.end_frame <= static_cast<int>(piece.frames.size());
+        });
+    if (!fit) {
+        return fail("a window lies outside its piece");
+    }
+    if (piece.genre > Genre::unknown || piece.kind > HeardPiece::Kind::written_held_out) {
+        return fail("is damaged");
+    }
+    return piece;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,108 @@
+#include "audio/evaluate/piece_features.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "audio/evaluate/packed_pieces.hpp"
+#include "audio/features/noise_floor.hpp"
+#include "audio/genre/genre_recognizer.hpp"
+#include "audio/music_analyzer.hpp"
+#include "base/file.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::audio {
+namespace {
+
+constexpr std::string_view kMagic = "raks-genre-pieces-4\n";
+constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
+
+class Listener final : public MusicAnalyzer::Sink {
+ public:
+    Listener(const MusicAnalyzer& analyzer, HeardPiece& piece)
+        : analyzer_(analyzer), piece_(piece) {}
+
+    void on_state(const MusicState& state) noexcept override {
+        if (!is_genre_evidence(state)) {
+            return;
+        }
+        piece_.frames.push_back(analyzer_.mfcc());
+        const NoiseFloor::Bands& mel =
+            noise_.subtract(analyzer_.mel_magnitudes().first<NoiseFloor::kBands>());
+        piece_.mel.insert(piece_.mel.end(), mel.begin(), mel.end());
+        if (patterns_.add(mel, state.grid, state.time) && ++closed_ % 2 == 0) {
+            keep_windows();
+        }
+    }
+
+ private:
+    void keep_windows() {
+        for (const int segments : kGenreWindows) {
+            if (segments <= patterns_.segments()) {
+                HeardWindow& window = piece_.windows.emplace_back();
+                window.segments = segments;
+                window.end_frame = static_cast<int>(piece_.frames.size());
+                patterns_.features(segments, window.features);
+            }
+        }
+    }
+
+    const MusicAnalyzer& analyzer_;
+    HeardPiece& piece_;
+    NoiseFloor noise_;
+    BarPatterns patterns_;
+    int closed_ = 0;
+};
+
+}  // namespace
+
+Expected<void> hear_piece(std::span<const float> samples,
+                          SampleRate rate,
+                          const HearingPlan& plan,
+                          HeardPiece& piece) {
+    MusicAnalyzer analyzer;
+    AnalyzerConfig config;
+    config.sample_rate = rate;
+    config.beat_network = plan.beat_network;
+    config.cepstral_mean = plan.cepstral_mean;
+    if (auto prepared = analyzer.prepare(config); !prepared) {
+        return prepared;
+    }
+    Listener listener(analyzer, piece);
+    analyzer.process(samples, listener);
+    return {};
+}
+
+Expected<void> save_pieces(std::span<const HeardPiece> pieces, const std::filesystem::path& path) {
+    Packer packer(kMagic);
+    for (const HeardPiece& piece : pieces) {
+        pack_piece(piece, packer);
+    }
+    return write_file(path, packer.take());
+}
+
+Expected<std::vector<HeardPiece>> load_pieces(const std::filesystem::path& path) {
+    const auto start = read_file_start(path, kMagic.size());
+    if (!start) {
+        return fail(start.error());
+    }
+    if (*start != kMagic) {
+        return fail(path.string() + ": no pieces that this program heard; remove it");
+    }
+    const auto bytes = read_file(path, kMostBytes);
+    if (!bytes) {
+        return fail(bytes.error());
+    }
+    Unpacker unpacker(std::string_view(*bytes).substr(std::min(start->size(), bytes->size())));
+    std::vector<HeardPiece> pieces;
+    while (!unpacker.at_end()) {
+        auto piece = unpack_piece(unpacker);
+        if (!piece) {
+            return fail(fmt::format("{}: {}; remove it", path.string(), piece.error().message));
+        }
+        pieces.push_back(std::move(*piece));
+    }
+    return pieces;
+}
+
+}  // namespace raks::audio

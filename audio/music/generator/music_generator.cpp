@@ -1,0 +1,175 @@
+#include "audio/music/generator/music_generator.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "audio/music/generator/mixer.hpp"
+#include "audio/music/generator/notes.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr std::array<std::string_view, 8> kStyleNames{
+    "clicks", "drums", "salsa", "maqsum", "house", "rock", "hiphop", "waltz"};
+constexpr double kMaxSeconds = 3600.0;
+
+/// Collects the faults of a plan as one line.
+class Faults {
+ public:
+    void require(bool is_fine, const std::string& otherwise) {
+        if (!is_fine) {
+            text_ += (text_.empty() ? "" : "; ") + otherwise;
+        }
+    }
+    [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+ private:
+    std::string text_;
+};
+
+bool is_in(double value, double low, double high) {  // false for NaN
+    return value >= low && value <= high;
+}
+
+void check_tempo(const std::vector<TempoPoint>& tempo, Faults& faults) {
+    faults.require(!tempo.empty(), "tempo has no point");
+    for (std::size_t i = 0; i < tempo.size(); ++i) {
+        const std::string name = "tempo[" + std::to_string(i) + "]";
+        faults.require(is_in(tempo[i].bpm, 20.0, 400.0),
+                       name + ".bpm is " + std::to_string(tempo[i].bpm) + ", must be 20 to 400");
+        faults.require(is_in(tempo[i].seconds, -kMaxSeconds, 2 * kMaxSeconds) &&
+                           (i == 0 || tempo[i].seconds >= tempo[i - 1].seconds),
+                       name + ".seconds is " + std::to_string(tempo[i].seconds) +
+                           ", must not lie before the point before it");
+    }
+}
+
+void check_silences(const std::vector<Silence>& silences, Faults& faults) {
+    double end = 0.0;
+    for (std::size_t i = 0; i < silences.size(); ++i) {
+        faults.require(is_in(silences[i].from_seconds, end, kMaxSeconds) &&
+                           is_in(silences[i].to_seconds, silences[i].from_seconds, kMaxSeconds),
+                       "silences[" + std::to_string(i) + "] must be ascending and not overlap");
+        end = silences[i].to_seconds;
+    }
+}
+
+std::string faults_of(const MusicPlan& plan) {
+    Faults faults;
+    check_tempo(plan.tempo, faults);
+    check_silences(plan.silences, faults);
+    faults.require(
+        plan.seconds > 0.0 && plan.seconds <= kMaxSeconds,
+        "seconds is " + std::to_string(plan.seconds) + ", must be above 0, at most 3600");
+    faults.require(plan.rate.is_supported(),
+                   "rate is " + std::to_string(plan.rate.hertz()) + " Hz, must be 8000 to 192000");
+    faults.require(plan.channels == 1 || plan.channels == 2,
+                   "channels is " + std::to_string(plan.channels) + ", must be 1 or 2");
+    faults.require(is_in(plan.first_beat_seconds, 0.0, kMaxSeconds),
+                   "first_beat_seconds must be 0 to 3600");
+    return faults.text();
+}
+
+Notes write_score(Style style, double beats, std::uint64_t seed) {
+    switch (style) {
+        case Style::clicks:
+            return write_clicks(beats);
+        case Style::drums:
+            return write_drums(beats, seed);
+        case Style::salsa:
+            return write_salsa(beats, seed);
+        case Style::maqsum:
+            return write_maqsum(beats, seed);
+        case Style::house:
+            return write_house(beats, seed);
+        case Style::rock:
+            return write_rock(beats, seed);
+        case Style::hiphop:
+            return write_hiphop(beats, seed);
+        case Style::waltz:
+            return write_waltz(beats, seed);
+    }
+    return {};
+}
+
+std::vector<FrameRange> silent_frames(const MusicPlan& plan) {
+    std::vector<FrameRange> ranges;
+    for (const Silence& silence : plan.silences) {
+        ranges.push_back({std::llround(silence.from_seconds * plan.rate.hertz()),
+                          std::llround(silence.to_seconds * plan.rate.hertz())});
+    }
+    return ranges;
+}
+
+std::vector<ReferenceBeat> reference_beats(const MusicPlan& plan,
+                                           const TempoCurve& curve,
+                                           const std::vector<FrameRange>& silences) {
+    const int bar = beats_per_bar(plan.style);
+    std::vector<ReferenceBeat> beats;
+    for (int number = 0;; ++number) {
+        const double seconds = curve.seconds_at(number);
+        const std::int64_t frame = std::llround(seconds * plan.rate.hertz());
+        if (seconds >= plan.seconds) {
+            return beats;
+        }
+        bool is_audible = true;
+        for (const FrameRange& silence : silences) {
+            is_audible = is_audible && (frame < silence.from || frame >= silence.to);
+        }
+        beats.push_back({stream_time_from_seconds(seconds), number % bar + 1, is_audible});
+    }
+}
+
+}  // namespace
+
+Expected<Style> style_from_name(std::string_view name) {
+    std::string known;
+    for (std::size_t i = 0; i < kStyleNames.size(); ++i) {
+        if (name == kStyleNames[i]) {
+            return static_cast<Style>(i);
+        }
+        known += (i == 0 ? "" : ", ") + std::string(kStyleNames[i]);
+    }
+    return fail("style '" + std::string(name) + "' is not known; there are " + known);
+}
+
+std::string_view name_of(Style style) noexcept {
+    return kStyleNames[static_cast<std::size_t>(style)];
+}
+
+std::vector<float> GeneratedMusic::mono() const {
+    if (channels == 1) {
+        return samples;
+    }
+    std::vector<float> out(samples.size() / 2);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        out[i] = 0.5F * (samples[2 * i] + samples[2 * i + 1]);
+    }
+    return out;
+}
+
+Expected<GeneratedMusic> generate(const MusicPlan& plan) {
+    if (const std::string faults = faults_of(plan); !faults.empty()) {
+        return fail("music plan: " + faults);
+    }
+    const TempoCurve curve(plan.tempo, plan.first_beat_seconds);
+    const std::vector<FrameRange> silences = silent_frames(plan);
+    const Notes score = write_score(plan.style, curve.beats_at(plan.seconds), plan.seed);
+    Mixer mixer(plan, curve, score);
+    GeneratedMusic music{.rate = plan.rate,
+                         .channels = 2,
+                         .samples = mixer.render(silences),
+                         .beats = reference_beats(plan, curve, silences)};
+    if (plan.channels == 1) {
+        music.samples = music.mono();
+        music.channels = 1;
+    }
+    return music;
+}
+
+MusicPlan demo_plan() {
+    return {.style = Style::salsa, .tempo = {{0.0, 184.0}}, .seconds = 60.0, .seed = 7};
+}
+
+}  // namespace raks::audio

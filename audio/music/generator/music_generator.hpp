@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "audio/music/generator/tempo_curve.hpp"
+#include "base/expected.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+/// What the generator plays. All are in bars of four beats, but for the waltz.
+enum class Style : std::uint8_t {
+    clicks,  ///< one dry click on every beat, the downbeat higher; nothing else
+    drums,   ///< rock kit: bass drum 1 and 3, snare 2 and 4, hi-hat in eighths
+    salsa,   ///< son clave, tumbao bass, montuno piano, congas, bell, brass; best at 150-220 BPM
+    maqsum,  ///< darbuka D T - T D - T -, riq, oud in hijaz; best at 90-140 BPM
+    house,   ///< four on the floor, off-beat hats and bass, stabs, pad; best at 115-130 BPM
+    rock,    ///< straight eighths, snare 2 and 4, power chords; best at 110-150 BPM
+    hiphop,  ///< swung sixteenths, snare and clap 2 and 4, deep bass; best at 75-105 BPM
+    waltz    ///< bars of three: bass on 1, chords on 2 and 3, a melody; best at 80-190 BPM
+};
+[[nodiscard]] constexpr int beats_per_bar(Style style) noexcept {
+    return style == Style::waltz ? 3 : 4;
+}
+
+/// "clicks", "drums", "salsa" and so on, as above. Errors: any other name (the error lists them).
+[[nodiscard]] Expected<Style> style_from_name(std::string_view name);
+[[nodiscard]] std::string_view name_of(Style style) noexcept;
+
+/// A stretch of digital silence, [from, to) in seconds since the start of the piece.
+struct Silence {
+    double from_seconds = 0.0;
+    double to_seconds = 0.0;
+};
+
+/// What to play. Check with generate(), which names every fault.
+struct MusicPlan {
+    Style style = Style::salsa;
+    /// Tempo over time, see TempoCurve: piecewise linear in seconds, constant before the first
+    /// and after the last point, two points at the same second are a jump. 20 to 400 BPM.
+    std::vector<TempoPoint> tempo{{0.0, 180.0}};
+    double seconds = 30.0;            ///< length of the piece, (0, 3600]
+    SampleRate rate{48'000};          ///< a supported one
+    int channels = 2;                 ///< 1 (the average of the two) or 2
+    std::uint64_t seed = 1;           ///< key, chords, clave side, melody, small accents
+    double first_beat_seconds = 0.0;  ///< when beat 0, a downbeat, sounds; >= 0
+    std::vector<Silence> silences{};  ///< ascending, not overlapping; the beats count on inside
+};
+
+/// A beat that the piece was made from.
+struct ReferenceBeat {
+    StreamTime time{};       ///< to the nanosecond; its sounds start at the nearest sample
+    int bar_position = 1;    ///< 1..beats_per_bar(style)
+    bool is_audible = true;  ///< false inside a silence
+};
+
+/// A finished piece and the truth about it.
+struct GeneratedMusic {
+    SampleRate rate{48'000};
+    int channels = 2;
+    std::vector<float> samples;        ///< interleaved, [-1, 1], no NaN
+    std::vector<ReferenceBeat> beats;  ///< ascending; all that lie inside the piece
+
+    [[nodiscard]] std::int64_t frames() const noexcept {
+        return static_cast<std::int64_t>(samples.size()) / channels;
+    }
+    /// The average of the channels, frames() samples.
+    [[nodiscard]] std::vector<float> mono() const;
+};
+
+/// Plays `plan` with sounds of our own (all synthesized here). The same plan gives the same bits.
+///
+///     const auto music = generate({.style = Style::salsa, .tempo = {{0, 90}, {20, 140}}});
+///
+/// Errors: every fault of the plan, in one line. Cost: about 1/300 of the piece's length.
+/// Threads: any, no shared state. Real-time: no.
+[[nodiscard]] Expected<GeneratedMusic> generate(const MusicPlan& plan);
+
+/// The piece that `raks` dances to when no file is given: 60 s of salsa at 184 BPM.
+[[nodiscard]] MusicPlan demo_plan();
+
+}  // namespace raks::audio

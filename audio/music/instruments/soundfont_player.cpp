@@ -1,0 +1,252 @@
+#include "audio/music/instruments/soundfont_player.hpp"
+
+#include <fluidsynth.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace raks::audio {
+namespace {
+
+constexpr std::size_t kDelay = 110;  // samples: measured on clicks
+
+// FluidSynth's MIDI channels: the score's, then one for each drummer of a band.
+constexpr int kChannels = 32;
+constexpr int kFirstDrummer = 16;
+constexpr int kDrumBank = 128;
+
+constexpr int kNoBend = 8'192;  // MIDI's middle; the whole way up is two semitones
+constexpr double kBendOfCent = 8'192 / 200.0;
+
+/// A note starts or ends.
+struct PlayerEvent {
+    std::size_t sample = 0;
+    bool is_on = false;
+    PlayedNote note;
+};
+
+std::vector<PlayerEvent> events_of(const Performance& performance) {
+    const auto sample_of = [](double seconds) {
+        return static_cast<std::size_t>(std::max(0.0, seconds) * SoundfontPlayer::kRate);
+    };
+    std::vector<PlayerEvent> events;
+    for (const PlayedNote& note : performance.notes) {
+        events.push_back({sample_of(note.time), true, note});
+        events.push_back({sample_of(note.time + note.length), false, note});
+    }
+    std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) {
+        return a.sample != b.sample ? a.sample < b.sample : a.is_on < b.is_on;
+    });
+    return events;
+}
+
+}  // namespace
+
+struct SoundfontPlayer::Synth {
+    fluid_settings_t* settings = new_fluid_settings();
+    fluid_synth_t* synth = nullptr;
+    std::vector<int> soundfonts;  // FluidSynth's numbers
+
+    Synth() {
+        // A reset ends more voices at once than its list holds: said for each, and harmless.
+        fluid_set_log_function(FLUID_ERR, nullptr, nullptr);
+        fluid_set_log_function(FLUID_WARN, nullptr, nullptr);
+        fluid_set_log_function(FLUID_INFO, nullptr, nullptr);
+        fluid_settings_setnum(settings, "synth.sample-rate", kRate);
+        fluid_settings_setint(settings, "synth.dynamic-sample-loading", 1);
+        fluid_settings_setint(settings, "synth.chorus.active", 0);
+        fluid_settings_setint(settings, "synth.polyphony", 256);
+        fluid_settings_setint(settings, "synth.midi-channels", kChannels);
+        fluid_settings_setnum(settings, "synth.gain", 0.4);
+        synth = new_fluid_synth(settings);
+    }
+    ~Synth() {
+        delete_fluid_synth(synth);
+        delete_fluid_settings(settings);
+    }
+    Synth(const Synth&) = delete;
+    Synth& operator=(const Synth&) = delete;
+
+    /// Plays the notes one after the other. `band`: null for the first soundfont as it is.
+    std::vector<float> play(const Performance& performance,
+                            const PlayerRoom& room,
+                            const PlayerBand* band) {
+        fluid_synth_system_reset(synth);
+        fluid_synth_reverb_on(synth, -1, room.level > 0.0 ? 1 : 0);
+        fluid_synth_set_reverb_group_roomsize(synth, -1, room.size);
+        fluid_synth_set_reverb_group_level(synth, -1, room.level);
+        states.fill({});
+        const auto total = static_cast<std::size_t>(performance.seconds * kRate);
+        std::vector<float> mono;
+        mono.reserve(total + kDelay);
+        for (const PlayerEvent& event : events_of(performance)) {
+            const std::size_t at = std::min(event.sample, total + kDelay);
+            if (at > mono.size()) {
+                render(at - mono.size(), mono);
+            }
+            send(event, room, band);
+        }
+        if (mono.size() < total + kDelay) {
+            render(total + kDelay - mono.size(), mono);
+        }
+        mono.erase(mono.begin(), mono.begin() + kDelay);
+        mono.resize(total);
+        float peak = 1e-6F;
+        for (const float sample : mono) {
+            peak = std::max(peak, std::abs(sample));
+        }
+        for (float& sample : mono) {
+            sample *= 0.7F / peak;
+        }
+        return mono;
+    }
+
+ private:
+    /// What a channel was told last.
+    struct ChannelState {
+        int program = -1;
+        int bend = kNoBend;
+    };
+
+    void send(const PlayerEvent& event, const PlayerRoom& room, const PlayerBand* band) {
+        const PlayedNote& note = event.note;
+        const bool is_drum = note.channel == kDrumChannel;
+        const auto key = static_cast<std::size_t>(note.key);
+        const std::size_t drummer = band != nullptr && is_drum ? band->drummer_of_key[key] : 0;
+        const int channel =
+            band != nullptr && is_drum ? kFirstDrummer + static_cast<int>(drummer) : note.channel;
+        ChannelState& state = states[static_cast<std::size_t>(channel)];
+        if (state.program != note.program) {
+            if (band == nullptr) {
+                fluid_synth_program_change(synth, channel, note.program);
+            } else {
+                const BandPlayer& player = is_drum
+                                               ? band->drummers[drummer]
+                                               : band->channels[static_cast<std::size_t>(channel)];
+                select(channel,
+                       player.soundfont,
+                       is_drum ? kDrumBank : 0,
+                       player.kit.value_or(note.program));
+                set_sound(channel, player);
+            }
+            fluid_synth_cc(synth, channel, 91, static_cast<int>(127 * room.level));
+            state.program = note.program;
+        }
+        const int wanted = kNoBend + static_cast<int>(std::lround(kBendOfCent * note.cents));
+        if (event.is_on && state.bend != wanted) {
+            fluid_synth_pitch_bend(synth, channel, wanted);
+            state.bend = wanted;
+        }
+        if (event.is_on) {
+            fluid_synth_noteon(synth, channel, note.key, note.velocity);
+        } else {
+            fluid_synth_noteoff(synth, channel, note.key);
+        }
+    }
+
+    /// The soundfont's own instrument or, where it has none, another's; kits fall back to the
+    /// standard one.
+    void select(int channel, std::size_t soundfont, int bank, int program) const {
+        for (const int wanted : {program, 0}) {
+            for (std::size_t i = 0; i < soundfonts.size(); ++i) {
+                const int from = soundfonts[(soundfont + i) % soundfonts.size()];
+                if (fluid_synth_program_select(synth, channel, from, bank, wanted) == FLUID_OK) {
+                    return;
+                }
+                if (bank == kDrumBank) {
+                    break;
+                }
+            }
+        }
+    }
+
+    void set_sound(int channel, const BandPlayer& player) const {
+        constexpr double kCentsOfOctave = 1'200.0;
+        constexpr double kCentibelsOfDecibel = 10.0;
+        const auto set = [&](int generator, double value) {
+            fluid_synth_set_gen(synth, channel, generator, static_cast<float>(value));
+        };
+        set(GEN_COARSETUNE, player.semitones);
+        set(GEN_FILTERFC, kCentsOfOctave * player.brightness);
+        set(GEN_VOLENVDECAY, kCentsOfOctave * player.decay);
+        set(GEN_VOLENVRELEASE, kCentsOfOctave * player.decay);
+        set(GEN_ATTENUATION, -kCentibelsOfDecibel * player.level);
+    }
+
+    void render(std::size_t frames, std::vector<float>& mono) {
+        std::array<float, 1024> left{};
+        std::array<float, 1024> right{};
+        while (frames > 0) {
+            const std::size_t count = std::min(frames, left.size());
+            fluid_synth_write_float(
+                synth, static_cast<int>(count), left.data(), 0, 1, right.data(), 0, 1);
+            for (std::size_t i = 0; i < count; ++i) {
+                mono.push_back(0.5F * (left[i] + right[i]));
+            }
+            frames -= count;
+        }
+    }
+
+    std::array<ChannelState, kChannels> states{};
+};
+
+SoundfontPlayer::SoundfontPlayer(std::unique_ptr<Synth> synth) : synth_(std::move(synth)) {}
+SoundfontPlayer::SoundfontPlayer(SoundfontPlayer&&) noexcept = default;
+SoundfontPlayer& SoundfontPlayer::operator=(SoundfontPlayer&&) noexcept = default;
+SoundfontPlayer::~SoundfontPlayer() = default;
+
+Expected<SoundfontPlayer> SoundfontPlayer::open(std::span<const std::filesystem::path> soundfonts) {
+    // The first synthesizer fills FluidSynth's tables, and a second thread's would play before they
+    // are full: now and then a run's first pieces differed.
+    [[maybe_unused]] static const bool are_tables_full = [] {
+        const Synth first;
+        return first.synth != nullptr;
+    }();
+    auto synth = std::make_unique<Synth>();
+    // FluidSynth takes an instrument from the soundfont that came last: the first, here.
+    for (std::size_t i = soundfonts.size(); i-- > 0;) {
+        const int number = synth->synth == nullptr
+                               ? FLUID_FAILED
+                               : fluid_synth_sfload(synth->synth, soundfonts[i].c_str(), 1);
+        if (number == FLUID_FAILED) {
+            return fail(soundfonts[i].string() + ": not a soundfont that FluidSynth can load");
+        }
+        synth->soundfonts.insert(synth->soundfonts.begin(), number);
+    }
+    return SoundfontPlayer(std::move(synth));
+}
+
+std::vector<float> SoundfontPlayer::play(const Performance& performance, const PlayerRoom& room) {
+    return synth_->play(performance, room, nullptr);
+}
+
+std::vector<float> SoundfontPlayer::play(const Performance& performance,
+                                         const PlayerRoom& room,
+                                         const PlayerBand& band) {
+    return synth_->play(performance, room, &band);
+}
+
+std::vector<std::filesystem::path> draw_soundfonts(
+    std::span<const std::filesystem::path> soundfonts, Dice& dice) {
+    constexpr double kBand = 0.75;  // of the pieces
+    if (soundfonts.size() > 1 && dice.chance(kBand)) {
+        return {soundfonts.begin(), soundfonts.end()};
+    }
+    return {dice.pick<std::filesystem::path>(soundfonts)};
+}
+
+Expected<std::vector<float>> play_with(std::span<const std::filesystem::path> soundfonts,
+                                       const Performance& performance,
+                                       const PlayerRoom& room,
+                                       Dice& dice) {
+    auto player = SoundfontPlayer::open(soundfonts);
+    if (!player) {
+        return fail(player.error());
+    }
+    return soundfonts.size() > 1
+               ? player->play(performance, room, draw_band(soundfonts.size(), dice))
+               : player->play(performance, room);
+}
+
+}  // namespace raks::audio

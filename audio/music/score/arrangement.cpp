@@ -1,0 +1,223 @@
+#include "audio/music/score/arrangement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "audio/music/score/band.hpp"
+#include "audio/music/score/drum_scores.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr double kComplete = 0.8;
+constexpr int kBandLead = 2;  // the channel that add_band writes its melody on
+constexpr int kMelody = kMelodyChannel;
+constexpr int kSecond = 4;
+constexpr int kDrone = 5;
+
+/// Degrees of an octave, quarter tones above the tonic.
+using Scale = std::array<int, 7>;
+constexpr int kOctave = 24;
+constexpr std::array<Scale, 5> kMaqamat = {{
+    {0, 2, 8, 10, 14, 16, 20},  // hijaz
+    {0, 2, 8, 10, 14, 16, 22},  // hijazkar
+    {0, 4, 6, 10, 14, 16, 22},  // nahawand
+    {0, 2, 6, 10, 14, 16, 20},  // kurd
+    {0, 4, 6, 12, 14, 18, 20},  // nikriz
+}};
+constexpr std::array<Scale, 5> kQuarterToneMaqamat = {{
+    {0, 4, 7, 10, 14, 18, 21},  // rast
+    {0, 3, 6, 10, 14, 16, 20},  // bayati
+    {0, 3, 7, 11, 14, 17, 21},  // sikah
+    {0, 3, 6, 8, 14, 16, 20},   // saba
+    {0, 3, 7, 9, 15, 17, 21},   // huzam
+}};
+constexpr std::array<Scale, 3> kWesternScales = {{
+    {0, 4, 8, 10, 14, 18, 22},
+    {0, 4, 6, 10, 14, 16, 20},
+    {0, 4, 6, 10, 14, 18, 20},
+}};
+
+/// How a melody moves.
+struct Manner {
+    std::vector<double> lengths;  ///< of notes, beats; one is drawn each
+    double early = 0.0;           ///< beats that phrases come ahead of the beat
+    int leap = 2;                 ///< scale steps at most
+    double rest = 0.2;            ///< chance of a rest in a note's place
+    double grace = 0.0;           ///< chance of a quick neighbour before a note
+    int voices = 1;               ///< together, a third apart
+    double phrase = 8.0;          ///< beats, then a rest
+};
+
+Manner manner_of(Genre genre, Dice& dice) {
+    switch (genre) {
+        case Genre::salsa:
+            return {.lengths = {0.5, 0.5, 1.0, 1.5},
+                    .early = dice.pick({0.0, 0.5, 0.5}),
+                    .leap = 3,
+                    .rest = 0.4,
+                    .voices = dice.whole(1, 3),
+                    .phrase = dice.pick({4.0, 8.0})};
+        case Genre::belly:
+            return {.lengths = dice.chance(0.5) ? std::vector{0.5, 0.5, 0.25, 1.0}
+                                                : std::vector{0.5, 1.0, 2.0, 3.0, 0.25},
+                    .leap = 1 + dice.whole(0, 1),
+                    .rest = 0.08,
+                    .grace = dice.uniform(0.1, 0.5),
+                    .phrase = dice.pick({8.0, 16.0})};
+        case Genre::house:
+            return {.lengths = {0.25, 0.25, 0.5, 0.75}, .leap = 4, .rest = 0.35, .phrase = 16.0};
+        case Genre::rock:
+            return {.lengths = {0.5, 0.5, 1.0, 2.0}, .leap = 2, .rest = 0.2, .voices = 1};
+        case Genre::waltz:
+            return {.lengths = {1.0, 1.0, 2.0, 3.0, 0.5}, .leap = 2, .rest = 0.08, .phrase = 12.0};
+        default:
+            return {.lengths = {0.25, 0.5, 0.5, 1.0, 2.0}, .leap = 3, .rest = 0.3};
+    }
+}
+
+/// Writes the notes of one voice over the whole score.
+class MelodyWriter {
+ public:
+    MelodyWriter(Score& score, const Scale& scale, int tonic, Dice& dice)
+        : score_(score), scale_(scale), tonic_(tonic), dice_(dice) {}
+
+    void write(const Manner& manner, const Palette& palette) {
+        program_ = dice_.pick<int>(palette.leads);
+        second_program_ = dice_.pick<int>(palette.leads);
+        const double last = static_cast<double>(score_.bar_position.size()) - 1.0;
+        const double level = dice_.uniform(70.0, 112.0);
+        const double late = dice_.uniform(0.0, 0.06);  // of the second voice, beats
+        const bool is_followed = dice_.chance(0.45);
+        int degree = 7;
+        for (double at = 0.0; at < last;) {
+            const double length = dice_.pick<double>(manner.lengths);
+            const bool is_pause =
+                static_cast<int>(at / manner.phrase) % 3 == 2 && dice_.chance(0.7);
+            if (!is_pause && !dice_.chance(manner.rest)) {
+                degree = std::clamp(degree + dice_.whole(-manner.leap, manner.leap), 1, 13);
+                const double begin = std::max(0.0, at - manner.early);
+                if (dice_.chance(manner.grace)) {
+                    add(kMelody,
+                        program_,
+                        std::max(0.0, begin - 0.12),
+                        0.1,
+                        degree + 1,
+                        0.8 * level);
+                }
+                for (int voice = 0; voice < manner.voices; ++voice) {
+                    add(kMelody, program_, begin, 0.9 * length, degree - 2 * voice, level);
+                }
+                if (is_followed) {
+                    add(kSecond, second_program_, begin + late, 0.8 * length, degree, 0.8 * level);
+                }
+            }
+            at += length;
+        }
+    }
+
+    /// The tonic and its fifth below everything.
+    void drone(const Palette& palette) {
+        const int program = dice_.pick<int>(palette.chords);
+        const double bar = dice_.pick({4.0, 8.0, 16.0});
+        for (double at = 0.0; at < static_cast<double>(score_.bar_position.size()); at += bar) {
+            note(kDrone, program, at, bar, 36 + tonic_, 70.0);
+            note(kDrone, program, at, bar, 43 + tonic_, 60.0);
+        }
+    }
+
+    /// Root and fifth of a bar's chord in eighths: what a rock guitar plays.
+    void fifths(const Palette& palette) {
+        const int program = dice_.pick<int>(palette.chords);
+        const double step = dice_.pick({0.5, 0.5, 1.0, 4.0});
+        int root = 0;
+        for (double at = 0.0; at < static_cast<double>(score_.bar_position.size()); at += step) {
+            if (score_.bar_position[static_cast<std::size_t>(at)] == 1 && dice_.chance(0.5)) {
+                root = scale_[static_cast<std::size_t>(dice_.whole(0, 6))] / 2;
+            }
+            note(kDrone, program, at, 0.9 * step, 40 + (tonic_ + root) % 12, 95.0);
+            note(kDrone, program, at, 0.9 * step, 47 + (tonic_ + root) % 12, 90.0);
+        }
+    }
+
+ private:
+    void add(int channel, int program, double at, double length, int degree, double velocity) {
+        const int inside = std::max(degree, 0);
+        const int quarters = scale_[static_cast<std::size_t>(inside % 7)] + kOctave * (inside / 7);
+        note(channel, program, at, length, 55 + tonic_ + quarters / 2, velocity);
+        score_.notes.back().cents = 50.0 * (quarters % 2);
+    }
+    void note(int channel, int program, double at, double length, int key, double velocity) {
+        score_.notes.push_back({at, length, channel, key, program, velocity, 0.0});
+    }
+
+    Score& score_;
+    Scale scale_;
+    int tonic_;
+    Dice& dice_;
+    int program_ = 0;
+    int second_program_ = 0;
+};
+
+/// The genre's instruments in place of any.
+void reinstrument(const Palette& palette, Score& score, Dice& dice) {
+    const std::array<int, 3> programs = {dice.pick<int>(palette.bass),
+                                         dice.pick<int>(palette.chords),
+                                         dice.pick<int>(palette.leads)};
+    const int kit = dice.pick<int>(palette.kits);
+    for (ScoreNote& note : score.notes) {
+        if (note.channel == kDrumChannel) {
+            note.program = kit;
+        } else if (note.channel <= kBandLead) {
+            note.program = programs[static_cast<std::size_t>(note.channel)];
+        }
+    }
+}
+
+void remove_channel(int channel, Score& score) {
+    std::erase_if(score.notes,
+                  [channel](const ScoreNote& note) { return note.channel == channel; });
+}
+
+}  // namespace
+
+Score arrange(const GenreStyle& style, int beats, Dice& dice, OrientalScales scales) {
+    Score score = drum_score(*style.style, beats, dice);
+    // Most of the time all of a genre plays: what is left in a break may be any music.
+    score.is_complete = style.genre != Genre::unknown && dice.chance(kComplete);
+    const Palette& palette = palette_of(style.genre);
+    if (dice.chance(palette.band_chance)) {
+        add_band(style.style->bass, style.style->comping, score, dice, palette.players);
+    }
+    reinstrument(palette, score, dice);
+    const int tonic = dice.whole(0, 11);
+    const bool is_maqam = style.genre == Genre::belly;
+    const bool has_quarters =
+        is_maqam && scales == OrientalScales::quarter_tones && dice.chance(0.6);
+    const Scale& scale = has_quarters ? dice.pick<Scale>(kQuarterToneMaqamat)
+                         : is_maqam   ? dice.pick<Scale>(kMaqamat)
+                                      : dice.pick<Scale>(kWesternScales);
+    MelodyWriter melody(score, scale, tonic, dice);
+    if (dice.chance(palette.lead_chance)) {
+        remove_channel(kBandLead, score);
+        melody.write(manner_of(style.genre, dice), palette);
+    }
+    // No player of chords has quarter tones.
+    if (is_maqam && (dice.chance(0.5) || has_quarters)) {
+        remove_channel(1, score);  // no chords: the drone is all harmony there is
+        melody.drone(palette);
+    }
+    if (style.genre == Genre::rock && dice.chance(0.85)) {
+        melody.fifths(palette);
+    }
+    // Orchestras play oriental melodies without drums, and waltzes.
+    const bool may_lack_drums = is_maqam || style.genre == Genre::waltz;
+    if (may_lack_drums && dice.chance(0.12)) {
+        remove_channel(kDrumChannel, score);
+    }
+    return score;
+}
+
+}  // namespace raks::audio

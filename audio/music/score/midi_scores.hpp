@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "audio/music/score/score.hpp"
+#include "base/dice.hpp"
+#include "base/expected.hpp"
+
+namespace raks::audio {
+
+/// A stretch of a MIDI file in one time signature, as a score: beats are what is tapped (quarters;
+/// dotted quarters in 6/8, 9/8, 12/8; the bar in 3/8).
+struct MidiStretch {
+    Score score;
+    std::string set;    ///< "groove", "freedoom", "lieder"
+    std::string style;  ///< of groove, as its index says: "rock", "funk", ...; else empty
+    bool is_fill = false;
+};
+
+/// All stretches of at least four bars of the files that `folder`/index.tsv names (columns
+/// file, set, kind, bpm_quarter, time_signature, and style where there is one), paths from
+/// `folder`; fills of groove are kept whatever their length. Files in 5, 7, 8/8, 10, 11, 13 and
+/// tempi outside 52-217 BPM are left out.
+///
+/// Errors: no folder, no index, a missing column, a file that is not MIDI (its name is said).
+[[nodiscard]] Expected<std::vector<MidiStretch>> read_midi_pack(
+    const std::filesystem::path& folder);
+
+/// Bars [first, first + bars) of a score, its first beat moved to 0.
+[[nodiscard]] Score cut_beats(const Score& score, int first_beat, int beats);
+
+}  // namespace raks::audio

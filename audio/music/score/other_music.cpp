@@ -1,0 +1,165 @@
+#include "audio/music/score/other_music.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "audio/music/score/arrangement.hpp"
+#include "audio/music/score/keyboard_scores.hpp"
+#include "audio/music/score/non_music.hpp"
+#include "audio/music/score/performance.hpp"
+#include "audio/music/styles/genre_styles.hpp"
+
+namespace raks::audio {
+namespace {
+
+/// No drums, and strings, winds, choirs or soft synthesizers in a free tempo for the rest.
+void make_orchestral(Score& score, Dice& dice) {
+    std::erase_if(score.notes, [](const ScoreNote& note) { return note.channel == kDrumChannel; });
+    score.has_drums = false;
+    score.is_expressive = true;
+    std::array<int, 16> programs{};
+    for (int& program : programs) {
+        program =
+            dice.pick({40, 42, 46, 48, 49, 52, 53, 60, 68, 71, 73, 88, 89, 91, 92, 95, 24, 0});
+    }
+    for (ScoreNote& note : score.notes) {
+        note.program = programs[static_cast<std::size_t>(note.channel)];
+    }
+}
+
+/// A piano in bars of three may play a waltz.
+bool is_in_three(const Score& score) {
+    return *std::max_element(score.bar_position.begin(), score.bar_position.end()) == 3;
+}
+
+GenreStyle draw_other_style(Dice& dice) {
+    std::vector<GenreStyle> styles;
+    const auto all = genre_styles();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(styles), [](const GenreStyle& style) {
+        return style.genre == Genre::unknown;
+    });
+    return dice.pick<GenreStyle>(styles);
+}
+
+WrittenPiece people(double seconds, Dice& dice) {
+    return {"people", Genre::unknown, {}, noise_of_people(kPerformanceRate, seconds, dice)};
+}
+
+WrittenPiece orchestra(double seconds, Dice& dice) {
+    Score score = arrange(draw_other_style(dice), kWrittenBeats, dice);
+    make_orchestral(score, dice);
+    return {"orchestra", Genre::unknown, perform(score, seconds, dice), {}};
+}
+
+/// Chords that swell and stay, one over the other, and now and then some notes above them.
+WrittenPiece pads(double seconds, Dice& dice) {
+    Performance played;
+    played.seconds = seconds;
+    const double stay = dice.log_uniform(1.5, 8.0);     // s a chord
+    const double sparks = dice.log_uniform(0.05, 4.0);  // notes a second
+    const std::array programs = {dice.whole(88, 95),
+                                 dice.pick({48, 49, 50, 51, 52, 54, 89, 90, 91, 95}),
+                                 dice.pick({4, 8, 9, 10, 11, 14, 46, 88, 96, 98, 99, 101, 103})};
+    const int tonic = dice.whole(36, 48);
+    constexpr std::array kDegrees = {0, 3, 5, 7, 8, 10, 12, 15, 17, 19, 24};
+    const auto add = [&](int channel, double at, double length, int key, int velocity) {
+        played.notes.push_back(
+            {at, length, channel, key, programs[static_cast<std::size_t>(channel)], velocity, 0.0});
+    };
+    for (double at = 0.0; at < seconds; at += stay * dice.uniform(0.6, 1.4)) {
+        const int voices = dice.whole(2, 5);
+        for (int voice = 0; voice < voices; ++voice) {
+            add(voice % 2, at, 1.5 * stay, tonic + dice.pick<int>(kDegrees), dice.whole(40, 100));
+        }
+    }
+    for (double at = 0.0; at < seconds; at += dice.uniform(0.2, 1.8) / sparks) {
+        add(2,
+            at,
+            dice.uniform(0.2, 2.0),
+            tonic + 24 + dice.pick<int>(kDegrees),
+            dice.whole(30, 100));
+    }
+    std::stable_sort(played.notes.begin(), played.notes.end(), [](const auto& a, const auto& b) {
+        return a.time < b.time;
+    });
+    return {"pads", Genre::unknown, std::move(played), {}};
+}
+
+/// One voice or instrument that takes its time.
+WrittenPiece solo(double seconds, Dice& dice) {
+    Performance played;
+    played.seconds = seconds;
+    const int program = dice.pick({0,  6,  11, 19, 22, 24, 25, 40, 41, 42, 52,  53,  53,  54,
+                                   56, 60, 65, 68, 71, 73, 75, 77, 78, 79, 104, 107, 110, 111});
+    constexpr std::array kScale = {0, 2, 3, 5, 7, 8, 10};
+    const double haste = dice.log_uniform(0.12, 0.6);  // s of the shortest notes
+    const int tonic = dice.whole(48, 62);
+    int degree = dice.whole(0, 7);
+    for (double at = 0.0; at < seconds - 0.3;) {
+        const double length = haste * dice.pick({1.0, 1.0, 2.0, 3.0, 5.0}) * dice.uniform(0.8, 1.3);
+        degree = std::clamp(degree + dice.whole(-2, 2), 0, 13);
+        const int key = tonic + kScale[static_cast<std::size_t>(degree % 7)] + 12 * (degree / 7);
+        played.notes.push_back(
+            {at, length, 0, key, program, dice.whole(50, 115), dice.uniform(-30.0, 30.0)});
+        at += length + (dice.chance(0.12) ? dice.uniform(0.3, 1.5) : 0.0);
+    }
+    return {"solo", Genre::unknown, std::move(played), {}};
+}
+
+WrittenPiece without_pulse(double seconds, Dice& dice) {
+    return {"no pulse", Genre::unknown, notes_without_pulse(seconds, dice), {}};
+}
+
+WrittenPiece piano(double seconds, Dice& dice) {
+    Score score = keyboard_score(kWrittenBeats, dice);
+    for (int tries = 0; is_in_three(score) && tries < 20; ++tries) {
+        score = keyboard_score(kWrittenBeats, dice);
+    }
+    return {"piano", Genre::unknown, perform(score, seconds, dice), {}};
+}
+
+WrittenPiece other_rhythm(double seconds, Dice& dice) {
+    const GenreStyle style = draw_other_style(dice);
+    Score score = arrange(style, kWrittenBeats, dice);
+    return {std::string(style.style->name), Genre::unknown, perform(score, seconds, dice), {}};
+}
+
+/// A kind of music, and the share of what is drawn up to and with it.
+struct Kind {
+    double until;
+    WrittenPiece (*write)(double seconds, Dice& dice);
+};
+
+WrittenPiece draw_kind(std::span<const Kind> kinds, double seconds, Dice& dice) {
+    const double drawn = dice.uniform();
+    const auto chosen = std::find_if(
+        kinds.begin(), kinds.end() - 1, [drawn](const Kind& kind) { return drawn < kind.until; });
+    return chosen->write(seconds, dice);
+}
+
+}  // namespace
+
+WrittenPiece other_piece(double seconds, Dice& dice) {
+    constexpr std::array kKinds = {Kind{0.12, people},
+                                   Kind{0.22, without_pulse},
+                                   Kind{0.34, piano},
+                                   Kind{0.46, orchestra},
+                                   Kind{1.0, other_rhythm}};
+    return draw_kind(kKinds, seconds, dice);
+}
+
+WrittenPiece undanceable_piece(double seconds, Dice& dice) {
+    constexpr std::array kKinds = {Kind{0.35, people},
+                                   Kind{0.5, without_pulse},
+                                   Kind{0.7, pads},
+                                   Kind{0.85, solo},
+                                   Kind{1.0, orchestra}};
+    return draw_kind(kKinds, seconds, dice);
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,155 @@
+#include "audio/music/score/performance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <span>
+
+namespace raks::audio {
+namespace {
+
+/// Seconds of each beat (one more than beats).
+std::vector<double> beat_times(const Score& score, int beats, double bpm, Dice& dice) {
+    const bool is_expressive = score.is_expressive;
+    const bool is_steady = score.is_programmed && dice.chance(0.8);
+    const double kind = is_steady ? 0.0 : is_expressive ? dice.uniform(0.5, 1.0) : dice.uniform();
+    std::vector<double> times{0.0};
+    const double drift = kind < 0.35 ? 0.0 : dice.uniform(0.004, 0.02);
+    const double rubato = kind > 0.75 && kind < 0.85 ? dice.uniform(0.02, 0.06) : 0.0;
+    const double wander = is_expressive ? dice.uniform(0.02, 0.12) : rubato;
+    const double ramp =
+        kind >= 0.85 && kind < 0.93 ? dice.uniform(-0.02, 0.02) : 0.0;  // per second
+    const bool has_step = kind >= 0.93 && !is_expressive;
+    const int step_beat = dice.whole(beats / 4, std::max(beats / 4, 3 * beats / 4));
+    const double step_ratio = std::exp(dice.uniform(-0.35, 0.35));
+    // At the end of a phrase players of free tempo wait.
+    const int phrase = dice.pick({8, 12, 16, 16, 24, 32});
+    const double wait = is_expressive ? dice.uniform(0.0, 0.25) : 0.0;
+    double log_drift = 0.0;
+    double log_wander = 0.0;
+    for (int beat = 0; beat < beats; ++beat) {
+        log_drift = 0.97 * log_drift + dice.normal(0.25 * drift);
+        log_wander = 0.8 * log_wander + dice.normal(0.6 * wander);
+        double period = 60.0 / bpm * std::exp(log_drift + log_wander - ramp * times.back());
+        if (has_step && beat >= step_beat) {
+            period *= step_ratio;
+        }
+        if (beat % phrase >= phrase - 2) {
+            period *= 1.0 + wait * (beat % phrase == phrase - 1 ? 1.0 : 0.5) * dice.uniform();
+        }
+        times.push_back(times.back() + std::clamp(period, 0.26, 1.25));
+    }
+    return times;
+}
+
+double time_at(const std::vector<double>& times, double beat) {
+    const double last = static_cast<double>(times.size()) - 1.0;
+    const double clamped = std::clamp(beat, 0.0, last - 1e-9);
+    const auto whole = static_cast<std::size_t>(clamped);
+    return times[whole] + (beat - static_cast<double>(whole)) * (times[whole + 1] - times[whole]);
+}
+
+std::size_t index_of(int beat) { return static_cast<std::size_t>(beat); }
+
+/// The first beats, each `start` seconds later than in `times`.
+std::vector<PlayedBeat> beats_until(double seconds,
+                                    std::span<const double> times,
+                                    double start,
+                                    std::span<const int> bar_positions) {
+    std::vector<PlayedBeat> beats;
+    for (std::size_t beat = 0; beat + 1 < times.size() && start + times[beat] < seconds; ++beat) {
+        beats.push_back({start + times[beat], bar_positions[beat]});
+    }
+    return beats;
+}
+
+/// How one instrument (channel, and key for drums) plays in this piece.
+struct Player {
+    double late = 0.0;
+    double level = 1.0;
+    bool is_missing = false;
+};
+
+Player draw_player(const Score& score, bool leaves_out, Dice& dice) {
+    return {dice.normal(score.is_programmed ? 0.0 : 0.004),
+            std::exp(dice.normal(0.2)),
+            leaves_out && score.has_drums && dice.chance(0.12)};
+}
+
+/// Seconds by which notes are off their places.
+double draw_jitter(const Score& score, Dice& dice) {
+    if (score.is_programmed) {
+        return 0.0;
+    }
+    return dice.log_uniform(0.001, score.is_expressive ? 0.020 : 0.010);
+}
+
+}  // namespace
+
+Performance perform(const Score& score, double seconds, Dice& dice) {
+    const double bpm = dice.log_uniform(score.lowest_bpm, score.highest_bpm);
+    const int all = static_cast<int>(score.bar_position.size());
+    const int wanted = std::min(all, static_cast<int>(seconds * bpm / 60.0) + 8);
+    const int first = all > wanted ? dice.whole(0, all - wanted) : 0;
+    const std::vector<double> times = beat_times(score, wanted, bpm, dice);
+    const double jitter = draw_jitter(score, dice);
+    const double drop = dice.uniform(0.0, 0.06);
+    const double ghosts = dice.uniform(0.0, 0.06);
+    const bool leaves_out = dice.chance(0.5) && !score.is_complete;
+    const double start = dice.uniform(0.0, 0.6);  // silence before the first beat
+
+    // In some pieces the drums pause for a while, in others all but one instrument do.
+    const bool has_break = score.has_drums && dice.chance(0.35) && !score.is_complete;
+    const bool is_solo = dice.chance(0.3);
+    const double break_from = dice.uniform(8.0, std::max(9.0, wanted - 12.0));
+    const double break_to = break_from + dice.uniform(4.0, 17.0);
+
+    std::map<int, Player> players;
+    int soloist = -1;
+    Performance played;
+    for (const ScoreNote& note : score.notes) {
+        const double beat = note.beat - first;
+        if (beat < -0.06 || beat > wanted - 0.06) {
+            continue;
+        }
+        const int group = note.channel == kDrumChannel ? 100 + note.key : note.channel;
+        const auto [found, is_new] = players.try_emplace(group);
+        Player& player = found->second;
+        if (is_new) {
+            player = draw_player(score, leaves_out, dice);
+        }
+        soloist = soloist < 0 && is_solo && beat > 4.0 ? group : soloist;
+        const bool is_in_break = has_break && beat > break_from && beat < break_to;
+        const bool pauses = is_in_break && (is_solo ? group != soloist : group >= 100);
+        if (player.is_missing || pauses || dice.chance(drop)) {
+            continue;
+        }
+        const double exact = start + time_at(times, std::max(beat, 0.0));
+        const double off = player.late + dice.normal(jitter);
+        const double end = start + time_at(times, std::max(beat, 0.0) + note.length);
+        const double velocity = note.velocity * player.level + dice.normal(7.0);
+        PlayedNote sounding{std::max(0.0, exact + off),
+                            std::max(0.05, end - exact),
+                            note.channel,
+                            std::clamp(note.key, 0, 127),
+                            note.program,
+                            std::clamp(static_cast<int>(std::lround(velocity)), 8, 127),
+                            note.cents};
+        played.notes.push_back(sounding);
+        if (note.channel == kDrumChannel && dice.chance(ghosts)) {
+            sounding.time += dice.pick({0.25, 0.5, 0.125}) * 60.0 / bpm;
+            sounding.velocity = std::max(8, sounding.velocity / 3);
+            played.notes.push_back(sounding);
+        }
+    }
+    std::stable_sort(played.notes.begin(),
+                     played.notes.end(),
+                     [](const PlayedNote& a, const PlayedNote& b) { return a.time < b.time; });
+    played.beats =
+        beats_until(seconds, times, start, std::span(score.bar_position).subspan(index_of(first)));
+    played.seconds = std::min(seconds, start + times.back());
+    return played;
+}
+
+}  // namespace raks::audio

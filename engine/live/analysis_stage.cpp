@@ -1,0 +1,78 @@
+#include "engine/live/analysis_stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/setup/analyzer_setup.hpp"
+
+namespace raks::engine {
+namespace {
+
+// A meter falls slowly enough to be read: IEC 60268-10 type I, 20 dB in 1.7 s.
+constexpr float kMeterFallPerSecond = 20.0F / 1.7F;
+
+float level_of(std::span<const float> mono) noexcept {
+    double energy = 0.0;
+    for (const float sample : mono) {
+        energy += static_cast<double>(sample) * static_cast<double>(sample);
+    }
+    const double mean = energy / static_cast<double>(std::max<std::size_t>(1, mono.size()));
+    return static_cast<float>(10.0 * std::log10(std::max(mean, 1e-12)));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<AnalysisStage>> AnalysisStage::create(SampleRate rate) {
+    auto analyzer = make_analyzer(rate);
+    if (!analyzer) {
+        return fail(analyzer.error());
+    }
+    return std::unique_ptr<AnalysisStage>(new AnalysisStage(rate, std::move(*analyzer)));
+}
+
+AnalysisStage::AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer)
+    : rate_(rate), analyzer_(std::move(analyzer)) {}
+
+void AnalysisStage::analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKING {
+    const FlushToZeroScope flush_to_zero;
+    run_commands();
+    analyzer_.process(mono, queue_);
+    const float seconds = static_cast<float>(mono.size()) / static_cast<float>(rate_.hertz());
+    // relaxed: a meter, written here alone
+    const float fallen =
+        level_dbfs_.load(std::memory_order_relaxed) - seconds * kMeterFallPerSecond;
+    level_dbfs_.store(std::max(level_of(mono), fallen), std::memory_order_relaxed);
+    // release: pairs with the acquire in taken_until().
+    frames_taken_.fetch_add(static_cast<std::int64_t>(mono.size()), std::memory_order_release);
+}
+
+void AnalysisStage::mark_clock(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING {
+    clock_map_.update(stream, host);
+    clock_line_.write(clock_map_.line());
+}
+
+void AnalysisStage::stop_clock(StreamTime stream) noexcept RAKS_NONBLOCKING {
+    if (clock_map_.line().is_running) {
+        clock_map_.stop(stream);
+        clock_line_.write(clock_map_.line());
+    }
+}
+
+void AnalysisStage::skip(std::int64_t frames) noexcept RAKS_NONBLOCKING {
+    analyzer_.skip(rate_.time_of(frames).time_since_epoch());
+    frames_taken_.fetch_add(frames, std::memory_order_release);  // see analyze()
+}
+
+StreamTime AnalysisStage::taken_until() const noexcept {
+    return rate_.time_of(frames_taken_.load(std::memory_order_acquire));  // see analyze()
+}
+
+void AnalysisStage::run_commands() noexcept {
+    audio::AnalyzerCommand command{};
+    while (commands_.pop(command)) {
+        analyzer_.command(command);
+    }
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "audio/music_analyzer.hpp"
+#include "base/channels/event_queue.hpp"
+#include "base/channels/latest_value.hpp"
+#include "base/music_state.hpp"
+#include "base/realtime.hpp"
+#include "engine/live/clock_map.hpp"
+#include "engine/live/timing.hpp"
+
+namespace raks::engine {
+
+/// What every audio callback does with its samples, whatever device or clock calls it: analyzes
+/// them, hands the states to the motion thread and keeps the clock.
+///
+/// Threads: what is marked *audio* from the callback, the rest from main.
+class AnalysisStage {
+ public:
+    /// States wait here for the motion thread: 5 s deep, so that a stall loses nothing.
+    static constexpr std::size_t kQueuedStates = 512;
+
+    /// Errors: a rate that the analyzer refuses.
+    [[nodiscard]] static Expected<std::unique_ptr<AnalysisStage>> create(SampleRate rate);
+
+    /// *audio* Takes the next block of mono samples. Real-time: yes.
+    void analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKING;
+
+    /// *audio* The sample of stream time `stream` passed the device at `host` (CLOCK_MONOTONIC).
+    /// Real-time: yes.
+    void mark_clock(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING;
+
+    /// *audio* The device flagged an xrun: see ClockMap::loosen(). Real-time: yes.
+    void loosen_clock() noexcept RAKS_NONBLOCKING { clock_map_.loosen(); }
+
+    /// *audio* Samples were lost before the next block: stream time skips them. Real-time: yes.
+    void skip(std::int64_t frames) noexcept RAKS_NONBLOCKING;
+
+    /// *audio* Stream time stands still at `stream` (pause). Real-time: yes.
+    void stop_clock(StreamTime stream) noexcept RAKS_NONBLOCKING;
+
+    /// *audio* How long the work of one block took. Real-time: yes.
+    void add_callback_time(Nanos span) noexcept RAKS_NONBLOCKING { callback_times_.add(span); }
+
+    /// Queues a command for the analyzer; false when the queue is full.
+    bool command(const audio::AnalyzerCommand& command) noexcept { return commands_.push(command); }
+
+    /// The clock as of the newest block. Threads: main only (one reader).
+    [[nodiscard]] const ClockLine& clock() noexcept { return clock_line_.read(); }
+
+    [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
+    [[nodiscard]] EventQueue<MusicState>& states() noexcept { return states_; }
+    [[nodiscard]] Nanos delay() const noexcept { return analyzer_.delay(); }
+    /// What add_callback_time counted. Threads: any.
+    [[nodiscard]] const TimingHistogram& callback_times() const noexcept { return callback_times_; }
+    /// Level for a meter: rms of a block in dBFS, rises at once and falls slowly. Threads: any.
+    [[nodiscard]] float level_dbfs() const noexcept {
+        return level_dbfs_.load(std::memory_order_relaxed);  // relaxed: a meter
+    }
+    /// Stream time up to which samples were taken. Threads: any.
+    [[nodiscard]] StreamTime taken_until() const noexcept;
+
+ private:
+    class Queue final : public audio::MusicAnalyzer::Sink {
+     public:
+        explicit Queue(EventQueue<MusicState>& states) : states_(states) {}
+        void on_state(const MusicState& state) noexcept override { states_.push(state); }
+
+     private:
+        EventQueue<MusicState>& states_;
+    };
+
+    AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer);
+    void run_commands() noexcept;
+
+    SampleRate rate_;
+    audio::MusicAnalyzer analyzer_;
+    EventQueue<MusicState> states_{kQueuedStates};
+    Queue queue_{states_};
+    EventQueue<audio::AnalyzerCommand> commands_{64};
+    ClockMap clock_map_;
+    LatestValue<ClockLine> clock_line_;
+    TimingHistogram callback_times_;
+    std::atomic<std::int64_t> frames_taken_{0};
+    std::atomic<float> level_dbfs_{-120.0F};
+};
+
+}  // namespace raks::engine

@@ -1,0 +1,138 @@
+#include "engine/live/live_graph.hpp"
+
+#include <utility>
+
+namespace raks::engine {
+namespace {
+
+constexpr SampleRate kOwnClockRate(48'000);
+constexpr int kOwnClockChannels = 2;
+
+}  // namespace
+
+Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
+    std::unique_ptr<audio::FilePlayer> player,
+    const std::optional<audio::AudioDevice>& output,
+    const LiveGraphConfig& config) {
+    std::unique_ptr<LiveGraph> graph(new LiveGraph);
+    auto playback = Playback::create(std::move(player));
+    if (!playback) {
+        return fail(playback.error());
+    }
+    graph->playback_ = std::move(*playback);
+    graph->analysis_ = &graph->playback_->analysis();
+    if (output) {
+        auto stream = audio::DeviceStream::open_output(*output, {});
+        if (!stream) {
+            return fail(stream.error());
+        }
+        graph->stream_ = std::move(*stream);
+        graph->device_name_ = output->name;
+        graph->output_latency_ = graph->stream_->reported_latency() + config.latency_offset;
+    }
+    const SampleRate rate = output ? graph->stream_->rate() : kOwnClockRate;
+    if (auto prepared = graph->playback_->prepare(rate); !prepared) {
+        return fail(prepared.error());
+    }
+    if (auto started = graph->start_motion(config); !started) {
+        return fail(started.error());
+    }
+    if (output) {
+        graph->stream_->connect(*graph->playback_);
+    } else {
+        graph->paced_clock_ = std::make_unique<PacedClock>(
+            PacedClock::Direction::output, rate, kOwnClockChannels, *graph->playback_);
+    }
+    return graph;
+}
+
+Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice& input,
+                                                       const LiveGraphConfig& config) {
+    std::unique_ptr<LiveGraph> graph(new LiveGraph);
+    auto stream = audio::DeviceStream::open_input(input, {});
+    if (!stream) {
+        return fail(stream.error());
+    }
+    graph->stream_ = std::move(*stream);
+    graph->device_name_ = input.name;
+    auto listening = Listening::create(graph->stream_->rate());
+    if (!listening) {
+        return fail(input.name + ": " + listening.error().message);
+    }
+    graph->listening_ = std::move(*listening);
+    graph->analysis_ = &graph->listening_->analysis();
+    if (auto started = graph->start_motion(config); !started) {
+        return fail(started.error());
+    }
+    graph->stream_->connect(*graph->listening_);
+    return graph;
+}
+
+Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
+    pose_lead_ = config.pose_lead;
+    motion::Ensemble dancers;
+    if (auto ok = dancers.prepare(config.members, motion::mannequin_skeleton()); !ok) {
+        return ok;
+    }
+    motion_ =
+        std::make_unique<MotionThread>(std::move(dancers), analysis_->states(), config.record);
+    return {};
+}
+
+audio::StreamCallback& LiveGraph::callback() noexcept {
+    if (playback_) {
+        return *playback_;
+    }
+    return *listening_;
+}
+
+std::optional<std::string> LiveGraph::watch(HostTime now) {
+    if (!stream_ || has_lost_device_ || stream_->is_alive(now)) {
+        return std::nullopt;
+    }
+    has_lost_device_ = true;
+    go_on_without_device();
+    return device_name_ + ": the device is gone; " +
+           (playback_ ? "the dance goes on without sound"
+                      : "the dancer settles (start again to listen to another)");
+}
+
+void LiveGraph::go_on_without_device() {
+    stream_->abandon();
+    stream_.reset();
+    if (playback_) {
+        // Copying or resampling alike, the only failure is lack of memory: then nothing plays on.
+        if (!playback_->prepare(kOwnClockRate)) {
+            return;
+        }
+    }
+    const SampleRate rate = playback_ ? kOwnClockRate : analysis_->rate();
+    paced_clock_ = std::make_unique<PacedClock>(
+        playback_ ? PacedClock::Direction::output : PacedClock::Direction::input,
+        rate,
+        kOwnClockChannels,
+        callback());
+}
+
+StreamTime LiveGraph::moment_at(HostTime seen_at) noexcept {
+    const StreamTime moment = analysis_->clock().stream_at(seen_at) + pose_lead_;
+    return has_lost_device_ ? moment : moment - output_latency_;
+}
+
+LiveCounters LiveGraph::counters() const noexcept {
+    LiveCounters counters;
+    counters.dropped_states = analysis_->states().dropped();
+    counters.xruns = stream_ ? stream_->xruns() : 0;
+    counters.underruns = playback_ ? playback_->player().underruns() : 0;
+    return counters;
+}
+
+bool LiveGraph::command(audio::AnalyzerCommand::Kind kind, double value) noexcept {
+    return analysis_->command({kind, moment_at(HostClock::now()), value});
+}
+
+bool LiveGraph::command(motion::DancerCommand::Kind kind, double value) noexcept {
+    return motion_->command({kind, moment_at(HostClock::now()), value});
+}
+
+}  // namespace raks::engine

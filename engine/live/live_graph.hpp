@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "audio/io/device_stream.hpp"
+#include "audio/io/devices.hpp"
+#include "audio/io/file_player.hpp"
+#include "base/expected.hpp"
+#include "engine/live/analysis_stage.hpp"
+#include "engine/live/live_input.hpp"
+#include "engine/live/motion_thread.hpp"
+#include "engine/live/paced_clock.hpp"
+#include "engine/live/playback.hpp"
+#include "motion/dancer.hpp"
+
+namespace raks::engine {
+
+/// What `play` and `live` share.
+struct LiveGraphConfig {
+    std::vector<motion::EnsembleMember> members;  ///< who dances
+    Nanos latency_offset{};                       ///< the user's, added to what the device reports
+    Nanos pose_lead{};                            ///< pictures show this much ahead
+    EventQueue<DancedHop>* record = nullptr;      ///< gets every danced hop, if given
+};
+
+/// Counters for the overlay and the benchmarks.
+struct LiveCounters {
+    std::uint64_t dropped_states = 0;  ///< the motion thread was too slow
+    std::uint64_t xruns = 0;           ///< blocks that the device flagged
+    std::uint64_t underruns = 0;       ///< the decoder was too slow
+};
+
+/// The live graph: device -> analyzer -> dancer -> the newest stage, on their threads. It wires; it
+/// has no logic of music or motion.
+///
+/// Threads: main for all methods.
+class LiveGraph {
+ public:
+    /// Plays one file on `output` (or, without one, by our own clock without sound).
+    [[nodiscard]] static Expected<std::unique_ptr<LiveGraph>> play(
+        std::unique_ptr<audio::FilePlayer> player,
+        const std::optional<audio::AudioDevice>& output,
+        const LiveGraphConfig& config);
+
+    /// Listens to `input`.
+    [[nodiscard]] static Expected<std::unique_ptr<LiveGraph>> listen(
+        const audio::AudioDevice& input, const LiveGraphConfig& config);
+
+    LiveGraph(const LiveGraph&) = delete;
+    LiveGraph& operator=(const LiveGraph&) = delete;
+
+    /// Watches the device; call it with every picture. When the device has died the graph goes on
+    /// by its own clock and the one line for the user is returned, once.
+    [[nodiscard]] std::optional<std::string> watch(HostTime now);
+    [[nodiscard]] bool has_lost_device() const noexcept { return has_lost_device_; }
+
+    /// The moment of the music that a picture seen at `seen_at` must show: what leaves the
+    /// loudspeaker then, or with an input what sounds then.
+    [[nodiscard]] StreamTime moment_at(HostTime seen_at) noexcept;
+
+    [[nodiscard]] const StageState& stage() noexcept { return motion_->newest(); }
+    /// Latency between our block and the loudspeaker, the user's offset included; 0 with an input.
+    [[nodiscard]] Nanos output_latency() const noexcept { return output_latency_; }
+    [[nodiscard]] LiveCounters counters() const noexcept;
+
+    /// The device's stream; null while our own clock drives.
+    [[nodiscard]] const audio::DeviceStream* stream() const noexcept { return stream_.get(); }
+    [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
+    [[nodiscard]] MotionThread& motion() noexcept { return *motion_; }
+    /// Null in `live`.
+    [[nodiscard]] Playback* playback() noexcept { return playback_.get(); }
+
+    /// For both threads, at the newest moment. False when a queue is full.
+    bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
+    bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
+
+ private:
+    LiveGraph() = default;
+    [[nodiscard]] Expected<void> start_motion(const LiveGraphConfig& config);
+    [[nodiscard]] audio::StreamCallback& callback() noexcept;
+    void go_on_without_device();
+
+    std::string device_name_;
+    Nanos output_latency_{};
+    Nanos pose_lead_{};
+    bool has_lost_device_ = false;
+    // Order matters: what calls is destroyed before what is called.
+    std::unique_ptr<Playback> playback_;
+    std::unique_ptr<Listening> listening_;
+    AnalysisStage* analysis_ = nullptr;  // of playback_ or listening_
+    std::unique_ptr<MotionThread> motion_;
+    std::unique_ptr<PacedClock> paced_clock_;
+    std::unique_ptr<audio::DeviceStream> stream_;
+};
+
+}  // namespace raks::engine

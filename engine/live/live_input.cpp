@@ -1,0 +1,69 @@
+#include "engine/live/live_input.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "audio/io/downmix.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr std::size_t kMixFrames = 512;
+// Shorter gaps are the callback's jitter; the beat is not moved for them.
+constexpr Nanos kLeastLoss = std::chrono::milliseconds(3);
+constexpr Nanos kMostLoss = std::chrono::seconds(5);
+
+}  // namespace
+
+Expected<std::unique_ptr<Listening>> Listening::create(SampleRate device_rate) {
+    auto analysis = AnalysisStage::create(device_rate);
+    if (!analysis) {
+        return fail(analysis.error());
+    }
+    return std::unique_ptr<Listening>(new Listening(device_rate, std::move(*analysis)));
+}
+
+Listening::Listening(SampleRate rate, std::unique_ptr<AnalysisStage> analysis)
+    : rate_(rate), analysis_(std::move(analysis)), mono_(kMixFrames) {}
+
+/// The device says that audio was lost; how much, only the clock knows.
+void Listening::skip_lost(const audio::BlockTime& time) noexcept {
+    const Nanos block = rate_.time_of(last_frames_).time_since_epoch();
+    const Nanos gap = std::min(time.entered - last_entered_ - block, kMostLoss);
+    if (gap > kLeastLoss) {
+        const std::int64_t frames = rate_.index_at(StreamTime(gap));
+        analysis_->skip(frames);
+        lost_frames_.fetch_add(frames, std::memory_order_relaxed);  // relaxed: a statistic
+    }
+}
+
+void Listening::on_input(std::span<const float> interleaved,
+                         int channels,
+                         const audio::BlockTime& time) noexcept {
+    const HostTime start = HostClock::now();
+    const std::size_t stride = static_cast<std::size_t>(channels);
+    const std::size_t frames = interleaved.size() / stride;
+    if (time.is_xrun && last_frames_ > 0) {
+        analysis_->loosen_clock();
+        skip_lost(time);
+    }
+    // The block's last sample has just arrived: its first is one block old.
+    const StreamTime end = analysis_->taken_until() +
+                           rate_.time_of(static_cast<std::int64_t>(frames)).time_since_epoch();
+    analysis_->mark_clock(end, time.entered);
+    for (std::size_t at = 0; at < frames; at += kMixFrames) {
+        const std::size_t count = std::min(kMixFrames, frames - at);
+        const std::span<float> mono = std::span(mono_).first(count);
+        audio::downmix_to_mono(interleaved.subspan(at * stride, count * stride), stride, mono);
+        analysis_->analyze(mono);
+    }
+    last_entered_ = time.entered;
+    last_frames_ = static_cast<std::int64_t>(frames);
+    analysis_->add_callback_time(HostClock::now() - start);
+}
+
+std::int64_t Listening::lost_frames() const noexcept {
+    return lost_frames_.load(std::memory_order_relaxed);  // relaxed: a statistic
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "audio/io/device_stream.hpp"
+#include "base/expected.hpp"
+#include "engine/live/analysis_stage.hpp"
+
+namespace raks::engine {
+
+/// The microphone's side of `live`: what the input callback does.
+/// Threads: on_input from the device (or PacedClock after the device died), the rest from main.
+class Listening final : public audio::StreamCallback {
+ public:
+    /// Errors: a rate that the analyzer refuses.
+    [[nodiscard]] static Expected<std::unique_ptr<Listening>> create(SampleRate device_rate);
+
+    void on_input(std::span<const float> interleaved,
+                  int channels,
+                  const audio::BlockTime& time) noexcept override;
+
+    [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
+    /// Frames that the device lost, by its flags and the clock.
+    [[nodiscard]] std::int64_t lost_frames() const noexcept;
+
+ private:
+    Listening(SampleRate rate, std::unique_ptr<AnalysisStage> analysis);
+    void skip_lost(const audio::BlockTime& time) noexcept;
+
+    SampleRate rate_;
+    std::unique_ptr<AnalysisStage> analysis_;
+    std::vector<float> mono_;
+    HostTime last_entered_{};       // audio thread's own
+    std::int64_t last_frames_ = 0;  // of the block before
+    std::atomic<std::int64_t> lost_frames_{0};
+};
+
+}  // namespace raks::engine

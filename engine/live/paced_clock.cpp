@@ -1,0 +1,61 @@
+#include "engine/live/paced_clock.hpp"
+
+#include <ctime>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/realtime.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr std::int64_t kBlockFrames = 256;
+// After a longer stall (a suspended machine) the clock goes on from now instead of racing after.
+constexpr Nanos kMaxBehind = std::chrono::milliseconds(500);
+
+void sleep_until(HostTime time) noexcept {
+    const std::int64_t ns = time.time_since_epoch().count();
+    timespec until{};
+    until.tv_sec = ns / 1'000'000'000;
+    until.tv_nsec = ns % 1'000'000'000;
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
+
+}  // namespace
+
+PacedClock::PacedClock(Direction direction,
+                       SampleRate rate,
+                       int channels,
+                       audio::StreamCallback& callback)
+    : callback_(callback), thread_([=, this] { run(direction, rate, channels); }) {}
+
+PacedClock::~PacedClock() {
+    is_stopping_.store(true, std::memory_order_relaxed);  // relaxed: join() orders the rest
+    thread_.join();
+}
+
+void PacedClock::run(Direction direction, SampleRate rate, int channels) noexcept {
+    const FlushToZeroScope flush_to_zero;
+    std::vector<float> block(static_cast<std::size_t>(kBlockFrames * channels));
+    HostTime start = HostClock::now();
+    std::int64_t frame = 0;
+    while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
+        const HostTime due = start + rate.time_of(frame).time_since_epoch();
+        sleep_until(due);
+        const HostTime now = HostClock::now();
+        if (now - due > kMaxBehind) {
+            start += now - due;
+        }
+        std::fill(block.begin(), block.end(), 0.0F);
+        const audio::BlockTime time{frame, now, false};
+        if (direction == Direction::input) {
+            callback_.on_input(block, channels, time);
+        } else {
+            callback_.on_output(block, channels, time);
+        }
+        frame += kBlockFrames;
+    }
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,170 @@
+#include "engine/live/playback.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "audio/io/downmix.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr std::size_t kPullFrames = 256;
+// A step of the volume takes 10 ms at 48 kHz: no click.
+constexpr float kGainStep = 1.0F / 480.0F;
+
+}  // namespace
+
+Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::FilePlayer> player) {
+    auto analysis = AnalysisStage::create(player->first_info().rate);
+    if (!analysis) {
+        return fail(analysis.error());
+    }
+    return std::unique_ptr<Playback>(new Playback(std::move(player), std::move(*analysis)));
+}
+
+Playback::Playback(std::unique_ptr<audio::FilePlayer> player,
+                   std::unique_ptr<AnalysisStage> analysis)
+    : player_(std::move(player)),
+      analysis_(std::move(analysis)),
+      file_rate_(player_->first_info().rate),
+      device_rate_(file_rate_),
+      pulled_(2 * kPullFrames),
+      mono_(kPullFrames),
+      stereo_(2 * kPullFrames) {}
+
+Expected<void> Playback::prepare(SampleRate device_rate) {
+    device_rate_ = device_rate;
+    // The loudspeaker may change (it died, our clock takes over): stream time goes on.
+    frames_out_ = device_rate.index_at(analysis_->taken_until());
+    return resampler_.prepare(file_rate_, device_rate, 2);
+}
+
+/// Next frames of the file, analyzed as they come; 0 when none are ready or the file has ended.
+std::size_t Playback::refill() noexcept {
+    const audio::PulledAudio got = player_->pull(pulled_);
+    // Anew each time: after its end the source goes on where a seek says.
+    is_source_ended_ = got.is_ended;
+    if (got.frames == 0) {
+        return 0;
+    }
+    const double seconds = static_cast<double>(got.position) / file_rate_.hertz();
+    // relaxed, all three: numbers by themselves
+    if (!player_->is_seeking()) {
+        position_seconds_.store(seconds, std::memory_order_relaxed);
+    }
+    const double left = end_seconds_.load(std::memory_order_relaxed) - seconds;
+    const double frames_left = std::round(left * file_rate_.hertz());
+    if (frames_left < 1.0) {
+        is_source_ended_ = true;
+        return 0;
+    }
+    const std::size_t frames = frames_left < static_cast<double>(got.frames)
+                                   ? static_cast<std::size_t>(frames_left)
+                                   : got.frames;
+    if (got.is_jump && analysis_->taken_until() > StreamTime{}) {
+        analysis_->skip(0);
+    }
+    const std::span<float> mono = std::span(mono_).first(frames);
+    audio::downmix_to_mono(std::span(pulled_).first(2 * frames), 2, mono);
+    analysis_->analyze(mono);
+    return frames;
+}
+
+/// Fills `stereo` at the device's rate; returns how many frames hold the file's sound.
+std::size_t Playback::pull(std::span<float> stereo) noexcept {
+    std::size_t made = 0;
+    while (2 * made < stereo.size()) {
+        if (pending_ == 0) {
+            pending_ = refill();
+            pending_at_ = 0;
+            if (pending_ == 0) {
+                break;
+            }
+        }
+        const auto progress = resampler_.process(
+            std::span(pulled_).subspan(2 * pending_at_, 2 * pending_), stereo.subspan(2 * made));
+        pending_at_ += progress.taken;
+        pending_ -= progress.taken;
+        made += progress.made;
+    }
+    return made;
+}
+
+void Playback::on_output(std::span<float> interleaved,
+                         int channels,
+                         const audio::BlockTime& time) noexcept {
+    const HostTime start = HostClock::now();
+    const std::size_t stride = static_cast<std::size_t>(channels);
+    const std::size_t frames = interleaved.size() / stride;
+    std::fill(interleaved.begin(), interleaved.end(), 0.0F);
+    const StreamTime first = device_rate_.time_of(frames_out_);
+    // relaxed: switches that order nothing. A pause fades out first: no click.
+    const bool is_pausing = is_paused_.load(std::memory_order_relaxed);
+    if (is_pausing && gain_ == 0.0F) {
+        analysis_->stop_clock(first);
+        return;
+    }
+    const float volume = is_pausing ? 0.0F : volume_.load(std::memory_order_relaxed);
+    bool has_sound = false;
+    for (std::size_t at = 0; at < frames; at += kPullFrames) {
+        const std::size_t wanted = std::min(kPullFrames, frames - at);
+        const std::size_t made = pull(std::span(stereo_).first(2 * wanted));
+        for (std::size_t frame = 0; frame < made; ++frame) {
+            gain_ += std::clamp(volume - gain_, -kGainStep, kGainStep);
+            float* const out = &interleaved[(at + frame) * stride];
+            const float left = stereo_[2 * frame] * gain_;
+            const float right = stereo_[2 * frame + 1] * gain_;
+            out[0] = channels == 1 ? 0.5F * (left + right) : left;
+            if (channels > 1) {
+                out[1] = right;
+            }
+        }
+        frames_out_ += static_cast<std::int64_t>(made);
+        has_sound = has_sound || made > 0;
+        if (made < wanted) {
+            break;
+        }
+    }
+    if (time.is_xrun) {
+        analysis_->loosen_clock();
+    }
+    if (has_sound) {
+        analysis_->mark_clock(first, time.entered);
+    } else {
+        analysis_->stop_clock(first);
+    }
+    if (is_source_ended_ && !has_sound) {
+        // release: pairs with the acquire in is_finished(): all samples are out by then.
+        is_finished_.store(true, std::memory_order_release);
+    }
+    analysis_->add_callback_time(HostClock::now() - start);
+}
+
+void Playback::set_volume(float volume) noexcept {
+    volume_.store(std::clamp(volume, 0.0F, 2.0F), std::memory_order_relaxed);
+}
+
+void Playback::set_paused(bool is_paused) noexcept {
+    is_paused_.store(is_paused, std::memory_order_relaxed);
+}
+
+bool Playback::is_paused() const noexcept { return is_paused_.load(std::memory_order_relaxed); }
+
+double Playback::position_seconds() const noexcept {
+    return position_seconds_.load(std::memory_order_relaxed);
+}
+
+void Playback::seek(double seconds) {
+    const double wanted = std::max(0.0, seconds);
+    player_->seek(0, wanted);
+    position_seconds_.store(wanted, std::memory_order_relaxed);  // relaxed: for display
+}
+
+bool Playback::is_finished() const noexcept { return is_finished_.load(std::memory_order_acquire); }
+
+void Playback::set_end(double seconds) noexcept {
+    end_seconds_.store(seconds, std::memory_order_relaxed);
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,117 @@
+#include "engine/offline/music_source.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include "audio/io/downmix.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "base/file.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBlockFrames = 1024;
+// Part of the cached file's name: a change of the generator must not play the old piece.
+constexpr int kDemoVersion = 1;
+
+fs::path cache_folder() {
+    // Read at start-up, before any thread: nothing calls setenv beside it.
+    const char* xdg = std::getenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
+    if (xdg != nullptr && *xdg != '\0') {
+        return fs::path(xdg) / "raks";
+    }
+    const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
+    return home != nullptr ? fs::path(home) / ".cache" / "raks" : temporary_folder();
+}
+
+}  // namespace
+
+MusicSource::MusicSource(std::unique_ptr<audio::AudioFileReader> reader)
+    : reader_(std::move(reader)),
+      interleaved_(kBlockFrames * static_cast<std::size_t>(reader_->info().channels)),
+      mono_(kBlockFrames),
+      stereo_(2 * kBlockFrames) {}
+
+Expected<MusicSource> MusicSource::open(const fs::path& path,
+                                        double start,
+                                        std::optional<double> duration) {
+    auto reader = audio::open_audio_file(path);
+    if (!reader) {
+        return fail(reader.error());
+    }
+    MusicSource source(std::move(*reader));
+    const double rate = source.rate().hertz();
+    source.start_seconds_ = start;
+    source.frames_left_ = duration ? std::max<std::int64_t>(1, std::llround(*duration * rate))
+                                   : std::numeric_limits<std::int64_t>::max();
+    if (start > 0.0) {
+        const auto claimed = source.reader_->info().claimed_seconds;
+        if (claimed && start >= *claimed) {
+            return fail(fmt::format(
+                "{}: is {:.1f} s long; it cannot start at {} s", path.string(), *claimed, start));
+        }
+        if (auto sought = source.reader_->seek(std::llround(start * rate)); !sought) {
+            return fail(sought.error());
+        }
+    }
+    return source;
+}
+
+MusicSource::Block MusicSource::next() {
+    const std::size_t channels = static_cast<std::size_t>(reader_->info().channels);
+    const std::size_t wanted = static_cast<std::size_t>(
+        std::min<std::int64_t>(frames_left_, static_cast<std::int64_t>(kBlockFrames)));
+    const std::size_t got =
+        wanted == 0 ? 0 : reader_->read(std::span(interleaved_).first(wanted * channels));
+    frames_left_ -= static_cast<std::int64_t>(got);
+    frames_given_ += static_cast<std::int64_t>(got);
+    const std::span<const float> frames = std::span(interleaved_).first(got * channels);
+    const std::span<float> mono = std::span(mono_).first(got);
+    const std::span<float> stereo = std::span(stereo_).first(2 * got);
+    audio::downmix_to_mono(frames, channels, mono);
+    audio::downmix_to_stereo(frames, channels, stereo);
+    return {mono, stereo};
+}
+
+Nanos MusicSource::given() const noexcept {
+    return rate().time_of(frames_given_).time_since_epoch();
+}
+
+std::optional<double> MusicSource::progress() const noexcept {
+    const auto claimed = reader_->info().claimed_seconds;
+    const double rate = reader_->info().rate.hertz();
+    const double done = static_cast<double>(frames_given_) / rate;
+    double total = claimed ? *claimed - start_seconds_ : 0.0;
+    if (frames_left_ < std::numeric_limits<std::int64_t>::max() / 2) {
+        const double asked = done + static_cast<double>(frames_left_) / rate;
+        total = claimed ? std::min(total, asked) : asked;
+    }
+    return total > 0.0 ? std::optional(std::min(1.0, done / total)) : std::nullopt;
+}
+
+Expected<fs::path> demo_music() {
+    const fs::path path = cache_folder() / fmt::format("demo_salsa_{}.wav", kDemoVersion);
+    std::error_code error;
+    if (fs::exists(path, error)) {
+        return path;
+    }
+    fs::create_directories(path.parent_path(), error);
+    const auto music = audio::generate(audio::demo_plan());
+    if (!music) {
+        return fail(music.error());
+    }
+    if (auto written = audio::write_wav(path, music->samples, music->channels, music->rate);
+        !written) {
+        return fail(written.error());
+    }
+    return path;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,81 @@
+#include "engine/offline/offline_driver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "engine/setup/analyzer_setup.hpp"
+
+namespace raks::engine {
+namespace {
+
+/// Hands each state of the analyzer to the dancer, and the result on.
+class DanceEachState final : public audio::MusicAnalyzer::Sink {
+ public:
+    DanceEachState(motion::Ensemble& dancers,
+                   std::span<motion::PoseTrack> tracks,
+                   OfflineDriver::Sink& sink)
+        : dancers_(dancers), tracks_(tracks), sink_(sink) {}
+
+    void on_state(const MusicState& state) noexcept override {
+        dancers_.advance(state, tracks_);
+        sink_.on_hop({state, tracks_.front(), tracks_, dancers_.status()});
+    }
+
+ private:
+    motion::Ensemble& dancers_;
+    std::span<motion::PoseTrack> tracks_;
+    OfflineDriver::Sink& sink_;
+};
+
+}  // namespace
+
+Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
+                                              std::span<const motion::EnsembleMember> members) {
+    auto analyzer = make_analyzer(rate);
+    if (!analyzer) {
+        return fail(analyzer.error());
+    }
+    motion::Ensemble dancers;
+    if (auto prepared = dancers.prepare(members, motion::mannequin_skeleton()); !prepared) {
+        return fail(prepared.error());
+    }
+    return OfflineDriver(rate, std::move(*analyzer), std::move(dancers));
+}
+
+Expected<OfflineDriver> OfflineDriver::create(
+    SampleRate rate,
+    const std::shared_ptr<const motion::DanceLibrary>& library,
+    std::uint64_t seed) {
+    return create(rate,
+                  motion::members_of(
+                      motion::Formation::solo, motion::Repertoire::of_one(library), nullptr, seed));
+}
+
+OfflineDriver::OfflineDriver(SampleRate rate,
+                             audio::MusicAnalyzer analyzer,
+                             motion::Ensemble dancers)
+    : rate_(rate),
+      analyzer_(std::move(analyzer)),
+      dancers_(std::move(dancers)),
+      tracks_(dancers_.size()) {}
+
+void OfflineDriver::feed(std::span<const float> mono, Sink& sink) {
+    DanceEachState each(dancers_, tracks_, sink);
+    analyzer_.process(mono, each);
+    samples_fed_ += static_cast<std::int64_t>(mono.size());
+}
+
+void OfflineDriver::finish(Sink& sink) {
+    const StreamTime end = rate_.time_of(samples_fed_);
+    const std::array<float, 256> silence{};
+    DanceEachState each(dancers_, tracks_, sink);
+    // delay() of silence completes the hops before the end; one hop more absorbs rounding.
+    for (Nanos left = analyzer_.delay() + kHop;
+         left.count() > 0 && time_of_hop(tracks_.front().newest_final() + 1) < end;
+         left -= rate_.time_of(silence.size()).time_since_epoch()) {
+        analyzer_.process(silence, each);
+    }
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,349 @@
+#include "engine/setup/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <span>
+#include <system_error>
+#include <variant>
+
+#include "base/suggest.hpp"
+#include "base/text_file.hpp"
+#include "base/toml_headers.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+namespace raks::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kVersion = 1;
+
+using Member = std::variant<std::string Settings::*,
+                            double Settings::*,
+                            std::int64_t Settings::*,
+                            bool Settings::*>;
+
+/// One key of the file. `low` and `high` bound numbers.
+struct Key {
+    std::string_view section;
+    std::string_view name;
+    Member member;
+    double low = 0.0;
+    double high = 0.0;
+    std::string_view help;
+};
+
+const std::array kKeys = std::to_array<Key>({
+    {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
+    {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
+    {"audio",
+     "latency_offset_ms",
+     &Settings::latency_offset_ms,
+     -500,
+     500,
+     "added to the latency that the device reports"},
+    {"audio", "volume", &Settings::volume, 0, 2, "1 is the file's own level"},
+    {"dance", "dance", &Settings::dance, 0, 0, "auto, or the dance to keep to"},
+    {"dance",
+     "fallback_dance",
+     &Settings::fallback_dance,
+     0,
+     0,
+     "danced when nothing is recognised: a dance, keep (the dance that is on) or stand"},
+    {"dance", "figures", &Settings::figures, 0, 0, "learnt as angles or positions of the joints"},
+    {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
+    {"dance", "generator", &Settings::generator, 0, 0, "trajectories, or frames: the paper's"},
+    {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
+    {"dance",
+     "pose_lead_ms",
+     &Settings::pose_lead_ms,
+     -200,
+     200,
+     "pictures show the pose this much ahead"},
+    {"picture", "theme", &Settings::theme, 0, 0, "stage, workshop_dark or studio_light"},
+    {"picture", "camera", &Settings::camera, 0, 0, "wide, portrait, front or side"},
+    {"picture", "size", &Settings::size, 0, 0, "WIDTHxHEIGHT"},
+    {"picture", "fps", &Settings::fps, 1, 240, "pictures a second"},
+    {"picture", "quality", &Settings::quality, 0, 0, "auto, fast or high"},
+    {"picture",
+     "view",
+     &Settings::view,
+     0,
+     0,
+     "skin, stick, or auto: stick when danced by positions"},
+    {"picture", "overlay", &Settings::overlay, 0, 0, "beat, tempo and levels over the picture"},
+});
+
+std::string full_name(const Key& key) { return fmt::format("{}.{}", key.section, key.name); }
+
+std::vector<std::string_view> names_of_keys(const std::vector<std::string>& storage) {
+    return {storage.begin(), storage.end()};
+}
+
+std::string where(const std::string& name, const toml::source_region& source) {
+    return fmt::format("{}: line {}", name, source.begin.line);
+}
+
+/// Puts one value of the file into its member; the message of the error, or empty.
+std::string assign(const Key& key, const toml::node& node, Settings& settings) {
+    return std::visit(
+        [&](auto member) -> std::string {
+            using T = std::remove_reference_t<decltype(settings.*member)>;
+            const std::optional<T> value = node.value<T>();
+            if (!value || (std::is_same_v<T, std::int64_t> && !node.is_integer()) ||
+                (std::is_same_v<T, bool> && !node.is_boolean())) {
+                constexpr std::string_view kind = std::is_same_v<T, std::string> ? "a text"
+                                                  : std::is_same_v<T, bool>      ? "true or false"
+                                                                                 : "a number";
+                return fmt::format("{} must be {}", full_name(key), kind);
+            }
+            settings.*member = *value;
+            return {};
+        },
+        key.member);
+}
+
+Expected<void> read_section(const std::string& name,
+                            std::string_view section,
+                            const toml::table& table,
+                            Settings& settings) {
+    for (const auto& entry : table) {
+        const std::string_view name_in_file = entry.first.str();
+        const toml::node& node = entry.second;
+        const auto key = std::find_if(kKeys.begin(), kKeys.end(), [&](const Key& k) {
+            return k.section == section && k.name == name_in_file;
+        });
+        if (key == kKeys.end()) {
+            std::vector<std::string> names;
+            std::transform(kKeys.begin(), kKeys.end(), std::back_inserter(names), full_name);
+            const std::string unknown = fmt::format("{}.{}", section, name_in_file);
+            return fail(fmt::format("{}: unknown key \"{}\"{}",
+                                    where(name, node.source()),
+                                    unknown,
+                                    suggestion(unknown, names_of_keys(names))));
+        }
+        const std::string fault = assign(*key, node, settings);
+        if (!fault.empty()) {
+            return fail(where(name, node.source()) + ": " + fault);
+        }
+    }
+    return {};
+}
+
+Expected<void> read_table(const std::string& name, const toml::table& table, Settings& settings) {
+    for (const auto& entry : table) {
+        const std::string_view key = entry.first.str();
+        const toml::node& node = entry.second;
+        if (key == "format" || key == "version") {
+            continue;
+        }
+        const bool is_section =
+            std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == key; });
+        if (!is_section || !node.is_table()) {
+            constexpr std::array<std::string_view, 5> kKnown = {
+                "audio", "dance", "picture", "format", "version"};
+            return fail(fmt::format("{}: unknown key \"{}\"{}",
+                                    where(name, node.source()),
+                                    key,
+                                    suggestion(key, kKnown)));
+        }
+        if (auto read = read_section(name, key, *node.as_table(), settings); !read) {
+            return read;
+        }
+    }
+    const std::int64_t version = table["version"].value_or(kVersion);
+    if (table["format"].value_or(std::string("raks-config")) != "raks-config") {
+        return fail(name + ": format is not \"raks-config\"; this is another kind of file");
+    }
+    if (version != kVersion) {
+        return fail(fmt::format("{}: version {} is not known to this Raks (it reads version {})",
+                                name,
+                                version,
+                                kVersion));
+    }
+    return {};
+}
+
+/// A setting that is one of a few names.
+struct Name {
+    std::string_view key;
+    std::string Settings::*member;
+    std::span<const std::string_view> known;
+};
+
+constexpr std::array<std::string_view, 2> kGenerators = {"trajectories", "frames"};
+constexpr std::array<std::string_view, 3> kQualities = {"auto", "fast", "high"};
+constexpr std::array<std::string_view, 3> kViews = {"auto", "skin", "stick"};
+constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
+
+const std::array kNames = std::to_array<Name>({
+    {"dance.generator", &Settings::generator, kGenerators},
+    {"picture.quality", &Settings::quality, kQualities},
+    {"picture.view", &Settings::view, kViews},
+    {"dance.figures", &Settings::figures, kFigures},
+});
+
+}  // namespace
+
+Expected<void> parse_settings(std::string_view text, const std::string& name, Settings& settings) {
+    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
+        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
+    }
+    Settings result = settings;
+    try {
+        const toml::table table = toml::parse(text);
+        if (auto read = read_table(name, table, result); !read) {
+            return read;
+        }
+    } catch (const toml::parse_error& error) {
+        return fail(where(name, error.source()) + ": " + std::string(error.description()));
+    }
+    if (const std::vector<std::string> faults = validate(result); !faults.empty()) {
+        return fail(name + ": " + faults.front());
+    }
+    settings = result;
+    return {};
+}
+
+Expected<void> read_settings(const fs::path& path, Settings& settings) {
+    const auto text = read_text_file(path, std::size_t{1} << 20U);
+    if (!text) {
+        return fail(text.error());
+    }
+    return parse_settings(*text, path.string(), settings);
+}
+
+std::vector<std::string> validate(const Settings& settings) {
+    std::vector<std::string> faults;
+    for (const Key& key : kKeys) {
+        double value = 0.0;
+        if (const auto* real = std::get_if<double Settings::*>(&key.member)) {
+            value = settings.**real;
+        } else if (const auto* whole = std::get_if<std::int64_t Settings::*>(&key.member)) {
+            value = static_cast<double>(settings.**whole);
+        } else {
+            continue;
+        }
+        if (!(value >= key.low && value <= key.high)) {
+            faults.push_back(fmt::format(
+                "{} is {}, must be {} to {}", full_name(key), value, key.low, key.high));
+        }
+    }
+    if (const auto size = parse_size(settings.size); !size) {
+        faults.push_back("picture.size: " + size.error().message);
+    }
+    for (const Name& name : kNames) {
+        const std::string& value = settings.*name.member;
+        if (std::find(name.known.begin(), name.known.end(), value) == name.known.end()) {
+            faults.push_back(unknown_name(name.key, value, name.known));
+        }
+    }
+    return faults;
+}
+
+std::string to_toml(const Settings& settings) {
+    std::string text = fmt::format(
+        "# Settings of Raks. Command line options win over this file.\n"
+        "format = \"raks-config\"\nversion = {}\n",
+        kVersion);
+    std::string_view section;
+    for (const Key& key : kKeys) {
+        if (key.section != section) {
+            section = key.section;
+            text += fmt::format("\n[{}]\n", section);
+        }
+        const std::string value = std::visit(
+            [&](auto member) -> std::string {
+                using T = std::decay_t<decltype(settings.*member)>;
+                if constexpr (std::is_same_v<T, std::string>) {
+                    return fmt::format("{:?}", fmt::string_view(settings.*member));
+                } else if constexpr (std::is_same_v<T, double>) {
+                    const std::string number = fmt::format("{}", settings.*member);
+                    return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
+                } else {
+                    return fmt::format("{}", settings.*member);
+                }
+            },
+            key.member);
+        text += fmt::format("{} = {}  # {}\n", key.name, value, key.help);
+    }
+    return text;
+}
+
+fs::path user_settings_path() {
+    // Read once at start-up, before any thread: nothing calls setenv beside it.
+    const char* xdg = std::getenv("XDG_CONFIG_HOME");  // NOLINT(concurrency-mt-unsafe)
+    if (xdg != nullptr && *xdg != '\0') {
+        return fs::path(xdg) / "raks" / "config.toml";
+    }
+    const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
+    return fs::path(home != nullptr ? home : ".") / ".config" / "raks" / "config.toml";
+}
+
+Expected<Settings> load_settings() {
+    Settings settings;
+    std::vector<fs::path> files;
+    if (const auto installed = data_path("config/default.toml")) {
+        files.push_back(*installed);
+    }
+    files.push_back(user_settings_path());
+    for (const fs::path& file : files) {
+        std::error_code ignored;
+        if (!fs::exists(file, ignored)) {
+            continue;
+        }
+        if (auto read = read_settings(file, settings); !read) {
+            return fail(read.error());
+        }
+    }
+    return settings;
+}
+
+Expected<fs::path> data_path(const fs::path& relative) {
+    std::vector<fs::path> roots;
+    if (const char* root = std::getenv("RAKS_DATA");  // NOLINT(concurrency-mt-unsafe): see above
+        root != nullptr && *root != '\0') {
+        roots.emplace_back(root);
+    }
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    if (!error) {
+        roots.push_back(program / ".." / "share" / "raks");
+        // From a build folder: up to the root of the source tree.
+        for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path()) {
+            roots.push_back(folder);
+        }
+    }
+    for (const fs::path& root : roots) {
+        if (fs::exists(root / relative, error)) {
+            return (root / relative).lexically_normal();
+        }
+    }
+    return fail(relative.string() +
+                ": is not installed beside the program; set RAKS_DATA to the folder that holds it");
+}
+
+Expected<PictureSize> parse_size(std::string_view text) {
+    PictureSize size;
+    const std::size_t x = text.find('x');
+    const char* const end = text.data() + text.size();
+    const auto is_side = [](int pixels) { return pixels >= 16 && pixels <= 7680; };
+    if (x != std::string_view::npos) {
+        const auto width = std::from_chars(text.data(), text.data() + x, size.width);
+        const auto height = std::from_chars(text.data() + x + 1, end, size.height);
+        if (width.ptr == text.data() + x && height.ptr == end && is_side(size.width) &&
+            is_side(size.height)) {
+            return size;
+        }
+    }
+    return fail(
+        fmt::format("\"{}\" is no picture size; write WIDTHxHEIGHT, 16 to 7680 each, "
+                    "such as 1280x720",
+                    text));
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,181 @@
+#include "engine/show/dance_preview.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "base/suggest.hpp"
+#include "motion/choreography/motion_check.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr int kRepeats = 8;  // each with its own noise, then over again
+constexpr double kTempoStep = 4.0;
+
+std::filesystem::file_time_type time_saved(const std::filesystem::path& path) {
+    std::error_code problem;  // a file that is being replaced is looked at again
+    return std::filesystem::last_write_time(path, problem);
+}
+
+}  // namespace
+
+Expected<DancePreview> DancePreview::create(const std::filesystem::path& path,
+                                            const std::string& figure,
+                                            std::optional<Bpm> tempo) {
+    DancePreview preview;
+    preview.path_ = path;
+    preview.tempo_ = tempo;
+    preview.saved_ = time_saved(path);
+    auto dance = preview.read();
+    if (!dance) {
+        return fail(std::move(dance.error()));
+    }
+    if (!figure.empty()) {
+        const motion::AuthoredFigure* const wanted = dance->figure(figure);
+        if (wanted == nullptr) {
+            std::vector<std::string_view> names;
+            for (const motion::AuthoredFigure& one : dance->figures) {
+                names.push_back(one.name);
+            }
+            return fail(dance->file + ": " + unknown_name("figure", figure, names));
+        }
+        preview.shown_ = static_cast<std::size_t>(wanted - dance->figures.data());
+    }
+    preview.take(std::move(*dance));
+    return preview;
+}
+
+Expected<motion::AuthoredDance> DancePreview::read() const {
+    auto dance = motion::load_authored_dance(path_);
+    if (!dance) {
+        return dance;
+    }
+    for (const motion::AuthoredFigure& figure : dance->figures) {
+        const auto faults = motion::faults_in_motion(*dance, figure, motion::mannequin_skeleton());
+        if (!faults.empty()) {
+            return fail(faults.front());
+        }
+    }
+    return dance;
+}
+
+bool DancePreview::refresh() {
+    const auto saved = time_saved(path_);
+    if (saved == saved_) {
+        return false;
+    }
+    saved_ = saved;
+    auto dance = read();
+    if (!dance) {
+        fault_ = std::move(dance.error().message);
+        return true;
+    }
+    fault_.clear();
+    const std::string name(figure());
+    const motion::AuthoredFigure* const same = dance->figure(name);
+    shown_ = same != nullptr ? static_cast<std::size_t>(same - dance->figures.data())
+                             : std::min(shown_, dance->figures.size() - 1);
+    take(std::move(*dance));
+    return true;
+}
+
+void DancePreview::take(motion::AuthoredDance dance) {
+    dance_ = std::move(dance);
+    evaluate();
+}
+
+void DancePreview::evaluate() {
+    motion::EvaluationOptions options;
+    options.written = dance_.written;
+    options.tempo = tempo_.value_or(dance_.written);
+    options.repeats = kRepeats;
+    evaluated_ =
+        motion::evaluate_figure(dance_.figures[shown_], motion::mannequin_skeleton(), options);
+}
+
+void DancePreview::advance(double seconds) {
+    if (!is_paused_) {
+        const double whole = static_cast<double>(evaluated_.repeats) * evaluated_.beats;
+        const Bpm tempo = tempo_.value_or(dance_.written);
+        beat_ = std::fmod(beat_ + seconds * tempo.beats_per_second(), whole);
+    }
+}
+
+bool DancePreview::handle(const render::KeyEvent& key) {
+    const std::size_t count = dance_.figures.size();
+    const double bpm = tempo_.value_or(dance_.written).bpm();
+    switch (key.key) {
+        case render::Key::left:
+            show((shown_ + count - 1) % count);
+            return true;
+        case render::Key::right:
+            show((shown_ + 1) % count);
+            return true;
+        case render::Key::up:
+        case render::Key::down:
+            tempo_ = Bpm(std::clamp(
+                bpm + (key.key == render::Key::up ? kTempoStep : -kTempoStep), 30.0, 300.0));
+            evaluate();
+            return true;
+        case render::Key::space:
+            is_paused_ = !is_paused_;
+            return true;
+        default:
+            return false;
+    }
+}
+
+void DancePreview::show(std::size_t figure) {
+    shown_ = figure;
+    beat_ = 0.0;
+    evaluate();
+}
+
+motion::Pose DancePreview::at_beat(double beat) const {
+    const double last = static_cast<double>(evaluated_.poses.size() - 1);
+    const double frame = std::clamp(evaluated_.frame_of(beat), 0.0, last);
+    const auto i = std::min(static_cast<std::size_t>(frame), evaluated_.poses.size() - 2);
+    return interpolate(evaluated_.poses[i],
+                       evaluated_.poses[i + 1],
+                       static_cast<float>(frame - static_cast<double>(i)));
+}
+
+motion::Pose DancePreview::pose() const { return at_beat(beat_); }
+
+std::vector<motion::Pose> DancePreview::sheet(int per_beat) const {
+    const int sides = dance_.figures[shown_].is_mirrored ? 2 : 1;
+    const int first = sides * evaluated_.beats;  // the second time: it comes out of itself
+    std::vector<motion::Pose> poses;
+    for (int i = 0; i < first * per_beat; ++i) {
+        poses.push_back(at_beat(first + static_cast<double>(i) / per_beat));
+    }
+    return poses;
+}
+
+std::string DancePreview::status() const {
+    if (!fault_.empty()) {
+        return fault_;
+    }
+    const double beats = evaluated_.beats;
+    return fmt::format("{}   {:.0f} BPM   beat {:.1f} of {}{}",
+                       figure(),
+                       tempo_.value_or(dance_.written).bpm(),
+                       beat_ - beats * std::floor(beat_ / beats),
+                       evaluated_.beats,
+                       is_paused_ ? "   paused" : "");
+}
+
+std::string_view DancePreview::figure() const noexcept { return dance_.figures[shown_].name; }
+
+std::vector<std::string> DancePreview::figures() const {
+    std::vector<std::string> names;
+    for (const motion::AuthoredFigure& figure : dance_.figures) {
+        names.push_back(figure.name);
+    }
+    return names;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,39 @@
+#include "engine/show/picture.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr float kWideFormation = 1.35F;  // three side by side, seen whole
+
+}  // namespace
+
+Expected<Look> read_look(const Settings& settings) {
+    Look look;
+    const auto theme = render::find_theme(settings.theme);
+    if (!theme) {
+        return fail(theme.error());
+    }
+    look.scene.theme = *theme;
+    const auto camera = render::find_camera(settings.camera);
+    if (!camera) {
+        return fail(camera.error());
+    }
+    look.scene.camera = *camera;
+    if (settings.formation != "solo" && settings.formation != "couple") {
+        look.scene.camera.zoom(kWideFormation);
+    }
+    const auto size = parse_size(settings.size);
+    if (!size) {
+        return fail(size.error());
+    }
+    look.size = *size;
+    const bool is_stick =
+        settings.view == "stick" || (settings.view == "auto" && settings.figures == "positions");
+    look.scene.view = is_stick ? render::View::stick : render::View::skin;
+    look.quality = settings.quality == "fast"   ? render::Quality::fast
+                   : settings.quality == "high" ? render::Quality::high
+                                                : render::Quality::automatic;
+    return look;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,91 @@
+#include "engine/show/show.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "render/mannequin/mannequin.hpp"
+#include "render/scene/beat_rings.hpp"
+
+namespace raks::engine {
+
+Expected<Drawing> create_drawing(const Look& look) {
+    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
+    if (!renderer) {
+        return fail(renderer.error());
+    }
+    auto overlay = render::Overlay::create();
+    if (!overlay) {
+        return fail(overlay.error());
+    }
+    return Drawing{std::move(*renderer), std::move(*overlay)};
+}
+
+Expected<Show> Show::create(const Look& look, bool has_overlay) {
+    auto drawing = create_drawing(look);
+    if (!drawing) {
+        return fail(drawing.error());
+    }
+    return Show(look.scene, std::move(drawing->renderer), std::move(drawing->overlay), has_overlay);
+}
+
+Show::Show(render::Scene scene,
+           render::Renderer renderer,
+           render::Overlay overlay,
+           bool has_overlay)
+    : scene_(scene),
+      first_camera_(scene.camera),
+      renderer_(std::move(renderer)),
+      overlay_(std::move(overlay)),
+      overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {}
+
+void Show::draw(const ShownMoment& shown,
+                render::OverlayState info,
+                const render::FrameTarget& target,
+                float content_scale) {
+    if (target.width <= 0 || target.height <= 0) {
+        return;  // a minimized window
+    }
+    scene_.rings = render::beat_rings(shown.music.grid, shown.moment);
+    renderer_.draw(scene_, shown.poses, target);
+    describe_moment(shown, info);
+    overlay_.draw(info, overlay_view_, target, content_scale);
+}
+
+void Show::toggle_view() noexcept {
+    scene_.view = scene_.view == render::View::skin ? render::View::stick : render::View::skin;
+}
+
+void Show::toggle_overlay() noexcept {
+    overlay_view_ = overlay_view_ == render::OverlayView::hidden ? render::OverlayView::shown
+                                                                 : render::OverlayView::hidden;
+}
+
+void Show::toggle_help() noexcept {
+    overlay_view_ = overlay_view_ == render::OverlayView::help ? render::OverlayView::shown
+                                                               : render::OverlayView::help;
+}
+
+void describe_moment(const ShownMoment& shown, render::OverlayState& state) noexcept {
+    const BeatGrid& grid = shown.music.grid;
+    const Beats position = grid.beats_at(shown.moment);
+    state.bpm = grid.tempo.bpm();
+    state.confidence = grid.confidence;
+    state.beats_per_bar = grid.beats_per_bar;
+    state.bar_position = grid.bar_position(position);
+    state.is_silent = shown.music.is_silent;
+    state.genre =
+        shown.music.genre == Genre::unknown ? std::string_view{} : name_of(shown.music.genre);
+    state.genre_posterior =
+        std::exp(shown.music.genre_log_probability[static_cast<std::size_t>(shown.music.genre)]);
+    const auto& figure = shown.dancer.figure;
+    state.figure = std::string_view(figure.data(), strnlen(figure.data(), figure.size()));
+    state.dance = shown.dancer.is_dancing ? name_of(shown.dancer.dance) : std::string_view{};
+    state.figure_count = shown.dancer.count;
+    state.figure_counts = shown.dancer.counts;
+    state.level_dbfs = shown.music.level_dbfs;
+    state.loudness_lufs = shown.music.loudness_lufs;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "base/expected.hpp"
+#include "base/music_state.hpp"
+#include "engine/show/picture.hpp"
+#include "motion/dancer.hpp"
+#include "render/gl/frame_target.hpp"
+#include "render/overlay/overlay.hpp"
+#include "render/renderer.hpp"
+
+namespace raks::engine {
+
+/// What a picture is about: one moment of the dance.
+struct ShownMoment {
+    const MusicState& music;
+    const motion::DancerStatus& dancer;
+    std::span<const motion::Pose> poses;  ///< one a dancer
+    StreamTime moment;                    ///< what is seen and heard then
+};
+
+/// What every picture is drawn by: the renderer, with the mannequin, and the overlay.
+struct Drawing {
+    render::Renderer renderer;
+    render::Overlay overlay;
+};
+/// An OpenGL context must be current. Errors: the driver refuses.
+[[nodiscard]] Expected<Drawing> create_drawing(const Look& look);
+
+/// Draws pictures of the dance: stage, dancer and overlay. The same for a window and for a video.
+/// Threads: the OpenGL context's. Real-time: no.
+class Show {
+ public:
+    /// An OpenGL context must be current. Errors: the driver refuses.
+    [[nodiscard]] static Expected<Show> create(const Look& look, bool has_overlay);
+
+    /// Draws one picture. `info` brings what the moment does not know: source, position, latency,
+    /// counters; tempo, bar, genre, figure and levels are filled in here.
+    void draw(const ShownMoment& shown,
+              render::OverlayState info,
+              const render::FrameTarget& target,
+              float content_scale = 1.0F);
+
+    /// For keys and the mouse.
+    [[nodiscard]] render::Scene& scene() noexcept { return scene_; }
+    void reset_camera() noexcept { scene_.camera = first_camera_; }
+    void toggle_view() noexcept;
+    void toggle_overlay() noexcept;
+    void toggle_help() noexcept;
+
+    /// Samples a pixel that a target should have.
+    [[nodiscard]] int samples() const noexcept { return renderer_.samples(); }
+    /// A line for the user, once, or empty: what the quality became and why.
+    [[nodiscard]] std::string notice() const { return std::string(renderer_.notice()); }
+
+ private:
+    Show(render::Scene scene, render::Renderer renderer, render::Overlay overlay, bool has_overlay);
+
+    render::Scene scene_;
+    render::Camera first_camera_;
+    render::Renderer renderer_;
+    render::Overlay overlay_;
+    render::OverlayView overlay_view_;
+};
+
+/// A moment filled into what the overlay shows. Pure.
+void describe_moment(const ShownMoment& shown, render::OverlayState& state) noexcept;
+
+}  // namespace raks::engine

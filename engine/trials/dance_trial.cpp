@@ -1,0 +1,198 @@
+#include "engine/trials/dance_trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/offline/collect_poses.hpp"
+#include "engine/offline/offline_driver.hpp"
+#include "engine/trials/danced_figures.hpp"
+#include "motion/evaluate/couple_measures.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr double kPosesPerSecond = 60.0;
+
+/// Poses at 60 a second and what the dancer said at every hop.
+class RecordDance final : public OfflineDriver::Sink {
+ public:
+    explicit RecordDance(std::size_t measured) : measured_(measured) {}
+
+    void on_hop(const PerformedHop& hop) override {
+        poses_.on_hop(hop);
+        hops.push_back(hop.dancer);
+    }
+    [[nodiscard]] const std::vector<motion::Pose>& poses() const {
+        return poses_.dancers[measured_];
+    }
+    [[nodiscard]] const std::vector<std::vector<motion::Pose>>& dancers() const {
+        return poses_.dancers;
+    }
+
+    std::vector<motion::DancerStatus> hops;
+
+ private:
+    std::size_t measured_;
+    CollectPoses poses_{kPosesPerSecond};
+};
+
+const DancedFigure* figure_at(std::span<const DancedFigure> figures, double time) {
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) {
+        return time >= figure.from && time < figure.to;
+    });
+    return found == figures.end() ? nullptr : &*found;
+}
+
+/// Tempo danced against learnt at every frame, and which frames are settled dancing.
+motion::MetricFrames frames_of(const RecordDance& record, std::span<const DancedFigure> figures) {
+    motion::MetricFrames frames;
+    const CountWindow window;
+    for (std::size_t f = 0; f < record.poses().size(); ++f) {
+        const double time = static_cast<double>(f) / kPosesPerSecond;
+        const auto hop =
+            std::min(static_cast<std::size_t>(time * kHopsPerSecond), record.hops.size() - 1);
+        const motion::DancerStatus& status = record.hops[hop];
+        const DancedFigure* const figure = status.is_dancing ? figure_at(figures, time) : nullptr;
+        frames.pace.push_back(
+            figure == nullptr
+                ? 1.0
+                : std::max(status.rate / figure->model->learnt_tempo.beats_per_second(), 1e-3));
+        frames.counted.push_back(figure != nullptr &&
+                                 time >= figure->dance_from + window.blend_in &&
+                                 time < figure->dance_to);
+    }
+    return frames;
+}
+
+double lowest_sole(std::span<const motion::Pose> poses) {
+    const motion::Skeleton& skeleton = motion::mannequin_skeleton();
+    float lowest = 1e9F;
+    for (const motion::Pose& pose : poses) {
+        const motion::WorldPose world = motion::world_pose(skeleton, pose);
+        for (const motion::Side side : motion::kSides) {
+            for (const glm::vec3& point : {motion::foot_point(world, side, skeleton.ball),
+                                           motion::foot_point(world, side, skeleton.heel),
+                                           motion::toe_tip(skeleton, world, side)}) {
+                lowest = std::min(lowest, point.y);
+            }
+        }
+    }
+    return static_cast<double>(lowest);
+}
+
+std::vector<motion::FigureRepeatTimes> whole_repeats(std::span<const DancedFigure> figures) {
+    std::vector<motion::FigureRepeatTimes> repeats;
+    for (const DancedFigure& figure : figures) {
+        if (figure.is_whole) {
+            repeats.push_back({figure.model->name, figure.count_times});
+        }
+    }
+    return repeats;
+}
+
+std::vector<double> audible_beats(const audio::GeneratedMusic& music) {
+    std::vector<double> times;
+    for (const audio::ReferenceBeat& beat : music.beats) {
+        if (beat.is_audible) {
+            times.push_back(to_seconds(beat.time));
+        }
+    }
+    return times;
+}
+
+CoupleResult couple_of(const RecordDance& record,
+                       std::span<const DancedFigure> figures,
+                       const motion::MetricFrames& frames) {
+    constexpr std::string_view kBasic = "basic";
+    const motion::CoupleMeasures all = motion::measure_couple(
+        motion::mannequin_skeleton(), record.dancers()[0], record.dancers()[1]);
+    CoupleResult result;
+    result.closest = 1e9;
+    std::vector<double> hands;
+    std::vector<double> facing;
+    double counted = 0.0;
+    for (std::size_t f = 0; f < all.closest.size(); ++f) {
+        if (!frames.counted[f]) {
+            continue;
+        }
+        const std::string& figure =
+            figure_at(figures, static_cast<double>(f) / kPosesPerSecond)->model->name;
+        if (figure == kBasic) {
+            hands.push_back(all.hands[f]);
+            facing.push_back(all.facing[f]);
+        }
+        if (all.closest[f] < result.closest) {
+            result.closest = all.closest[f];
+            result.closest_in = figure;
+        }
+        result.overlapping += all.closest[f] < 0.0 ? 1.0 : 0.0;
+        counted += 1.0;
+    }
+    result.overlapping /= std::max(counted, 1.0);
+    result.hands_p90 = motion::percentile(std::move(hands), 0.9);
+    result.facing_p90 = motion::percentile(std::move(facing), 0.9);
+    return result;
+}
+
+TrialResult result_of(const DanceTrial& trial,
+                      const RecordDance& record,
+                      const audio::GeneratedMusic& music,
+                      std::span<const motion::FigureModel> models) {
+    const std::vector<DancedFigure> figures = danced_figures(record.hops, music.beats, models);
+    const motion::BodyTrack track =
+        motion::body_track(motion::mannequin_skeleton(), record.poses(), kPosesPerSecond);
+    TrialResult result;
+    const std::vector<motion::HeardCount> counts =
+        heard_counts(figures, {.from = trial.judged_from, .to = trial.judged_to});
+    result.landing = motion::landing_errors(track, counts);
+    motion::DanceSubject subject;
+    subject.frames = frames_of(record, figures);
+    subject.repeats = whole_repeats(figures);
+    subject.beat_times = audible_beats(music);
+    subject.floor_height = 0.0;
+    result.measures = motion::measure_dance(track, subject);
+    // Settled or not; but the body does not stop where the track ends.
+    const std::vector<bool> all(track.frames(), true);
+    result.highest_jerk = motion::jerk_of(track, {all, subject.frames.pace}).highest;
+    result.lowest_sole = lowest_sole(record.poses());
+    double settled = 0.0;
+    for (std::size_t f = 0; f < track.frames(); ++f) {
+        if (subject.frames.counted[f]) {
+            result.pace += subject.frames.pace[f];
+            settled += 1.0;
+        }
+    }
+    result.pace = settled > 0.0 ? result.pace / settled : 0.0;
+    if (record.dancers().size() == 2) {
+        result.couple = couple_of(record, figures, subject.frames);
+    }
+    const auto dancing = std::count_if(record.hops.begin(),
+                                       record.hops.end(),
+                                       [](const auto& status) { return status.is_dancing; });
+    result.danced_share = static_cast<double>(dancing) / static_cast<double>(record.hops.size());
+    result.reanchors = static_cast<int>(record.hops.back().reanchors);
+    return result;
+}
+
+}  // namespace
+
+Expected<TrialResult> run_trial(const DanceTrial& trial,
+                                const TrialCast& cast,
+                                std::span<const motion::FigureModel> models) {
+    const auto music = audio::generate(trial.music);
+    if (!music) {
+        return fail(music.error());
+    }
+    auto driver = OfflineDriver::create(music->rate, cast.members);
+    if (!driver) {
+        return fail(driver.error());
+    }
+    RecordDance record(cast.measured);
+    driver->feed(music->mono(), record);
+    driver->finish(record);
+    return result_of(trial, record, *music, models);
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audio/music/generator/music_generator.hpp"
+#include "base/expected.hpp"
+#include "motion/ensemble.hpp"
+#include "motion/evaluate/dance_measures.hpp"
+#include "motion/evaluate/landing_error.hpp"
+#include "motion/figures/figure_model.hpp"
+
+/// Measuring the whole chain: generated music -> analyzer -> dancer -> poses at 60 a second.
+namespace raks::engine {
+
+enum class TrialKind : std::uint8_t {
+    steady,  ///< one tempo
+    ramp,    ///< the tempo rises or falls by 2 % a second; landings are judged meanwhile
+    breaks,  ///< silences, and jumps of the tempo
+};
+
+struct DanceTrial {
+    std::string name;  ///< "salsa-180"
+    TrialKind kind = TrialKind::steady;
+    audio::MusicPlan music;
+    double judged_from = 0.0;  ///< seconds of the music in which landings count
+    double judged_to = 1e9;
+};
+
+/// For salsa steady music of 100 to 200 BPM (salsa from 160 on, other styles elsewhere), 60 s each;
+/// ramps up and down; breaks. For other dances music of their own style at 0.85, 1 and 1.15 of the
+/// tempo in which they were learnt, the same ramps between those, silences.
+[[nodiscard]] std::vector<DanceTrial> standard_trials(std::string_view dance, Bpm learnt);
+
+/// A couple, while it dances and is settled.
+struct CoupleResult {
+    double hands_p90 = 0.0;    ///< of the hands that hold one another, in the basic; metres
+    double facing_p90 = 0.0;   ///< how far either looks past the other, in the basic; radians
+    double closest = 0.0;      ///< skin to skin, in all figures; metres, negative: so deep
+    std::string closest_in;    ///< the figure in which that was
+    double overlapping = 0.0;  ///< share of the time in which they are into one another
+};
+
+struct TrialResult {
+    motion::LandingReport landing;
+    motion::DanceMeasures measures;  ///< while dancing, 4 s after each start on
+    double highest_jerk = 0.0;       ///< of all, starting and settling too; m/s^3, by pace
+    double lowest_sole = 0.0;        ///< ball, toe tip or heel of any pose over the floor; metres
+    double danced_share = 0.0;       ///< of the time
+    double pace = 0.0;               ///< mean tempo danced / learnt, while dancing
+    int reanchors = 0;
+    std::optional<CoupleResult> couple;
+};
+
+/// Who dances a trial and which of them is measured: one alone, or a couple.
+struct TrialCast {
+    std::vector<motion::EnsembleMember> members;
+    std::size_t measured = 0;
+};
+
+/// Jerks are divided by the cube of the pace, speeds by the pace. Errors: those of the generator
+/// and the offline driver. Threads: any. Real-time: no (a minute of music takes about 2 s).
+[[nodiscard]] Expected<TrialResult> run_trial(const DanceTrial& trial,
+                                              const TrialCast& cast,
+                                              std::span<const motion::FigureModel> models);
+
+}  // namespace raks::engine

@@ -1,0 +1,140 @@
+#include "engine/trials/figure_alone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "engine/setup/settings.hpp"
+#include "motion/choreography/authored_dance.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+namespace {
+
+constexpr double kBeatsBefore = 20.0;  // the dancer has settled into the figure by then
+constexpr double kEarliest = 2.0;      // beats before a count 1 that poses are asked for, at most
+constexpr int kRepeats = 12;  // each of the eight ways of a figure comes, and noise is halved
+constexpr double kFramesPerSecond = 60.0;
+constexpr double kMargin = 0.5;  // beats before the first and after the last repeat
+
+MusicState steady_music(HopIndex hop, const FigureOnBeat& on) {
+    MusicState state;
+    state.hop = hop;
+    state.time = state.heard_until = time_of_hop(hop);
+    state.grid.tempo = on.tempo;
+    state.grid.beats_per_bar = on.beats_per_bar;
+    state.grid.confidence = 1.0F;
+    state.is_silent = false;
+    state.loudness_lufs = -16.0F;
+    state.level_dbfs = -16.0F;
+    state.genre = Genre::salsa;
+    return state;
+}
+
+/// The beat of the music on which the figure begins again, kEarliest from now on.
+double next_count_one(const motion::DancerStatus& status, double now) {
+    const double begun = std::round(now - status.phase);
+    return begun + status.counts * std::ceil((now + kEarliest - begun) / status.counts);
+}
+
+Expected<motion::TakeMeasures> measure_alone(
+    const motion::AuthoredDance& dance,
+    const motion::AuthoredFigure& figure,
+    const std::shared_ptr<const motion::DanceLibrary>& library,
+    std::uint64_t seed) {
+    const std::vector<std::string_view> names = library->figure_names();
+    const auto found = std::find(names.begin(), names.end(), figure.name);
+    if (found == names.end()) {
+        return fail(fmt::format("{}: was not learnt; run raks train figure",
+                                motion::where_in(dance, figure)));
+    }
+    motion::FigureTake take;
+    take.frames_per_second = kFramesPerSecond;
+    take.tempo = dance.written;
+    take.first_beat = -kMargin;
+    take.beats = figure.beats * (figure.is_mirrored ? 2 : 1);
+    take.repeats = kRepeats;
+    take.beats_per_bar = dance.beats_per_bar;
+    const double beats_a_frame = dance.written.beats_per_second() / kFramesPerSecond;
+    std::vector<double> beats;
+    for (double beat = -kMargin; beat < kRepeats * take.beats + kMargin;
+         beat = -kMargin + static_cast<double>(beats.size()) * beats_a_frame) {
+        beats.push_back(beat);
+    }
+    const auto poses = dance_alone(
+        library,
+        {static_cast<std::size_t>(found - names.begin()), dance.written, dance.beats_per_bar, seed},
+        beats);
+    if (!poses) {
+        return fail(poses.error());
+    }
+    take.poses = *poses;
+    return motion::measure_take(take, motion::mannequin_skeleton());
+}
+
+}  // namespace
+
+Expected<std::vector<motion::Pose>> dance_alone(
+    const std::shared_ptr<const motion::DanceLibrary>& library,
+    const FigureOnBeat& on,
+    std::span<const double> beats) {
+    motion::Dancer dancer;
+    if (auto prepared = dancer.prepare(library, motion::mannequin_skeleton(), on.seed); !prepared) {
+        return fail(prepared.error());
+    }
+    using Kind = motion::DancerCommand::Kind;
+    dancer.command({Kind::select_figure, {}, static_cast<double>(on.figure)});
+    dancer.command({Kind::lock_figure, {}, 1.0});
+    const auto track = std::make_unique<motion::PoseTrack>();
+    std::vector<motion::Pose> poses;
+    std::optional<double> count_one;  // beat of the music
+    for (HopIndex hop = 0; poses.size() < beats.size(); ++hop) {
+        const MusicState state = steady_music(hop, on);
+        dancer.advance(state, *track);
+        const double now = state.grid.beats_at(state.time).count();
+        if (!count_one && now > kBeatsBefore) {
+            count_one = next_count_one(dancer.status(), now);
+        }
+        const auto next = [&] {
+            return state.grid.time_of(Beats(*count_one + beats[poses.size()]));
+        };
+        while (count_one && poses.size() < beats.size() && next() <= state.time) {
+            poses.push_back(track->at(next()));
+        }
+    }
+    return poses;
+}
+
+Expected<std::vector<DancedWrittenFigure>> danced_written_figures(
+    const std::string& dance,
+    const std::shared_ptr<const motion::DanceLibrary>& library,
+    std::uint64_t seed) {
+    const auto path =
+        data_path(std::filesystem::path("config") / "choreographies" / (dance + ".toml"));
+    std::vector<DancedWrittenFigure> figures;
+    if (!path) {
+        return figures;
+    }
+    const auto written = motion::load_authored_dance(*path);
+    if (!written) {
+        return fail(written.error());
+    }
+    for (const motion::AuthoredFigure& figure : written->figures) {
+        auto measures = measure_alone(*written, figure, library, seed);
+        if (!measures) {
+            return fail(measures.error());
+        }
+        std::vector<std::string> faults = faults_in_measures(*written, figure, *measures);
+        for (std::string& fault : faults_in_poses(*written, figure, *measures)) {
+            faults.push_back(std::move(fault));
+        }
+        figures.push_back({figure.name, std::move(*measures), std::move(faults)});
+    }
+    return figures;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "audio/io/device_stream.hpp"
+#include "audio/io/devices.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "base/expected.hpp"
+
+/// What leaves by the loudspeaker's ports, heard again by this process: the reference for latency.
+///
+/// When is a sample "out"? Under JACK all samples of a cycle move at once, and neither an output
+/// nor an input has a converter of its own; the cycle's start is the only moment there is. We date
+/// sample i of a recorded block at
+///
+///     entry of the recorder's callback + i / rate - the input's reported latency
+///
+/// that is, as if a converter at the end of the loop began to play the block when it was handed to
+/// it. The entry is CLOCK_MONOTONIC, taken by ourselves and not by PortAudio; late wake-ups are
+/// taken out by a running median. PortAudio's JACK streams report with the same convention ("one
+/// buffer is not counted as latency"; an input has 0), so the two can be compared. What a loop
+/// of ports cannot see is the driver's own buffers and the converters: that needs a cable.
+namespace raks::engine {
+
+/// One channel as it came back, with the host time of every sample.
+class LoopRecording {
+ public:
+    struct Block {
+        std::int64_t first_frame = 0;
+        HostTime entered{};
+    };
+
+    LoopRecording(SampleRate rate,
+                  Nanos input_latency,
+                  std::vector<float> samples,
+                  std::vector<Block> blocks);
+
+    [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
+    [[nodiscard]] std::span<const float> samples() const noexcept { return samples_; }
+    /// When the sample was out, as above: median over the blocks within half a second. Needs at
+    /// least one block.
+    [[nodiscard]] HostTime heard_at(std::int64_t frame) const;
+
+ private:
+    SampleRate rate_;
+    Nanos input_latency_;
+    std::vector<float> samples_;
+    std::vector<Block> blocks_;
+};
+
+/// Records our own output through JACK.
+/// Threads: main. Real-time: no (its callback is).
+class LoopRecorder {
+ public:
+    /// Opens the input of the JACK device that `output` plays on. `seconds`: room for that much.
+    /// Errors: `output` is not JACK's, or has no input; it cannot be opened.
+    [[nodiscard]] static Expected<std::unique_ptr<LoopRecorder>> start(
+        std::span<const audio::AudioDevice> devices,
+        const audio::AudioDevice& output,
+        double seconds);
+    ~LoopRecorder();
+    LoopRecorder(const LoopRecorder&) = delete;
+    LoopRecorder& operator=(const LoopRecorder&) = delete;
+
+    /// Connects our running output to the input; what comes from now on is kept.
+    /// Errors: JACK refuses.
+    [[nodiscard]] Expected<void> close_loop();
+
+    /// What came back so far. Errors: nothing did.
+    [[nodiscard]] Expected<LoopRecording> recording() const;
+
+ private:
+    class Tape;
+    explicit LoopRecorder(std::unique_ptr<Tape> tape);
+
+    std::unique_ptr<Tape> tape_;  // before the stream, which calls it
+    std::unique_ptr<audio::DeviceStream> stream_;
+};
+
+/// A beat of the generated music that came back.
+struct HeardBeat {
+    std::size_t beat = 0;  ///< index in GeneratedMusic::beats
+    HostTime heard{};      ///< when its sound was out
+};
+
+/// Finds every beat's own attack (its first 20 ms, left channel) in the recording, to the sample,
+/// by normalized cross-correlation; beats whose best place correlates less than 0.9 are left out.
+/// The music must begin with silence. Empty when the recording has another rate than the music.
+[[nodiscard]] std::vector<HeardBeat> heard_beats(const LoopRecording& recording,
+                                                 const audio::GeneratedMusic& music);
+
+}  // namespace raks::engine

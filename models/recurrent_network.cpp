@@ -1,0 +1,108 @@
+#include "models/recurrent_network.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "base/simd_clones.hpp"
+#include "models/gates.hpp"
+
+namespace raks::models {
+namespace {
+
+using Units = std::array<float, RecurrentNetwork::kMaxUnits>;
+
+/// sums[j] += sum over i of input[i] weights[i][j]
+RAKS_SIMD_CLONES void add_product(const float* input,
+                                  std::size_t inputs,
+                                  const float* weights,
+                                  std::size_t width,
+                                  float* __restrict sums) noexcept {
+    for (std::size_t i = 0; i < inputs; ++i) {
+        const float x = input[i];
+        const float* const row = weights + i * width;
+        for (std::size_t j = 0; j < width; ++j) {
+            sums[j] += x * row[j];
+        }
+    }
+}
+
+/// hidden = the next hidden, from both products' sums (gates r, z, n side by side).
+RAKS_SIMD_CLONES void open_gates(const float* from_input,
+                                 const float* from_hidden,
+                                 std::size_t units,
+                                 float* __restrict hidden) noexcept {
+    for (std::size_t i = 0; i < units; ++i) {
+        const float reset = logistic(from_input[i] + from_hidden[i]);
+        const float keep = logistic(from_input[units + i] + from_hidden[units + i]);
+        const float candidate =
+            fast_tanh(from_input[2 * units + i] + reset * from_hidden[2 * units + i]);
+        hidden[i] = (1.0F - keep) * candidate + keep * hidden[i];
+    }
+}
+
+void step(const float* parameters,
+          const RecurrentNetwork::Layer& layer,
+          std::span<const float> input,
+          Units& hidden) noexcept {
+    std::array<float, 3 * RecurrentNetwork::kMaxUnits> from_input;   // NOLINT: filled below
+    std::array<float, 3 * RecurrentNetwork::kMaxUnits> from_hidden;  // NOLINT: filled below
+    const std::size_t width = 3 * layer.units;
+    std::copy_n(parameters + layer.biases, width, from_input.begin());
+    std::fill_n(from_hidden.begin(), 2 * layer.units, 0.0F);
+    std::copy_n(parameters + layer.candidate_biases,
+                layer.units,
+                from_hidden.begin() + static_cast<std::ptrdiff_t>(2 * layer.units));
+    add_product(
+        input.data(), layer.inputs, parameters + layer.input_weights, width, from_input.data());
+    add_product(hidden.data(),
+                layer.units,
+                parameters + layer.recurrent_weights,
+                width,
+                from_hidden.data());
+    open_gates(from_input.data(), from_hidden.data(), layer.units, hidden.data());
+}
+
+}  // namespace
+
+RecurrentNetwork::RecurrentNetwork(const Shape& shape) : shape_(shape) {
+    RAKS_ASSERT(shape.units >= 1 && shape.units <= kMaxUnits && shape.layers >= 1 &&
+                shape.layers <= kMaxLayers && shape.outputs >= 1 && shape.outputs <= kMaxOutputs);
+    std::size_t at = 0;
+    const auto take = [&](std::size_t count) { return std::exchange(at, at + count); };
+    std::size_t inputs = shape.inputs;
+    for (std::size_t i = 0; i < shape.layers; ++i) {
+        Layer layer{.inputs = inputs, .units = shape.units};
+        layer.input_weights = take(inputs * 3 * shape.units);
+        layer.recurrent_weights = take(shape.units * 3 * shape.units);
+        layer.biases = take(3 * shape.units);
+        layer.candidate_biases = take(shape.units);
+        layers_.push_back(layer);
+        inputs = shape.units;
+    }
+    output_weights_ = take(shape.units * shape.outputs);
+    take(shape.outputs);
+    parameters_.resize(at);
+}
+
+RecurrentStream::Logits RecurrentStream::next(
+    const RecurrentNetwork& network, std::span<const float> input) noexcept RAKS_NONBLOCKING {
+    const float* const parameters = network.parameters().data();
+    std::span<const float> below = input;
+    std::size_t index = 0;
+    for (const RecurrentNetwork::Layer& layer : network.layers()) {
+        step(parameters, layer, below, hidden_[index]);
+        below = std::span<const float>(hidden_[index]).first(layer.units);
+        ++index;
+    }
+    Logits logits{};
+    std::copy_n(parameters + network.output_biases(), network.outputs(), logits.begin());
+    add_product(below.data(),
+                below.size(),
+                parameters + network.output_weights(),
+                network.outputs(),
+                logits.data());
+    return logits;
+}
+
+}  // namespace raks::models

@@ -1,0 +1,282 @@
+#include "motion/dance/baking/figure_passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/dance/baking/contact_windows.hpp"
+#include "motion/figures/foot_events.hpp"
+
+namespace raks::motion {
+namespace {
+
+// A mean step slower than the first, m/s at its fastest, is hardly seen as one (0.6 by the rule of
+// landings, at any pace): it is danced as one reach. One faster than the second goes its own way.
+constexpr double kSlowStep = 0.9;
+constexpr double kBriskStep = 1.3;
+// How long that reach takes, at the learnt tempo: small steps of people are no slower than others
+// (1.1 to 1.5 m/s at their fastest); the foot waits for them.
+constexpr double kQuickReach = 0.15;  // seconds
+constexpr float kAside = 0.035F;      // metres, deviation of a step's place between repeats
+
+/// The contact of a foot that lies nearest to the figure's start; `size`: none near it.
+std::size_t contact_at_start(const std::vector<ContactWindow>& windows,
+                             double samples_per_beat,
+                             std::size_t samples) {
+    std::size_t best = windows.size();
+    double most = 0.0;
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+        double shared = 0.0;  // samples of it within the margin around the start
+        for (std::size_t k = 0; k < windows[w].length; ++k) {
+            const double at = static_cast<double>((windows[w].first + k) % samples);
+            const double away = std::min(at, static_cast<double>(samples) - at);
+            shared += away < FigurePassage::kMargin * samples_per_beat ? 1.0 : 0.0;
+        }
+        if (shared > most) {
+            most = shared;
+            best = w;
+        }
+    }
+    return best;
+}
+
+/// The figure's contacts, also those of the beats around it.
+std::vector<PlannedContact> contacts_of(const FigureModel& model,
+                                        Side side,
+                                        const FigureWay& way,
+                                        const Footing& footing,
+                                        int samples_per_beat) {
+    const auto s = static_cast<std::size_t>(side);
+    const std::optional<glm::vec2>& start_place = footing.places[s];
+    const auto samples = static_cast<std::size_t>(model.beats * samples_per_beat);
+    std::vector<ContactWindow> windows =
+        start_at_landings(contact_windows(model.contact[s], model.beats, samples),
+                          footing.landings[s],
+                          samples_per_beat,
+                          samples);
+    if (!footing.is_mean) {
+        windows =
+            with_passing_steps(std::move(windows), footing.landings[s], samples_per_beat, samples);
+    }
+    const std::size_t at_start = contact_at_start(windows, samples_per_beat, samples);
+    const auto whole = static_cast<std::ptrdiff_t>(samples);
+    const std::ptrdiff_t around = kBeatsAround * samples_per_beat;
+    std::vector<PlannedContact> planned;
+    if (!windows.empty() && windows.front().length == samples) {  // it never leaves the floor
+        PlannedContact& contact = planned.emplace_back();
+        contact.window = {0, samples + 2 * static_cast<std::size_t>(around)};
+        contact.place = start_place;
+        return planned;
+    }
+    for (int turn = -2; turn <= 1; ++turn) {
+        for (std::size_t w = 0; w < windows.size(); ++w) {
+            const auto first = static_cast<std::ptrdiff_t>(windows[w].first) + turn * whole;
+            const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(windows[w].length);
+            const std::ptrdiff_t from = std::max(first, -around);
+            const std::ptrdiff_t to = std::min(end, whole + around);
+            if (to - from < std::min<std::ptrdiff_t>(end - first, samples_per_beat / 4)) {
+                continue;
+            }
+            PlannedContact contact;
+            contact.window = {static_cast<std::size_t>(from + around),
+                              static_cast<std::size_t>(to - from),
+                              windows[w].is_step,
+                              windows[w].is_passing};
+            const std::ptrdiff_t centre = (first + end) / 2;
+            if (w == at_start && start_place) {
+                if (std::abs(centre) < whole / 2) {
+                    contact.place = *start_place;
+                } else if (std::abs(centre - whole) < whole / 2) {
+                    contact.place = glm::vec2(way.move(glm::dvec2(*start_place)));
+                }
+            }
+            planned.push_back(contact);
+        }
+    }
+    std::sort(planned.begin(), planned.end(), [](const auto& a, const auto& b) {
+        return a.window.first < b.window.first;
+    });
+    return planned;
+}
+
+/// How each step comes to its contact, at the learnt tempo: what of it is one reach, before which
+/// the foot rests, and when the foot comes to rest by itself, as landings are seen, but for those
+/// who never do. `speed`: of the free foot, by sample.
+void find_steps(const std::vector<double>& speed,
+                double samples_per_second,
+                std::vector<PlannedContact>& contacts) {
+    const FootRules rules;
+    const double quick = kQuickReach * samples_per_second;
+    for (std::size_t c = 1; c < contacts.size(); ++c) {
+        contacts[c].is_mean = true;
+        const ContactWindow& window = contacts[c].window;
+        ContactWindow& before = contacts[c - 1].window;
+        const std::size_t left = before.first + before.length - 1;
+        const std::size_t middle = window.first + window.length / 2;
+        if (left >= window.first || middle >= speed.size()) {
+            continue;
+        }
+        const auto begin = speed.begin();
+        const auto fastest = std::max_element(begin + static_cast<std::ptrdiff_t>(left),
+                                              begin + static_cast<std::ptrdiff_t>(window.first));
+        contacts[c].reach =
+            std::clamp((kBriskStep - *fastest) / (kBriskStep - kSlowStep), 0.0, 1.0);
+        if (window.is_step) {
+            const double spare = std::max(0.0, static_cast<double>(window.first - left) - quick);
+            before.length += static_cast<std::size_t>(contacts[c].reach * spare);
+        }
+        const auto end = begin + static_cast<std::ptrdiff_t>(middle);
+        const auto slow =
+            std::find_if(fastest, end, [&](double v) { return v < rules.landing_speed; });
+        if (*fastest > rules.step_speed && slow != end) {
+            contacts[c].arrival = static_cast<double>(slow - begin);
+        }
+    }
+}
+
+/// The contacts of both feet.
+std::array<std::vector<PlannedContact>, 2> contacts_of(const FigureModel& model,
+                                                       const FreeFigure& steps,
+                                                       const FigureWay& way,
+                                                       const Footing& footing) {
+    std::array<std::vector<PlannedContact>, 2> contacts;
+    for (const Side side : kSides) {
+        const auto s = static_cast<std::size_t>(side);
+        contacts[s] = contacts_of(model, side, way, footing, steps.samples_per_beat);
+        if (footing.is_mean) {
+            find_steps(steps.foot_speeds[s],
+                       steps.samples_per_beat * model.learnt_tempo.beats_per_second(),
+                       contacts[s]);
+        }
+    }
+    return contacts;
+}
+
+/// Steps of one repeat do not fall where those of the last did.
+void step_aside(const CounterRandom& random, Side side, std::vector<PlannedContact>& contacts) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (!contacts[c].place) {
+            const std::uint64_t draw = 4 * c + 2 * static_cast<std::uint64_t>(side);
+            contacts[c].aside = {kAside * static_cast<float>(random.normal(draw)),
+                                 kAside * static_cast<float>(random.normal(draw + 1))};
+        }
+    }
+}
+
+}  // namespace
+
+StartPlaces learnt_places(const FigureModel& model,
+                          const FigureTracks& tracks,
+                          const FigureWay& way,
+                          const Skeleton& skeleton) {
+    const FreeFigure figure = free_figure(model, tracks, way, skeleton);
+    const auto contacts = contacts_of(model, figure, way, {{}, model.landings, false});
+    StartPlaces places;
+    for (const Side side : kSides) {
+        const auto s = static_cast<std::size_t>(side);
+        const std::ptrdiff_t start = kBeatsAround * figure.samples_per_beat;
+        const auto margin =
+            static_cast<std::ptrdiff_t>(FigurePassage::kMargin * figure.samples_per_beat);
+        glm::vec2 sum{};
+        float count = 0.0F;
+        for (const PlannedContact& contact : contacts[s]) {
+            if (contact.window.is_passing) {
+                continue;
+            }
+            for (std::size_t k = 0; k < contact.window.length; ++k) {
+                const auto i = static_cast<std::ptrdiff_t>(contact.window.first + k);
+                if (std::abs(i - start) > margin) {
+                    continue;
+                }
+                const WorldPose world =
+                    world_pose(skeleton, figure.poses[static_cast<std::size_t>(i)]);
+                const Bone foot = on_side(Bone::left_foot, side);
+                const glm::vec3 ball =
+                    world.position(foot) + pivot_from_ankle(skeleton, side, world.rotation(foot));
+                sum += glm::vec2(ball.x, ball.z);
+                count += 1.0F;
+            }
+        }
+        if (count > 0.0F) {
+            places[s] = sum / count;
+        }
+    }
+    return places;
+}
+
+FigurePassage::FigurePassage(const FigureModel& model,
+                             const FreeFigure& steps,
+                             std::vector<Pose> body,
+                             const FigureWay& way,
+                             const Footing& footing,
+                             const CounterRandom* random,
+                             const Skeleton& skeleton) {
+    auto contacts = contacts_of(model, steps, way, footing);
+    for (const Side side : kSides) {
+        if (random != nullptr) {
+            step_aside(*random, side, contacts[static_cast<std::size_t>(side)]);
+        }
+    }
+    lock_feet(skeleton, contacts, steps.samples_per_beat, steps.feet, body);
+    keep(body, steps.samples_per_beat);
+}
+
+FigurePassage::FigurePassage(const FreeFigure& figure) {
+    keep(figure.poses, figure.samples_per_beat);
+}
+
+void FigurePassage::keep(const std::vector<Pose>& poses, int samples_per_beat) {
+    samples_per_beat_ = samples_per_beat;
+    const auto skipped = static_cast<std::size_t>((kBeatsAround - kMargin) * samples_per_beat);
+    for (std::size_t i = skipped; i < poses.size() - skipped + 1; ++i) {
+        const Pose& pose = poses[i];
+        Sample sample;
+        for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
+            const glm::quat& rotation = pose.rotation(kBones[bone]);
+            const bool is_other_sign =
+                !samples_.empty() && glm::dot(samples_.back().rotations[bone], rotation) < 0.0F;
+            sample.rotations[bone] = is_other_sign ? -rotation : rotation;
+        }
+        sample.hips = pose.hips_position;
+        sample.contact = pose.foot_contact;
+        samples_.push_back(sample);
+    }
+}
+
+void FigurePassage::take_signs_of(const FigurePassage& other) {
+    for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
+        if (glm::dot(samples_.front().rotations[bone], other.samples_.front().rotations[bone]) <
+            0.0F) {
+            for (Sample& sample : samples_) {
+                sample.rotations[bone] = -sample.rotations[bone];
+            }
+        }
+    }
+}
+
+FigurePassage::Place FigurePassage::place_of(double beat) const noexcept {
+    const double last = static_cast<double>(samples_.size() - 1);
+    const double at = std::clamp((beat + kMargin) * samples_per_beat_, 0.0, last);
+    const auto i = std::min(static_cast<std::size_t>(at), samples_.size() - 2);
+    return {samples_[i], samples_[i + 1], static_cast<float>(at - static_cast<double>(i))};
+}
+
+void FigurePassage::at(double beat, Pose& pose) const noexcept {
+    const Place place = place_of(beat);
+    for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
+        pose.rotation(kBones[bone]) =
+            interpolate(place.before.rotations[bone], place.after.rotations[bone], place.share);
+    }
+    pose.hips_position = glm::mix(place.before.hips, place.after.hips, place.share);
+    pose.foot_contact = place.share < 0.5F ? place.before.contact : place.after.contact;
+}
+
+void FigurePassage::arms_at(double beat, Pose& pose) const noexcept {
+    const Place place = place_of(beat);
+    for (std::size_t bone = kBones.size() - kArmBones; bone < kBones.size(); ++bone) {
+        pose.rotation(kBones[bone]) =
+            interpolate(place.before.rotations[bone], place.after.rotations[bone], place.share);
+    }
+}
+
+}  // namespace raks::motion

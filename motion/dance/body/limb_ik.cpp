@@ -1,0 +1,81 @@
+#include "motion/dance/body/limb_ik.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace raks::motion {
+namespace {
+
+constexpr float kTiny = 1e-6F;
+// Metres of knee or elbow beside the limb's line. (0.04: an arm thrown down nearly straight had its
+// elbow pulled back and let go within seven pictures, 4,332 m/s^3.)
+constexpr float kStraight = 0.02F;
+
+}  // namespace
+
+glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept {
+    const glm::vec3 a = glm::normalize(from);
+    const glm::vec3 b = glm::normalize(to);
+    const float w = 1.0F + glm::dot(a, b);
+    if (w < kTiny) {
+        return glm::angleAxis(3.14159265F, glm::vec3(1, 0, 0));
+    }
+    const glm::vec3 axis = glm::cross(a, b);
+    return glm::normalize(glm::quat(w, axis.x, axis.y, axis.z));
+}
+
+Limb arm_of(const WorldPose& world, Side side) noexcept {
+    Limb arm;
+    arm.upper = on_side(Bone::left_upper_arm, side);
+    arm.lower = on_side(Bone::left_lower_arm, side);
+    arm.end = on_side(Bone::left_hand, side);
+    arm.root = world.position(arm.upper);
+    arm.parent = world.rotation(on_side(Bone::left_shoulder, side));
+    arm.ahead = world.rotation(arm.upper) * glm::vec3(0.0F, 0.0F, -1.0F);
+    return arm;
+}
+
+glm::quat solve_limb(const Skeleton& skeleton,
+                     const Limb& limb,
+                     const glm::vec3& target,
+                     Pose& pose) noexcept {
+    const glm::quat upper_world = limb.parent * pose.rotation(limb.upper);
+    const glm::quat lower_world = upper_world * pose.rotation(limb.lower);
+    const glm::vec3 upper_vector = upper_world * skeleton.offsets[index_of(limb.lower)];
+    const glm::vec3 lower_vector = lower_world * skeleton.offsets[index_of(limb.end)];
+    const float upper = glm::length(upper_vector);
+    const float lower = glm::length(lower_vector);
+
+    glm::vec3 line = target - limb.root;
+    const float wanted = glm::length(line);
+    if (wanted < kTiny) {
+        return lower_world;
+    }
+    line /= wanted;
+    const float distance =
+        std::clamp(wanted, std::abs(upper - lower) + kTiny, kLongestReach * (upper + lower));
+    const float along = (upper * upper - lower * lower + distance * distance) / (2.0F * distance);
+    const float aside = std::sqrt(std::max(0.0F, upper * upper - along * along));
+    // The middle joint's side: where it stands out from the limb's own line now, turned as the line
+    // is; ahead comes in, the more the straighter the limb is.
+    const glm::vec3 own_line = glm::normalize(upper_vector + lower_vector);
+    const glm::vec3 own_pole = upper_vector - own_line * glm::dot(upper_vector, own_line);
+    const float unknown = std::max(0.0F, 1.0F - glm::length(own_pole) / kStraight);
+    glm::vec3 pole =
+        rotation_between(own_line, line) * own_pole + kStraight * unknown * unknown * limb.ahead;
+    pole = glm::normalize(pole - line * glm::dot(pole, line));
+
+    const glm::vec3 new_upper = line * along + pole * aside;
+    const glm::vec3 new_lower = line * distance - new_upper;
+    const glm::quat turn = rotation_between(upper_vector, new_upper);
+    const glm::quat new_upper_world = glm::normalize(turn * upper_world);
+    const glm::quat bend = rotation_between(turn * lower_vector, new_lower);
+    const glm::quat new_lower_world = glm::normalize(bend * turn * lower_world);
+    pose.rotation(limb.upper) = glm::normalize(glm::conjugate(limb.parent) * new_upper_world);
+    pose.rotation(limb.lower) = glm::normalize(glm::conjugate(new_upper_world) * new_lower_world);
+    return new_lower_world;
+}
+
+}  // namespace raks::motion

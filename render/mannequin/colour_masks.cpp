@@ -1,0 +1,180 @@
+#include "render/mannequin/colour_masks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/mannequin/shoe_sole.hpp"
+#include "render/mannequin/steps.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace raks::render {
+namespace {
+
+using motion::Bone;
+
+constexpr glm::vec3 kBun{0.0F, 1.660F, -0.119F};  // centre, as in head_primitives.cpp
+constexpr float kFaceHeight = 1.50F;              // metres: above, nothing of the suit
+constexpr float kMouthTop = 1.56F;
+constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold; below, the leg's
+constexpr float kAnkleZ = -0.022F;      // of the foot bone in T-pose
+constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
+
+float mix(float a, float b, float t) noexcept { return a + (b - a) * t; }
+
+glm::vec3 nearest_on_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b) noexcept {
+    const glm::vec3 ab = b - a;
+    return a + ab * std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0F, 1.0F);
+}
+
+/// First-order distance to the edge of an ellipse about the origin, positive inside.
+float within_ellipse(glm::vec2 p, glm::vec2 radii) noexcept {
+    const glm::vec2 scaled = p / radii;
+    const float length = std::max(glm::length(scaled), 1e-4F);
+    return (1.0F - length) * length / std::max(glm::length(scaled / radii), 1e-4F);
+}
+
+/// Positive between two planes, each given by a point and a normal from the first to the second.
+float between(
+    glm::vec3 p, glm::vec3 from, glm::vec3 n_from, glm::vec3 to, glm::vec3 n_to) noexcept {
+    return std::min(glm::dot(p - from, glm::normalize(n_from)),
+                    glm::dot(to - p, glm::normalize(n_to)));
+}
+
+}  // namespace
+
+ColourMasks::ColourMasks(const BodyField& field, const BindFrames& frames) noexcept
+    : field_(field),
+      shoulder_(frames.joint(Bone::left_upper_arm)),
+      elbow_(frames.joint(Bone::left_lower_arm)),
+      wrist_(frames.joint(Bone::left_hand)),
+      hip_(frames.joint(Bone::left_upper_leg)),
+      knee_(frames.joint(Bone::left_lower_leg)),
+      ankle_(frames.joint(Bone::left_foot)),
+      along_upper_arm_(glm::normalize(elbow_ - shoulder_)),
+      along_forearm_(glm::normalize(wrist_ - elbow_)),
+      along_thigh_(glm::normalize(knee_ - hip_)),
+      along_shank_(glm::normalize(ankle_ - knee_)),
+      along_hand_(frames.direction(Bone::left_hand, {1.0F, 0.0F, 0.0F})),
+      foot_from_world_(glm::conjugate(frames.bind().rotation(Bone::left_foot))) {}
+
+/// Outside of an ellipse about the neck's root: deep in front, high behind.
+float ColourMasks::neckline(glm::vec3 p) noexcept {
+    const float half_height = mix(0.060F, 0.118F, smoothstep(-0.06F, 0.04F, p.z));
+    const float inside = within_ellipse({p.x, p.y - 1.440F}, {0.072F, half_height});
+    return std::min(-inside, 1.452F - p.y + 0.3F * p.x);
+}
+
+/// A cap sleeve: its edge runs round the arm where arm and trunk are apart.
+float ColourMasks::sleeve(glm::vec3 p) const noexcept {
+    constexpr float kLength = 0.088F;
+    const float other = std::min(field_.core(p), field_.leg(p));
+    const float off_arm = std::max(0.0F, field_.arm(p) - other - 0.004F);
+    const glm::vec3 along = glm::normalize(along_upper_arm_ + glm::vec3{0.10F, 0.0F, 0.0F});
+    return kLength - glm::dot(p - shoulder_, along) + 1.6F * off_arm + 300.0F * off_arm * off_arm;
+}
+
+float ColourMasks::leg_end(glm::vec3 p) const noexcept {
+    constexpr float kBelowKnee = 0.335F;
+    if (p.y >= 0.8F) {
+        return 0.05F;
+    }
+    return glm::dot(knee_ + kBelowKnee * along_shank_ - p, along_shank_);
+}
+
+/// From the nearest point of the line hip - knee - ankle.
+glm::vec3 ColourMasks::from_leg_line(glm::vec3 p) const noexcept {
+    const glm::vec3 thigh = p - nearest_on_segment(p, hip_, knee_);
+    const glm::vec3 shank = p - nearest_on_segment(p, knee_, ankle_);
+    return glm::dot(thigh, thigh) < glm::dot(shank, shank) ? thigh : shank;
+}
+
+/// Hair drawn back into a bun: a plane from the forehead down to the ear leaves the face free, a
+/// second one the nape; their corner in front of the ear is rounded.
+float ColourMasks::hair(glm::vec3 p) noexcept {
+    constexpr float kCorner = 0.030F;
+    const glm::vec3 forehead{0.0F, 1.668F, 0.075F};
+    const glm::vec3 up_and_back{0.0F, 0.440F, -0.898F};
+    const float parting = 0.009F * (1.0F - smoothstep(0.0F, 0.030F, p.x));
+    const float cap = glm::dot(p - forehead, up_and_back) + 1.2F * p.x * p.x - parting;
+    const float nape = p.y - 1.533F - 0.25F * std::max(0.0F, p.z + 0.06F);
+    const float h = std::max(kCorner - std::abs(cap - nape), 0.0F) / kCorner;
+    const float drawn_back = std::min(cap, nape) - 0.25F * kCorner * h * h;
+    return std::max(drawn_back, 0.046F - glm::length(p - kBun));
+}
+
+/// Lips, drawn up at the corners, and the lashes of closed eyes.
+float ColourMasks::make_up(glm::vec3 p) noexcept {
+    const float lips = within_ellipse({p.x, p.y - 1.5375F - 8.0F * p.x * p.x}, {0.0220F, 0.0064F});
+    // The lashes hang on an arc: lowest in the middle of the lid, tapering to both corners.
+    const float along = (p.x - 0.0335F) / 0.0175F;
+    const float arc = 1.5865F + 0.0045F * along * along;
+    const float thickness = 0.0026F * (1.0F - along * along) - 0.0004F;
+    const float lashes = thickness - std::abs(p.y - arc);
+    return std::min(std::max(lips, lashes), p.z - 0.035F);
+}
+
+/// `foot`: from the ankle, in the foot bone's frame.
+float ColourMasks::shoe(glm::vec3 foot) noexcept {
+    const float height = foot.y + kAnkleHeight;
+    return 0.052F + 0.018F * smoothstep(0.06F, -0.04F, foot.z) -
+           0.022F * smoothstep(0.0F, 0.07F, foot.z) - height;
+}
+
+/// Joint bands of the plain mannequin.
+float ColourMasks::bands(glm::vec3 p) const noexcept {
+    const auto ring = [&](glm::vec3 joint, glm::vec3 n1, float before, glm::vec3 n2, float after) {
+        // Only near the joint: the planes go on through the whole body.
+        const float near = 0.11F - glm::length(p - joint);
+        return std::min(near, between(p, joint - before * n1, n1, joint + after * n2, n2));
+    };
+    const float limbs = std::max({
+        ring(elbow_, along_upper_arm_, 0.028F, along_forearm_, 0.028F),
+        ring(wrist_, along_forearm_, 0.016F, along_hand_, 0.004F),
+        ring(knee_, along_thigh_, 0.040F, along_shank_, 0.040F),
+        ring(ankle_, along_shank_, 0.034F, along_shank_, -0.012F),
+    });
+    const float waist = std::min(0.22F - p.x,
+                                 between(p,
+                                         {0.0F, 1.005F, 0.0F},
+                                         {0.0F, 1.0F, 0.10F},
+                                         {0.0F, 1.085F, 0.0F},
+                                         {0.0F, 1.0F, -0.12F}));
+    const float neck = std::min(0.12F - p.x,
+                                between(p,
+                                        {0.0F, 1.428F, -0.02F},
+                                        {0.0F, 1.0F, 0.30F},
+                                        {0.0F, 1.500F, -0.01F},
+                                        {0.0F, 1.0F, 0.30F}));
+    const float arm_beside_waist = 20.0F * (field_.arm(p) - field_.core(p));
+    return std::max({limbs, std::min(waist, arm_beside_waist), neck});
+}
+
+std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
+    const glm::vec3 off_leg = from_leg_line(p);
+    const glm::vec3 foot = foot_from_world_ * (p - ankle_);
+    const float stripe_shift = mix(-0.009F, -0.012F, smoothstep(0.76F, kHipHeight, p.y));
+    const float shoe_edge = shoe(foot);
+
+    std::array<float, kMaskCount> masks{};
+    const auto set = [&](AvatarMask mask, float value) {
+        masks[static_cast<std::size_t>(mask)] = value;
+    };
+    set(AvatarMask::suit, std::min({neckline(p), sleeve(p), leg_end(p)}));
+    const float stripe = p.y > kFaceHeight  ? p.y - kMouthTop
+                         : p.y > kHipHeight ? p.z + 0.012F
+                                            : off_leg.z - stripe_shift;
+    set(AvatarMask::stripe, stripe);
+    set(AvatarMask::outer, p.y > kHipHeight ? p.x - 0.06F : off_leg.x);
+    set(AvatarMask::hair, hair(p));
+    set(AvatarMask::shoe, shoe_edge);
+    const float sole = sole_top(foot.z + kAnkleZ) - (foot.y + kAnkleHeight);
+    set(AvatarMask::accent, std::max(std::min(shoe_edge, sole), make_up(p)));
+    set(AvatarMask::band, bands(p));
+    return masks;
+}
+
+}  // namespace raks::render

@@ -1,0 +1,96 @@
+#include "render/mannequin/mannequin.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "render/avatar/skinning.hpp"
+#include "render/mannequin/ambient_occlusion.hpp"
+#include "render/mannequin/bind_pose.hpp"
+#include "render/mannequin/body_field.hpp"
+#include "render/mannequin/colour_masks.hpp"
+#include "render/mannequin/helper_joints.hpp"
+#include "render/mannequin/relax.hpp"
+#include "render/mannequin/skin_weights.hpp"
+#include "render/mannequin/surface.hpp"
+
+#include <glm/matrix.hpp>
+
+namespace raks::render {
+namespace {
+
+std::int16_t snorm16(float value) noexcept {
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 32767.0F));
+}
+std::int8_t mask_byte(float metres) noexcept {
+    return static_cast<std::int8_t>(
+        std::lround(std::clamp(metres / kMaskRange, -1.0F, 1.0F) * 127.0F));
+}
+
+AvatarVertex left_vertex(const BodyField& field,
+                         const ColourMasks& masks,
+                         glm::vec3 p,
+                         glm::vec3 normal,
+                         const PackedWeights& weights) noexcept {
+    AvatarVertex vertex;
+    vertex.position = {p.x, p.y, p.z};
+    vertex.normal = {snorm16(normal.x), snorm16(normal.y), snorm16(normal.z), 0};
+    vertex.joints = weights.joints;
+    vertex.weights = weights.weights;
+    const std::array<float, kMaskCount> distances = masks.at(p);
+    std::transform(distances.begin(), distances.end(), vertex.masks.begin(), mask_byte);
+    const float open = ambient_occlusion(field, p, normal);
+    vertex.ambient_occlusion = static_cast<std::uint8_t>(std::lround(open * 255.0F));
+    return vertex;
+}
+
+AvatarVertex mirror_image(AvatarVertex vertex) noexcept {
+    vertex.position[0] = -vertex.position[0];
+    vertex.normal[0] = static_cast<std::int16_t>(-vertex.normal[0]);
+    for (std::uint8_t& joint : vertex.joints) {
+        joint = static_cast<std::uint8_t>(mirrored_joint(joint));
+    }
+    return vertex;
+}
+
+void add_mesh(const BindFrames& frames, Avatar& avatar) {
+    const BodyField field(frames);
+    MirroredMesh mesh = extract_surface(field, frames);
+    const Neighbours neighbours(mesh);
+    relax(field, neighbours, mesh);
+    const std::vector<PackedWeights> weights = skin_weights(field, frames, mesh, neighbours);
+    const ColourMasks masks(field, frames);
+
+    avatar.vertices.reserve(2 * mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        avatar.vertices.push_back(
+            left_vertex(field, masks, mesh.positions[i], mesh.normals[i], weights[i]));
+        avatar.vertices.push_back(mirror_image(avatar.vertices.back()));
+    }
+    RAKS_ASSERT(avatar.vertices.size() < 65'536);
+    avatar.indices.reserve(3 * mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            avatar.indices.push_back(static_cast<std::uint16_t>(vertex));
+        }
+    }
+}
+
+}  // namespace
+
+Avatar build_mannequin() {
+    Avatar avatar;
+    avatar.name = "Raks mannequin";
+    avatar.licence = "CC0-1.0";
+    avatar.skeleton = motion::mannequin_skeleton();
+    avatar.bind_pose = mannequin_bind_pose();
+    avatar.helpers = mannequin_helpers(avatar.skeleton);
+    joint_matrices(avatar, avatar.bind_pose, avatar.inverse_bind);
+    for (glm::mat4& matrix : avatar.inverse_bind) {
+        matrix = glm::inverse(matrix);
+    }
+    add_mesh(BindFrames(avatar.skeleton, avatar.bind_pose), avatar);
+    return avatar;
+}
+
+}  // namespace raks::render

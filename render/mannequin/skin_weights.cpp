@@ -1,0 +1,102 @@
+#include "render/mannequin/skin_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "render/mannequin/helper_joints.hpp"
+#include "render/mannequin/steps.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr int kSmoothingPasses = 3;
+constexpr float kTowardNeighbours = 0.5F;
+
+std::vector<JointShares> smoothed(const std::vector<JointShares>& shares,
+                                  const Neighbours& neighbours) {
+    std::vector<JointShares> result(shares.size());
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const auto around = neighbours.of(i);
+        const float each = kTowardNeighbours / static_cast<float>(around.size());
+        JointShares& mixed = result[i];
+        for (std::size_t j = 0; j < mixed.size(); ++j) {
+            mixed[j] = (1.0F - kTowardNeighbours) * shares[i][j];
+        }
+        for (const std::uint32_t neighbour : around) {
+            const JointShares& other = shares[neighbour / 2];
+            for (std::size_t j = 0; j < mixed.size(); ++j) {
+                mixed[neighbour % 2 == 0 ? j : mirrored_joint(j)] += each * other[j];
+            }
+        }
+    }
+    return result;
+}
+
+/// Takes the other side's joints off the skin away from the middle, where smoothing brought them.
+void keep_sides_apart(glm::vec3 p, JointShares& shares) noexcept {
+    constexpr float kShared = 0.008F;  // metres from the middle
+    constexpr float kApart = 0.020F;
+    const float kept = 1.0F - smootherstep(kShared, kApart, p.x);
+    const auto fade = [&](std::size_t joint) { shares[joint] *= kept; };
+    for (std::size_t bone = motion::index_of(motion::Bone::right_upper_leg);
+         bone < motion::kBoneNames.size();
+         ++bone) {
+        fade(bone);
+    }
+    for (auto helper = static_cast<std::size_t>(Helper::right_shoulder_half); helper < kPaletteSize;
+         ++helper) {
+        fade(helper);
+    }
+}
+
+/// The four largest, rounded so that they sum to 255: the rest goes to the largest.
+PackedWeights pack(const JointShares& shares) noexcept {
+    std::array<std::uint8_t, kPaletteSize> order{};
+    std::iota(order.begin(), order.end(), std::uint8_t{0});
+    std::partial_sort(
+        order.begin(), order.begin() + 4, order.end(), [&](std::uint8_t a, std::uint8_t b) {
+            return shares[a] != shares[b] ? shares[a] > shares[b] : a < b;
+        });
+    float sum = 0.0F;
+    for (std::size_t k = 0; k < 4; ++k) {
+        sum += shares[order[k]];
+    }
+    PackedWeights packed;
+    int left = 255;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const float exact = 255.0F * shares[order[k]] / sum;
+        const auto rounded = static_cast<std::uint8_t>(std::lround(exact));
+        packed.weights[k] = rounded;
+        packed.joints[k] = rounded > 0 ? order[k] : order[0];
+        left -= rounded;
+    }
+    packed.weights[0] = static_cast<std::uint8_t>(packed.weights[0] + left);
+    return packed;
+}
+
+}  // namespace
+
+std::vector<PackedWeights> skin_weights(const BodyField& field,
+                                        const BindFrames& frames,
+                                        const MirroredMesh& mesh,
+                                        const Neighbours& neighbours) {
+    const SkinRule rule(field, frames);
+    std::vector<JointShares> shares;
+    shares.reserve(mesh.positions.size());
+    for (const glm::vec3& p : mesh.positions) {
+        shares.push_back(rule.at(p));
+    }
+    for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+        shares = smoothed(shares, neighbours);
+    }
+    std::vector<PackedWeights> packed;
+    packed.reserve(shares.size());
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        keep_sides_apart(mesh.positions[i], shares[i]);
+        packed.push_back(pack(shares[i]));
+    }
+    return packed;
+}
+
+}  // namespace raks::render

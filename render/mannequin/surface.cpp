@@ -1,0 +1,212 @@
+#include "render/mannequin/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/assert.hpp"
+#include "render/mannequin/surface_cells.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::render {
+namespace {
+
+constexpr int kProjections = 4;
+constexpr float kProjectionStep = 0.0015F;  // metres, of the gradient's tetrahedron
+
+/// Connects the leaves' vertices: one quad for every minimal edge that crosses the surface.
+class Contouring {
+ public:
+    Contouring(const BodyField& field, const BindFrames& frames)
+        : field_(field), cells_(field, frames) {}
+
+    MirroredMesh run() {
+        place_vertices();
+        const std::size_t count = cells_.leaves().size();
+        for (std::size_t i = 0; i < count; ++i) {
+            connect(cells_.leaves()[i]);
+        }
+        project_all();
+        return std::move(mesh_);
+    }
+
+ private:
+    struct Edge {
+        GridPoint low;
+        int axis;
+        int length;
+    };
+
+    [[nodiscard]] glm::vec3 crossing(GridPoint a, GridPoint b) {
+        const float at_a = cells_.value_at(a);
+        const float at_b = cells_.value_at(b);
+        const float share = at_a / (at_a - at_b);
+        return glm::mix(SurfaceCells::position(a), SurfaceCells::position(b), share);
+    }
+
+    /// Each group of inside corners of a leaf gets a vertex at the mean of its edges' crossings.
+    void place_vertices() {
+        for (SurfaceCell& cell : cells_.leaves()) {
+            if (cell.group_count == 0) {
+                continue;
+            }
+            std::array<glm::vec3, 8> sums{};
+            std::array<float, 8> counts{};
+            for (const auto& edge : kCellEdges) {
+                const int a = cell.corner_groups[static_cast<std::size_t>(edge[0])];
+                const int b = cell.corner_groups[static_cast<std::size_t>(edge[1])];
+                if ((a < 0) == (b < 0)) {
+                    continue;
+                }
+                const auto group = static_cast<std::size_t>(std::max(a, b));
+                sums[group] += crossing(corner_of(cell, edge[0]), corner_of(cell, edge[1]));
+                counts[group] += 1.0F;
+            }
+            cell.first_vertex = static_cast<int>(mesh_.positions.size());
+            for (std::size_t g = 0; g < static_cast<std::size_t>(cell.group_count); ++g) {
+                mesh_.positions.push_back(sums[g] / counts[g]);
+            }
+        }
+    }
+
+    void connect(const SurfaceCell& cell) {
+        for (const auto& ends : kCellEdges) {
+            const int a = cell.corner_groups[static_cast<std::size_t>(ends[0])];
+            const int b = cell.corner_groups[static_cast<std::size_t>(ends[1])];
+            if ((a < 0) == (b < 0)) {
+                continue;
+            }
+            const int axis = ends[1] - ends[0] == 1 ? 0 : ends[1] - ends[0] == 2 ? 1 : 2;
+            connect_around(cell, {corner_of(cell, ends[0]), axis, cell.size});
+        }
+    }
+
+    /// Makes the quad around an edge of `cell`, unless a smaller cell touches the edge (that one
+    /// has the minimal edge) or an equal one that comes first.
+    void connect_around(const SurfaceCell& cell, const Edge& edge) {
+        const auto axis = static_cast<std::size_t>(edge.axis);
+        const std::size_t b = (axis + 1) % 3;
+        const std::size_t c = (axis + 2) % 3;
+        constexpr std::array<std::array<int, 2>, 4> kAround = {
+            {{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}};
+        std::array<SurfaceCell*, 4> around{};
+        std::array<std::uint32_t, 4> is_mirrored{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            GridPoint place = edge.low;
+            place[axis] += edge.length / 2;
+            place[b] += kAround[k][0];
+            place[c] += kAround[k][1];
+            if (place[0] < 0) {
+                place[0] = -1 - place[0];
+                is_mirrored[k] = 1;
+            }
+            around[k] = cells_.leaf_at(place);
+            RAKS_ASSERT(around[k] != nullptr);
+            const bool is_taken = around[k] == nullptr || around[k]->size < cell.size ||
+                                  (around[k]->size == cell.size && around[k] < &cell);
+            if (is_taken) {
+                return;
+            }
+        }
+        std::array<std::uint32_t, 4> quad{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            quad[k] = 2 * vertex_of(*around[k], edge) + is_mirrored[k];
+        }
+        if (cells_.value_at(edge.low) >= 0.0F) {
+            std::reverse(quad.begin(), quad.end());
+        }
+        const bool spans_the_mirror = is_mirrored != std::array<std::uint32_t, 4>{};
+        add_quad(quad, spans_the_mirror);
+    }
+
+    [[nodiscard]] static GridPoint high_end(const Edge& edge) noexcept {
+        GridPoint high = edge.low;
+        high[static_cast<std::size_t>(edge.axis)] += edge.length;
+        return high;
+    }
+
+    /// The vertex of `cell` that belongs to the surface crossing `edge`: that of the edge's inside
+    /// corner, or, in a larger cell, the nearest; one is made where the cell has none.
+    std::uint32_t vertex_of(SurfaceCell& cell, const Edge& edge) {
+        const GridPoint high = high_end(edge);
+        const GridPoint inside = cells_.value_at(edge.low) < 0.0F ? edge.low : high;
+        if (cell.first_vertex >= 0) {
+            for (int k = 0; k < 8; ++k) {
+                const int group = cell.corner_groups[static_cast<std::size_t>(k)];
+                if (group >= 0 && corner_of(cell, k) == inside) {
+                    return static_cast<std::uint32_t>(cell.first_vertex + group);
+                }
+            }
+        }
+        const glm::vec3 place = crossing(edge.low, high);
+        if (cell.first_vertex < 0) {
+            cell.first_vertex = static_cast<int>(mesh_.positions.size());
+            cell.group_count = 1;
+            mesh_.positions.push_back(place);
+        }
+        return nearest_vertex(cell, place);
+    }
+
+    [[nodiscard]] std::uint32_t nearest_vertex(const SurfaceCell& cell, glm::vec3 place) const {
+        int best = cell.first_vertex;
+        float best_distance = std::numeric_limits<float>::max();
+        for (int v = cell.first_vertex; v < cell.first_vertex + cell.group_count; ++v) {
+            const float distance =
+                glm::length(mesh_.positions[static_cast<std::size_t>(v)] - place);
+            if (distance < best_distance) {
+                best = v;
+                best_distance = distance;
+            }
+        }
+        return static_cast<std::uint32_t>(best);
+    }
+
+    /// Splits along the shorter diagonal; equal neighbours leave one triangle or none.
+    void add_quad(const std::array<std::uint32_t, 4>& q, bool spans_the_mirror) {
+        const float d02 = glm::length(mesh_.position(q[0]) - mesh_.position(q[2]));
+        const float d13 = glm::length(mesh_.position(q[1]) - mesh_.position(q[3]));
+        if (d02 <= d13) {
+            add_triangle({q[0], q[1], q[2]}, spans_the_mirror);
+            add_triangle({q[0], q[2], q[3]}, spans_the_mirror);
+        } else {
+            add_triangle({q[1], q[2], q[3]}, spans_the_mirror);
+            add_triangle({q[1], q[3], q[0]}, spans_the_mirror);
+        }
+    }
+
+    void add_triangle(const std::array<std::uint32_t, 3>& t, bool spans_the_mirror) {
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+            return;
+        }
+        mesh_.triangles.push_back(t);
+        if (!spans_the_mirror) {
+            mesh_.triangles.push_back({t[0] ^ 1U, t[2] ^ 1U, t[1] ^ 1U});
+        }
+    }
+
+    void project_all() {
+        for (glm::vec3& p : mesh_.positions) {
+            for (int i = 0; i < kProjections; ++i) {
+                const float distance = field_.distance(p);
+                if (std::abs(distance) < 1e-6F) {
+                    break;
+                }
+                const glm::vec3 gradient = field_.gradient(p, kProjectionStep);
+                p -= gradient * (distance / std::max(glm::dot(gradient, gradient), 0.05F));
+            }
+        }
+    }
+
+    const BodyField& field_;
+    SurfaceCells cells_;
+    MirroredMesh mesh_;
+};
+
+}  // namespace
+
+MirroredMesh extract_surface(const BodyField& field, const BindFrames& frames) {
+    return Contouring(field, frames).run();
+}
+
+}  // namespace raks::render

@@ -1,0 +1,137 @@
+// A minute of music through all that runs on the audio and the motion thread, counted by the guard.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "audio/io/audio_file.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "engine/live/live_input.hpp"
+#include "engine/live/motion_stage.hpp"
+#include "engine/live/playback.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "tests/support/realtime_guard.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr int kChainSeconds = 60;
+constexpr std::size_t kFrames = 256;
+
+/// A tempo jump at 25 s and a silence from 40 to 46 s.
+audio::GeneratedMusic minute_of_music(SampleRate rate) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::salsa;
+    plan.tempo = {{0.0, 176.0}, {25.0, 176.0}, {25.0, 200.0}};
+    plan.seconds = kChainSeconds;
+    plan.rate = rate;
+    plan.silences = {{40.0, 46.0}};
+    auto music = audio::generate(plan);
+    EXPECT_TRUE(music) << music.error().message;
+    return *music;
+}
+
+motion::Dancer salsa_dancer() {
+    auto library = load_dance("salsa");
+    EXPECT_TRUE(library) << library.error().message;
+    motion::Dancer dancer;
+    EXPECT_TRUE(dancer.prepare(*library, motion::mannequin_skeleton(), 1));
+    return dancer;
+}
+
+/// What a user may do meanwhile: taps, octaves, other figures, a rest.
+void give_commands(std::int64_t block, AnalysisStage& analysis, MotionStage& motion) {
+    using Music = audio::AnalyzerCommand::Kind;
+    using Dance = motion::DancerCommand::Kind;
+    const StreamTime now = analysis.taken_until();
+    switch (block % 4'000) {
+        case 500:
+        case 600:
+        case 700:
+            ASSERT_TRUE(analysis.command({Music::tap, now, 0.0}));
+            break;
+        case 1'000:
+            ASSERT_TRUE(analysis.command({Music::half_tempo, now, 0.0}));
+            break;
+        case 1'500:
+            ASSERT_TRUE(analysis.command({Music::double_tempo, now, 0.0}));
+            break;
+        case 2'000:
+            ASSERT_TRUE(motion.command({Dance::next_figure, now, 0.0}));
+            break;
+        case 2'500:
+            ASSERT_TRUE(motion.command({Dance::hold, now, 0.0}));
+            break;
+        case 3'000:
+            ASSERT_TRUE(motion.command({Dance::release, now, 0.0}));
+            break;
+        default:
+            break;
+    }
+}
+
+void tick_guarded(MotionStage& motion) {
+    test::RealtimeScope scope;
+    motion.tick();
+    ASSERT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+}
+
+TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
+    const test::TemporaryFolder folder;
+    const auto path = folder / "minute.wav";
+    const audio::GeneratedMusic music = minute_of_music(SampleRate(44'100));
+    ASSERT_TRUE(audio::write_wav(path, music.samples, music.channels, music.rate));
+    auto player = audio::FilePlayer::start({path});
+    ASSERT_TRUE(player) << player.error().message;
+    auto playback = Playback::create(std::move(*player));
+    ASSERT_TRUE(playback) << playback.error().message;
+    ASSERT_TRUE((*playback)->prepare(SampleRate(48'000)));
+    AnalysisStage& analysis = (*playback)->analysis();
+    MotionStage motion(salsa_dancer(), analysis.states());
+    std::vector<float> block(2 * kFrames);
+    for (std::int64_t i = 0; !(*playback)->is_finished(); ++i) {
+        (*playback)->player().wait_until_ready(4096);
+        give_commands(i, analysis, motion);
+        test::RealtimeScope scope;
+        (*playback)->on_output(
+            block, 2, {i * static_cast<std::int64_t>(kFrames), HostClock::now(), false});
+        ASSERT_TRUE(scope.stop().is_clean()) << "block " << i << ": " << scope.stop().describe();
+        ASSERT_NO_FATAL_FAILURE(tick_guarded(motion)) << "block " << i;
+    }
+    EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
+    EXPECT_EQ(analysis.states().dropped(), 0U);
+    EXPECT_EQ((*playback)->player().underruns(), 0U);
+}
+
+TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
+    const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
+    auto listening = Listening::create(music.rate);
+    ASSERT_TRUE(listening) << listening.error().message;
+    AnalysisStage& analysis = (*listening)->analysis();
+    MotionStage motion(salsa_dancer(), analysis.states());
+    const std::span<const float> samples = music.samples;
+    HostTime clock = HostClock::now();
+    for (std::size_t at = 0; at + 2 * kFrames <= samples.size(); at += 2 * kFrames) {
+        const auto block = static_cast<std::int64_t>(at / (2 * kFrames));
+        give_commands(block, analysis, motion);
+        clock += music.rate.time_of(kFrames).time_since_epoch();
+        const bool is_xrun = block % 2'000 == 1'999;
+        clock += is_xrun ? std::chrono::milliseconds(40) : Nanos(0);
+        test::RealtimeScope scope;
+        (*listening)
+            ->on_input(samples.subspan(at, 2 * kFrames),
+                       2,
+                       {block * static_cast<std::int64_t>(kFrames), clock, is_xrun});
+        ASSERT_TRUE(scope.stop().is_clean())
+            << "block " << block << ": " << scope.stop().describe();
+        ASSERT_NO_FATAL_FAILURE(tick_guarded(motion)) << "block " << block;
+    }
+    EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
+    EXPECT_GT((*listening)->lost_frames(), 0);
+    EXPECT_EQ(analysis.states().dropped(), 0U);
+}
+
+}  // namespace
+}  // namespace raks::engine

@@ -1,0 +1,114 @@
+#include "engine/setup/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/random.hpp"
+
+namespace raks::engine {
+namespace {
+
+std::string error_of(const std::string& toml) {
+    Settings settings;
+    const auto result = parse_settings(toml, "config.toml", settings);
+    return result ? "" : result.error().message;
+}
+
+TEST(Settings, written_settings_read_back_the_same) {
+    Settings settings;
+    settings.device = "Monitor of \"Built-in\" audio";
+    settings.latency_offset_ms = -12.5;
+    settings.seed = 42;
+    settings.overlay = false;
+    Settings back;
+    const auto read = parse_settings(to_toml(settings), "x", back);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(to_toml(back), to_toml(settings));
+    EXPECT_EQ(back.device, settings.device);
+    EXPECT_EQ(back.seed, 42);
+}
+
+TEST(Settings, a_file_changes_only_what_it_names) {
+    Settings settings;
+    settings.volume = 0.5;
+    ASSERT_TRUE(parse_settings("[picture]\nfps = 60\n", "x", settings));
+    EXPECT_EQ(settings.fps, 60.0);
+    EXPECT_EQ(settings.volume, 0.5);
+}
+
+TEST(Settings, errors_name_file_line_key_and_what_is_meant) {
+    const struct {
+        const char* toml;
+        const char* error;
+    } cases[] = {
+        {"[picture]\nthme = \"stage\"\n",
+         "config.toml: line 2: unknown key \"picture.thme\"; did you mean \"picture.theme\"?"},
+        {"[pictures]\nfps = 30\n",
+         "config.toml: line 1: unknown key \"pictures\"; did you mean \"picture\"?"},
+        {"[picture]\nfps = \"fast\"\n", "config.toml: line 2: picture.fps must be a number"},
+        {"[picture]\nfps = 1000\n", "config.toml: picture.fps is 1000, must be 1 to 240"},
+        {"[picture]\nfps = nan\n", "config.toml: picture.fps is nan, must be 1 to 240"},
+        {"[picture]\nsize = \"huge\"\n",
+         "config.toml: picture.size: \"huge\" is no picture size; write WIDTHxHEIGHT, 16 to 7680 "
+         "each, such as 1280x720"},
+        {"[dance]\nseed = -1\n", "config.toml: dance.seed is -1, must be 0 to 9000000000000000"},
+        {"[picture]\noverlay = 1\n", "config.toml: line 2: picture.overlay must be true or false"},
+        {"version = 2\n", "config.toml: version 2 is not known to this Raks (it reads version 1)"},
+    };
+    for (const auto& c : cases) {
+        EXPECT_EQ(error_of(c.toml), c.error) << c.toml;
+    }
+    EXPECT_NE(error_of("[picture\n").find("config.toml: line 1"), std::string::npos);
+    // Headers that break the parser itself.
+    for (const char* header : {"[", "[[", "[[[picture]]]", "[=", "[[ #"}) {
+        EXPECT_EQ(error_of("\n" + std::string(header)),
+                  "config.toml: line 2: [ needs a name behind it");
+    }
+}
+
+TEST(Settings, an_error_leaves_the_settings_alone) {
+    Settings settings;
+    EXPECT_FALSE(parse_settings("[picture]\nfps = 60\nx = 1\n", "x", settings));
+    EXPECT_EQ(settings.fps, Settings{}.fps);
+}
+
+TEST(Settings, every_truncation_of_a_file_is_read_or_refused) {
+    const std::string whole = to_toml({});
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        Settings settings;
+        const auto result = parse_settings(whole.substr(0, i), "x", settings);
+        if (!result) {
+            EXPECT_EQ(result.error().message.find('\n'), std::string::npos);
+        }
+    }
+}
+
+TEST(Settings, mangled_files_are_read_or_refused_in_one_line) {
+    const std::string whole = to_toml({});
+    for (std::uint64_t round = 0; round < 2000; ++round) {
+        const CounterRandom random(round, 1);
+        std::string text = whole;
+        for (std::uint64_t i = 0; i < 4; ++i) {
+            text[random.below(2 * i, text.size())] =
+                static_cast<char>(random.below(2 * i + 1, 256));
+        }
+        Settings settings;
+        const auto result = parse_settings(text, "x", settings);
+        if (!result) {
+            EXPECT_EQ(result.error().message.find('\n'), std::string::npos) << round;
+        }
+    }
+}
+
+TEST(PictureSize, takes_two_numbers_only) {
+    EXPECT_EQ(parse_size("640x360")->width, 640);
+    EXPECT_EQ(parse_size("640x360")->height, 360);
+    for (const char* bad :
+         {"", "x", "640", "640x", "x360", "640x360x2", "-1x5", "8x8", "9999x10"}) {
+        EXPECT_FALSE(parse_size(bad)) << bad;
+    }
+}
+
+}  // namespace
+}  // namespace raks::engine

@@ -1,0 +1,175 @@
+#include "training/beat/bar_sequences.hpp"
+
+#include <algorithm>
+
+#include "base/time.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr double kSteadyError = 0.6;  // hops, sd of a tracker's beats
+constexpr double kLooseError = 1.5;
+constexpr double kLeftOut = 0.006;  // of the beats
+constexpr double kTwice = 0.003;
+constexpr double kDropped = 0.1;       // of the inputs
+constexpr double kLatestStart = 0.33;  // share of a piece
+// Nothing is known of a piece's first beats: they count less.
+constexpr std::size_t kFirstBeats = 4;
+constexpr float kFirstWeight = 0.3F;
+
+/// When each beat is heard, in hops.
+std::vector<double> moments_of(const std::vector<PlayedBeat>& beats,
+                               const MelHearing& hearing,
+                               Dice* dice) {
+    const double error = dice == nullptr ? 0.0 : dice->chance(0.5) ? kSteadyError : kLooseError;
+    std::vector<double> moments;
+    for (const PlayedBeat& beat : beats) {
+        const double moment = (beat.time * kHopsPerSecond - hearing.first_hop) / hearing.stretch;
+        moments.push_back(moment + (dice != nullptr ? dice->normal(error) : 0.0));
+    }
+    std::sort(moments.begin(), moments.end());
+    return moments;
+}
+
+TrainingBatch empty_batch(std::size_t beats, std::size_t chunks) {
+    TrainingBatch batch;
+    batch.loss = TrainingBatch::Loss::softmax;
+    batch.steps = beats;
+    batch.chunks = chunks;
+    batch.inputs.resize(beats * chunks * BarInput::kSize);
+    batch.targets.resize(beats * chunks * BarNetwork::kOutputs);
+    batch.weights.resize(batch.targets.size());
+    return batch;
+}
+
+void put_target(TrainingBatch& batch, std::size_t frame, BarPlace place, float weight) {
+    if (place == BarPlace::unknown) {
+        return;
+    }
+    const auto row = static_cast<std::ptrdiff_t>(frame * BarNetwork::kOutputs);
+    batch.targets[static_cast<std::size_t>(row) + static_cast<std::size_t>(place)] = 1.0F;
+    std::fill_n(batch.weights.begin() + row, BarNetwork::kOutputs, weight);
+}
+
+/// Beats of one sequence from step `t` of a chunk on; returns the step behind the last.
+std::size_t put_sequence(const BarSequence& sequence,
+                         std::size_t chunk,
+                         std::size_t t,
+                         TrainingBatch& batch,
+                         Dice& dice) {
+    const auto count = sequence.frames.size();
+    const double latest = kLatestStart * static_cast<double>(count);
+    std::size_t heard = 0;
+    for (auto i = static_cast<std::size_t>(dice.uniform(0.0, latest));
+         i < count && t < batch.steps;) {
+        const double draw = dice.uniform();
+        if (draw < kLeftOut) {
+            ++i;
+            heard = 0;
+            continue;
+        }
+        const std::size_t frame = t * batch.chunks + chunk;
+        float* const inputs = &batch.inputs[frame * BarInput::kSize];
+        for (std::size_t k = 0; k < BarInput::kSize; ++k) {
+            inputs[k] = dice.chance(kDropped) ? 0.0F : sequence.frames[i][k];
+        }
+        put_target(batch, frame, sequence.places[i], heard < kFirstBeats ? kFirstWeight : 1.0F);
+        ++t;
+        if (draw > 1.0 - kTwice) {
+            heard = 0;
+        } else {
+            ++heard;
+            ++i;
+        }
+    }
+    return t;
+}
+
+}  // namespace
+
+std::vector<BarPlace> places_of(const std::vector<PlayedBeat>& beats) {
+    std::vector<BarPlace> places(beats.size(), BarPlace::other);
+    int longest = 0;
+    for (const PlayedBeat& beat : beats) {
+        longest = std::max(longest, beat.bar_position);
+    }
+    // From behind: how long a bar is shows at its end; the last may be cut short.
+    int bar = longest;
+    for (std::size_t i = beats.size(); i-- > 0;) {
+        const int position = beats[i].bar_position;
+        if (i + 1 < beats.size() && beats[i + 1].bar_position == 1) {
+            bar = position;
+        }
+        const bool is_middle = (bar == 4 || bar == 6) && position == bar / 2 + 1;
+        places[i] = position <= 0   ? BarPlace::unknown
+                    : position == 1 ? BarPlace::first
+                    : is_middle     ? BarPlace::middle
+                                    : BarPlace::other;
+    }
+    return places;
+}
+
+BarSequence hear_bars(const TrainingExcerpt& excerpt,
+                      const std::shared_ptr<const BeatNetwork>& network,
+                      const MelHearing& hearing,
+                      Dice* dice) {
+    const std::vector<double> moments = moments_of(excerpt.beats, hearing, dice);
+    const std::vector<BarPlace> places = places_of(excerpt.beats);
+    const double hops = (static_cast<double>(excerpt.hops()) - hearing.first_hop) / hearing.stretch;
+    NetworkInput network_input;
+    BeatListener listener(network);
+    BarInput bar_input;
+    BarSequence sequence;
+    std::size_t next = 0;  // beat
+    const auto hear = [&](std::size_t t, const auto& bands) {
+        const BeatEvidence evidence = listener.next(network_input.next(bands));
+        const double now = static_cast<double>(t) + BarInput::kAheadHops;
+        for (; next < moments.size() && now >= moments[next]; ++next) {
+            if (next == 0 || t == 0) {
+                continue;
+            }
+            const BarInput::Frame frame = bar_input.next_beat();
+            if (moments[next - 1] > BarInput::kAheadHops - 1.0) {  // heard from its begin
+                sequence.frames.push_back(frame);
+                sequence.places.push_back(places[next - 1]);
+            }
+        }
+        if (next > 0 && next < moments.size()) {
+            const double length = moments[next] - moments[next - 1];
+            bar_input.hear(bands, (now - moments[next - 1]) / length, evidence);
+        }
+    };
+    hear_bands(excerpt.mel, hearing, static_cast<std::size_t>(std::max(0.0, hops)), dice, hear);
+    return sequence;
+}
+
+TrainingBatch draw_bar_batch(const std::vector<std::vector<BarSequence>>& from,
+                             std::size_t chunks,
+                             std::size_t beats,
+                             Dice& dice) {
+    TrainingBatch batch = empty_batch(beats, chunks);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        for (std::size_t t = 0; t < beats;) {
+            const auto& hearings = dice.pick(std::span(from));
+            t = put_sequence(dice.pick(std::span(hearings)), chunk, t, batch, dice);
+        }
+    }
+    return batch;
+}
+
+TrainingBatch plain_bar_batch(const std::vector<BarSequence>& sequences, std::size_t beats) {
+    TrainingBatch batch = empty_batch(beats, sequences.size());
+    for (std::size_t chunk = 0; chunk < sequences.size(); ++chunk) {
+        const BarSequence& sequence = sequences[chunk];
+        for (std::size_t t = 0; t < std::min(beats, sequence.frames.size()); ++t) {
+            const std::size_t frame = t * batch.chunks + chunk;
+            std::copy(sequence.frames[t].begin(),
+                      sequence.frames[t].end(),
+                      &batch.inputs[frame * BarInput::kSize]);
+            put_target(batch, frame, sequence.places[t], t < kFirstBeats ? 0.0F : 1.0F);
+        }
+    }
+    return batch;
+}
+
+}  // namespace raks::audio

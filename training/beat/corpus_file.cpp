@@ -1,0 +1,133 @@
+// A corpus between runs: "RAKSBEAT", a version, then each excerpt's sizes and numbers.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "base/file.hpp"
+#include "training/beat/corpus.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr std::string_view kMagic = "RAKSBEAT";
+constexpr std::uint32_t kVersion = 2;
+constexpr double kLongestBar = 64.0;
+constexpr double kLongestExcerpt = 1e6;  // seconds
+constexpr float kLoudest = 1e9F;         // mel magnitude: beyond it sums become infinite
+constexpr std::size_t kLargest = std::size_t{4} << 30U;
+
+template <class T>
+void put(std::string& bytes, const T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+/// Takes numbers off the front of a file; false for ever once it was too short.
+class Bytes {
+ public:
+    explicit Bytes(std::string_view bytes) : left_(bytes) {}
+
+    template <class T>
+    bool take(std::size_t count, std::vector<T>& values) {
+        if (count > left_.size() / sizeof(T)) {
+            left_ = {};
+            return false;
+        }
+        values.resize(count);
+        if (count > 0) {
+            std::memcpy(values.data(), left_.data(), count * sizeof(T));
+        }
+        left_.remove_prefix(count * sizeof(T));
+        return true;
+    }
+    [[nodiscard]] bool is_empty() const { return left_.empty(); }
+
+ private:
+    std::string_view left_;
+};
+
+bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
+    std::vector<std::uint64_t> sizes;
+    std::vector<char> family;
+    std::vector<char> style;
+    std::vector<double> beats;
+    if (!bytes.take(4, sizes) || !bytes.take(sizes[0], family) || !bytes.take(sizes[1], style) ||
+        !bytes.take(sizes[2], excerpt.mel) || sizes[3] > kLargest ||
+        !bytes.take(2 * sizes[3], beats)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < beats.size(); i += 2) {
+        const double position = beats[i + 1];
+        if (!(std::abs(beats[i]) < kLongestExcerpt) ||
+            !(position >= 0.0 && position <= kLongestBar)) {
+            return false;
+        }
+        excerpt.beats.push_back({beats[i], static_cast<int>(position)});
+    }
+    const bool is_sound = std::all_of(excerpt.mel.begin(), excerpt.mel.end(), [](float magnitude) {
+        return magnitude >= 0.0F && magnitude < kLoudest;
+    });
+    if (!is_sound) {
+        return false;
+    }
+    excerpt.family.assign(family.begin(), family.end());
+    excerpt.style.assign(style.begin(), style.end());
+    return true;
+}
+
+}  // namespace
+
+Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
+                           const std::filesystem::path& path) {
+    std::string bytes(kMagic);
+    put(bytes, &kVersion, 1);
+    for (const TrainingExcerpt& excerpt : corpus) {
+        const std::array<std::uint64_t, 4> sizes = {
+            excerpt.family.size(), excerpt.style.size(), excerpt.mel.size(), excerpt.beats.size()};
+        put(bytes, sizes.data(), sizes.size());
+        put(bytes, excerpt.family.data(), excerpt.family.size());
+        put(bytes, excerpt.style.data(), excerpt.style.size());
+        put(bytes, excerpt.mel.data(), excerpt.mel.size());
+        std::vector<double> beats;  // two numbers a beat: a struct's padding holds anything
+        for (const PlayedBeat& beat : excerpt.beats) {
+            beats.insert(beats.end(), {beat.time, static_cast<double>(beat.bar_position)});
+        }
+        put(bytes, beats.data(), beats.size());
+    }
+    return write_file(path, bytes);
+}
+
+Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& path) {
+    std::uint32_t version = 0;
+    const auto start = read_file_start(path, kMagic.size() + sizeof(version));
+    if (!start) {
+        return fail(start.error());
+    }
+    if (!start->starts_with(kMagic) || start->size() < kMagic.size() + sizeof(version)) {
+        return fail(path.string() + ": not a corpus of beats");
+    }
+    std::memcpy(&version, start->data() + kMagic.size(), sizeof(version));
+    if (version != kVersion) {
+        return fail(path.string() + ": version " + std::to_string(version) +
+                    " of a corpus, this program reads " + std::to_string(kVersion) +
+                    "; delete it to make it anew");
+    }
+    const auto text = read_file(path, kLargest);
+    if (!text) {
+        return fail(text.error());
+    }
+    Bytes bytes(std::string_view(*text).substr(std::min(start->size(), text->size())));
+    std::vector<TrainingExcerpt> corpus;
+    while (!bytes.is_empty()) {
+        TrainingExcerpt excerpt;
+        if (!take_excerpt(bytes, excerpt) || excerpt.mel.size() % 36 != 0) {
+            return fail(path.string() + ": cut short or damaged; delete it to make it anew");
+        }
+        corpus.push_back(std::move(excerpt));
+    }
+    return corpus;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,134 @@
+#include "training/beat/train_bars.hpp"
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+#include "training/beat/bar_sequences.hpp"
+#include "training/networks/network_descent.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr int kReportBarsEvery = 100;
+constexpr std::size_t kKeepBarsEvery = 16;
+constexpr std::size_t kChunks = 48;
+constexpr std::size_t kBeats = 96;
+constexpr std::size_t kFewestBeats = 8;  // of a piece, to tell bars from
+constexpr double kMostBarStretch = 0.1;  // ln of the ratio
+constexpr double kHeardShare = 0.75;     // of a piece that fits whatever the stretch
+
+bool has_bars(const TrainingExcerpt& excerpt) {
+    const bool is_told = std::any_of(excerpt.beats.begin(),
+                                     excerpt.beats.end(),
+                                     [](const PlayedBeat& beat) { return beat.bar_position > 0; });
+    return excerpt.hops() > 0 && excerpt.beats.size() >= kFewestBeats && is_told;
+}
+
+/// Several hearings of each excerpt, none of those that are left out; of those kept for validation
+/// the plain one.
+class HeardCorpus {
+ public:
+    HeardCorpus(const std::vector<TrainingExcerpt>& corpus,
+                const std::shared_ptr<const BeatNetwork>& beats,
+                const BarPlan& plan) {
+        std::vector<std::vector<BarSequence>> heard(corpus.size());
+        const auto work = [&](std::size_t first) {
+            for (std::size_t i = first; i < corpus.size();
+                 i += static_cast<std::size_t>(plan.threads)) {
+                heard[i] = hearings_of(corpus[i], i, beats, plan);
+            }
+        };
+        {
+            std::vector<std::jthread> workers;
+            workers.reserve(static_cast<std::size_t>(plan.threads));
+            for (int n = 0; n < plan.threads; ++n) {
+                workers.emplace_back(work, static_cast<std::size_t>(n));
+            }
+        }
+        std::vector<BarSequence> kept;
+        for (std::size_t i = 0; i < heard.size(); ++i) {
+            if (heard[i].empty()) {
+                continue;
+            }
+            if (i % kKeepBarsEvery == 0) {
+                kept.push_back(std::move(heard[i].front()));
+            } else {
+                training.push_back(std::move(heard[i]));
+            }
+        }
+        validation.push_back(plain_bar_batch(kept, kBeats));
+    }
+
+    std::vector<std::vector<BarSequence>> training;
+    std::vector<TrainingBatch> validation;
+
+ private:
+    static std::vector<BarSequence> hearings_of(const TrainingExcerpt& excerpt,
+                                                std::size_t number,
+                                                const std::shared_ptr<const BeatNetwork>& beats,
+                                                const BarPlan& plan) {
+        std::vector<BarSequence> hearings;
+        const int count = number % kKeepBarsEvery == 0 ? 1 : plan.hearings;
+        Dice dice(plan.seed, 500'000 + number);
+        const auto hops = static_cast<double>(excerpt.hops());
+        for (int n = 0; n < count && has_bars(excerpt); ++n) {
+            const auto share = static_cast<std::size_t>(kHeardShare * hops);
+            BarSequence sequence =
+                n == 0 ? hear_bars(excerpt, beats, MelHearing::plain(), nullptr)
+                       : hear_bars(excerpt,
+                                   beats,
+                                   MelHearing::draw(excerpt.hops(), share, kMostBarStretch, dice),
+                                   &dice);
+            if (!sequence.frames.empty()) {
+                hearings.push_back(std::move(sequence));
+            }
+        }
+        return hearings;
+    }
+};
+
+/// Output biases at how often each place comes.
+BarNetwork fresh_network(const BarPlan& plan) {
+    BarNetwork network(plan.units, plan.layers);
+    initialize(network, plan.seed);
+    constexpr std::array kBiases = {-0.3F, -0.7F, 0.5F};
+    std::copy(kBiases.begin(),
+              kBiases.end(),
+              network.parameters().begin() + static_cast<std::ptrdiff_t>(network.output_biases()));
+    return network;
+}
+
+}  // namespace
+
+BarNetwork train_bars(
+    const std::vector<TrainingExcerpt>& corpus,
+    const std::shared_ptr<const BeatNetwork>& beats,
+    const BarPlan& plan,
+    const std::function<void(const NetworkProgress&, const BarNetwork&)>& report) {
+    const HeardCorpus heard(corpus, beats, plan);
+    BarNetwork network = fresh_network(plan);
+    if (heard.training.empty()) {
+        return network;
+    }
+    NetworkDescent descent(network, plan.threads);
+    double loss = 0.0;
+    int since = 0;
+    for (int step = 0; step < plan.steps; ++step) {
+        constexpr std::size_t kShards = NetworkDescent::kShards;
+        loss += descent.step(rate_at(plan.rate, step, plan.steps), [&](std::size_t shard) {
+            Dice dice(plan.seed, 1000 + static_cast<std::uint64_t>(step) * kShards + shard);
+            return draw_bar_batch(heard.training, kChunks / kShards, kBeats, dice);
+        });
+        ++since;
+        if ((step + 1) % kReportBarsEvery == 0 || step + 1 == plan.steps) {
+            report({step + 1, plan.steps, loss / since, descent.loss_of(heard.validation)},
+                   network);
+            loss = 0.0;
+            since = 0;
+        }
+    }
+    return network;
+}
+
+}  // namespace raks::audio

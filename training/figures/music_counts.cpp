@@ -1,0 +1,161 @@
+#include "training/figures/music_counts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace raks::motion {
+namespace {
+
+constexpr double kSlack = 0.1;    // seconds that a label may begin before or end behind the music
+constexpr double kNearest = 0.6;  // intervals: a beat farther from an end is not the label's
+constexpr double kAboutAsNear = 0.4;  // intervals: beats between which the bar decides
+constexpr double kMissed = 1.6;       // intervals: a longer one lacks a beat
+
+using Seconds = std::vector<double>;
+
+double median_interval(std::span<const MusicBeat> beats) {
+    Seconds intervals;
+    for (std::size_t i = 1; i < beats.size(); ++i) {
+        intervals.push_back(beats[i].seconds - beats[i - 1].seconds);
+    }
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    return *middle;
+}
+
+/// The beats from an interval before the label to one behind it, missed ones filled in.
+std::vector<MusicBeat> beats_around(const DancedMusic& music, double from, double to) {
+    std::vector<MusicBeat> found;
+    double longest = 0.0;  // of the beats inside
+    for (std::size_t i = 0; i + 1 < music.beats.size(); ++i) {
+        if (music.beats[i].seconds >= from && music.beats[i + 1].seconds <= to) {
+            longest = std::max(longest, music.beats[i + 1].seconds - music.beats[i].seconds);
+        }
+    }
+    std::copy_if(music.beats.begin(),
+                 music.beats.end(),
+                 std::back_inserter(found),
+                 [&](const MusicBeat& beat) {
+                     return beat.seconds >= from - longest && beat.seconds <= to + longest;
+                 });
+    if (found.size() < 2) {
+        return {};
+    }
+    const double interval = median_interval(found);
+    std::vector<MusicBeat> filled = {found.front()};
+    for (std::size_t i = 1; i < found.size(); ++i) {
+        const double gap = found[i].seconds - found[i - 1].seconds;
+        const int beats =
+            gap > kMissed * interval ? static_cast<int>(std::lround(gap / interval)) : 1;
+        for (int k = 1; k < beats; ++k) {
+            filled.push_back({found[i - 1].seconds + gap * k / beats, 0});
+        }
+        filled.push_back(found[i]);
+    }
+    return filled;
+}
+
+std::size_t nearest(const std::vector<MusicBeat>& beats, double seconds) {
+    const auto found =
+        std::min_element(beats.begin(), beats.end(), [&](const MusicBeat& a, const MusicBeat& b) {
+            return std::abs(a.seconds - seconds) < std::abs(b.seconds - seconds);
+        });
+    return static_cast<std::size_t>(found - beats.begin());
+}
+
+/// The beat on which the label starts.
+std::size_t first_beat(const std::vector<MusicBeat>& beats,
+                       const FigureLabel& label,
+                       double seconds,
+                       double interval) {
+    const std::size_t best = nearest(beats, seconds);
+    const bool is_later = beats[best].seconds > seconds;
+    const std::size_t other = is_later ? (best > 0 ? best - 1 : best) : best + 1;
+    const bool is_close = other < beats.size() && std::abs(beats[other].seconds - seconds) <=
+                                                      (1.0 - kAboutAsNear) * interval;
+    const auto is_downbeat = [&](std::size_t i) {
+        return label.start_count == 1 && beats[i].bar_position == 1;
+    };
+    return is_close && is_downbeat(other) && !is_downbeat(best) ? other : best;
+}
+
+/// `heard` as `wanted` beats, an octave apart at most; empty when they are neither.
+Seconds at_octave(const Seconds& heard, std::size_t wanted) {
+    const std::size_t count = heard.size() - 1;
+    Seconds beats;
+    if (count == wanted) {
+        return heard;
+    }
+    if (count == 2 * wanted) {
+        for (std::size_t i = 0; i < heard.size(); i += 2) {
+            beats.push_back(heard[i]);
+        }
+    } else if (2 * count == wanted) {
+        for (std::size_t i = 0; i < count; ++i) {
+            beats.push_back(heard[i]);
+            beats.push_back(0.5 * (heard[i] + heard[i + 1]));
+        }
+        beats.push_back(heard.back());
+    }
+    return beats;
+}
+
+Expected<void> check_inside(const DancedMusic& music, double from, double to) {
+    if (from < -kSlack) {
+        return fail(
+            fmt::format("starts {:.1f} s before {} does; is --offset right?", -from, music.name));
+    }
+    if (to > music.duration + kSlack) {
+        return fail(
+            fmt::format("ends at {:.1f} s of {}, which is {:.1f} s long; is --offset right?",
+                        to,
+                        music.name,
+                        music.duration));
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<LabelCounts> counts_of(const FigureLabel& label,
+                                const DancedMusic& music,
+                                double frames_per_second) {
+    const double from = static_cast<double>(label.start) / frames_per_second + music.offset;
+    const double to = static_cast<double>(label.end) / frames_per_second + music.offset;
+    if (auto ok = check_inside(music, from, to); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    const std::vector<MusicBeat> beats = beats_around(music, from, to);
+    const double interval = beats.empty() ? 0.0 : median_interval(beats);
+    const std::size_t first = beats.empty() ? 0 : first_beat(beats, label, from, interval);
+    const std::size_t last = beats.empty() ? 0 : nearest(beats, to);
+    if (last <= first || std::abs(beats[first].seconds - from) > kNearest * interval ||
+        std::abs(beats[last].seconds - to) > kNearest * interval) {
+        return fail(
+            fmt::format("no beats were heard in {} from {:.1f} to {:.1f} s; is --offset "
+                        "right? Else give --counts",
+                        music.name,
+                        from,
+                        to));
+    }
+    Seconds heard;
+    for (std::size_t i = first; i <= last; ++i) {
+        heard.push_back(beats[i].seconds);
+    }
+    LabelCounts counts;
+    const std::size_t wanted =
+        label.beats == 0 ? heard.size() - 1 : static_cast<std::size_t>(label.beats);
+    for (const double seconds : at_octave(heard, wanted)) {
+        counts.frames.push_back((seconds - music.offset) * frames_per_second);
+    }
+    if (counts.frames.empty()) {
+        counts.left_out = fmt::format(
+            "{} beats were heard in it, the label says {}", heard.size() - 1, label.beats);
+    }
+    return counts;
+}
+
+}  // namespace raks::motion

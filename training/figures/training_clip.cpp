@@ -1,0 +1,85 @@
+#include "training/figures/training_clip.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::motion {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kConversionFrames = 4;  // hands fly from the rest pose in frames 0-3
+
+/// From the hips' joint to the middle between the hip sockets at rest.
+glm::dvec3 sockets_from_hips(const MotionClip& clip, const HumanoidMapping& mapping) {
+    const std::vector<glm::dvec3> rest = rest_positions(clip);
+    const glm::dvec3 middle = 0.5 * (rest[*mapping.joint(Bone::left_upper_leg)] +
+                                     rest[*mapping.joint(Bone::right_upper_leg)]);
+    return middle - rest[*mapping.joint(Bone::hips)];
+}
+
+/// Skeletons put the hips' joint at different heights of the pelvis (here 2 cm under the hip
+/// sockets, in ours 4 cm over them), and a scale from one to the other would stretch the legs. So
+/// the body learnt from is the source with its hips' joint where ours is: sockets stay in place.
+void move_hips_joint(const MotionClip& motion,
+                     const HumanoidMapping& mapping,
+                     const RetargetedClip& body,
+                     TrainingClip& clip) {
+    const Skeleton& ours = mannequin_skeleton();
+    const glm::vec3 our_sockets = 0.5F * (ours.offsets[index_of(Bone::left_upper_leg)] +
+                                          ours.offsets[index_of(Bone::right_upper_leg)]);
+    const glm::dvec3 up =
+        sockets_from_hips(motion, mapping) * body.metres_per_unit - glm::dvec3(our_sockets);
+    for (Pose& pose : clip.poses) {
+        const glm::dvec3 source = glm::dvec3(pose.hips_position) / body.hips_scale;
+        pose.hips_position = glm::vec3(source + glm::dquat(pose.rotation(Bone::hips)) * up);
+    }
+    clip.hips_height = body.source_hips_height + up.y;
+}
+
+}  // namespace
+
+Expected<TrainingClip> load_clip(const fs::path& path,
+                                 const ClipUnits& units,
+                                 std::vector<std::string>& warnings) {
+    const Expected<MotionClip> motion =
+        read_bvh(path, {.frames_per_second = units.frames_per_second});
+    if (!motion) {
+        return fail(motion.error());
+    }
+    for (const std::string& warning : motion->warnings) {
+        warnings.push_back(path.filename().string() + ": " + warning);
+    }
+    const Expected<HumanoidMapping> mapping = map_humanoid(*motion);
+    if (!mapping) {
+        return fail(Error(mapping.error()).in(path.filename().string()));
+    }
+    Expected<RetargetedClip> body =
+        retarget(*motion,
+                 mannequin_skeleton(),
+                 {.metres_per_unit = units.metres_per_unit, .floor_height = std::nullopt});
+    if (!body) {
+        return fail(std::move(body.error()).in(path.filename().string()));
+    }
+    if (!units.metres_per_unit) {
+        warnings.push_back(fmt::format("{}: its unit is taken for {:.4g} m, by the body's height",
+                                       path.filename().string(),
+                                       body->metres_per_unit));
+    }
+    TrainingClip clip;
+    clip.name = path.stem().string();
+    clip.frames_per_second = body->frames_per_second;
+    clip.poses = std::move(body->poses);
+    clip.feet = std::move(body->source_feet);
+    move_hips_joint(*motion, *mapping, *body, clip);
+    clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
+    return clip;
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "training/figures/figure_trainer.hpp"
+
+namespace raks::motion {
+
+/// What a file of motion may not say, or say wrongly.
+struct ClipUnits {
+    std::optional<double> frames_per_second;  ///< instead of the file's
+    std::optional<double> metres_per_unit;    ///< none: guessed from the body's height
+};
+
+/// Reads a BVH file as motion of our skeleton, its name that of the file. The first four frames
+/// count as a fault: converted clips begin in the rest pose. Adds to `warnings` what the reader
+/// found odd and what was guessed. Errors: of the reader, the mapping, retargeting.
+/// Threads: workers. Real-time: no.
+[[nodiscard]] Expected<TrainingClip> load_clip(const std::filesystem::path& path,
+                                               const ClipUnits& units,
+                                               std::vector<std::string>& warnings);
+
+}  // namespace raks::motion

@@ -1,0 +1,204 @@
+#include "training/genre/feature_shard.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "audio/evaluate/packed_pieces.hpp"
+#include "base/file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kShardFormat = "raks-genre-shard-";
+constexpr std::string_view kShardMagic = "raks-genre-shard-1\n";
+constexpr std::size_t kMostShardBytes = std::size_t{4} << 30U;
+constexpr std::uint32_t kMostShards = 1'000;
+constexpr std::uint32_t kMostUnits = 1'000'000;
+
+void pack_file(const MusicFile& file, Packer& packer) {
+    packer.put_list(file.name);
+    packer.put_list(file.group);
+    packer.put_list(file.label);
+    packer.put_list(file.credit);
+    packer.put(file.genre);
+    packer.put(static_cast<std::uint8_t>(file.may_train ? 1 : 0));
+}
+
+MusicFile unpack_file(Unpacker& unpacker) {
+    MusicFile file;
+    file.name = unpacker.take_list<std::string>();
+    file.group = unpacker.take_list<std::string>();
+    file.label = unpacker.take_list<std::string>();
+    file.credit = unpacker.take_list<std::string>();
+    file.genre = std::min(unpacker.take<Genre>(), Genre::unknown);
+    file.may_train = unpacker.take<std::uint8_t>() != 0;
+    file.path = file.name;
+    return file;
+}
+
+Expected<HeardUnit> unpack_unit(Unpacker& unpacker) {
+    HeardUnit unit;
+    unit.fault = unpacker.take_list<std::string>();
+    const auto pieces = unpacker.take<std::uint32_t>();
+    for (std::uint32_t i = 0; i < pieces; ++i) {
+        auto piece = unpack_piece(unpacker);
+        if (!piece) {
+            return fail(piece.error());
+        }
+        unit.pieces.push_back(std::move(*piece));
+    }
+    return unit;
+}
+
+Expected<HeardShard> unpack_shard(std::string_view bytes) {
+    Unpacker unpacker(bytes);
+    HeardShard shard;
+    shard.share.number = unpacker.take<std::uint32_t>();
+    shard.share.count = unpacker.take<std::uint32_t>();
+    shard.plan = unpacker.take_list<std::string>();
+    shard.command = unpacker.take_list<std::string>();
+    shard.material.written_with = unpacker.take_list<std::string>();
+    const auto files = unpacker.take<std::uint32_t>();
+    const auto units = unpacker.take<std::uint32_t>();
+    const ShardNumber& share = shard.share;
+    const bool is_sane = unpacker.is_good() && share.number >= 1 && share.number <= share.count &&
+                         share.count <= kMostShards && files <= units && units <= kMostUnits;
+    if (!is_sane) {
+        return fail("is cut short or damaged");
+    }
+    for (std::uint32_t i = 0; i < files && unpacker.is_good(); ++i) {
+        shard.material.files.push_back(unpack_file(unpacker));
+    }
+    for (std::uint32_t i = 0; i < units && unpacker.is_good(); ++i) {
+        HeardUnit& unit = shard.material.units.emplace_back();
+        if (share.has(i)) {
+            auto heard = unpack_unit(unpacker);
+            if (!heard) {
+                return fail(heard.error());
+            }
+            unit = std::move(*heard);
+        }
+    }
+    if (!unpacker.is_good() || !unpacker.at_end()) {
+        return fail("is cut short or damaged");
+    }
+    return shard;
+}
+
+}  // namespace
+
+Expected<ShardNumber> parse_shard_number(const std::string& text) {
+    ShardNumber share;
+    const char* const end = text.data() + text.size();
+    const auto number = std::from_chars(text.data(), end, share.number);
+    const bool has_slash = number.ptr != end && *number.ptr == '/';
+    const auto count = has_slash ? std::from_chars(number.ptr + 1, end, share.count) : number;
+    if (number.ec != std::errc() || count.ec != std::errc() || !has_slash || count.ptr != end ||
+        share.number < 1 || share.number > share.count || share.count > kMostShards) {
+        return fail(fmt::format("--shard is '{}', must be i/n: share 1 to n, n up to 1000", text));
+    }
+    return share;
+}
+
+Expected<void> save_shard(const HeardShard& shard, const fs::path& path) {
+    Packer packer(kShardMagic);
+    packer.put(shard.share.number);
+    packer.put(shard.share.count);
+    packer.put_list(shard.plan);
+    packer.put_list(shard.command);
+    const HeardMaterial& material = shard.material;
+    packer.put_list(material.written_with);
+    packer.put(static_cast<std::uint32_t>(material.files.size()));
+    packer.put(static_cast<std::uint32_t>(material.units.size()));
+    for (const MusicFile& file : material.files) {
+        pack_file(file, packer);
+    }
+    for (std::size_t i = 0; i < material.units.size(); ++i) {
+        if (shard.share.has(i)) {
+            packer.put_list(material.units[i].fault);
+            packer.put(static_cast<std::uint32_t>(material.units[i].pieces.size()));
+            for (const HeardPiece& piece : material.units[i].pieces) {
+                pack_piece(piece, packer);
+            }
+        }
+    }
+    return write_file(path, packer.take());
+}
+
+Expected<HeardShard> load_shard(const fs::path& path) {
+    const auto start = read_file_start(path, kShardMagic.size());
+    if (!start) {
+        return fail(start.error());
+    }
+    if (*start != kShardMagic) {
+        return fail(path.string() + (start->starts_with(kShardFormat)
+                                         ? ": is of another version of this program; make it again"
+                                         : ": is no shard that raks train genre --shard made"));
+    }
+    const auto bytes = read_file(path, kMostShardBytes);
+    if (!bytes) {
+        return fail(bytes.error());
+    }
+    auto shard =
+        unpack_shard(std::string_view(*bytes).substr(std::min(start->size(), bytes->size())));
+    if (!shard) {
+        return fail(fmt::format("{}: {}; make it again", path.string(), shard.error().message));
+    }
+    return shard;
+}
+
+Expected<HeardMaterial> merge_shards(std::span<const fs::path> paths) {
+    HeardMaterial material;
+    ShardNumber first;
+    std::string plan;
+    std::vector<std::uint32_t> missing;
+    for (const fs::path& path : paths) {
+        auto shard = load_shard(path);
+        if (!shard) {
+            return fail(shard.error());
+        }
+        if (missing.empty() && plan.empty()) {
+            first = shard->share;
+            plan = shard->plan;
+            material.files = shard->material.files;
+            material.written_with = shard->material.written_with;
+            material.units.resize(shard->material.units.size());
+            for (std::uint32_t number = 1; number <= first.count; ++number) {
+                missing.push_back(number);
+            }
+        }
+        if (shard->share.count != first.count || shard->plan != plan ||
+            shard->material.units.size() != material.units.size()) {
+            return fail(fmt::format(
+                "{}: heard other music, or in another way, than {}; make both with the same "
+                "options",
+                path.string(),
+                paths.front().string()));
+        }
+        if (std::erase(missing, shard->share.number) == 0) {
+            return fail(fmt::format("{}: share {}/{} is there already; name each once",
+                                    path.string(),
+                                    shard->share.number,
+                                    first.count));
+        }
+        for (std::size_t i = 0; i < material.units.size(); ++i) {
+            if (shard->share.has(i)) {
+                material.units[i] = std::move(shard->material.units[i]);
+            }
+        }
+    }
+    if (!missing.empty()) {
+        return fail(fmt::format("of {} shards these are missing: {}; name all of them",
+                                first.count,
+                                fmt::join(missing, ", ")));
+    }
+    return material;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,389 @@
+#include "training/genre/genre_samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "audio/evaluate/packed_pieces.hpp"
+#include "audio/genre/genre_listener.hpp"
+#include "base/dice.hpp"
+#include "base/file.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kSamplesFormat = "raks-genre-samples-";
+constexpr std::string_view kMagic = "raks-genre-samples-2\n";
+constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+constexpr std::size_t kStretch = 1'200;        // hops
+constexpr std::size_t kShortestStretch = 600;  // hops of a stretch
+constexpr std::size_t kMostPieces = 4'096;
+constexpr float kQuietest = 1e-7F;  // mel magnitude
+constexpr float kMostNumber = 1e9F;
+constexpr std::size_t kMel = BarPatterns::kMelBands;
+constexpr std::size_t kPatterns = BarPatterns::kFeatures;
+
+/// Rows of numbers in 8 bits each.
+struct Table {
+    struct Column {
+        float low = 0.0F;
+        float step = 0.0F;
+    };
+    std::vector<Column> columns;
+    std::vector<std::uint8_t> bytes;
+};
+
+/// `at(row, column)` gives the numbers.
+template <class At>
+Table table_of(std::size_t rows, std::size_t columns, const At& at) {
+    Table table;
+    table.columns.resize(columns);
+    table.bytes.resize(rows * columns);
+    for (std::size_t c = 0; c < columns && rows > 0; ++c) {
+        float low = std::numeric_limits<float>::max();
+        float high = std::numeric_limits<float>::lowest();
+        for (std::size_t r = 0; r < rows; ++r) {
+            low = std::min(low, at(r, c));
+            high = std::max(high, at(r, c));
+        }
+        const float step = (high - low) / 255.0F;
+        table.columns[c] = {low, step};
+        for (std::size_t r = 0; r < rows; ++r) {
+            table.bytes[r * columns + c] =
+                static_cast<std::uint8_t>(step > 0.0F ? std::lround((at(r, c) - low) / step) : 0);
+        }
+    }
+    return table;
+}
+
+float number_in(const Table& table, std::size_t row, std::size_t column) {
+    const Table::Column& scale = table.columns[column];
+    return scale.low +
+           scale.step * static_cast<float>(table.bytes[row * table.columns.size() + column]);
+}
+
+void pack_table(const Table& table, Packer& packer) {
+    packer.put_list(table.columns);
+    packer.put_list(table.bytes);
+}
+
+Expected<Table> unpack_table(std::size_t rows, std::size_t columns, Unpacker& unpacker) {
+    Table table;
+    table.columns = unpacker.take_list<std::vector<Table::Column>>();
+    table.bytes = unpacker.take_list<std::vector<std::uint8_t>>();
+    const bool is_sane =
+        std::all_of(table.columns.begin(), table.columns.end(), [](const Table::Column& column) {
+            return std::abs(column.low) < kMostNumber && column.step >= 0.0F &&
+                   column.step < kMostNumber;
+        });
+    if (!unpacker.is_good() || table.columns.size() != columns ||
+        table.bytes.size() != rows * columns || !is_sane) {
+        return fail("is cut short or damaged");
+    }
+    return table;
+}
+
+void pack_stretch(const HeardPiece& piece, Packer& packer) {
+    packer.put_list(piece.name);
+    packer.put_list(piece.group);
+    packer.put(piece.genre);
+    packer.put(piece.kind);
+    const std::size_t hops = piece.frames.size();
+    packer.put(static_cast<std::uint32_t>(hops));
+    pack_table(
+        table_of(
+            hops, kMfccFeatures, [&](std::size_t r, std::size_t c) { return piece.frames[r][c]; }),
+        packer);
+    pack_table(table_of(hops,
+                        kMel,
+                        [&](std::size_t r, std::size_t c) {
+                            return std::log(std::max(piece.mel[r * kMel + c], kQuietest));
+                        }),
+               packer);
+    packer.put(static_cast<std::uint32_t>(piece.windows.size()));
+    for (const HeardWindow& window : piece.windows) {
+        packer.put(static_cast<std::uint16_t>(window.segments));
+        packer.put(static_cast<std::uint16_t>(window.end_frame));
+    }
+    pack_table(table_of(piece.windows.size(),
+                        kPatterns,
+                        [&](std::size_t r, std::size_t c) { return piece.windows[r].features[c]; }),
+               packer);
+}
+
+Expected<void> unpack_windows(HeardPiece& piece, Unpacker& unpacker) {
+    const std::size_t count = unpacker.take<std::uint32_t>();
+    if (count > kStretch) {
+        return fail("is damaged");
+    }
+    piece.windows.resize(count);
+    for (HeardWindow& window : piece.windows) {
+        window.segments = unpacker.take<std::uint16_t>();
+        window.end_frame = unpacker.take<std::uint16_t>();
+        if (window.segments < 1 || window.segments > BarPatterns::kSegments ||
+            window.end_frame < window.segments * BarPatterns::kSegmentHops ||
+            window.end_frame > static_cast<int>(piece.frames.size())) {
+            return fail("is cut short or damaged");
+        }
+    }
+    const auto features = unpack_table(count, kPatterns, unpacker);
+    if (!features) {
+        return fail(features.error());
+    }
+    for (std::size_t r = 0; r < count; ++r) {
+        for (std::size_t c = 0; c < kPatterns; ++c) {
+            piece.windows[r].features[c] = number_in(*features, r, c);
+        }
+    }
+    return {};
+}
+
+Expected<HeardPiece> unpack_stretch(Unpacker& unpacker) {
+    HeardPiece piece;
+    piece.name = unpacker.take_list<std::string>();
+    piece.group = unpacker.take_list<std::string>();
+    piece.genre = unpacker.take<Genre>();
+    piece.kind = unpacker.take<HeardPiece::Kind>();
+    const std::size_t hops = unpacker.take<std::uint32_t>();
+    if (hops > kStretch || piece.genre > Genre::unknown ||
+        piece.kind > HeardPiece::Kind::written_held_out) {
+        return fail("is damaged");
+    }
+    const auto frames = unpack_table(hops, kMfccFeatures, unpacker);
+    const auto mel = unpack_table(hops, kMel, unpacker);
+    if (!frames || !mel) {
+        return fail("is cut short or damaged");
+    }
+    piece.frames.resize(hops);
+    piece.mel.resize(hops * kMel);
+    for (std::size_t r = 0; r < hops; ++r) {
+        for (std::size_t c = 0; c < kMfccFeatures; ++c) {
+            piece.frames[r][c] = number_in(*frames, r, c);
+        }
+        for (std::size_t c = 0; c < kMel; ++c) {
+            piece.mel[r * kMel + c] = std::min(std::exp(number_in(*mel, r, c)), kMostNumber);
+        }
+    }
+    if (auto done = unpack_windows(piece, unpacker); !done) {
+        return fail(done.error());
+    }
+    return piece;
+}
+
+/// Hops [from, from + kStretch) of a piece, and the windows that lie in them.
+HeardPiece stretch_of(const HeardPiece& piece, std::size_t from) {
+    const std::size_t until = std::min(from + kStretch, piece.frames.size());
+    const auto at = [](std::size_t index) { return static_cast<std::ptrdiff_t>(index); };
+    HeardPiece stretch;
+    stretch.name = piece.name;
+    stretch.group = piece.group;
+    stretch.genre = piece.genre;
+    stretch.kind = piece.kind;
+    stretch.frames.assign(piece.frames.begin() + at(from), piece.frames.begin() + at(until));
+    stretch.mel.assign(piece.mel.begin() + at(from * kMel), piece.mel.begin() + at(until * kMel));
+    for (HeardWindow window : piece.windows) {
+        window.end_frame -= static_cast<int>(from);
+        if (window.end_frame >= window.segments * BarPatterns::kSegmentHops &&
+            window.end_frame <= static_cast<int>(until - from)) {
+            stretch.windows.push_back(window);
+        }
+    }
+    return stretch;
+}
+
+struct Place {
+    const HeardPiece* piece;
+    std::size_t from;
+};
+
+void shuffle(std::vector<Place>& places, Dice& dice) {
+    for (std::size_t i = places.size(); i > 1; --i) {
+        const int other = dice.whole(0, static_cast<int>(i) - 1);
+        std::swap(places[i - 1], places[static_cast<std::size_t>(other)]);
+    }
+}
+
+/// One of each group, then the next of each, until all are taken.
+std::vector<Place> groups_in_turn(std::map<std::string, std::vector<Place>>& groups, Dice& dice) {
+    std::size_t most = 0;
+    for (auto& [name, places] : groups) {
+        shuffle(places, dice);
+        most = std::max(most, places.size());
+    }
+    std::vector<Place> order;
+    for (std::size_t round = 0; round < most; ++round) {
+        for (const auto& [name, places] : groups) {
+            if (round < places.size()) {
+                order.push_back(places[round]);
+            }
+        }
+    }
+    return order;
+}
+
+/// All places of one genre, in the order in which they are taken: groups in turn, recordings and
+/// written music by turns.
+std::vector<Place> order_of(const std::vector<const HeardPiece*>& pieces, Dice& dice) {
+    std::array<std::map<std::string, std::vector<Place>>, 2> groups;
+    for (const HeardPiece* piece : pieces) {
+        for (std::size_t from = 0; from == 0 || from + kShortestStretch <= piece->frames.size();
+             from += kStretch) {
+            groups.at(piece->is_recorded() ? 0 : 1)[piece->group].push_back({piece, from});
+        }
+    }
+    const std::vector<Place> recorded = groups_in_turn(groups[0], dice);
+    const std::vector<Place> written = groups_in_turn(groups[1], dice);
+    std::vector<Place> order;
+    for (std::size_t i = 0; i < std::max(recorded.size(), written.size()); ++i) {
+        for (const auto* places : {&recorded, &written}) {
+            if (i < places->size()) {
+                order.push_back((*places)[i]);
+            }
+        }
+    }
+    return order;
+}
+
+Expected<std::shared_ptr<const models::RecurrentNetwork>> unpack_network(Unpacker& unpacker,
+                                                                         std::size_t outputs) {
+    const models::RecurrentNetwork::Shape shape{unpacker.take<std::uint32_t>(),
+                                                unpacker.take<std::uint32_t>(),
+                                                unpacker.take<std::uint32_t>(),
+                                                outputs};
+    const auto weights = unpacker.take_list<std::vector<float>>();
+    const bool is_sane =
+        unpacker.is_good() && shape.inputs == NetworkInput::kSize && shape.units >= 1 &&
+        shape.units <= models::RecurrentNetwork::kMaxUnits && shape.layers >= 1 &&
+        shape.layers <= models::RecurrentNetwork::kMaxLayers &&
+        std::all_of(weights.begin(), weights.end(), [](float w) { return std::abs(w) < 1e6F; });
+    if (!is_sane) {
+        return fail("is cut short or damaged");
+    }
+    auto network = std::make_shared<models::RecurrentNetwork>(shape);
+    if (network->parameters().size() != weights.size()) {
+        return fail("is damaged");
+    }
+    std::copy(weights.begin(), weights.end(), network->parameters().begin());
+    return network;
+}
+
+Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
+    GenreSamples samples;
+    samples.hearing = unpacker.take_list<std::string>();
+    samples.genres = unpacker.take_list<std::vector<Genre>>();
+    const bool are_genres =
+        !samples.genres.empty() && samples.genres.size() < static_cast<std::size_t>(kGenreCount) &&
+        std::adjacent_find(samples.genres.begin(), samples.genres.end(), std::greater_equal<>()) ==
+            samples.genres.end() &&
+        samples.genres.back() < Genre::unknown;
+    if (!unpacker.is_good() || !are_genres) {
+        return fail("is cut short or damaged");
+    }
+    const std::size_t networks = unpacker.take<std::uint32_t>();
+    if (networks < 1 || networks > GenreListener::kMostNetworks) {
+        return fail("is cut short or damaged");
+    }
+    for (std::size_t i = 0; i < networks; ++i) {
+        auto network = unpack_network(unpacker, samples.genres.size() + 1);
+        if (!network) {
+            return fail(network.error());
+        }
+        samples.written_networks.push_back(std::move(*network));
+    }
+    const std::size_t pieces = unpacker.take<std::uint32_t>();
+    if (!unpacker.is_good() || pieces > kMostPieces) {
+        return fail("is cut short or damaged");
+    }
+    for (std::size_t i = 0; i < pieces; ++i) {
+        auto piece = unpack_stretch(unpacker);
+        if (!piece) {
+            return fail(piece.error());
+        }
+        samples.pieces.push_back(std::move(*piece));
+    }
+    return unpacker.at_end() && unpacker.is_good() ? Expected<GenreSamples>(std::move(samples))
+                                                   : fail("is cut short or damaged");
+}
+
+}  // namespace
+
+std::vector<HeardPiece> sample_pieces(std::span<const HeardPiece* const> pieces,
+                                      std::size_t bytes,
+                                      std::uint64_t seed) {
+    std::map<Genre, std::vector<const HeardPiece*>> of_genre;
+    for (const HeardPiece* piece : pieces) {
+        if (piece->frames.size() >= static_cast<std::size_t>(BarPatterns::kSegmentHops)) {
+            of_genre[piece->genre].push_back(piece);
+        }
+    }
+    std::vector<HeardPiece> sample;
+    for (const auto& [genre, own] : of_genre) {
+        Dice dice(seed, 700 + static_cast<std::uint64_t>(genre));
+        std::size_t left = bytes;
+        for (const Place& place : order_of(own, dice)) {
+            HeardPiece stretch = stretch_of(*place.piece, place.from);
+            Packer packer("");
+            pack_stretch(stretch, packer);
+            const std::size_t size = packer.take().size();
+            if (size > left) {
+                break;
+            }
+            left -= size;
+            sample.push_back(std::move(stretch));
+        }
+    }
+    return sample;
+}
+
+fs::path samples_path(const fs::path& model) {
+    return fs::path(model).replace_extension(".samples");
+}
+
+Expected<void> save_samples(const GenreSamples& samples, const fs::path& path) {
+    Packer packer(kMagic);
+    packer.put_list(samples.hearing);
+    packer.put_list(samples.genres);
+    packer.put(static_cast<std::uint32_t>(samples.written_networks.size()));
+    for (const auto& network : samples.written_networks) {
+        const models::RecurrentNetwork::Shape& shape = network->shape();
+        for (const std::size_t number : {shape.inputs, shape.units, shape.layers}) {
+            packer.put(static_cast<std::uint32_t>(number));
+        }
+        packer.put_list(network->parameters());
+    }
+    packer.put(static_cast<std::uint32_t>(samples.pieces.size()));
+    for (const HeardPiece& piece : samples.pieces) {
+        pack_stretch(piece, packer);
+    }
+    return write_file(path, packer.take());
+}
+
+Expected<GenreSamples> load_samples(const fs::path& path) {
+    const auto bytes = read_file(path, kMostBytes);
+    if (!bytes) {
+        return fail(bytes.error());
+    }
+    if (!bytes->starts_with(kMagic)) {
+        return fail(path.string() +
+                    (bytes->starts_with(kSamplesFormat)
+                         ? ": is of another version of this program; train the model again"
+                         : ": is no sample that raks train genre kept"));
+    }
+    Unpacker unpacker(std::string_view(*bytes).substr(kMagic.size()));
+    auto samples = unpack_samples(unpacker);
+    if (!samples) {
+        return fail(
+            fmt::format("{}: {}; train the model again", path.string(), samples.error().message));
+    }
+    return samples;
+}
+
+}  // namespace raks::audio

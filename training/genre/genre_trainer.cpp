@@ -1,0 +1,187 @@
+#include "training/genre/genre_trainer.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "training/genre/fusion_fit.hpp"
+
+namespace raks::audio {
+namespace {
+
+/// Deals groups to folds: in each genre the largest first, each to the fold that has least of the
+/// genre so far. A group of several genres stays together.
+std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces, int folds) {
+    std::map<Genre, std::map<std::string, int>> sizes;
+    for (const HeardPiece& piece : pieces) {
+        // Recordings and written music are dealt apart, so that each fold has its share of both.
+        sizes[piece.genre][(piece.is_recorded() ? "r " : "w ") + piece.group] += 1;
+    }
+    std::map<std::string, int> fold_of;
+    for (const auto& [genre, groups] : sizes) {
+        std::vector<std::pair<int, std::string>> order;
+        for (const auto& [group, size] : groups) {
+            order.emplace_back(-size, group);
+        }
+        std::sort(order.begin(), order.end());
+        std::map<char, std::vector<int>> load;
+        for (const auto& [negative_size, group] : order) {
+            std::vector<int>& loads =
+                load.try_emplace(group[0], static_cast<std::size_t>(folds)).first->second;
+            const auto known = fold_of.find(group);
+            const auto lightest = std::min_element(loads.begin(), loads.end()) - loads.begin();
+            const int fold = known != fold_of.end() ? known->second : static_cast<int>(lightest);
+            fold_of[group] = fold;
+            loads[static_cast<std::size_t>(fold)] -= negative_size;
+        }
+    }
+    return fold_of;
+}
+
+/// What one model of a validation learns from, and what it is asked about.
+struct Fold {
+    std::vector<const HeardPiece*> training;
+    std::vector<std::size_t> held_out;  // numbers: damaged recordings count on from the pieces
+};
+
+std::vector<Fold> deal_folds(std::span<const HeardPiece> pieces,
+                             std::span<const HeardPiece> damaged,
+                             int count) {
+    const std::map<std::string, int> folds = deal_groups(pieces, count);
+    const auto fold_of = [&](const HeardPiece& piece) {
+        return static_cast<std::size_t>(
+            folds.at((piece.is_recorded() ? "r " : "w ") + piece.group));
+    };
+    std::vector<Fold> dealt(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::size_t own = fold_of(pieces[i]);
+        for (std::size_t fold = 0; fold < dealt.size(); ++fold) {
+            if (fold != own) {
+                dealt[fold].training.push_back(&pieces[i]);
+            }
+        }
+        if (pieces[i].is_recorded() || is_kept_out(pieces[i], i)) {
+            dealt[own].held_out.push_back(i);
+        }
+    }
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+        dealt[fold_of(damaged[i])].held_out.push_back(pieces.size() + i);
+    }
+    return dealt;
+}
+
+/// Whether something of each genre is left to learn from while something is held out.
+Expected<void> check_groups(std::span<const HeardPiece> pieces, std::span<const Genre> genres) {
+    std::map<Genre, std::set<std::string>> groups;
+    for (const HeardPiece& piece : pieces) {
+        groups[piece.genre].insert((piece.is_recorded() ? "r " : "w ") + piece.group);
+    }
+    for (const Genre genre : genres) {
+        if (groups[genre].size() < 2) {
+            return fail(std::string(name_of(genre)) +
+                        ": all its music is one file or by one artist, so that none can be held "
+                        "out; add music, or use --no-validation");
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<Genre> genres_of(std::span<const HeardPiece> pieces) {
+    std::vector<Genre> genres;
+    for (int i = 0; i < static_cast<int>(Genre::unknown); ++i) {
+        const auto genre = static_cast<Genre>(i);
+        const bool occurs = std::any_of(pieces.begin(), pieces.end(), [genre](const auto& piece) {
+            return piece.genre == genre;
+        });
+        if (occurs) {
+            genres.push_back(genre);
+        }
+    }
+    return genres;
+}
+
+Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
+                                  std::span<const Genre> genres,
+                                  const GenreTrainingPlan& plan) {
+    if (genres.empty()) {
+        return fail("no piece is of a dance: nothing to learn");
+    }
+    std::vector<std::size_t> classes;
+    for (const HeardPiece* piece : pieces) {
+        classes.push_back(class_of(piece->genre, genres));
+    }
+    GenreModel model;
+    model.features = plan.features;
+    model.genres.assign(genres.begin(), genres.end());
+    auto mfcc = train_mfcc(pieces, classes, genres, plan.features, plan.mfcc);
+    if (!mfcc) {
+        return fail(mfcc.error());
+    }
+    model.mfcc = std::move(mfcc->genres);
+    model.background = std::move(mfcc->background);
+    model.similarity = std::move(mfcc->similarity);
+    model.rhythm = train_patterns(pieces, classes, genres.size() + 1, plan.rhythm);
+    model.sound = train_patterns(pieces, classes, genres.size() + 1, plan.sound);
+    const auto& written = plan.written_networks;
+    const std::size_t networks =
+        written.empty() ? static_cast<std::size_t>(plan.network.networks) : written.size();
+    for (std::size_t i = 0; i < networks; ++i) {
+        const NetworkTrainingPlan own = plan.network.of_network(i);
+        const auto learnt = written.empty()
+                                ? std::make_shared<const models::RecurrentNetwork>(train_on_written(
+                                      pieces, classes, model.classes(), own, [](const auto&) {}))
+                                : written[i];
+        if (learnt->outputs() != model.classes()) {
+            return fail("the recurrent networks know other genres than these pieces have");
+        }
+        model.networks.push_back(tune_network(*learnt, pieces, classes, own));
+    }
+    return model;
+}
+
+Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pieces,
+                                                  std::span<const HeardPiece> damaged,
+                                                  std::span<const Genre> genres,
+                                                  const GenreTrainingPlan& plan,
+                                                  const std::function<void(int, int)>& on_fold) {
+    if (auto enough = check_groups(pieces, genres); !enough) {
+        return fail(enough.error());
+    }
+    const std::vector<Fold> folds = deal_folds(pieces, damaged, plan.folds);
+    std::vector<WindowScore> scores;
+    for (int fold = 0; fold < plan.folds; ++fold) {
+        const std::vector<std::size_t>& held_out = folds[static_cast<std::size_t>(fold)].held_out;
+        auto model = train_genres(folds[static_cast<std::size_t>(fold)].training, genres, plan);
+        if (!model) {
+            return fail(model.error());
+        }
+        std::vector<std::vector<WindowScore>> parts(held_out.size());
+        run_parallel(held_out.size(), plan.mfcc.threads, [&](std::size_t i) {
+            const std::size_t number = held_out[i];
+            const bool is_damaged = number >= pieces.size();
+            parts[i] = score_piece(
+                *model, is_damaged ? damaged[number - pieces.size()] : pieces[number], number);
+        });
+        for (std::vector<WindowScore>& part : parts) {
+            for (WindowScore& score : part) {
+                score.fold = fold;
+                scores.push_back(score);
+            }
+        }
+        on_fold(fold + 1, plan.folds);
+    }
+    return scores;
+}
+
+void calibrate(std::span<const WindowScore> held_out, GenreModel& model) {
+    for (std::size_t window = 0; window < kGenreWindows.size(); ++window) {
+        model.fusion[window] = fit_fusion(held_out, window, model.classes(), GenreEvidence::fused);
+    }
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,306 @@
+#include "training/genre/network_trainer.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/dice.hpp"
+#include "training/networks/mel_augmentation.hpp"
+#include "training/networks/network_descent.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr std::size_t kChunks = 24;  // of a batch
+constexpr std::size_t kHops = 1'000;
+constexpr double kMostStretch = 0.08;  // ln of the ratio: a dance is known by its tempo, too
+constexpr float kSmoothing = 0.05F;    // of the labels
+constexpr int kReportEvery = 50;
+// Nobody knows a dance from its first note: a hop's weight rises from kFirstWeight at the piece's
+// begin to 1 after kKnownHops.
+constexpr float kFirstWeight = 0.03F;
+constexpr std::size_t kKnownHops = 300;
+constexpr double kEarliestCut = 0.25;  // of the stretch
+constexpr double kLatestCut = 0.6;
+// Of a class, altered copies among them; where there are fewer they are drawn less often: they
+// would be learnt by heart.
+constexpr double kEnoughRecordings = 24.0;
+constexpr std::size_t kFewestHops = 200;  // of a piece
+
+/// One piece of a class.
+struct Drawn {
+    const HeardPiece* piece;
+    std::size_t class_number;
+};
+
+/// Draws pieces: a class, whether recorded, a piece.
+class PieceDraw {
+ public:
+    PieceDraw(std::size_t class_count, double recorded_share)
+        : recorded_(class_count), written_(class_count), recorded_share_(recorded_share) {}
+
+    void add(const HeardPiece& piece, std::size_t class_number) {
+        if (piece.hops() >= kFewestHops) {
+            auto& of_class = piece.is_recorded() ? recorded_ : written_;
+            of_class[class_number].push_back(&piece);
+            if (std::find(learnt_.begin(), learnt_.end(), class_number) == learnt_.end()) {
+                learnt_.push_back(class_number);
+            }
+        }
+    }
+    [[nodiscard]] bool is_empty() const { return learnt_.empty(); }
+    [[nodiscard]] Drawn draw(Dice& dice) const {
+        const std::size_t c = dice.pick<std::size_t>(learnt_);
+        const double enough =
+            std::min(1.0, static_cast<double>(recorded_[c].size()) / kEnoughRecordings);
+        const bool is_recorded =
+            written_[c].empty() || (!recorded_[c].empty() && dice.chance(enough * recorded_share_));
+        return {dice.pick<const HeardPiece*>(is_recorded ? recorded_[c] : written_[c]), c};
+    }
+
+ private:
+    std::vector<std::vector<const HeardPiece*>> recorded_;
+    std::vector<std::vector<const HeardPiece*>> written_;
+    std::vector<std::size_t> learnt_;
+    double recorded_share_;
+};
+
+class BatchWriter {
+ public:
+    BatchWriter(std::size_t chunks, std::size_t outputs) : outputs_(outputs) {
+        batch_.steps = kHops;
+        batch_.chunks = chunks;
+        batch_.loss = TrainingBatch::Loss::softmax;
+        batch_.inputs.resize(kHops * chunks * NetworkInput::kSize);
+        batch_.targets.resize(kHops * chunks * outputs, kSmoothing / static_cast<float>(outputs));
+        batch_.weights.resize(kHops * chunks * outputs);
+    }
+
+    /// Fills hops [begin, end) of a chunk.
+    void write(std::size_t chunk,
+               std::size_t begin,
+               std::size_t end,
+               const Drawn& drawn,
+               const MelHearing& hearing,
+               NetworkInput& input,
+               Dice* dice) {
+        const double piece_hops = static_cast<double>(drawn.piece->hops());
+        const auto put = [&](std::size_t t, const NetworkInput::Frame& frame) {
+            const std::size_t row = (begin + t) * batch_.chunks + chunk;
+            std::copy(frame.begin(),
+                      frame.end(),
+                      batch_.inputs.begin() + static_cast<std::ptrdiff_t>(row * frame.size()));
+            batch_.targets[row * outputs_ + drawn.class_number] += 1.0F - kSmoothing;
+            const bool is_over =
+                hearing.first_hop + static_cast<double>(t) * hearing.stretch >= piece_hops;
+            const float known =
+                std::min(1.0F, static_cast<float>(t) / static_cast<float>(kKnownHops));
+            std::fill_n(batch_.weights.begin() + static_cast<std::ptrdiff_t>(row * outputs_),
+                        outputs_,
+                        is_over ? 0.0F : kFirstWeight + (1.0F - kFirstWeight) * known);
+        };
+        hear_mel(drawn.piece->mel, hearing, end - begin, input, dice, put);
+    }
+    TrainingBatch finish() { return std::move(batch_); }
+
+ private:
+    std::size_t outputs_;
+    TrainingBatch batch_;
+};
+
+TrainingBatch draw_batch(const PieceDraw& from,
+                         std::size_t chunks,
+                         std::size_t outputs,
+                         const NetworkTrainingPlan& plan,
+                         Dice& dice) {
+    BatchWriter writer(chunks, outputs);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        const double length = static_cast<double>(kHops);
+        const std::size_t cut =
+            dice.chance(plan.cut_chance)
+                ? static_cast<std::size_t>(length * dice.uniform(kEarliestCut, kLatestCut))
+                : kHops;
+        NetworkInput input;
+        for (const auto& [begin, end] : {std::pair{std::size_t{0}, cut}, std::pair{cut, kHops}}) {
+            if (begin < end) {
+                const Drawn drawn = from.draw(dice);
+                MelHearing hearing =
+                    MelHearing::draw(drawn.piece->hops(), end - begin, kMostStretch, dice);
+                if (dice.chance(plan.room_chance)) {
+                    hearing.enter_room(dice);
+                }
+                if (dice.chance(plan.muffled_chance)) {
+                    hearing.muffle(dice);
+                }
+                writer.write(chunk, begin, end, drawn, hearing, input, &dice);
+            }
+        }
+    }
+    return writer.finish();
+}
+
+/// Pieces as they are, in batches.
+std::vector<TrainingBatch> plain_batches(const std::vector<Drawn>& pieces, std::size_t outputs) {
+    std::vector<TrainingBatch> batches;
+    for (std::size_t first = 0; first < pieces.size(); first += kChunks) {
+        const std::size_t count = std::min(kChunks, pieces.size() - first);
+        BatchWriter writer(count, outputs);
+        for (std::size_t i = 0; i < count; ++i) {
+            NetworkInput input;
+            writer.write(i, 0, kHops, pieces[first + i], MelHearing::plain(), input, nullptr);
+        }
+        batches.push_back(writer.finish());
+    }
+    return batches;
+}
+
+/// What is learnt from, and what is kept out of it.
+struct WrittenMusic {
+    PieceDraw from;
+    std::vector<TrainingBatch> validation;
+
+    WrittenMusic(std::span<const HeardPiece* const> pieces,
+                 std::span<const std::size_t> classes,
+                 std::size_t class_count)
+        : from(class_count, 0.0) {
+        std::vector<Drawn> kept_out;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (is_kept_out(*pieces[i], i)) {
+                if (pieces[i]->hops() >= kFewestHops) {
+                    kept_out.push_back({pieces[i], classes[i]});
+                }
+            } else if (!pieces[i]->is_recorded()) {
+                from.add(*pieces[i], classes[i]);
+            }
+        }
+        validation = plain_batches(kept_out, class_count);
+    }
+};
+
+/// Tells the losses every kReportEvery steps.
+class Reporter {
+ public:
+    Reporter(const std::vector<TrainingBatch>& validation, int steps, const ReportNetwork& report)
+        : validation_(validation), steps_(steps), report_(report) {}
+
+    void operator()(double step_loss, const NetworkDescent& descent) {
+        loss_ += step_loss;
+        ++since_;
+        ++step_;
+        if (step_ % kReportEvery == 0 || step_ == steps_) {
+            report_({step_, steps_, loss_ / since_, descent.loss_of(validation_)});
+            loss_ = 0.0;
+            since_ = 0;
+        }
+    }
+
+ private:
+    const std::vector<TrainingBatch>& validation_;
+    int steps_;
+    const ReportNetwork& report_;
+    double loss_ = 0.0;
+    int since_ = 0;
+    int step_ = 0;
+};
+
+/// `steps` steps at a rate that falls to 0; calls after(loss, descent) after each.
+template <class After>
+void descend(models::RecurrentNetwork& network,
+             const PieceDraw& from,
+             int steps,
+             double rate,
+             const NetworkTrainingPlan& plan,
+             After&& after) {
+    constexpr std::size_t kShards = NetworkDescent::kShards;
+    NetworkDescent descent(network, plan.threads);
+    for (int step = 0; step < steps && !from.is_empty(); ++step) {
+        const double loss = descent.step(rate_at(rate, step, steps), [&](std::size_t shard) {
+            Dice dice(plan.seed, 5'000 + static_cast<std::uint64_t>(step) * kShards + shard);
+            return draw_batch(from, kChunks / kShards, network.outputs(), plan, dice);
+        });
+        after(loss, descent);
+    }
+}
+
+models::RecurrentNetwork first_network(std::size_t class_count, const NetworkTrainingPlan& plan) {
+    models::RecurrentNetwork network({NetworkInput::kSize, plan.units, plan.layers, class_count});
+    initialize(network, plan.seed);
+    if (plan.starts.empty()) {
+        return network;
+    }
+    const models::RecurrentNetwork& start = *plan.starts.front();
+    if (start.shape().inputs == NetworkInput::kSize && start.units() == plan.units &&
+        start.layers().size() == plan.layers) {
+        const auto layers = start.parameters().first(start.output_weights());
+        std::copy(layers.begin(), layers.end(), network.parameters().begin());
+    }
+    return network;
+}
+
+}  // namespace
+
+NetworkTrainingPlan NetworkTrainingPlan::of_network(std::size_t number) const {
+    NetworkTrainingPlan own = *this;
+    own.networks = 1;
+    own.seed += 10'000 * number;
+    if (!starts.empty()) {
+        own.starts = {starts[number % starts.size()]};
+    }
+    return own;
+}
+
+models::RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pieces,
+                                          std::span<const std::size_t> classes,
+                                          std::size_t class_count,
+                                          const NetworkTrainingPlan& plan,
+                                          const ReportNetwork& report) {
+    models::RecurrentNetwork network = first_network(class_count, plan);
+    const WrittenMusic music(pieces, classes, class_count);
+    Reporter reporter(music.validation, plan.written_steps, report);
+    descend(network, music.from, plan.written_steps, plan.written_rate, plan, reporter);
+    return network;
+}
+
+models::RecurrentNetwork average_branches(const models::RecurrentNetwork& start,
+                                          std::span<const HeardPiece* const> pieces,
+                                          std::span<const std::size_t> classes,
+                                          const NetworkTrainingPlan& plan,
+                                          const ReportNetwork& report) {
+    const WrittenMusic music(pieces, classes, start.outputs());
+    Reporter reporter(music.validation, plan.branches * plan.branch_steps, report);
+    models::RecurrentNetwork mean(start.shape());
+    for (int branch = 1; branch <= plan.branches; ++branch) {
+        NetworkTrainingPlan own = plan;
+        own.seed += 1'000 * static_cast<std::uint64_t>(branch);
+        models::RecurrentNetwork network = start;
+        descend(network, music.from, plan.branch_steps, plan.branch_rate, own, reporter);
+        for (std::size_t i = 0; i < mean.parameters().size(); ++i) {
+            mean.parameters()[i] += network.parameters()[i] / static_cast<float>(plan.branches);
+        }
+    }
+    return mean;
+}
+
+models::RecurrentNetwork tune_network(const models::RecurrentNetwork& start,
+                                      std::span<const HeardPiece* const> pieces,
+                                      std::span<const std::size_t> classes,
+                                      const NetworkTrainingPlan& plan) {
+    models::RecurrentNetwork network = start;
+    PieceDraw from(network.outputs(), plan.recorded_share);
+    bool has_recordings = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        from.add(*pieces[i], classes[i]);
+        has_recordings = has_recordings || pieces[i]->is_recorded();
+    }
+    if (has_recordings) {
+        descend(network,
+                from,
+                plan.tuning_steps,
+                plan.tuning_rate,
+                plan,
+                [](double, const NetworkDescent&) {});
+    }
+    return network;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,306 @@
+#include "training/genre/pattern_trainer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "base/dice.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr std::size_t kInputs = PatternNetwork::kInputs;
+constexpr int kBatch = 64;
+constexpr float kSmoothing = 0.05F;   // of the labels
+constexpr double kInputNoise = 0.25;  // at most, in standard deviations
+constexpr double kLeastDeviation = 1e-3;
+
+/// Mean and deviation of all features over all windows, each piece counting alike.
+void measure_inputs(std::span<const HeardPiece* const> pieces, PatternNetwork& network) {
+    std::array<double, kInputs> sum{};
+    std::array<double, kInputs> squares{};
+    double weight = 0.0;
+    for (const HeardPiece* piece : pieces) {
+        for (const HeardWindow& window : piece->windows) {
+            const double share = 1.0 / static_cast<double>(piece->windows.size());
+            weight += share;
+            for (std::size_t i = 0; i < kInputs; ++i) {
+                const double value = i < window.features.size()
+                                         ? static_cast<double>(window.features[i])
+                                         : std::log(window.segments);
+                sum[i] += share * value;
+                squares[i] += share * value * value;
+            }
+        }
+    }
+    network.mean.resize(kInputs);
+    network.deviation.resize(kInputs);
+    for (std::size_t i = 0; i < kInputs; ++i) {
+        const double mean = sum[i] / std::max(weight, 1e-9);
+        const double variance = squares[i] / std::max(weight, 1e-9) - mean * mean;
+        network.mean[i] = static_cast<float>(mean);
+        network.deviation[i] =
+            static_cast<float>(std::max(kLeastDeviation, std::sqrt(std::max(0.0, variance))));
+    }
+}
+
+/// A list of weights with its gradient and Adam's moments (Kingma, Ba 2015).
+class Weights {
+ public:
+    Weights(std::vector<float>& values, double deviation, Dice& dice)
+        : values_(values), gradient_(values.size()), first_(values.size()), second_(values.size()) {
+        for (float& value : values_) {
+            value = static_cast<float>(dice.normal(deviation));
+        }
+    }
+    [[nodiscard]] std::span<float> gradient() { return gradient_; }
+
+    /// L2 pulls by `decay`.
+    void step(int number, double rate, double decay) {
+        constexpr float kFirst = 0.9F;
+        constexpr float kSecond = 0.999F;
+        const auto correction = static_cast<float>(std::sqrt(1.0 - std::pow(0.999, number)) /
+                                                   (1.0 - std::pow(0.9, number)));
+        const auto size = static_cast<float>(rate) * correction;
+        const auto pull = static_cast<float>(decay);
+        for (std::size_t i = 0; i < gradient_.size(); ++i) {
+            const float slope = gradient_[i] / kBatch + pull * values_[i];
+            first_[i] = kFirst * first_[i] + (1.0F - kFirst) * slope;
+            second_[i] = kSecond * second_[i] + (1.0F - kSecond) * slope * slope;
+            values_[i] -= size * first_[i] / (std::sqrt(second_[i]) + 1e-7F);
+            gradient_[i] = 0.0F;
+        }
+    }
+
+ private:
+    std::vector<float>& values_;
+    std::vector<float> gradient_;
+    std::vector<float> first_;
+    std::vector<float> second_;
+};
+
+/// 1 for the inputs of these parts and for the window's length, 0 for the others.
+std::array<float, kInputs> mask_of(const std::vector<std::string_view>& parts) {
+    std::array<float, kInputs> mask{};
+    mask.back() = 1.0F;
+    std::size_t at = 0;
+    for (const BarPatterns::Part& part : BarPatterns::kParts) {
+        const bool is_heard =
+            parts.empty() || std::find(parts.begin(), parts.end(), part.name) != parts.end();
+        for (int i = 0; i < part.size; ++i) {
+            mask[at++] = is_heard ? 1.0F : 0.0F;
+        }
+    }
+    return mask;
+}
+
+/// Draws windows: a class, whether recorded, a piece, a window.
+class WindowDraw {
+ public:
+    WindowDraw(std::span<const HeardPiece* const> pieces,
+               std::span<const std::size_t> classes,
+               std::size_t class_count,
+               double recorded_share)
+        : recorded_(class_count), written_(class_count), recorded_share_(recorded_share) {
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (!pieces[i]->windows.empty()) {
+                (pieces[i]->is_recorded() ? recorded_ : written_)[classes[i]].push_back(pieces[i]);
+            }
+        }
+        for (std::size_t c = 0; c < class_count; ++c) {
+            if (!recorded_[c].empty() || !written_[c].empty()) {
+                learnt_.push_back(c);
+            }
+        }
+    }
+    [[nodiscard]] bool is_empty() const { return learnt_.empty(); }
+
+    struct Drawn {
+        const HeardWindow* window;
+        std::size_t class_number;
+    };
+    Drawn draw(Dice& dice) const {
+        const std::size_t c = dice.pick<std::size_t>(learnt_);
+        const bool is_recorded =
+            written_[c].empty() || (!recorded_[c].empty() && dice.chance(recorded_share_));
+        const auto& from = is_recorded ? recorded_[c] : written_[c];
+        const HeardPiece* piece = dice.pick<const HeardPiece*>(from);
+        return {&dice.pick<HeardWindow>(piece->windows), c};
+    }
+
+ private:
+    std::vector<std::vector<const HeardPiece*>> recorded_;
+    std::vector<std::vector<const HeardPiece*>> written_;
+    std::vector<std::size_t> learnt_;
+    double recorded_share_;
+};
+
+/// One network and what a step of descent needs.
+class Descent {
+ public:
+    Descent(PatternNetwork& network, const PatternTrainingPlan& plan, Dice& dice)
+        : network_(network),
+          plan_(plan),
+          mask_(mask_of(plan.parts)),
+          dice_(dice),
+          hidden_weights_(network.hidden_weights, std::sqrt(1.0 / kInputs), dice),
+          hidden_bias_(network.hidden_bias, 0.0, dice),
+          output_weights_(
+              network.output_weights,
+              network.units > 0 ? std::sqrt(1.0 / static_cast<double>(network.units)) : 0.0,
+              dice),
+          output_bias_(network.output_bias, 0.0, dice),
+          hidden_(network.last_inputs()),
+          hidden_slope_(network.last_inputs()),
+          logs_(network.classes) {
+        silence(network_.hidden_weights);
+        if (network_.units == 0) {
+            silence(network_.output_weights);
+        }
+    }
+
+    void learn(const WindowDraw::Drawn& drawn) {
+        std::array<float, kInputs> inputs{};
+        network_.standardize(drawn.window->features, drawn.window->segments, inputs);
+        const auto keep = static_cast<float>(1.0 / (1.0 - plan_.input_dropout));
+        for (std::size_t i = 0; i < kInputs; ++i) {
+            const bool is_dropped = mask_[i] == 0.0F || dice_.chance(plan_.input_dropout);
+            inputs[i] = is_dropped ? 0.0F : keep * (inputs[i] + noise());
+        }
+        if (network_.units == 0) {
+            std::copy(inputs.begin(), inputs.end(), hidden_.begin());
+        } else {
+            hide(inputs);
+        }
+        judge();
+        backward(inputs, drawn.class_number);
+    }
+
+    void step(int number, double rate) {
+        hidden_weights_.step(number, rate, plan_.weight_decay);
+        hidden_bias_.step(number, rate, 0.0);
+        output_weights_.step(number, rate, plan_.weight_decay);
+        output_bias_.step(number, rate, 0.0);
+    }
+
+ private:
+    float noise() { return static_cast<float>(dice_.uniform(-kInputNoise, kInputNoise)); }
+
+    /// Weights of inputs that are not heard.
+    void silence(std::vector<float>& weights) const {
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            weights[i] *= mask_[i % kInputs];
+        }
+    }
+
+    void hide(std::span<const float, kInputs> inputs) {
+        const auto keep = static_cast<float>(1.0 / (1.0 - plan_.hidden_dropout));
+        for (std::size_t unit = 0; unit < network_.units; ++unit) {
+            const float* const row = network_.hidden_weights.data() + unit * kInputs;
+            float sum = network_.hidden_bias[unit];
+            for (std::size_t i = 0; i < kInputs; ++i) {
+                sum += row[i] * inputs[i];
+            }
+            const bool is_dropped = dice_.chance(plan_.hidden_dropout);
+            hidden_[unit] = sum <= 0.0F || is_dropped ? 0.0F : keep * sum;
+        }
+    }
+
+    void judge() {
+        for (std::size_t c = 0; c < network_.classes; ++c) {
+            const float* const row = network_.output_weights.data() + c * hidden_.size();
+            float sum = network_.output_bias[c];
+            for (std::size_t i = 0; i < hidden_.size(); ++i) {
+                sum += row[i] * hidden_[i];
+            }
+            logs_[c] = sum;
+        }
+        normalize_logs(logs_);
+    }
+
+    void backward(std::span<const float, kInputs> inputs, std::size_t truth) {
+        std::fill(hidden_slope_.begin(), hidden_slope_.end(), 0.0F);
+        const float rest = kSmoothing / static_cast<float>(network_.classes);
+        for (std::size_t c = 0; c < network_.classes; ++c) {
+            const float wanted = rest + (c == truth ? 1.0F - kSmoothing : 0.0F);
+            const float slope = std::exp(logs_[c]) - wanted;
+            output_bias_.gradient()[c] += slope;
+            float* const row = output_weights_.gradient().data() + c * hidden_.size();
+            const float* const weights = network_.output_weights.data() + c * hidden_.size();
+            for (std::size_t i = 0; i < hidden_.size(); ++i) {
+                row[i] += slope * hidden_[i];
+                hidden_slope_[i] += slope * weights[i];
+            }
+        }
+        for (std::size_t unit = 0; unit < network_.units; ++unit) {
+            if (hidden_[unit] <= 0.0F) {
+                continue;
+            }
+            hidden_bias_.gradient()[unit] += hidden_slope_[unit];
+            float* const row = hidden_weights_.gradient().data() + unit * kInputs;
+            for (std::size_t i = 0; i < kInputs; ++i) {
+                row[i] += hidden_slope_[unit] * inputs[i];
+            }
+        }
+    }
+
+    PatternNetwork& network_;
+    const PatternTrainingPlan& plan_;
+    std::array<float, kInputs> mask_;
+    Dice& dice_;
+    Weights hidden_weights_;
+    Weights hidden_bias_;
+    Weights output_weights_;
+    Weights output_bias_;
+    std::vector<float> hidden_;
+    std::vector<float> hidden_slope_;
+    std::vector<float> logs_;
+};
+
+}  // namespace
+
+PatternTrainingPlan rhythm_training() {
+    PatternTrainingPlan plan;
+    plan.parts = {"beat", "series", "bar", "phases", "three", "swing", "pulse", "tempo"};
+    return plan;
+}
+
+PatternTrainingPlan sound_training() {
+    PatternTrainingPlan plan;
+    plan.parts = {"shape", "spread", "onsets", "swing"};
+    plan.units = 0;
+    plan.steps = 1'500;
+    plan.rate = 1e-2;
+    plan.weight_decay = 0.06;
+    plan.input_dropout = 0.0;
+    return plan;
+}
+
+PatternNetwork train_patterns(std::span<const HeardPiece* const> pieces,
+                              std::span<const std::size_t> classes,
+                              std::size_t class_count,
+                              const PatternTrainingPlan& plan) {
+    RAKS_ASSERT(pieces.size() == classes.size());
+    PatternNetwork network;
+    network.units = static_cast<std::size_t>(plan.units);
+    network.classes = class_count;
+    network.hidden_weights.resize(network.units * kInputs);
+    network.hidden_bias.resize(network.units);
+    network.output_weights.resize(class_count * network.last_inputs());
+    network.output_bias.resize(class_count);
+    measure_inputs(pieces, network);
+    Dice dice(plan.seed, 77);
+    Descent descent(network, plan, dice);
+    const WindowDraw draw(pieces, classes, class_count, plan.recorded_share);
+    for (int step = 1; step <= plan.steps && !draw.is_empty(); ++step) {
+        for (int i = 0; i < kBatch; ++i) {
+            descent.learn(draw.draw(dice));
+        }
+        const double share = static_cast<double>(step) / plan.steps;
+        descent.step(step, plan.rate * (0.02 + 0.98 * 0.5 * (1.0 + std::cos(M_PI * share))));
+    }
+    return network;
+}
+
+}  // namespace raks::audio

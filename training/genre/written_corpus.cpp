@@ -1,0 +1,293 @@
+#include "training/genre/written_corpus.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "audio/music/damage/genre_augmentation.hpp"
+#include "audio/music/damage/sound_damage.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "audio/music/instruments/oud.hpp"
+#include "audio/music/instruments/soundfont_player.hpp"
+#include "audio/music/instruments/synthesizers.hpp"
+#include "audio/music/score/arrangement.hpp"
+#include "audio/music/score/other_music.hpp"
+#include "audio/music/score/performance.hpp"
+#include "audio/music/styles/genre_styles.hpp"
+#include "base/parallel.hpp"
+#include "training/beat/corpus.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr double kShortestPiece = 8.0;  // s
+
+bool is_among(const GenreStyle& style, WrittenCorpusPlan::Families families) {
+    const bool is_held_out = style.use == GenreStyle::Use::held_out;
+    return families == WrittenCorpusPlan::Families::all ||
+           (families == WrittenCorpusPlan::Families::held_out) == is_held_out;
+}
+
+std::vector<GenreStyle> styles_of(Genre genre, WrittenCorpusPlan::Families families) {
+    std::vector<GenreStyle> chosen;
+    for (const GenreStyle& style : genre_styles()) {
+        if (style.genre == genre && is_among(style, families)) {
+            chosen.push_back(style);
+        }
+    }
+    return chosen;
+}
+
+/// What our own generator calls a dance's music, and the tempi that it is played at.
+struct OwnStyle {
+    Style style;
+    double lowest_bpm;
+    double highest_bpm;
+};
+constexpr std::array<OwnStyle, kGenreCount - 1> kOwnStyles = {{
+    {Style::salsa, 150.0, 215.0},
+    {Style::maqsum, 80.0, 145.0},
+    {Style::house, 112.0, 132.0},
+    {Style::hiphop, 72.0, 106.0},
+    {Style::rock, 92.0, 176.0},
+    {Style::waltz, 80.0, 185.0},
+}};
+
+/// Our own generator's music: sounds that no soundfont has (darbuka, oud).
+WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
+    const OwnStyle& own = kOwnStyles[static_cast<std::size_t>(genre)];
+    MusicPlan plan;
+    plan.style = own.style;
+    const double bpm = dice.uniform(own.lowest_bpm, own.highest_bpm);
+    plan.tempo = {{0.0, bpm}};
+    plan.seconds = seconds;
+    plan.channels = 1;
+    plan.rate = SampleRate(SoundfontPlayer::kRate);
+    plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
+    WrittenPiece piece{"own " + std::string(name_of(plan.style)), genre, {}, {}};
+    if (auto music = generate(plan)) {
+        piece.samples = std::move(music->samples);
+    }
+    return piece;
+}
+
+OrientalScales scales_of(const WrittenCorpusPlan& plan) {
+    return plan.edition == WrittenCorpusPlan::Edition::first ? OrientalScales::semitones
+                                                             : OrientalScales::quarter_tones;
+}
+
+/// Takes the melody out of a performance.
+std::vector<OudNote> take_melody(Performance& performance) {
+    std::vector<OudNote> melody;
+    for (const PlayedNote& note : performance.notes) {
+        if (note.channel == kMelodyChannel) {
+            const double semitones = note.key - 69 + note.cents / 100.0;
+            melody.push_back({note.time,
+                              note.length,
+                              440.0 * std::exp2(semitones / 12.0),
+                              note.velocity / 127.0});
+        }
+    }
+    std::erase_if(performance.notes,
+                  [](const PlayedNote& note) { return note.channel == kMelodyChannel; });
+    return melody;
+}
+
+/// The two added, the second `gain` times as loud.
+void mix_in(std::span<const float> more, float gain, std::vector<float>& samples) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i] = (samples[i] + gain * more[i]) / (1.0F + gain);
+    }
+}
+
+/// Plays with a soundfont or, of the third edition, mostly with a band of several; since the second
+/// an oud of ours may play an oriental melody.
+Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
+                                        WrittenPiece& piece,
+                                        std::span<const std::filesystem::path> soundfonts,
+                                        Dice& dice) {
+    const PlayerRoom room = dice.chance(0.5)
+                                ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.6)}
+                                : PlayerRoom{};
+    std::vector<OudNote> melody;
+    if (plan.edition != WrittenCorpusPlan::Edition::first && piece.genre == Genre::belly &&
+        dice.chance(0.5)) {
+        melody = take_melody(piece.performance);
+    }
+    auto samples = play_with(soundfonts, piece.performance, room, dice);
+    if (!samples || melody.empty()) {
+        return samples;
+    }
+    std::vector<float> oud = play_oud(melody, SoundfontPlayer::kRate, samples->size());
+    add_room(SoundfontPlayer::kRate, 0.3, 0.4 * room.level, oud, dice);
+    mix_in(oud, static_cast<float>(dice.uniform(0.2, 0.8)), *samples);
+    return samples;
+}
+
+/// Plays some or all instruments with drawn sounds, the others as play_piece does.
+Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
+                                              WrittenPiece& piece,
+                                              std::span<const std::filesystem::path> soundfonts,
+                                              Dice& dice) {
+    constexpr double kAll = 0.4;  // of the pieces: no instrument of a soundfont
+    const double share = dice.chance(kAll) ? 1.0 : dice.uniform(0.3, 0.9);
+    std::vector<float> drawn =
+        play_synthesizers(share, SoundfontPlayer::kRate, piece.performance, dice);
+    if (!drawn.empty() && dice.chance(0.5)) {
+        const double wet = dice.uniform(0.05, 0.3);
+        add_room(SoundfontPlayer::kRate, dice.uniform(0.1, 0.4), wet, drawn, dice);
+    }
+    if (piece.performance.notes.empty()) {
+        return drawn;
+    }
+    auto samples = play_piece(plan, piece, soundfonts, dice);
+    if (samples && !drawn.empty()) {
+        mix_in(drawn, static_cast<float>(dice.log_uniform(0.4, 2.0)), *samples);
+    }
+    return samples;
+}
+
+WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) {
+    if (plan.music == WrittenCorpusPlan::Music::undanceable) {
+        return undanceable_piece(plan.seconds, dice);
+    }
+    if (plan.music == WrittenCorpusPlan::Music::own) {
+        return own_piece(genre, plan.seconds, dice);
+    }
+    if (genre == Genre::unknown) {
+        return other_piece(plan.seconds, dice);
+    }
+    const bool is_ours = genre == Genre::salsa || genre == Genre::belly || genre == Genre::house;
+    if (is_ours && plan.families != WrittenCorpusPlan::Families::held_out && dice.chance(0.1)) {
+        return own_piece(genre, plan.seconds, dice);
+    }
+    const auto styles = styles_of(genre, plan.families);
+    const GenreStyle& style = dice.pick<GenreStyle>(styles);
+    return {std::string(style.style->name),
+            genre,
+            perform(arrange(style, kWrittenBeats, dice, scales_of(plan)), plan.seconds, dice),
+            {}};
+}
+
+/// One, or all of them for a band.
+std::vector<std::filesystem::path> soundfonts_of(const WrittenCorpusPlan& plan, Dice& dice) {
+    const bool has_bands = plan.edition >= WrittenCorpusPlan::Edition::third &&
+                           plan.augmentation == WrittenCorpusPlan::Augmentation::on &&
+                           plan.effects.has(SoundEffect::players) && plan.soundfonts.size() > 1;
+    if (has_bands) {
+        return draw_soundfonts(plan.soundfonts, dice);
+    }
+    return {dice.pick<std::filesystem::path>(plan.soundfonts)};
+}
+
+Genre genre_of_number(const WrittenCorpusPlan& plan, int number) {
+    constexpr int kDances = kGenreCount - 1;
+    switch (plan.music) {
+        case WrittenCorpusPlan::Music::undanceable:
+            return Genre::unknown;
+        case WrittenCorpusPlan::Music::own:
+            return static_cast<Genre>(number % kDances);
+        case WrittenCorpusPlan::Music::all:
+        case WrittenCorpusPlan::Music::synthesized:
+            break;
+    }
+    // What is none of the dances is of more kinds than any dance: two pieces a round.
+    return static_cast<Genre>(std::min(number % (kDances + 2), kDances));
+}
+
+Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
+    Dice dice(plan.seed, static_cast<std::uint64_t>(number));
+    const Genre genre = genre_of_number(plan, number);
+    WrittenPiece piece = draw_piece(plan, genre, dice);
+    for (int tries = 0;
+         piece.samples.empty() && piece.performance.seconds < kShortestPiece && tries < 20;
+         ++tries) {
+        piece = draw_piece(plan, genre, dice);
+    }
+    const std::vector<std::filesystem::path> soundfonts = soundfonts_of(plan, dice);
+    if (piece.samples.empty()) {
+        auto samples = plan.music == WrittenCorpusPlan::Music::synthesized
+                           ? synthesize_piece(plan, piece, soundfonts, dice)
+                           : play_piece(plan, piece, soundfonts, dice);
+        if (!samples) {
+            return fail(samples.error());
+        }
+        piece.samples = std::move(*samples);
+    }
+    if (plan.augmentation == WrittenCorpusPlan::Augmentation::on) {
+        SoundEffects effects = plan.effects;
+        if (plan.edition == WrittenCorpusPlan::Edition::first) {
+            effects.leave_out(SoundEffect::codec);
+            effects.leave_out(SoundEffect::resampling);
+        }
+        if (auto done = augment_for_genre(SoundfontPlayer::kRate, piece.samples, dice, effects);
+            !done) {
+            return fail(done.error());
+        }
+    }
+    HeardPiece heard;
+    heard.name = piece.name + " " + std::to_string(number);
+    heard.group =
+        piece.name + "/" + (soundfonts.size() > 1 ? "band" : soundfonts.front().stem().string());
+    heard.genre = piece.genre;
+    heard.kind = plan.families == WrittenCorpusPlan::Families::held_out
+                     ? HeardPiece::Kind::written_held_out
+                     : HeardPiece::Kind::written;
+    if (auto done =
+            hear_piece(piece.samples, SampleRate(SoundfontPlayer::kRate), plan.hearing, heard);
+        !done) {
+        return fail(done.error());
+    }
+    return heard;
+}
+
+}  // namespace
+
+Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path& file,
+                                                    WrittenCorpusPlan::Families families) {
+    auto corpus = load_corpus(file);
+    if (!corpus) {
+        return fail(corpus.error());
+    }
+    const auto is_in_three_beats = [](const TrainingExcerpt& excerpt) {
+        return std::all_of(excerpt.beats.begin(), excerpt.beats.end(), [](const auto& beat) {
+            return beat.bar_position <= 3;
+        });
+    };
+    std::vector<HeardPiece> pieces;
+    for (TrainingExcerpt& excerpt : *corpus) {
+        const auto style = genre_of_style(excerpt.style);
+        const bool is_kept = style && is_among(*style, families) &&
+                             !(excerpt.family == "piano" && is_in_three_beats(excerpt));
+        if (!is_kept) {
+            continue;
+        }
+        HeardPiece& piece = pieces.emplace_back();
+        piece.name = excerpt.style + " of the beat tracker's";
+        piece.group = excerpt.style + "/beats";
+        piece.genre = style->genre;
+        piece.kind = HeardPiece::Kind::written;
+        piece.mel = std::move(excerpt.mel);
+    }
+    return pieces;
+}
+
+Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan) {
+    const auto count = static_cast<std::size_t>(plan.pieces);
+    std::vector<Expected<HeardPiece>> made(count, fail("not made"));
+    run_parallel(count, plan.threads, [&](std::size_t number) {
+        made[number] = make_piece(plan, plan.first + static_cast<int>(number));
+    });
+    std::vector<HeardPiece> pieces;
+    for (Expected<HeardPiece>& piece : made) {
+        if (!piece) {
+            return fail(piece.error());
+        }
+        pieces.push_back(std::move(*piece));
+    }
+    return pieces;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,90 @@
+#include "training/networks/network_descent.hpp"
+
+#include <cblas.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "base/time.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr int kWarmUpSteps = 30;
+
+/// Runs work(i) for i = 0 .. count - 1.
+template <class Work>
+void share(std::size_t count, int wanted_threads, const Work& work) {
+    const auto threads = static_cast<std::size_t>(std::max(1, wanted_threads));
+    std::vector<std::jthread> running;
+    for (std::size_t first = 0; first < std::min(threads, count); ++first) {
+        running.emplace_back([first, threads, count, &work] {
+            const FlushToZeroScope flush_to_zero;
+            for (std::size_t i = first; i < count; i += threads) {
+                work(i);
+            }
+        });
+    }
+}
+
+double frames_of(const TrainingBatch& batch) {
+    return static_cast<double>(batch.steps * batch.chunks);
+}
+
+}  // namespace
+
+NetworkDescent::NetworkDescent(models::RecurrentNetwork& network, int threads)
+    : network_(network), threads_(threads), adam_(network.parameters().size()) {
+    openblas_set_num_threads(1);
+}
+
+double NetworkDescent::step(double rate,
+                            const std::function<TrainingBatch(std::size_t shard)>& draw) {
+    std::vector<std::vector<float>> gradients(kShards);
+    std::array<double, kShards> losses{};
+    std::array<double, kShards> frames{};
+    share(kShards, threads_, [&](std::size_t shard) {
+        const TrainingBatch batch = draw(shard);
+        frames[shard] = frames_of(batch);
+        gradients[shard].assign(network_.parameters().size(), 0.0F);
+        losses[shard] = gradients_[shard].accumulate(network_, batch, gradients[shard]);
+    });
+    double loss = losses[0];
+    double all = frames[0];
+    for (std::size_t shard = 1; shard < kShards; ++shard) {
+        loss += losses[shard];
+        all += frames[shard];
+        for (std::size_t i = 0; i < gradients[0].size(); ++i) {
+            gradients[0][i] += gradients[shard][i];
+        }
+    }
+    const auto scale = static_cast<float>(1.0 / all);
+    for (float& value : gradients[0]) {
+        value *= scale;
+    }
+    adam_.step(gradients[0], rate, network_.parameters());
+    return loss / all;
+}
+
+double NetworkDescent::loss_of(std::span<const TrainingBatch> batches) const {
+    std::vector<double> losses(batches.size());
+    share(batches.size(), threads_, [&](std::size_t i) {
+        NetworkGradient gradient;
+        losses[i] = gradient.accumulate(network_, batches[i], {});
+    });
+    double sum = 0.0;
+    double frames = 0.0;
+    for (std::size_t i = 0; i < batches.size(); ++i) {
+        sum += losses[i];
+        frames += frames_of(batches[i]);
+    }
+    return frames > 0.0 ? sum / frames : 0.0;
+}
+
+double rate_at(double highest, int step, int steps) {
+    const double warm_up = std::min(1.0, (step + 1.0) / kWarmUpSteps);
+    return highest * warm_up * 0.5 * (1.0 + std::cos(std::numbers::pi * step / steps));
+}
+
+}  // namespace raks::audio
