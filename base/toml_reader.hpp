@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <array>
-
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,6 +76,42 @@ class TomlComplaints {
             return 0.0;
         }
         return *value;
+    }
+
+    /// A whole number in a range; 0 after a complaint.
+    int whole(const toml::node& node, std::string_view name, NumberRange range) {
+        const double value = number(node, name, range);
+        if (value != std::floor(value)) {
+            complain(node, fmt::format("{} is {}, must be a whole number", name, value));
+            return 0;
+        }
+        return static_cast<int>(value);
+    }
+
+    /// The place of a text in `known`; 0 after a complaint. `name`: the kind of thing.
+    std::size_t word(const toml::node& node,
+                     std::string_view name,
+                     std::span<const std::string_view> known) {
+        const std::optional<std::string> value = node.value_exact<std::string>();
+        const auto found = value ? std::find(known.begin(), known.end(), *value) : known.end();
+        if (found == known.end()) {
+            complain(node,
+                     value ? unknown_name(name, *value, known)
+                           : fmt::format("{} must be a text in quotes", name));
+            return 0;
+        }
+        return static_cast<std::size_t>(found - known.begin());
+    }
+
+    /// What is under a key that must be there; null after a complaint. `form`: "tempo = [...]".
+    const toml::node* needed(const toml::table& table,
+                             std::string_view key,
+                             std::string_view form) {
+        const toml::node* const node = table.get(key);
+        if (node == nullptr) {
+            complain(table, fmt::format("needs {}", form));
+        }
+        return node;
     }
 
     /// Sets `target` when the key is there.
