@@ -237,6 +237,7 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
                                     audio::WrittenCorpusPlan plan) {
     const int all = plan.pieces;
     plan.hearing = hearing;
+    plan.styles = &options.styles;
     plan.threads = options.threads;
     plan.effects = options.effects;
     plan.edition = static_cast<audio::WrittenCorpusPlan::Edition>(options.edition);
@@ -245,9 +246,9 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
     for (const auto& soundfont : plan.soundfonts) {
         soundfonts = hash_of(soundfont.filename().string() + "\n", soundfonts);
     }
-    const std::string variant = fmt::format("-edition{}-{:016x}{}",
+    const std::string variant = fmt::format("-edition{}-{}{}",
                                             options.edition,
-                                            soundfonts,
+                                            hex(soundfonts),
                                             is_altered ? without(options.effects) : std::string());
     std::vector<WrittenChunk> chunks;
     for (plan.first = 0; plan.first < all; plan.first += kChunk) {

@@ -164,16 +164,17 @@ std::string plan_text(const GenreOptions& options,
         files =
             hash_of(fmt::format("{} {} {}\n", file.name, file.group, name_of(file.genre)), files);
     }
-    return fmt::format("hearing {:x} files {:x} altered {} seed {} edition {} written {} {} {}{}",
-                       name_of_hearing(hearing, options.plan.features),
-                       files,
-                       options.altered,
-                       options.seed,
-                       options.edition,
-                       options.synthesize,
-                       options.leaves_out_families ? "always" : "all",
-                       material.written_with,
-                       without(options.effects));
+    return fmt::format(
+        "hearing {:x} files {:x} altered {} seed {} edition {} written {} {} {}{}",
+        name_of_hearing(hearing, options.plan.features),
+        files,
+        options.altered,
+        options.seed,
+        options.edition,
+        options.synthesize,
+        options.leaves_out_families ? "always" : "all",
+        material.written_with,
+        without(options.effects));
 }
 
 }  // namespace
@@ -226,7 +227,9 @@ Expected<GenreMaterial> gather(const GenreOptions& options, const audio::Hearing
     if (!options.beats_corpus.empty()) {
         using Families = audio::WrittenCorpusPlan::Families;
         auto more = audio::read_beats_corpus(
-            options.beats_corpus, options.leaves_out_families ? Families::always : Families::all);
+            options.beats_corpus,
+            options.styles,
+            options.leaves_out_families ? Families::always : Families::all);
         if (!more) {
             return fail(more.error());
         }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "audio/music/damage/sound_augmentation.hpp"
+#include "audio/music/styles/style_book.hpp"
 #include "training/genre/feature_shard.hpp"
 #include "training/genre/genre_samples.hpp"
 #include "training/genre/genre_trainer.hpp"
@@ -26,7 +27,8 @@ struct GenreOptions {
     std::vector<std::filesystem::path> shards;  // to merge
     std::filesystem::path report;
     int synthesize = 0;
-    int edition = 4;  // of the written music
+    int edition = 4;          // of the written music
+    audio::StyleBook styles;  // that it is written in; loaded where any is asked for
     int test_pieces = 140;
     std::vector<std::filesystem::path> soundfonts;
     std::vector<std::filesystem::path> test_soundfonts;

@@ -6,11 +6,14 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/raks_train/commands.hpp"
+#include "apps/raks_train/installed_styles.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "audio/beat/network/network_file.hpp"
+#include "audio/music/styles/style_book.hpp"
 #include "base/file.hpp"
 #include "training/beat/annotated_music.hpp"
 #include "training/beat/corpus.hpp"
@@ -29,6 +32,7 @@ constexpr const char* kAttribution =
     "(BSD-3-Clause), OpenScore Lieder (CC0-1.0) and patterns of our own; soundfonts under MIT.";
 
 struct Options {
+    audio::StyleBook styles;  // that the corpus is written in
     audio::CorpusPlan corpus;
     std::filesystem::path corpus_file;
     std::vector<std::filesystem::path> more_files;
@@ -207,6 +211,15 @@ Expected<void> learn_bars(const Options& options,
 }
 
 Expected<void> run(Options& options, const std::string& command) {
+    const bool needs_music = options.averaged.empty() && options.heard_together.empty();
+    if (needs_music) {
+        auto styles = load_installed_styles();
+        if (!styles) {
+            return fail(styles.error());
+        }
+        options.styles = std::move(*styles);
+        options.corpus.styles = &options.styles;
+    }
     if (!options.music_folder.empty()) {
         return audio::write_music_folder(options.corpus, options.music_folder);
     }

@@ -15,6 +15,7 @@
 #include "apps/raks_train/genre_adding.hpp"
 #include "apps/raks_train/genre_learning.hpp"
 #include "apps/raks_train/genre_material.hpp"
+#include "apps/raks_train/installed_styles.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/beat/network/network_file.hpp"
@@ -317,6 +318,13 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
         }
         base = std::move(*loaded);
         options.plan.features = base->model->features;
+    }
+    if (options.synthesize > 0 || !options.beats_corpus.empty()) {
+        auto styles = load_installed_styles();
+        if (!styles) {
+            return fail(styles.error());
+        }
+        options.styles = std::move(*styles);
     }
     const audio::HearingPlan hearing{*network, options.plan.features.cepstral_mean};
     if (!options.share_text.empty()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -42,6 +43,20 @@ bool is_electronic(const RhythmStyle& style) {
     return style.family == "electronic" || style.family == "hiphop";
 }
 
+/// Errors: nothing to draw from.
+Expected<void> check_styles(const CorpusPlan& plan) {
+    const auto styles = plan.styles->rhythms_for_beats();
+    if (styles.empty()) {
+        return fail("the styles of music have no rhythm for the beat tracker's training");
+    }
+    const bool has_machines = std::any_of(
+        styles.begin(), styles.end(), [](const auto* style) { return is_electronic(*style); });
+    if (plan.with_machines && !has_machines) {
+        return fail("the styles of music have no rhythm of the family electronic or hiphop");
+    }
+    return {};
+}
+
 /// Some pieces of a style are slower or faster than it is danced.
 void widen_tempi(double chance, Score& score, Dice& dice) {
     if (dice.chance(chance)) {
@@ -72,7 +87,9 @@ std::vector<float> listen(std::span<const float> samples, int rate) {
 class PieceMaker {
  public:
     PieceMaker(std::vector<MidiStretch> pack, const CorpusPlan& plan)
-        : seconds_(plan.seconds), with_machines_(plan.with_machines) {
+        : seconds_(plan.seconds),
+          with_machines_(plan.with_machines),
+          styles_(plan.styles->rhythms_for_beats()) {
         for (MidiStretch& stretch : pack) {
             auto& set = stretch.set == "groove"     ? (stretch.is_fill ? fills_ : groove_)
                         : stretch.set == "freedoom" ? freedoom_
@@ -82,12 +99,10 @@ class PieceMaker {
             }
             set.push_back(std::move(stretch.score));
         }
-        for (const RhythmStyle& style : rhythm_styles()) {
-            styles_.push_back(&style);
-            if (is_electronic(style)) {
-                electronic_.push_back(&style);
-            }
-        }
+        std::copy_if(styles_.begin(),
+                     styles_.end(),
+                     std::back_inserter(electronic_),
+                     [](const RhythmStyle* style) { return is_electronic(*style); });
     }
 
     /// What is no music and has no beat.
@@ -147,11 +162,8 @@ class PieceMaker {
         if (with_machines_) {
             widen_tempi(is_electronic(style) ? 0.5 : 0.2, score, dice);
         }
-        return played(std::string(style.family),
-                      std::string(style.name),
-                      std::move(score),
-                      is_electronic(style) ? 0.75 : 0.0,
-                      dice);
+        return played(
+            style.family, style.name, std::move(score), is_electronic(style) ? 0.75 : 0.0, dice);
     }
     /// `machines`: the chance that machines play it, where there are any.
     [[nodiscard]] Piece played(
@@ -270,6 +282,9 @@ Expected<CorpusPiece> make_piece(const CorpusPlan& plan, const PieceMaker& maker
 
 Expected<void> make_pieces(const CorpusPlan& plan,
                            const std::function<Expected<void>(int, CorpusPiece)>& take) {
+    if (auto enough = check_styles(plan); !enough) {
+        return enough;
+    }
     auto pack = read_midi_pack(plan.pack);
     if (!pack) {
         return fail(pack.error());

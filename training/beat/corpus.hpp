@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audio/music/score/performance.hpp"
+#include "audio/music/styles/style_book.hpp"
 #include "base/expected.hpp"
 
 namespace raks::audio {
@@ -22,6 +23,7 @@ struct TrainingExcerpt {
 };
 
 struct CorpusPlan {
+    const StyleBook* styles = nullptr;              ///< that music is written in; not null
     std::filesystem::path pack;                     ///< MIDI with its index, see read_midi_pack
     std::vector<std::filesystem::path> soundfonts;  ///< not empty; several: see draw_soundfonts
     int excerpts = 1400;
@@ -43,7 +45,7 @@ struct CorpusPiece {
 /// Writes music and plays it: piece n depends on the plan's seed and n alone, so any number of
 /// threads gives the same pieces. `take(n, piece)` gets each, from several threads; its first error
 /// ends all. About 0.4 s of CPU each.
-/// Errors: the pack or a soundfont cannot be read.
+/// Errors: the pack or a soundfont cannot be read; the styles have no rhythm for it.
 [[nodiscard]] Expected<void> make_pieces(
     const CorpusPlan& plan, const std::function<Expected<void>(int, CorpusPiece)>& take);
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "audio/music/damage/genre_augmentation.hpp"
 #include "audio/music/damage/sound_damage.hpp"
@@ -15,29 +17,66 @@
 #include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/other_music.hpp"
 #include "audio/music/score/performance.hpp"
-#include "audio/music/styles/genre_styles.hpp"
+#include "base/music_state.hpp"
 #include "base/parallel.hpp"
 #include "training/beat/corpus.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::audio {
 namespace {
 
 constexpr double kShortestPiece = 8.0;  // s
 
-bool is_among(const GenreStyle& style, WrittenCorpusPlan::Families families) {
-    const bool is_held_out = style.use == GenreStyle::Use::held_out;
+/// Training numbers dances; the styles name them.
+std::string dance_of(Genre genre) {
+    return genre == Genre::unknown ? std::string() : std::string(name_of(genre));
+}
+
+/// Nothing: no number stands for this dance.
+std::optional<Genre> genre_of(std::string_view dance) {
+    const auto* const found = std::find(kGenreNames.begin(), kGenreNames.end(), dance);
+    if (dance.empty()) {
+        return Genre::unknown;
+    }
+    return found == kGenreNames.end()
+               ? std::nullopt
+               : std::optional(static_cast<Genre>(found - kGenreNames.begin()));
+}
+
+bool is_among(const DanceLabel& label, WrittenCorpusPlan::Families families) {
+    const bool is_held_out = label.use == DanceLabel::Use::held_out;
     return families == WrittenCorpusPlan::Families::all ||
            (families == WrittenCorpusPlan::Families::held_out) == is_held_out;
 }
 
-std::vector<GenreStyle> styles_of(Genre genre, WrittenCorpusPlan::Families families) {
-    std::vector<GenreStyle> chosen;
-    for (const GenreStyle& style : genre_styles()) {
-        if (style.genre == genre && is_among(style, families)) {
-            chosen.push_back(style);
+std::vector<const RhythmStyle*> styles_of(const WrittenCorpusPlan& plan, const std::string& dance) {
+    std::vector<const RhythmStyle*> chosen = plan.styles->rhythms_for(dance);
+    std::erase_if(chosen, [&plan](const RhythmStyle* style) {
+        return !is_among(*style->label, plan.families);
+    });
+    return chosen;
+}
+
+/// Errors: nothing to draw from.
+Expected<void> check_styles(const WrittenCorpusPlan& plan) {
+    using Music = WrittenCorpusPlan::Music;
+    if (plan.styles->rhythms_for("").empty()) {
+        return fail("the styles of music have no rhythm with dance = \"none\"");
+    }
+    const bool has_dances = plan.music == Music::all || plan.music == Music::synthesized;
+    for (int number = 0; has_dances && number < kGenreCount - 1; ++number) {
+        const std::string dance = dance_of(static_cast<Genre>(number));
+        if (styles_of(plan, dance).empty()) {
+            const char* const use = plan.families == WrittenCorpusPlan::Families::all ? ""
+                                    : plan.families == WrittenCorpusPlan::Families::held_out
+                                        ? " that is held out"
+                                        : " that is always used";
+            return fail(fmt::format(
+                "the styles of music have no rhythm with dance = \"{}\"{}", dance, use));
         }
     }
-    return chosen;
+    return {};
 }
 
 /// What our own generator calls a dance's music, and the tempi that it is played at.
@@ -66,7 +105,7 @@ WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
     plan.channels = 1;
     plan.rate = SampleRate(SoundfontPlayer::kRate);
     plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
-    WrittenPiece piece{"own " + std::string(name_of(plan.style)), genre, {}, {}};
+    WrittenPiece piece{"own " + std::string(name_of(plan.style)), dance_of(genre), {}, {}};
     if (auto music = generate(plan)) {
         piece.samples = std::move(music->samples);
     }
@@ -112,8 +151,8 @@ Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
                                 ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.6)}
                                 : PlayerRoom{};
     std::vector<OudNote> melody;
-    if (plan.edition != WrittenCorpusPlan::Edition::first && piece.genre == Genre::belly &&
-        dice.chance(0.5)) {
+    const bool is_maqam = plan.styles->palette_of(piece.dance).melody == Melody::maqam;
+    if (plan.edition != WrittenCorpusPlan::Edition::first && is_maqam && dice.chance(0.5)) {
         melody = take_melody(piece.performance);
     }
     auto samples = play_with(soundfonts, piece.performance, room, dice);
@@ -151,24 +190,22 @@ Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
 
 WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) {
     if (plan.music == WrittenCorpusPlan::Music::undanceable) {
-        return undanceable_piece(plan.seconds, dice);
+        return undanceable_piece(*plan.styles, plan.seconds, dice);
     }
     if (plan.music == WrittenCorpusPlan::Music::own) {
         return own_piece(genre, plan.seconds, dice);
     }
     if (genre == Genre::unknown) {
-        return other_piece(plan.seconds, dice);
+        return other_piece(*plan.styles, plan.seconds, dice);
     }
     const bool is_ours = genre == Genre::salsa || genre == Genre::belly || genre == Genre::house;
     if (is_ours && plan.families != WrittenCorpusPlan::Families::held_out && dice.chance(0.1)) {
         return own_piece(genre, plan.seconds, dice);
     }
-    const auto styles = styles_of(genre, plan.families);
-    const GenreStyle& style = dice.pick<GenreStyle>(styles);
-    return {std::string(style.style->name),
-            genre,
-            perform(arrange(style, kWrittenBeats, dice, scales_of(plan)), plan.seconds, dice),
-            {}};
+    const auto styles = styles_of(plan, dance_of(genre));
+    const RhythmStyle& style = *dice.pick<const RhythmStyle*>(styles);
+    const Score score = arrange(*plan.styles, style, kWrittenBeats, dice, scales_of(plan));
+    return {style.name, dance_of(genre), perform(score, plan.seconds, dice), {}};
 }
 
 /// One, or all of them for a band.
@@ -231,7 +268,7 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     heard.name = piece.name + " " + std::to_string(number);
     heard.group =
         piece.name + "/" + (soundfonts.size() > 1 ? "band" : soundfonts.front().stem().string());
-    heard.genre = piece.genre;
+    heard.genre = genre_of(piece.dance).value_or(Genre::unknown);
     heard.kind = plan.families == WrittenCorpusPlan::Families::held_out
                      ? HeardPiece::Kind::written_held_out
                      : HeardPiece::Kind::written;
@@ -246,6 +283,7 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
 }  // namespace
 
 Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path& file,
+                                                    const StyleBook& styles,
                                                     WrittenCorpusPlan::Families families) {
     auto corpus = load_corpus(file);
     if (!corpus) {
@@ -258,8 +296,9 @@ Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path&
     };
     std::vector<HeardPiece> pieces;
     for (TrainingExcerpt& excerpt : *corpus) {
-        const auto style = genre_of_style(excerpt.style);
-        const bool is_kept = style && is_among(*style, families) &&
+        const auto label = styles.label_of(excerpt.style);
+        const auto genre = label ? genre_of(label->dance) : std::nullopt;
+        const bool is_kept = genre && is_among(*label, families) &&
                              !(excerpt.family == "piano" && is_in_three_beats(excerpt));
         if (!is_kept) {
             continue;
@@ -267,7 +306,7 @@ Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path&
         HeardPiece& piece = pieces.emplace_back();
         piece.name = excerpt.style + " of the beat tracker's";
         piece.group = excerpt.style + "/beats";
-        piece.genre = style->genre;
+        piece.genre = *genre;
         piece.kind = HeardPiece::Kind::written;
         piece.mel = std::move(excerpt.mel);
     }
@@ -275,6 +314,9 @@ Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path&
 }
 
 Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan) {
+    if (auto enough = check_styles(plan); !enough) {
+        return fail(enough.error());
+    }
     const auto count = static_cast<std::size_t>(plan.pieces);
     std::vector<Expected<HeardPiece>> made(count, fail("not made"));
     run_parallel(count, plan.threads, [&](std::size_t number) {

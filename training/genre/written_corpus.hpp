@@ -6,12 +6,14 @@
 
 #include "audio/evaluate/piece_features.hpp"
 #include "audio/music/damage/sound_augmentation.hpp"
+#include "audio/music/styles/style_book.hpp"
 #include "base/expected.hpp"
 
 namespace raks::audio {
 
 /// A corpus that is written, played and heard.
 struct WrittenCorpusPlan {
+    const StyleBook* styles = nullptr;              ///< that it is written in; not null
     std::vector<std::filesystem::path> soundfonts;  ///< drawn from; not empty
     enum class Families : std::uint8_t { always, held_out, all };
     Families families = Families::all;
@@ -38,14 +40,16 @@ struct WrittenCorpusPlan {
 
 /// Piece n depends on the plan and n alone: any number of threads gives the same corpus. About 0.5
 /// s of CPU each. Groups are "style/soundfont".
-/// Errors: a soundfont cannot be read.
+/// Errors: a soundfont cannot be read; the styles have no rhythm for a dance, or none for no dance.
 [[nodiscard]] Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan);
 
 /// What the beat tracker's training has played (`raks train beats --corpus FILE`), as far as it is
-/// clearly a dance or clearly none; pieces without frames and windows, for the recurrent network
-/// alone. Bars of three on a piano are left out: some are waltzes.
+/// by the styles clearly music for a dance or clearly for none; pieces without frames and windows,
+/// for the recurrent network alone. Bars of three on a piano are left out: some are waltzes.
 /// Errors: as load_corpus.
 [[nodiscard]] Expected<std::vector<HeardPiece>> read_beats_corpus(
-    const std::filesystem::path& file, WrittenCorpusPlan::Families families);
+    const std::filesystem::path& file,
+    const StyleBook& styles,
+    WrittenCorpusPlan::Families families);
 
 }  // namespace raks::audio

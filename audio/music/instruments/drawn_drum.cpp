@@ -139,51 +139,51 @@ struct Sound {
 
 Sound sound_of(int key) {
     switch (key) {
-        case 35:
-        case kKick:
+        case drum_named("acoustic_kick"):
+        case drum_named("kick"):
             return {&kKickKind};
-        case kSnare:
-        case 40:
+        case drum_named("snare"):
+        case drum_named("electric_snare"):
             return {&kSnareKind};
-        case kClap:
+        case drum_named("clap"):
             return {&kClapKind};
-        case kHat:
-        case kPedalHat:
+        case drum_named("closed_hat"):
+        case drum_named("pedal_hat"):
             return {&kHatKind};
-        case kOpenHat:
+        case drum_named("open_hat"):
             return {&kOpenHatKind};
-        case 49:
-        case kRide:
-        case 52:
-        case 53:
-        case 55:
-        case 57:
-        case 59:
+        case drum_named("crash"):
+        case drum_named("ride"):
+        case drum_named("china"):
+        case drum_named("ride_bell"):
+        case drum_named("splash"):
+        case drum_named("crash_2"):
+        case drum_named("ride_2"):
             return {&kCymbalKind};
-        case kLowTom:
-        case kFloorTom:
+        case drum_named("low_floor_tom"):
+        case drum_named("high_floor_tom"):
             return {&kSkinKind, 0.5};
-        case kHighBongo:
-        case kSlapConga:
-        case kTimbale:
+        case drum_named("high_bongo"):
+        case drum_named("mute_conga"):
+        case drum_named("high_timbale"):
             return {&kSkinKind, 1.5};
-        case kRim:
-        case kClaves:
-        case kWoodBlock:
-        case 77:
+        case drum_named("side_stick"):
+        case drum_named("claves"):
+        case drum_named("high_wood_block"):
+        case drum_named("low_wood_block"):
             return {&kWoodKind};
-        case kCowbell:
-        case kAgogo:
-        case 68:
-        case kMuteTriangle:
-        case kTriangle:
+        case drum_named("cowbell"):
+        case drum_named("high_agogo"):
+        case drum_named("low_agogo"):
+        case drum_named("mute_triangle"):
+        case drum_named("open_triangle"):
             return {&kBellKind};
-        case kTambourine:
-        case kCabasa:
-        case kMaracas:
-        case kShaker:
-        case kGuiro:
-        case kLongGuiro:
+        case drum_named("tambourine"):
+        case drum_named("cabasa"):
+        case drum_named("maracas"):
+        case drum_named("shaker"):
+        case drum_named("short_guiro"):
+        case drum_named("long_guiro"):
             return {&kShakerKind};
         default:
             return {&kSkinKind};
@@ -194,7 +194,7 @@ double level_of(const LogRange& range, Dice& dice) {
     return range.high > 0.0 ? range.draw(dice) : 0.0;
 }
 
-bool swells(int key) { return key >= kCabasa && key <= kLongGuiro; }
+bool swells(int key) { return key >= drum_named("cabasa") && key <= drum_named("long_guiro"); }
 
 /// Noise through the band-pass, in bursts.
 double noise_at(const DrawnDrum& drum, double t) {

@@ -99,7 +99,7 @@ void duck(std::span<const PlayedNote> notes, int rate, std::vector<float>& out, 
     const double time = dice.log_uniform(0.06, 0.25);  // s until 1/e
     std::vector<std::size_t> kicks;
     for (const PlayedNote& note : notes) {
-        if (note.channel == kDrumChannel && note.key == kKick) {
+        if (note.channel == kDrumChannel && note.key == drum_named("kick")) {
             kicks.push_back(static_cast<std::size_t>(std::max(0.0, note.time) * rate));
         }
     }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <string_view>
 #include <vector>
 
 #include "audio/music/score/band.hpp"
@@ -51,31 +51,32 @@ struct Manner {
     double phrase = 8.0;          ///< beats, then a rest
 };
 
-Manner manner_of(Genre genre, Dice& dice) {
-    switch (genre) {
-        case Genre::salsa:
+Manner manner_of(Melody melody, Dice& dice) {
+    switch (melody) {
+        case Melody::riffs_ahead:
             return {.lengths = {0.5, 0.5, 1.0, 1.5},
                     .early = dice.pick({0.0, 0.5, 0.5}),
                     .leap = 3,
                     .rest = 0.4,
                     .voices = dice.whole(1, 3),
                     .phrase = dice.pick({4.0, 8.0})};
-        case Genre::belly:
+        case Melody::maqam:
             return {.lengths = dice.chance(0.5) ? std::vector{0.5, 0.5, 0.25, 1.0}
                                                 : std::vector{0.5, 1.0, 2.0, 3.0, 0.25},
                     .leap = 1 + dice.whole(0, 1),
                     .rest = 0.08,
                     .grace = dice.uniform(0.1, 0.5),
                     .phrase = dice.pick({8.0, 16.0})};
-        case Genre::house:
+        case Melody::sixteenth_riffs:
             return {.lengths = {0.25, 0.25, 0.5, 0.75}, .leap = 4, .rest = 0.35, .phrase = 16.0};
-        case Genre::rock:
+        case Melody::fifths:
             return {.lengths = {0.5, 0.5, 1.0, 2.0}, .leap = 2, .rest = 0.2, .voices = 1};
-        case Genre::waltz:
+        case Melody::long_notes:
             return {.lengths = {1.0, 1.0, 2.0, 3.0, 0.5}, .leap = 2, .rest = 0.08, .phrase = 12.0};
-        default:
-            return {.lengths = {0.25, 0.5, 0.5, 1.0, 2.0}, .leap = 3, .rest = 0.3};
+        case Melody::any:
+            break;
     }
+    return {.lengths = {0.25, 0.5, 0.5, 1.0, 2.0}, .leap = 3, .rest = 0.3};
 }
 
 /// Writes the notes of one voice over the whole score.
@@ -84,7 +85,7 @@ class MelodyWriter {
     MelodyWriter(Score& score, const Scale& scale, int tonic, Dice& dice)
         : score_(score), scale_(scale), tonic_(tonic), dice_(dice) {}
 
-    void write(const Manner& manner, const Palette& palette) {
+    void write(const Manner& manner, const BandPalette& palette) {
         program_ = dice_.pick<int>(palette.leads);
         second_program_ = dice_.pick<int>(palette.leads);
         const double last = static_cast<double>(score_.bar_position.size()) - 1.0;
@@ -119,7 +120,7 @@ class MelodyWriter {
     }
 
     /// The tonic and its fifth below everything.
-    void drone(const Palette& palette) {
+    void drone(const BandPalette& palette) {
         const int program = dice_.pick<int>(palette.chords);
         const double bar = dice_.pick({4.0, 8.0, 16.0});
         for (double at = 0.0; at < static_cast<double>(score_.bar_position.size()); at += bar) {
@@ -129,7 +130,7 @@ class MelodyWriter {
     }
 
     /// Root and fifth of a bar's chord in eighths: what a rock guitar plays.
-    void fifths(const Palette& palette) {
+    void fifths(const BandPalette& palette) {
         const int program = dice_.pick<int>(palette.chords);
         const double step = dice_.pick({0.5, 0.5, 1.0, 4.0});
         int root = 0;
@@ -161,8 +162,8 @@ class MelodyWriter {
     int second_program_ = 0;
 };
 
-/// The genre's instruments in place of any.
-void reinstrument(const Palette& palette, Score& score, Dice& dice) {
+/// The palette's instruments in place of any.
+void reinstrument(const BandPalette& palette, Score& score, Dice& dice) {
     const std::array<int, 3> programs = {dice.pick<int>(palette.bass),
                                          dice.pick<int>(palette.chords),
                                          dice.pick<int>(palette.leads)};
@@ -183,17 +184,19 @@ void remove_channel(int channel, Score& score) {
 
 }  // namespace
 
-Score arrange(const GenreStyle& style, int beats, Dice& dice, OrientalScales scales) {
-    Score score = drum_score(*style.style, beats, dice);
-    // Most of the time all of a genre plays: what is left in a break may be any music.
-    score.is_complete = style.genre != Genre::unknown && dice.chance(kComplete);
-    const Palette& palette = palette_of(style.genre);
+Score arrange(
+    const StyleBook& book, const RhythmStyle& style, int beats, Dice& dice, OrientalScales scales) {
+    Score score = drum_score(style, beats, dice);
+    const std::string_view dance = style.label ? std::string_view(style.label->dance) : "";
+    // Most of the time all of a dance's music plays: what is left in a break may be any music.
+    score.is_complete = !dance.empty() && dice.chance(kComplete);
+    const BandPalette& palette = book.palette_of(dance);
     if (dice.chance(palette.band_chance)) {
-        add_band(style.style->bass, style.style->comping, score, dice, palette.players);
+        add_band(style.bass, style.comping, score, dice, palette.players);
     }
     reinstrument(palette, score, dice);
     const int tonic = dice.whole(0, 11);
-    const bool is_maqam = style.genre == Genre::belly;
+    const bool is_maqam = palette.melody == Melody::maqam;
     const bool has_quarters =
         is_maqam && scales == OrientalScales::quarter_tones && dice.chance(0.6);
     const Scale& scale = has_quarters ? dice.pick<Scale>(kQuarterToneMaqamat)
@@ -202,19 +205,17 @@ Score arrange(const GenreStyle& style, int beats, Dice& dice, OrientalScales sca
     MelodyWriter melody(score, scale, tonic, dice);
     if (dice.chance(palette.lead_chance)) {
         remove_channel(kBandLead, score);
-        melody.write(manner_of(style.genre, dice), palette);
+        melody.write(manner_of(palette.melody, dice), palette);
     }
     // No player of chords has quarter tones.
     if (is_maqam && (dice.chance(0.5) || has_quarters)) {
         remove_channel(1, score);  // no chords: the drone is all harmony there is
         melody.drone(palette);
     }
-    if (style.genre == Genre::rock && dice.chance(0.85)) {
+    if (palette.melody == Melody::fifths && dice.chance(0.85)) {
         melody.fifths(palette);
     }
-    // Orchestras play oriental melodies without drums, and waltzes.
-    const bool may_lack_drums = is_maqam || style.genre == Genre::waltz;
-    if (may_lack_drums && dice.chance(0.12)) {
+    if (palette.drumless_chance > 0.0 && dice.chance(palette.drumless_chance)) {
         remove_channel(kDrumChannel, score);
     }
     return score;

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "audio/music/score/score.hpp"
-#include "audio/music/styles/genre_styles.hpp"
+#include "audio/music/styles/style_book.hpp"
 #include "base/dice.hpp"
 
 namespace raks::audio {
@@ -14,11 +14,10 @@ inline constexpr int kMelodyChannel = 3;
 /// sikah, saba and huzam with their quarter tones.
 enum class OrientalScales : std::uint8_t { semitones, quarter_tones };
 
-/// A piece of `beats` beats in this style: its drums, a band of the genre's instruments, and a
-/// melody of the genre's manner: brass riffs ahead of the beat (salsa), one voice in a maqam that
-/// others follow a little late, over a drone (belly), riffs of sixteenths (house), fifths on an
-/// electric guitar (rock), long notes on the beat (waltz).
-[[nodiscard]] Score arrange(const GenreStyle& style,
+/// A piece of `beats` beats in this style of the book: its drums, and a band of the instruments and
+/// a melody in the manner that the palette of its dance has.
+[[nodiscard]] Score arrange(const StyleBook& book,
+                            const RhythmStyle& style,
                             int beats,
                             Dice& dice,
                             OrientalScales scales = OrientalScales::semitones);

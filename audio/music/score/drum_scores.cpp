@@ -52,7 +52,7 @@ std::vector<Row> draw_rows(const RhythmStyle& style, Dice& dice) {
     std::vector<Row> rows;
     while (rows.size() < 2 && rows.size() < style.lanes.size()) {
         rows.clear();
-        for (const StyleLane& lane : style.lanes) {
+        for (const DrumLane& lane : style.lanes) {
             // Every instrument is missing now and then.
             if (!dice.chance(lane.chance) || dice.chance(0.08)) {
                 continue;
@@ -125,7 +125,6 @@ Score drum_score(const RhythmStyle& style, int beats, Dice& dice) {
     Score score = empty_score(beats, style.beats_per_bar);
     score.lowest_bpm = style.lowest_bpm;
     score.highest_bpm = style.highest_bpm;
-    score.is_latin = style.family == "salsa" || style.family == "latin";
     play_rows(draw_rows(style, dice), style.steps_per_beat, beats, score, dice);
     if (style.steps_per_beat != 3) {
         add_fills(beats, style.beats_per_bar, score, dice);

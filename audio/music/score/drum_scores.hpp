@@ -1,7 +1,7 @@
 #pragma once
 
 #include "audio/music/score/score.hpp"
-#include "audio/music/styles/rhythm_styles.hpp"
+#include "audio/music/styles/rhythm_style.hpp"
 #include "base/dice.hpp"
 
 namespace raks::audio {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,7 +11,6 @@
 #include "audio/music/score/keyboard_scores.hpp"
 #include "audio/music/score/non_music.hpp"
 #include "audio/music/score/performance.hpp"
-#include "audio/music/styles/genre_styles.hpp"
 
 namespace raks::audio {
 namespace {
@@ -37,27 +35,23 @@ bool is_in_three(const Score& score) {
     return *std::max_element(score.bar_position.begin(), score.bar_position.end()) == 3;
 }
 
-GenreStyle draw_other_style(Dice& dice) {
-    std::vector<GenreStyle> styles;
-    const auto all = genre_styles();
-    std::copy_if(all.begin(), all.end(), std::back_inserter(styles), [](const GenreStyle& style) {
-        return style.genre == Genre::unknown;
-    });
-    return dice.pick<GenreStyle>(styles);
+const RhythmStyle& draw_other_style(const StyleBook& book, Dice& dice) {
+    const std::vector<const RhythmStyle*> styles = book.rhythms_for("");
+    return *dice.pick<const RhythmStyle*>(styles);
 }
 
-WrittenPiece people(double seconds, Dice& dice) {
-    return {"people", Genre::unknown, {}, noise_of_people(kPerformanceRate, seconds, dice)};
+WrittenPiece people(const StyleBook& /*book*/, double seconds, Dice& dice) {
+    return {"people", "", {}, noise_of_people(kPerformanceRate, seconds, dice)};
 }
 
-WrittenPiece orchestra(double seconds, Dice& dice) {
-    Score score = arrange(draw_other_style(dice), kWrittenBeats, dice);
+WrittenPiece orchestra(const StyleBook& book, double seconds, Dice& dice) {
+    Score score = arrange(book, draw_other_style(book, dice), kWrittenBeats, dice);
     make_orchestral(score, dice);
-    return {"orchestra", Genre::unknown, perform(score, seconds, dice), {}};
+    return {"orchestra", "", perform(score, seconds, dice), {}};
 }
 
 /// Chords that swell and stay, one over the other, and now and then some notes above them.
-WrittenPiece pads(double seconds, Dice& dice) {
+WrittenPiece pads(const StyleBook& /*book*/, double seconds, Dice& dice) {
     Performance played;
     played.seconds = seconds;
     const double stay = dice.log_uniform(1.5, 8.0);     // s a chord
@@ -87,11 +81,11 @@ WrittenPiece pads(double seconds, Dice& dice) {
     std::stable_sort(played.notes.begin(), played.notes.end(), [](const auto& a, const auto& b) {
         return a.time < b.time;
     });
-    return {"pads", Genre::unknown, std::move(played), {}};
+    return {"pads", "", std::move(played), {}};
 }
 
 /// One voice or instrument that takes its time.
-WrittenPiece solo(double seconds, Dice& dice) {
+WrittenPiece solo(const StyleBook& /*book*/, double seconds, Dice& dice) {
     Performance played;
     played.seconds = seconds;
     const int program = dice.pick({0,  6,  11, 19, 22, 24, 25, 40, 41, 42, 52,  53,  53,  54,
@@ -108,58 +102,61 @@ WrittenPiece solo(double seconds, Dice& dice) {
             {at, length, 0, key, program, dice.whole(50, 115), dice.uniform(-30.0, 30.0)});
         at += length + (dice.chance(0.12) ? dice.uniform(0.3, 1.5) : 0.0);
     }
-    return {"solo", Genre::unknown, std::move(played), {}};
+    return {"solo", "", std::move(played), {}};
 }
 
-WrittenPiece without_pulse(double seconds, Dice& dice) {
-    return {"no pulse", Genre::unknown, notes_without_pulse(seconds, dice), {}};
+WrittenPiece without_pulse(const StyleBook& /*book*/, double seconds, Dice& dice) {
+    return {"no pulse", "", notes_without_pulse(seconds, dice), {}};
 }
 
-WrittenPiece piano(double seconds, Dice& dice) {
+WrittenPiece piano(const StyleBook& /*book*/, double seconds, Dice& dice) {
     Score score = keyboard_score(kWrittenBeats, dice);
     for (int tries = 0; is_in_three(score) && tries < 20; ++tries) {
         score = keyboard_score(kWrittenBeats, dice);
     }
-    return {"piano", Genre::unknown, perform(score, seconds, dice), {}};
+    return {"piano", "", perform(score, seconds, dice), {}};
 }
 
-WrittenPiece other_rhythm(double seconds, Dice& dice) {
-    const GenreStyle style = draw_other_style(dice);
-    Score score = arrange(style, kWrittenBeats, dice);
-    return {std::string(style.style->name), Genre::unknown, perform(score, seconds, dice), {}};
+WrittenPiece other_rhythm(const StyleBook& book, double seconds, Dice& dice) {
+    const RhythmStyle& style = draw_other_style(book, dice);
+    Score score = arrange(book, style, kWrittenBeats, dice);
+    return {style.name, "", perform(score, seconds, dice), {}};
 }
 
 /// A kind of music, and the share of what is drawn up to and with it.
 struct Kind {
     double until;
-    WrittenPiece (*write)(double seconds, Dice& dice);
+    WrittenPiece (*write)(const StyleBook& book, double seconds, Dice& dice);
 };
 
-WrittenPiece draw_kind(std::span<const Kind> kinds, double seconds, Dice& dice) {
+WrittenPiece draw_kind(std::span<const Kind> kinds,
+                       const StyleBook& book,
+                       double seconds,
+                       Dice& dice) {
     const double drawn = dice.uniform();
     const auto chosen = std::find_if(
         kinds.begin(), kinds.end() - 1, [drawn](const Kind& kind) { return drawn < kind.until; });
-    return chosen->write(seconds, dice);
+    return chosen->write(book, seconds, dice);
 }
 
 }  // namespace
 
-WrittenPiece other_piece(double seconds, Dice& dice) {
+WrittenPiece other_piece(const StyleBook& book, double seconds, Dice& dice) {
     constexpr std::array kKinds = {Kind{0.12, people},
                                    Kind{0.22, without_pulse},
                                    Kind{0.34, piano},
                                    Kind{0.46, orchestra},
                                    Kind{1.0, other_rhythm}};
-    return draw_kind(kKinds, seconds, dice);
+    return draw_kind(kKinds, book, seconds, dice);
 }
 
-WrittenPiece undanceable_piece(double seconds, Dice& dice) {
+WrittenPiece undanceable_piece(const StyleBook& book, double seconds, Dice& dice) {
     constexpr std::array kKinds = {Kind{0.35, people},
                                    Kind{0.5, without_pulse},
                                    Kind{0.7, pads},
                                    Kind{0.85, solo},
                                    Kind{1.0, orchestra}};
-    return draw_kind(kKinds, seconds, dice);
+    return draw_kind(kKinds, book, seconds, dice);
 }
 
 }  // namespace raks::audio

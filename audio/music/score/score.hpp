@@ -26,7 +26,6 @@ struct Score {
     double highest_bpm = 217.0;
     bool has_drums = true;
     bool is_expressive = false;  ///< no drums, free tempo: rubato fits
-    bool is_latin = false;       ///< chords come ahead of the bar
     bool is_programmed = false;  ///< machines play it: exact and mostly steady
     bool is_complete = false;    ///< no player is missing or pauses
 };

@@ -8,37 +8,38 @@
 #include "audio/music/instruments/player_band.hpp"
 #include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/other_music.hpp"
-#include "audio/music/styles/genre_styles.hpp"
+#include "tests/audio/music/shipped_styles.hpp"
+#include "training/genre/written_corpus.hpp"
 
 namespace raks::audio {
 namespace {
 
 TEST(WrittenMusic, every_genre_has_rhythms_to_learn_and_one_to_leave_out) {
-    for (int i = 0; i < static_cast<int>(Genre::unknown); ++i) {
+    for (const char* const dance : {"salsa", "belly", "house", "hiphop", "rock", "waltz"}) {
         int kept = 0;
         int left_out = 0;
-        for (const GenreStyle& style : genre_styles()) {
-            if (style.genre == static_cast<Genre>(i)) {
-                ++(style.use == GenreStyle::Use::always ? kept : left_out);
-            }
+        for (const RhythmStyle* style : shipped_styles().rhythms_for(dance)) {
+            ++(style->label->use == DanceLabel::Use::always ? kept : left_out);
         }
-        EXPECT_GE(kept, 3) << i;
-        EXPECT_GE(left_out, 1) << i;
+        EXPECT_GE(kept, 3) << dance;
+        EXPECT_GE(left_out, 1) << dance;
     }
 }
 
 TEST(WrittenMusic, arrangements_are_playable_and_repeatable) {
-    for (std::size_t i = 0; i < genre_styles().size(); ++i) {
-        const GenreStyle& style = genre_styles()[i];
-        Dice dice(3, i);
-        Dice again(3, i);
-        const Score score = arrange(style, 32, dice);
-        EXPECT_EQ(score.notes.size(), arrange(style, 32, again).notes.size());
-        EXPECT_FALSE(score.notes.empty()) << style.style->name;
+    const StyleBook& book = shipped_styles();
+    std::uint64_t number = 0;
+    for (const RhythmStyle& style : book.rhythms) {
+        Dice dice(3, number);
+        Dice again(3, number);
+        ++number;
+        const Score score = arrange(book, style, 32, dice);
+        EXPECT_EQ(score.notes.size(), arrange(book, style, 32, again).notes.size());
+        EXPECT_FALSE(score.notes.empty()) << style.name;
         for (const ScoreNote& note : score.notes) {
             ASSERT_TRUE(note.beat >= 0.0 && note.key >= 0 && note.key < 128 && note.program >= 0 &&
                         note.program < 128 && note.channel >= 0 && note.channel < 16)
-                << style.style->name << " key " << note.key;
+                << style.name << " key " << note.key;
         }
     }
 }
@@ -49,10 +50,10 @@ TEST(WrittenMusic, what_cannot_be_danced_to_is_playable_repeatable_and_of_many_k
     for (std::uint64_t number = 0; number < 60; ++number) {
         Dice dice(5, number);
         Dice again(5, number);
-        const WrittenPiece piece = undanceable_piece(kSeconds, dice);
-        const WrittenPiece same = undanceable_piece(kSeconds, again);
+        const WrittenPiece piece = undanceable_piece(shipped_styles(), kSeconds, dice);
+        const WrittenPiece same = undanceable_piece(shipped_styles(), kSeconds, again);
         names.insert(piece.name);
-        EXPECT_EQ(piece.genre, Genre::unknown);
+        EXPECT_EQ(piece.dance, "");
         EXPECT_EQ(piece.samples, same.samples);
         ASSERT_EQ(piece.performance.notes.size(), same.performance.notes.size());
         double before = 0.0;
@@ -66,6 +67,27 @@ TEST(WrittenMusic, what_cannot_be_danced_to_is_playable_repeatable_and_of_many_k
         }
     }
     EXPECT_EQ(names, (std::set<std::string>{"people", "no pulse", "pads", "solo", "orchestra"}));
+}
+
+TEST(WrittenMusic, needs_rhythms_for_each_dance_and_for_none) {
+    StyleBook book = shipped_styles();
+    WrittenCorpusPlan plan{.styles = &book, .soundfonts = {"none.sf2"}, .pieces = 1, .hearing = {}};
+    const auto without = [&](const char* dance, DanceLabel::Use use) {
+        book = shipped_styles();
+        std::erase_if(book.rhythms, [&](const RhythmStyle& style) {
+            return style.label && style.label->dance == dance && style.label->use == use;
+        });
+        const auto corpus = write_corpus(plan);
+        return corpus ? "no error" : corpus.error().message;
+    };
+    using Use = DanceLabel::Use;
+    EXPECT_EQ(without("", Use::always), "the styles of music have no rhythm with dance = \"none\"");
+    plan.families = WrittenCorpusPlan::Families::held_out;
+    EXPECT_EQ(without("waltz", Use::held_out),
+              "the styles of music have no rhythm with dance = \"waltz\" that is held out");
+    plan.families = WrittenCorpusPlan::Families::always;
+    EXPECT_EQ(without("rock", Use::always),
+              "the styles of music have no rhythm with dance = \"rock\" that is always used");
 }
 
 TEST(PlayerBand, takes_every_soundfont_and_stays_near_what_they_have) {

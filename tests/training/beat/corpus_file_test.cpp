@@ -8,6 +8,7 @@
 #include "audio/music/score/midi_scores.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
+#include "tests/audio/music/shipped_styles.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "training/beat/annotated_music.hpp"
 #include "training/beat/corpus.hpp"
@@ -155,7 +156,7 @@ TEST_F(TrainingFiles, tempi_and_signatures_of_the_index_are_read_strictly) {
 TEST_F(TrainingFiles, written_music_is_a_folder_that_trackers_are_judged_by) {
     write_pack(midi(), kIndex);
     const std::filesystem::path music = folder_ / "music";
-    CorpusPlan plan{folder_.path(), {folder_ / "none.sf2"}, 1, 12.0};
+    CorpusPlan plan{&shipped_styles(), folder_.path(), {folder_ / "none.sf2"}, 1, 12.0};
     // Some seed's first piece is our own generator's, which takes no soundfont.
     Expected<void> written = fail("none written");
     for (plan.seed = 1; !written && plan.seed < 200; ++plan.seed) {
@@ -172,6 +173,22 @@ TEST_F(TrainingFiles, written_music_is_a_folder_that_trackers_are_judged_by) {
     ASSERT_FALSE(again);
     EXPECT_NE(again.error().message.find("not an empty folder"), std::string::npos)
         << again.error().message;
+}
+
+TEST_F(TrainingFiles, music_needs_rhythms_to_write_it_in) {
+    write_pack(midi(), kIndex);
+    StyleBook book;
+    CorpusPlan plan{&book, folder_.path(), {folder_ / "none.sf2"}, 1, 12.0};
+    const auto none = make_corpus(plan);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().message,
+              "the styles of music have no rhythm for the beat tracker's training");
+    book.rhythms.emplace_back().family = "pop";
+    plan.with_machines = true;
+    const auto no_machines = make_corpus(plan);
+    ASSERT_FALSE(no_machines);
+    EXPECT_EQ(no_machines.error().message,
+              "the styles of music have no rhythm of the family electronic or hiphop");
 }
 
 }  // namespace

@@ -11,39 +11,13 @@
 #include "audio/music/score/drum_scores.hpp"
 #include "audio/music/score/keyboard_scores.hpp"
 #include "audio/music/score/performance.hpp"
+#include "tests/audio/music/shipped_styles.hpp"
 
 namespace raks::audio {
 namespace {
 
-template <class Check>
-void for_each_variant(std::string_view pattern, const Check& check) {
-    while (true) {
-        const std::size_t bar = pattern.find('|');
-        check(pattern.substr(0, bar));
-        if (bar == std::string_view::npos) {
-            return;
-        }
-        pattern.remove_prefix(bar + 1);
-    }
-}
-
-TEST(TrainingMusic, every_row_of_a_style_fills_its_cell) {
-    for (const RhythmStyle& style : rhythm_styles()) {
-        const auto steps = static_cast<std::size_t>(style.cell_beats * style.steps_per_beat);
-        for (const StyleLane& lane : style.lanes) {
-            for_each_variant(lane.pattern, [&](std::string_view row) {
-                EXPECT_EQ(steps % row.size(), 0U) << style.name << ": " << row;
-                EXPECT_EQ(row.find_first_not_of("Xxo."), std::string_view::npos)
-                    << style.name << ": " << row;
-            });
-        }
-        EXPECT_LT(style.lowest_bpm, style.highest_bpm) << style.name;
-        EXPECT_EQ(style.cell_beats % style.beats_per_bar, 0) << style.name;
-    }
-}
-
 TEST(TrainingMusic, drums_stay_on_the_steps_of_their_style) {
-    for (const RhythmStyle& style : rhythm_styles()) {
+    for (const RhythmStyle& style : shipped_styles().rhythms) {
         Dice dice(1, 0);
         const Score score = drum_score(style, 32, dice);
         ASSERT_EQ(score.bar_position.size(), 32U);
@@ -88,7 +62,7 @@ TEST(TrainingMusic, a_performance_keeps_its_beats_in_order_and_in_reach) {
 }
 
 const RhythmStyle& style_named(std::string_view name) {
-    const auto styles = rhythm_styles();
+    const std::vector<RhythmStyle>& styles = shipped_styles().rhythms;
     return *std::find_if(
         styles.begin(), styles.end(), [&](const RhythmStyle& style) { return style.name == name; });
 }

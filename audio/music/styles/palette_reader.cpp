@@ -1,0 +1,86 @@
+#include "audio/music/styles/palette_reader.hpp"
+
+#include "audio/music/styles/rhythm_reader.hpp"
+
+namespace raks::audio {
+namespace {
+
+constexpr NumberRange kChance = {0, 1};
+constexpr NumberRange kPrograms = {0, 127};
+constexpr std::size_t kMostPrograms = 64;
+
+std::vector<int> read_programs(const toml::table& table,
+                               std::string_view key,
+                               TomlComplaints& complaints) {
+    std::vector<int> programs;
+    const toml::node* const node =
+        complaints.needed(table, key, fmt::format("{} = [program, ...]", key));
+    if (node == nullptr) {
+        return programs;
+    }
+    const toml::array* const array = node->as_array();
+    if (array == nullptr || array->empty() || array->size() > kMostPrograms) {
+        complaints.complain(
+            *node,
+            fmt::format("{} must be 1 to {} programs of General MIDI, from 0", key, kMostPrograms));
+        return programs;
+    }
+    for (const toml::node& one : *array) {
+        programs.push_back(complaints.whole(one, key, kPrograms));
+    }
+    return programs;
+}
+
+void read_players(const toml::table& table, TomlComplaints& complaints, BandChances& players) {
+    constexpr std::array<std::string_view, 3> kKeys = {"bass", "chords", "lead"};
+    const toml::node* const node = table.get("players");
+    if (node == nullptr) {
+        return;
+    }
+    const toml::table* const chances = node->as_table();
+    if (chances == nullptr) {
+        complaints.complain(*node, "players must be { bass = ..., chords = ..., lead = ... }");
+        return;
+    }
+    complaints.check_keys(*chances, kKeys);
+    complaints.read(*chances, "bass", kChance, players.bass);
+    complaints.read(*chances, "chords", kChance, players.chords);
+    complaints.read(*chances, "lead", kChance, players.lead);
+}
+
+}  // namespace
+
+BandPalette read_palette(const toml::table& table, TomlComplaints& complaints) {
+    constexpr std::array<std::string_view, 10> kKeys = {"dance",
+                                                        "melody",
+                                                        "bass",
+                                                        "chords",
+                                                        "leads",
+                                                        "kits",
+                                                        "band_chance",
+                                                        "lead_chance",
+                                                        "drumless_chance",
+                                                        "players"};
+    BandPalette palette;
+    const std::string dance = complaints.text(table, "dance");
+    if (dance.empty()) {
+        complaints.complain(table, "a palette needs dance = \"...\", or \"none\"");
+    }
+    complaints.enter(fmt::format("palette of \"{}\"", dance));
+    complaints.check_keys(table, kKeys);
+    palette.dance = dance_named(dance);
+    if (const auto* const melody = complaints.needed(table, "melody", "melody = \"...\"")) {
+        palette.melody = static_cast<Melody>(complaints.word(*melody, "melody", kMelodyNames));
+    }
+    palette.bass = read_programs(table, "bass", complaints);
+    palette.chords = read_programs(table, "chords", complaints);
+    palette.leads = read_programs(table, "leads", complaints);
+    palette.kits = read_programs(table, "kits", complaints);
+    complaints.read(table, "band_chance", kChance, palette.band_chance);
+    complaints.read(table, "lead_chance", kChance, palette.lead_chance);
+    complaints.read(table, "drumless_chance", kChance, palette.drumless_chance);
+    read_players(table, complaints, palette.players);
+    return palette;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "audio/music/styles/band_palette.hpp"
+#include "base/toml_reader.hpp"
+
+namespace raks::audio {
+
+/// Reads one [[palette]]. After a complaint what it returns is not to be used.
+[[nodiscard]] BandPalette read_palette(const toml::table& table, TomlComplaints& complaints);
+
+}  // namespace raks::audio

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "audio/music/styles/rhythm_style.hpp"
+#include "base/toml_reader.hpp"
+
+namespace raks::audio {
+
+/// A dance's name as styles give it: "none" becomes the empty name.
+[[nodiscard]] std::string dance_named(std::string_view name);
+
+/// Reads one [[rhythm]]. After a complaint what it returns is not to be used.
+[[nodiscard]] RhythmStyle read_rhythm(const toml::table& table, TomlComplaints& complaints);
+
+}  // namespace raks::audio

@@ -1,0 +1,130 @@
+#include "audio/music/styles/style_book.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/assert.hpp"
+#include "base/hash.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace raks::audio {
+namespace {
+
+template <class IsChosen>
+std::vector<const RhythmStyle*> chosen_from(const std::vector<RhythmStyle>& rhythms,
+                                            const IsChosen& is_chosen) {
+    std::vector<const RhythmStyle*> chosen;
+    for (const RhythmStyle& rhythm : rhythms) {
+        if (is_chosen(rhythm)) {
+            chosen.push_back(&rhythm);
+        }
+    }
+    return chosen;
+}
+
+template <class Enum, std::size_t Count>
+std::string names_of(const std::vector<Enum>& values,
+                     const std::array<std::string_view, Count>& names) {
+    std::string text;
+    for (const Enum value : values) {
+        text += fmt::format(" {}", names[static_cast<std::size_t>(value)]);
+    }
+    return text;
+}
+
+std::string text_of(const RhythmStyle& rhythm) {
+    std::string text = fmt::format("{}\n{}\n{} {} {} {} {} {} {}\n",
+                                   rhythm.name,
+                                   rhythm.family,
+                                   rhythm.is_for_beats,
+                                   rhythm.lowest_bpm,
+                                   rhythm.highest_bpm,
+                                   rhythm.beats_per_bar,
+                                   rhythm.cell_beats,
+                                   rhythm.steps_per_beat,
+                                   rhythm.weight);
+    if (rhythm.label) {
+        text += fmt::format("for {} {}\n",
+                            rhythm.label->dance,
+                            kUseNames[static_cast<std::size_t>(rhythm.label->use)]);
+    }
+    for (const DrumLane& lane : rhythm.lanes) {
+        text += fmt::format("{} {} {}\n", lane.key, lane.pattern, lane.chance);
+    }
+    return text + names_of(rhythm.bass, kBassLineNames) + "\n" +
+           names_of(rhythm.comping, kCompingNames) + "\n";
+}
+
+std::string text_of(const BandPalette& palette) {
+    return fmt::format("{}\n{}\n{}\n{}\n{}\n{} {} {} {} {} {} {}\n",
+                       palette.dance,
+                       fmt::join(palette.bass, " "),
+                       fmt::join(palette.chords, " "),
+                       fmt::join(palette.leads, " "),
+                       fmt::join(palette.kits, " "),
+                       palette.band_chance,
+                       palette.lead_chance,
+                       palette.drumless_chance,
+                       palette.players.bass,
+                       palette.players.chords,
+                       palette.players.lead,
+                       kMelodyNames[static_cast<std::size_t>(palette.melody)]);
+}
+
+}  // namespace
+
+std::vector<const RhythmStyle*> StyleBook::rhythms_for_beats() const {
+    return chosen_from(rhythms, [](const RhythmStyle& rhythm) { return rhythm.is_for_beats; });
+}
+
+std::vector<const RhythmStyle*> StyleBook::rhythms_for(std::string_view dance) const {
+    return chosen_from(rhythms, [dance](const RhythmStyle& rhythm) {
+        return rhythm.label && rhythm.label->dance == dance;
+    });
+}
+
+const BandPalette& StyleBook::palette_of(std::string_view dance) const {
+    const auto find = [this](std::string_view name) {
+        return std::find_if(palettes.begin(), palettes.end(), [name](const BandPalette& palette) {
+            return palette.dance == name;
+        });
+    };
+    const auto own = find(dance);
+    const auto found = own != palettes.end() ? own : find("");
+    RAKS_ASSERT(found != palettes.end());
+    return *found;
+}
+
+std::optional<DanceLabel> StyleBook::label_of(std::string_view name) const {
+    const auto rhythm =
+        std::find_if(rhythms.begin(), rhythms.end(), [name](const RhythmStyle& style) {
+            return style.label && style.name == name;
+        });
+    if (rhythm != rhythms.end()) {
+        return rhythm->label;
+    }
+    const auto style = std::find_if(
+        corpus_styles.begin(), corpus_styles.end(), [name](const CorpusStyle& corpus_style) {
+            return corpus_style.name == name || name.starts_with(corpus_style.name + "-");
+        });
+    return style == corpus_styles.end() ? std::nullopt
+                                        : std::optional(DanceLabel{.dance = style->dance});
+}
+
+std::uint64_t fingerprint(const StyleBook& book) {
+    std::uint64_t hash = hash_of("");
+    for (const RhythmStyle& rhythm : book.rhythms) {
+        hash = hash_of(text_of(rhythm), hash);
+    }
+    for (const BandPalette& palette : book.palettes) {
+        hash = hash_of(text_of(palette), hash);
+    }
+    for (const CorpusStyle& style : book.corpus_styles) {
+        hash = hash_of(fmt::format("{} {}\n", style.name, style.dance), hash);
+    }
+    return hash;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,271 @@
+#include "audio/music/styles/style_book_reader.hpp"
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "audio/music/styles/palette_reader.hpp"
+#include "audio/music/styles/rhythm_reader.hpp"
+#include "base/printable.hpp"
+#include "base/text_file.hpp"
+#include "base/toml_headers.hpp"
+#include "base/toml_reader.hpp"
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;  // of a file
+constexpr int kLastOrder = 10'000;
+
+/// A file as TOML, before what it says is read.
+struct StyleFile {
+    std::string name;
+    int order = kLastOrder;
+    toml::table root;
+};
+
+Expected<toml::table> parse_toml(const StyleText& file) {
+    if (const std::size_t line = line_of_nameless_header(file.text); line > 0) {
+        return fail(fmt::format("{}: line {}: [ needs a name behind it", file.name, line));
+    }
+    try {
+        return toml::parse(file.text);
+    } catch (const toml::parse_error& error) {
+        return fail(fmt::format(
+            "{}: line {}: {}", file.name, error.source().begin.line, error.description()));
+    }
+}
+
+void check_head(const toml::table& root, TomlComplaints& complaints) {
+    constexpr std::array<std::string_view, 7> kKeys = {
+        "format", "version", "order", "beat_training", "rhythm", "palette", "corpus_style"};
+    const std::string form = fmt::format("format = \"{}\"", kStylesFormat);
+    const toml::node* const format = complaints.needed(root, "format", form);
+    if (format != nullptr && complaints.text(root, "format") != kStylesFormat) {
+        complaints.complain(*format, fmt::format("format must be \"{}\"", kStylesFormat));
+    }
+    const toml::node* const version =
+        complaints.needed(root, "version", fmt::format("version = {}", kStylesVersion));
+    const auto number = version != nullptr ? version->value_exact<std::int64_t>() : std::nullopt;
+    if (version != nullptr && (!number || *number < 1 || *number > kStylesVersion)) {
+        complaints.complain(
+            *version,
+            fmt::format("version must be a number up to {}; is Raks older than the file?",
+                        kStylesVersion));
+    }
+    complaints.check_keys(root, kKeys);
+}
+
+Expected<StyleFile> parse_file(const StyleText& text) {
+    auto root = parse_toml(text);
+    if (!root) {
+        return fail(root.error());
+    }
+    StyleFile file{text.name, kLastOrder, std::move(*root)};
+    TomlComplaints complaints(text.name);
+    check_head(file.root, complaints);
+    if (const toml::node* const order = file.root.get("order")) {
+        file.order = complaints.whole(*order, "order", {0, kLastOrder - 1});
+    }
+    if (!complaints.is_sound()) {
+        return fail(complaints.fault());
+    }
+    return file;
+}
+
+/// Gathers the files of one book.
+class BookReader {
+ public:
+    Expected<StyleBook> read(const std::vector<StyleFile>& files, const std::string& name) {
+        for (const StyleFile& file : files) {
+            if (auto done = read_file(file); !done) {
+                return fail(done.error());
+            }
+        }
+        if (auto whole = check_dances(name); !whole) {
+            return fail(whole.error());
+        }
+        return std::move(book_);
+    }
+
+ private:
+    /// Where something was said.
+    struct Place {
+        std::string file;
+        std::size_t line = 0;
+    };
+    using Places = std::map<std::string, Place, std::less<>>;
+
+    Expected<void> read_file(const StyleFile& file) {
+        TomlComplaints complaints(file.name);
+        const bool is_for_beats = read_beat_training(file.root, complaints);
+        for_each_table(file.root, "rhythm", complaints, [&](const toml::table& table) {
+            RhythmStyle rhythm = read_rhythm(table, complaints);
+            rhythm.is_for_beats = is_for_beats;
+            note_once({file.name, line_of(table, "name")}, rhythm.name, complaints, rhythms_);
+            if (rhythm.label) {
+                dances_.emplace(rhythm.label->dance, Place{file.name, line_of(table, "dance")});
+            }
+            book_.rhythms.push_back(std::move(rhythm));
+        });
+        for_each_table(file.root, "palette", complaints, [&](const toml::table& table) {
+            BandPalette palette = read_palette(table, complaints);
+            note_once({file.name, line_of(table, "dance")}, palette.dance, complaints, palettes_);
+            book_.palettes.push_back(std::move(palette));
+        });
+        for_each_table(file.root, "corpus_style", complaints, [&](const toml::table& table) {
+            read_corpus_style(table, file.name, complaints);
+        });
+        return complaints.is_sound() ? Expected<void>{} : fail(complaints.fault());
+    }
+
+    static bool read_beat_training(const toml::table& root, TomlComplaints& complaints) {
+        const toml::node* const node = root.get("beat_training");
+        if (node != nullptr && !node->is_boolean()) {
+            complaints.complain(*node, "beat_training must be true or false");
+        }
+        return node == nullptr || node->value_or(true);
+    }
+
+    /// Calls read(table) for each [[key]] until something is wrong.
+    template <class Read>
+    static void for_each_table(const toml::table& root,
+                               std::string_view key,
+                               TomlComplaints& complaints,
+                               const Read& read) {
+        const toml::node* const node = root.get(key);
+        if (node == nullptr) {
+            return;
+        }
+        const toml::array* const array = node->as_array();
+        if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {
+            complaints.complain(*node,
+                                fmt::format("{} must be tables, each under [[{}]]", key, key));
+            return;
+        }
+        for (const toml::node& one : *array) {
+            complaints.enter("");
+            if (!complaints.is_sound()) {
+                return;
+            }
+            read(*one.as_table());
+        }
+        complaints.enter("");
+    }
+
+    void read_corpus_style(const toml::table& table,
+                           const std::string& file,
+                           TomlComplaints& complaints) {
+        constexpr std::array<std::string_view, 2> kKeys = {"name", "dance"};
+        complaints.check_keys(table, kKeys);
+        CorpusStyle style{complaints.text(table, "name"), complaints.text(table, "dance")};
+        if (style.name.empty() || style.dance.empty()) {
+            complaints.complain(table, "a corpus_style needs name = \"...\" and dance = \"...\"");
+        }
+        style.dance = dance_named(style.dance);
+        dances_.emplace(style.dance, Place{file, line_of(table, "dance")});
+        book_.corpus_styles.push_back(std::move(style));
+    }
+
+    static std::size_t line_of(const toml::table& table, std::string_view key) {
+        const toml::node* const node = table.get(key);
+        return (node != nullptr ? *node : table).source().begin.line;
+    }
+
+    static void note_once(Place place,
+                          const std::string& name,
+                          TomlComplaints& complaints,
+                          Places& places) {
+        const std::size_t line = place.line;
+        const auto [other, is_new] = places.emplace(name, std::move(place));
+        if (!is_new) {
+            complaints.complain(line,
+                                fmt::format("is there twice, first in {}, line {}",
+                                            other->second.file,
+                                            other->second.line));
+        }
+    }
+
+    /// Every dance has a palette, and so has what is for none of them.
+    Expected<void> check_dances(const std::string& name) const {
+        std::vector<std::string_view> known;
+        for (const auto& [dance, place] : palettes_) {
+            known.push_back(dance.empty() ? "none" : std::string_view(dance));
+        }
+        if (!palettes_.contains("")) {
+            return fail(name + ": no file has a [[palette]] with dance = \"none\"");
+        }
+        for (const auto& [dance, place] : dances_) {
+            if (!palettes_.contains(dance)) {
+                return fail(fmt::format("{}: line {}: no [[palette]] has this dance: {}",
+                                        place.file,
+                                        place.line,
+                                        unknown_name("dance", dance, known)));
+            }
+        }
+        return {};
+    }
+
+    StyleBook book_;
+    Places rhythms_;
+    Places palettes_;
+    Places dances_;  // where each was named first
+};
+
+Expected<StyleBook> parse_book(std::span<const StyleText> texts, const std::string& name) {
+    std::vector<StyleFile> files;
+    for (const StyleText& text : texts) {
+        auto file = parse_file(text);
+        if (!file) {
+            return fail(file.error());
+        }
+        files.push_back(std::move(*file));
+    }
+    std::stable_sort(files.begin(), files.end(), [](const StyleFile& a, const StyleFile& b) {
+        return a.order < b.order;
+    });
+    return BookReader().read(files, name);
+}
+
+}  // namespace
+
+Expected<StyleBook> parse_styles(std::span<const StyleText> files, const std::string& name) {
+    auto book = parse_book(files, name);
+    if (!book) {  // names in quotes may hold anything
+        return fail(printable(book.error().message));
+    }
+    return book;
+}
+
+Expected<StyleBook> load_styles(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> paths;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().extension() == ".toml") {
+            paths.push_back(entry->path());
+        }
+    }
+    if (error) {
+        return fail(folder.string() + ": cannot be listed: " + error.message());
+    }
+    if (paths.empty()) {
+        return fail(folder.string() + ": holds no .toml file: where are the styles of music?");
+    }
+    std::sort(paths.begin(), paths.end());
+    std::vector<StyleText> texts;
+    for (const fs::path& path : paths) {
+        auto text = read_text_file(path, kMostBytes);
+        if (!text) {
+            return fail(text.error());
+        }
+        texts.push_back({path.string(), std::move(*text)});
+    }
+    return parse_styles(texts, folder.string());
+}
+
+}  // namespace raks::audio
