@@ -246,8 +246,9 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
     for (const auto& soundfont : plan.soundfonts) {
         soundfonts = hash_of(soundfont.filename().string() + "\n", soundfonts);
     }
-    const std::string variant = fmt::format("-edition{}-{}{}",
+    const std::string variant = fmt::format("-edition{}-styles{}-{}{}",
                                             options.edition,
+                                            hex(fingerprint(options.styles)),
                                             hex(soundfonts),
                                             is_altered ? without(options.effects) : std::string());
     std::vector<WrittenChunk> chunks;

@@ -165,12 +165,13 @@ std::string plan_text(const GenreOptions& options,
             hash_of(fmt::format("{} {} {}\n", file.name, file.group, name_of(file.genre)), files);
     }
     return fmt::format(
-        "hearing {:x} files {:x} altered {} seed {} edition {} written {} {} {}{}",
+        "hearing {:x} files {:x} altered {} seed {} edition {} styles {:x} written {} {} {}{}",
         name_of_hearing(hearing, options.plan.features),
         files,
         options.altered,
         options.seed,
         options.edition,
+        options.synthesize > 0 ? fingerprint(options.styles) : 0,
         options.synthesize,
         options.leaves_out_families ? "always" : "all",
         material.written_with,
