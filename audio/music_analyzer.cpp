@@ -46,7 +46,7 @@ float level_of(std::span<const float> samples) noexcept {
 
 void leave_genre_unknown(MusicState& state) noexcept {
     state.genre_log_probability.fill(-20.0F);
-    state.genre_log_probability[static_cast<std::size_t>(Genre::unknown)] = 0.0F;
+    state.genre_log_probability.front() = 0.0F;  // of the one class: none
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ struct MusicAnalyzer::State {
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
     std::optional<GenreRecognizer> recognizer;
-    Genre hinted = Genre::unknown;                // to the tracker
+    DanceId hinted = DanceId::none;               // to the tracker
     MfccVector mfcc{};                            // of the newest hop, normalized
     std::array<float, kLevelsKept> level_dbfs{};  // of the last hops, ring
 
@@ -90,7 +90,7 @@ struct MusicAnalyzer::State {
     void track(const Onset& onset, MusicState& state) noexcept;
     void hear_mfcc(const MusicState& state) noexcept;
     void recognize(MusicState& state) noexcept;
-    void hint_tempo(Genre genre) noexcept;
+    void hint_tempo(DanceId genre) noexcept;
     void jump_gap(Sink& sink) noexcept;
 };
 
@@ -109,7 +109,7 @@ void MusicAnalyzer::State::reset() noexcept {
     if (recognizer) {
         recognizer->reset();
     }
-    hinted = Genre::unknown;
+    hinted = DanceId::none;
     mfcc.fill(0.0F);
     level_dbfs.fill(kLowestLevel);
     // The first hop's window is centred on the first sample: half of it lies before the stream.
@@ -214,8 +214,9 @@ void MusicAnalyzer::State::recognize(MusicState& state) noexcept {
 }
 
 /// The tempi of the dance that is recognised are likelier, from the next hop on.
-void MusicAnalyzer::State::hint_tempo(Genre genre) noexcept {
-    const AnalyzerCommand hint{AnalyzerCommand::Kind::hint_genre, {}, static_cast<double>(genre)};
+void MusicAnalyzer::State::hint_tempo(DanceId genre) noexcept {
+    const AnalyzerCommand hint{
+        AnalyzerCommand::Kind::hint_genre, {}, static_cast<double>(index_of(genre))};
     if (genre != hinted && tracker.command(hint)) {
         hinted = genre;
     }
@@ -281,8 +282,8 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     state_->recognizer.reset();
     if (config.genre_model) {
         features = config.genre_model->features;
-        auto recognizer =
-            GenreRecognizer::create(config.genre_model, {.window_seconds = config.genre_window});
+        auto recognizer = GenreRecognizer::create(
+            config.genre_model, {.dances = config.dances, .window_seconds = config.genre_window});
         if (!recognizer) {
             return fail(recognizer.error());
         }
@@ -298,6 +299,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
     state_->listener.reset();
+    state_->tracker.expect_dances(config.dances);
     state_->tracker.hear_bars_with(config.beat_network ? config.beat_network->bars() : nullptr);
     if (config.beat_network) {
         state_->listener.emplace(config.beat_network);

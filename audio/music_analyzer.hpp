@@ -29,8 +29,11 @@ struct AnalyzerConfig {
     std::shared_ptr<const BeatNetwork> beat_network = nullptr;
     CepstralMeanConfig cepstral_mean = {};  ///< of mfcc(); a genre model brings its own
     /// Says which dance the music is (audio/genre/genre_file.hpp loads the shipped one). None:
-    /// always unknown. The tempi of the recognised dance become likelier (hint_genre).
+    /// always unknown.
     std::shared_ptr<const GenreModel> genre_model = nullptr;
+    /// The dances that MusicState::genre numbers. The tempi of the recognised one become likelier
+    /// (hint_genre). None: the genre is always none.
+    std::shared_ptr<const DanceList> dances = nullptr;
     double genre_window = 3.0;  ///< seconds that the genre is judged by, 0.5 to 10
 };
 

@@ -58,6 +58,11 @@ Expected<void> check_replaceable(const fs::path& path) {
 
 }  // namespace
 
+bool is_there(const std::filesystem::path& path) noexcept {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
 Expected<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
     const auto file = open_plain(path);
     if (!file) {

@@ -10,6 +10,9 @@
 
 namespace raks {
 
+/// Whether anything has this name. What cannot be looked at is not there.
+[[nodiscard]] bool is_there(const std::filesystem::path& path) noexcept;
+
 /// Whole file as bytes. Errors: no name, missing, not readable, not a plain file (a folder, a pipe,
 /// a device: they could keep the program waiting), larger than `max_bytes`.
 /// Threads: workers. Real-time: no.

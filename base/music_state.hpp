@@ -1,23 +1,20 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <type_traits>
 
 #include "base/beat_grid.hpp"
+#include "base/dance_list.hpp"
 #include "base/time.hpp"
 
 namespace raks {
 
-/// The dances that music is sorted into. The order is that of every array over genres.
-enum class Genre : std::uint8_t { salsa, belly, house, hiphop, rock, waltz, unknown };
-inline constexpr int kGenreCount = 7;
-inline constexpr std::array<std::string_view, kGenreCount> kGenreNames = {
-    "salsa", "belly", "house", "hiphop", "rock", "waltz", "unknown"};
-[[nodiscard]] constexpr std::string_view name_of(Genre genre) noexcept {
-    return kGenreNames[static_cast<std::size_t>(genre)];
-}
+/// Dances that one genre model tells apart, at most.
+inline constexpr std::size_t kMostGenres = 16;
+/// By class of the genre model: its genres, then "none of them". Natural logarithms, exp sums to 1.
+using GenreLogProbabilities = std::array<float, kMostGenres + 1>;
 
 /// A beat as announced: fixed, never revised.
 struct BeatEvent {
@@ -39,8 +36,9 @@ struct MusicState {
     bool has_predicted = false;  ///< `predicted` was committed: a beat about 100 ms ahead
     StreamTime predicted{};
 
-    std::array<float, kGenreCount> genre_log_probability{};  ///< natural log, exp sums to 1
-    Genre genre = Genre::unknown;                            ///< the decision, with hysteresis
+    GenreLogProbabilities genre_log_probability{};
+    std::uint8_t genre_class = 0;   ///< the decision, with hysteresis
+    DanceId genre = DanceId::none;  ///< the same in the program's list; none: no dance, or unknown
 
     float loudness_lufs = -120.0F;  ///< momentary (400 ms, EBU R 128), >= -120
     float level_dbfs = -120.0F;     ///< rms of this hop, >= -120

@@ -1,5 +1,8 @@
+#include "motion/dance_library.hpp"
+
 #include <utility>
 
+#include "motion/dance/content_file.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/library_content.hpp"
 
@@ -25,6 +28,19 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
         return fail("a dance needs at least one figure");
     }
     auto content = make_content(figures, skeleton, grammar, generator);
+    if (!content) {
+        return fail(std::move(content.error()));
+    }
+    return std::shared_ptr<const DanceLibrary>(
+        new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
+}
+
+std::string DanceLibrary::packed() const { return pack_content(*content_); }
+
+Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(std::string_view bytes,
+                                                                   const Skeleton& skeleton,
+                                                                   const FigureGrammar& grammar) {
+    auto content = unpack_content(bytes, skeleton, grammar);
     if (!content) {
         return fail(std::move(content.error()));
     }

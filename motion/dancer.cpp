@@ -65,8 +65,8 @@ struct Dancer::State {
     Skeleton skeleton;
     DancerPart part;
     const DanceLibrary* dance = nullptr;  // that is danced, or was the last
-    Genre genre = Genre::unknown;         // its own
-    Genre selected = Genre::unknown;      // by command
+    DanceId genre = DanceId::none;        // its own
+    DanceId selected = DanceId::none;     // by command
     FloorMove stage;                      // from where a figure starts
     DanceMetre metre;                     // by which octave and pace are chosen
     int bars_to_wait = 0;
@@ -97,13 +97,13 @@ struct Dancer::State {
 
     [[nodiscard]] const DanceLibrary::Content& content() const noexcept { return dance->content(); }
     void reset() noexcept;
-    void take_up(Genre other) noexcept;
+    void take_up(DanceId other) noexcept;
     [[nodiscard]] FloorMove place() const noexcept;
     void run_commands(StreamTime now) noexcept;
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
     void start_on_downbeat(const MusicState& music) noexcept;
-    [[nodiscard]] Genre wanted(Genre heard) const noexcept;
+    [[nodiscard]] DanceId wanted(DanceId heard) const noexcept;
     [[nodiscard]] bool leaves(const MusicState& music) const noexcept;
     void settle(StreamTime now) noexcept;
     void change(StreamTime now) noexcept;
@@ -112,7 +112,7 @@ struct Dancer::State {
 };
 
 /// Another dance from its next start on.
-void Dancer::State::take_up(Genre other) noexcept {
+void Dancer::State::take_up(DanceId other) noexcept {
     genre = other;
     dance = repertoire->of(other);
     stage = stage_of(content(), part);
@@ -127,7 +127,7 @@ FloorMove Dancer::State::place() const noexcept {
 }
 
 void Dancer::State::reset() noexcept {
-    selected = Genre::unknown;
+    selected = DanceId::none;
     take_up(repertoire->first());
     sequence = FigureSequence();
     energy.reset();
@@ -168,8 +168,8 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
                 wish.is_locked = command.value != 0.0;
                 break;
             case DancerCommand::Kind::select_dance:
-                if (command.value >= 0.0 && command.value < kGenreCount) {
-                    selected = static_cast<Genre>(command.value);
+                if (command.value >= 0.0 && command.value <= static_cast<double>(DanceId::none)) {
+                    selected = static_cast<DanceId>(command.value);
                 }
                 break;
             case DancerCommand::Kind::hold:
@@ -211,9 +211,9 @@ void Dancer::State::change(StreamTime now) noexcept {
 }
 
 /// The dance for this music, as selected or as heard; unknown: none.
-Genre Dancer::State::wanted(Genre heard) const noexcept {
-    for (const Genre one : {selected, heard}) {
-        if (one != Genre::unknown && repertoire->of(one) != nullptr) {
+DanceId Dancer::State::wanted(DanceId heard) const noexcept {
+    for (const DanceId one : {selected, heard}) {
+        if (one != DanceId::none && repertoire->of(one) != nullptr) {
             return one;
         }
     }
@@ -225,7 +225,7 @@ Genre Dancer::State::wanted(Genre heard) const noexcept {
         case Repertoire::Otherwise::stand:
             break;
     }
-    return Genre::unknown;
+    return DanceId::none;
 }
 
 /// Whether this is the moment to leave the dance for another one, so as to stand settled on the
@@ -289,10 +289,10 @@ void Dancer::State::start_on_downbeat(const MusicState& music) noexcept {
     const Beats now = music.grid.beats_at(music.time);
     const double since_downbeat = music.grid.bar_position(now);
     const bool is_downbeat = since_downbeat < kDownbeatWindow;
-    const Genre next = wanted(music.genre);
+    const DanceId next = wanted(music.genre);
     if (is_downbeat && !was_downbeat && bars_to_wait > 0) {
         --bars_to_wait;
-    } else if (is_downbeat && !was_downbeat && next != Genre::unknown) {
+    } else if (is_downbeat && !was_downbeat && next != DanceId::none) {
         if (next != genre) {
             take_up(next);
         }

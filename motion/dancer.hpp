@@ -13,45 +13,14 @@
 #include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "motion/dance/dancer_part.hpp"
-#include "motion/dance/generator.hpp"
 #include "motion/skeleton/pose_track.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 /// The one door of motion: music states in, poses out.
 namespace raks::motion {
 
-struct FigureGrammar;
-struct FigureModel;
+class DanceLibrary;
 class Repertoire;
-
-/// All figures of a dance, solved into trajectories for one skeleton. Immutable: may be shared by
-/// any number of dancers and threads.
-class DanceLibrary {
- public:
-    /// Solves the trajectories of all figures, each in eight ways (some 40 ms a figure). `grammar`:
-    /// its rules in the order of the figures; none: any after any other. `generator`: ours, or the
-    /// paper's for comparison, in which no foot is planted: feet slide and may dip below the floor,
-    /// in joins too.
-    /// Errors: no figures, a figure that cannot be solved (named), a grammar of another dance.
-    /// Threads: workers. Real-time: no.
-    [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
-        std::span<const FigureModel> figures,
-        const Skeleton& skeleton,
-        const FigureGrammar* grammar = nullptr,
-        Generator generator = Generator::trajectories);
-    ~DanceLibrary();
-    /// In the order of `figures`; as long as the library lives.
-    [[nodiscard]] std::vector<std::string_view> figure_names() const;
-    DanceLibrary(const DanceLibrary&) = delete;
-    DanceLibrary& operator=(const DanceLibrary&) = delete;
-
-    struct Content;  // motion/dance/: what the dancer reads
-    [[nodiscard]] const Content& content() const noexcept { return *content_; }
-
- private:
-    explicit DanceLibrary(std::unique_ptr<const Content> content);
-    std::unique_ptr<const Content> content_;
-};
 
 /// What a user asks of the dancer. Takes effect at the first hop at or after `time`.
 struct DancerCommand {
@@ -59,7 +28,7 @@ struct DancerCommand {
         next_figure,    ///< go on to another figure at the end of this one
         select_figure,  ///< figure number `value` at the end of this one
         lock_figure,    ///< `value` 1: this figure again and again; 0: as the grammar says
-        select_dance,   ///< of genre number `value`; of Genre::unknown: as the music is
+        select_dance,   ///< number `value` of the list; DanceId::none: as the music is
         hold,           ///< settle and stand, whatever the music does
         release,        ///< dance again from the next count 1
     };
@@ -73,14 +42,14 @@ static_assert(std::is_trivially_copyable_v<DancerCommand>);
 struct DancerStatus {
     std::array<char, 32> figure{};  ///< name, zero-terminated; empty while standing
     bool is_dancing = false;
-    Genre dance = Genre::unknown;  ///< that is danced; unknown while standing
-    std::uint32_t number = 0;      ///< of the figures begun since reset()
-    int count = 0;                 ///< 1..counts of the figure; 0 while standing
-    int counts = 8;                ///< its length in beats
-    double phase = 0.0;            ///< beats of the figure danced, [0, length)
-    double octave = 1.0;           ///< dance beats per music beat: 0.5, 1 or 2
-    double rate = 0.0;             ///< dance beats per second now
-    std::uint32_t reanchors = 0;   ///< how often the phase was set anew since reset()
+    DanceId dance = DanceId::none;  ///< that is danced; none while standing
+    std::uint32_t number = 0;       ///< of the figures begun since reset()
+    int count = 0;                  ///< 1..counts of the figure; 0 while standing
+    int counts = 8;                 ///< its length in beats
+    double phase = 0.0;             ///< beats of the figure danced, [0, length)
+    double octave = 1.0;            ///< dance beats per music beat: 0.5, 1 or 2
+    double rate = 0.0;              ///< dance beats per second now
+    std::uint32_t reanchors = 0;    ///< how often the phase was set anew since reset()
 };
 static_assert(std::is_trivially_copyable_v<DancerStatus>);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "motion/dance/dance_content.hpp"
-#include "motion/dancer.hpp"
+#include "motion/dance_library.hpp"
 
 namespace raks::motion {
 

@@ -4,13 +4,14 @@
 #include <atomic>
 #include <memory>
 
-#include "base/music_state.hpp"
-#include "motion/dancer.hpp"
+#include "base/dance_list.hpp"
+#include "motion/dance_library.hpp"
 
 namespace raks::motion {
 
-/// The dances that a dancer knows, one a genre, and what is danced to music of none of them. May
-/// grow while it is danced from: a dance that is added later is danced from then on.
+/// The dances that a dancer knows, by their numbers in the program's list, and what is danced to
+/// music of none of them. May grow while it is danced from: a dance that is added later is danced
+/// from then on.
 class Repertoire {
  public:
     /// What is danced while the genre is unknown, or its dance is not known.
@@ -21,7 +22,7 @@ class Repertoire {
     };
 
     /// Errors are the caller's: `library` must be there. Threads: any. Real-time: no.
-    Repertoire(Genre first,
+    Repertoire(DanceId first,
                std::shared_ptr<const DanceLibrary> library,
                Otherwise otherwise = Otherwise::first);
 
@@ -29,20 +30,20 @@ class Repertoire {
     [[nodiscard]] static std::shared_ptr<const Repertoire> of_one(
         std::shared_ptr<const DanceLibrary> library);
 
-    /// Adds the dance of a genre, once; it stays for as long as the repertoire lives.
+    /// Adds a dance, once; it stays for as long as the repertoire lives.
     /// Threads: one at a time. Real-time: no.
-    void add(Genre genre, std::shared_ptr<const DanceLibrary> library);
+    void add(DanceId id, std::shared_ptr<const DanceLibrary> library);
 
     /// Null: not known (yet). Threads: any. Real-time: yes.
-    [[nodiscard]] const DanceLibrary* of(Genre genre) const noexcept;
-    [[nodiscard]] Genre first() const noexcept { return first_; }
+    [[nodiscard]] const DanceLibrary* of(DanceId id) const noexcept;
+    [[nodiscard]] DanceId first() const noexcept { return first_; }
     [[nodiscard]] Otherwise otherwise() const noexcept { return otherwise_; }
 
  private:
-    Genre first_;
+    DanceId first_;
     Otherwise otherwise_;
-    std::array<std::shared_ptr<const DanceLibrary>, kGenreCount> owned_;
-    std::array<std::atomic<const DanceLibrary*>, kGenreCount> dances_{};
+    std::array<std::shared_ptr<const DanceLibrary>, kMostDances> owned_;
+    std::array<std::atomic<const DanceLibrary*>, kMostDances> dances_{};
 };
 
 }  // namespace raks::motion

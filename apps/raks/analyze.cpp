@@ -18,6 +18,7 @@
 #include "base/printable.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_catalogue.hpp"
 
 namespace raks::apps {
 namespace {
@@ -58,7 +59,10 @@ struct Listeners {
 };
 
 /// Checks and opens all that is asked for before the first sample is heard.
-Expected<void> prepare(const AnalyzeArguments& arguments, SampleRate rate, Listeners& to) {
+Expected<void> prepare(const AnalyzeArguments& arguments,
+                       SampleRate rate,
+                       const engine::AnalyzerModels& models,
+                       Listeners& to) {
     if (!arguments.plot.empty()) {
         if (arguments.plot.extension() != ".svg") {
             return fail(arguments.plot.string() + ": a plot is written as .svg");
@@ -88,7 +92,7 @@ Expected<void> prepare(const AnalyzeArguments& arguments, SampleRate rate, Liste
             return prepared;
         }
     }
-    auto analyzer = engine::make_analyzer(rate, streaming_method(arguments.beat));
+    auto analyzer = engine::make_analyzer(rate, models, streaming_method(arguments.beat));
     if (!analyzer) {
         return fail(std::move(analyzer.error()));
     }
@@ -155,11 +159,21 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
     if (!source) {
         return fail(source.error());
     }
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
+    }
+    const auto models = engine::load_analyzer_models(catalogue->list());
+    if (!models) {
+        return fail(models.error());
+    }
     Listeners listeners;
-    if (auto prepared = prepare(arguments, source->rate(), listeners); !prepared) {
+    if (auto prepared = prepare(arguments, source->rate(), *models, listeners); !prepared) {
         return fail(std::move(prepared.error()));
     }
-    AnalysisDocument document(arguments.input.string(), source->rate());
+    std::vector<std::string> genres = models->genres->genres;
+    genres.emplace_back("unknown");
+    AnalysisDocument document(arguments.input.string(), source->rate(), std::move(genres));
     Collect collect(document, listeners.plot ? &*listeners.plot : nullptr);
     hear(*source, listeners, collect);
     if (listeners.whole) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/raks/command_table.hpp"
+#include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/usage.hpp"
@@ -24,6 +25,19 @@ constexpr const char* kExamples =
     "\n"
     "raks --help lists all commands.\n";
 
+/// A dance that there is not. What names a place is looked at when it is opened.
+std::string fault_of_dances(engine::Settings settings) {
+    if (is_dance_place(settings.dance)) {
+        settings.dance = "auto";
+    }
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return {};  // the command says so, if it dances
+    }
+    const auto checked = engine::check_dances(settings, *catalogue->list());
+    return checked ? std::string() : checked.error().message;
+}
+
 /// The first fault of the settings: a value out of range, or a name that nothing has.
 std::string fault_of(const engine::Settings& settings) {
     if (const auto faults = engine::validate(settings); !faults.empty()) {
@@ -32,13 +46,7 @@ std::string fault_of(const engine::Settings& settings) {
     if (const auto look = engine::read_look(settings); !look) {
         return look.error().message;
     }
-    if (const auto checked = engine::check_dance(settings.dance); !checked) {
-        return checked.error().message;
-    }
-    if (const auto checked = engine::check_fallback_dance(settings.fallback_dance); !checked) {
-        return checked.error().message;
-    }
-    return {};
+    return fault_of_dances(settings);
 }
 
 void add_config(RaksCommands& table) {

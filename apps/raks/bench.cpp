@@ -12,6 +12,7 @@
 
 #include "apps/raks/bench_peers.hpp"
 #include "apps/raks/commands.hpp"
+#include "apps/raks/dance_setup.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "audio/music_analyzer.hpp"
 #include "engine/setup/analyzer_setup.hpp"
@@ -60,7 +61,7 @@ namespace {
 
 Expected<audio::GeneratedMusic> bench_music(double seconds) {
     audio::MusicPlan plan;
-    plan.style = audio::Style::salsa;
+    plan.style = audio::Style::montuno;
     plan.tempo = {{0.0, 184.0}};
     plan.seconds = seconds;
     plan.channels = 1;
@@ -104,13 +105,13 @@ void add_analysis(audio::MusicAnalyzer& analyzer,
 
 Expected<BenchReport> bench_analysis(double seconds) {
     const auto music = bench_music(seconds);
-    auto network = engine::load_beat_network();
-    if (!music || !network) {
-        return fail(!music ? music.error() : network.error());
+    engine::Settings settings;
+    const auto setup = open_dances(settings);
+    if (!music || !setup) {
+        return fail(!music ? music.error() : setup.error());
     }
-    auto plain =
-        engine::make_analyzer(music->rate, audio::BeatMethod::pointer, std::move(*network));
-    auto whole = engine::make_analyzer(music->rate);
+    auto plain = engine::make_analyzer(music->rate, {setup->models.beats, nullptr, nullptr});
+    auto whole = engine::make_analyzer(music->rate, setup->models);
     if (!plain || !whole) {
         return fail(!plain ? plain.error() : whole.error());
     }
@@ -129,16 +130,24 @@ Expected<BenchReport> bench_motion(double seconds) {
     if (!music) {
         return fail(music.error());
     }
-    const auto library = engine::load_dance("salsa");
+    engine::Settings settings;
+    const auto setup = open_dances(settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    const auto library =
+        engine::load_dance(setup->catalogue,
+                           engine::dance_to_load(settings, *setup->catalogue.list()),
+                           setup->skeleton);
     if (!library) {
         return fail(library.error());
     }
-    auto analyzer = engine::make_analyzer(music->rate);
+    auto analyzer = engine::make_analyzer(music->rate, setup->models);
     if (!analyzer) {
         return fail(analyzer.error());
     }
     motion::Dancer dancer;
-    if (auto prepared = dancer.prepare(*library, motion::mannequin_skeleton(), 1); !prepared) {
+    if (auto prepared = dancer.prepare(*library, setup->skeleton, 1); !prepared) {
         return fail(prepared.error());
     }
     CollectStates collect(seconds);

@@ -5,6 +5,7 @@
 
 #include "apps/raks/bench.hpp"
 #include "apps/raks/bench_peers.hpp"
+#include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/signals.hpp"
 #include "audio/io/devices.hpp"
 #include "audio/music/generator/music_generator.hpp"
@@ -40,6 +41,8 @@ struct Watched {
     std::vector<double> bpm;
     std::vector<BeatGrid> grids;
     std::vector<engine::ShownPicture> pictures;
+    motion::FigureModel figure;  // that was danced
+    motion::Skeleton skeleton;
 };
 
 Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
@@ -124,10 +127,8 @@ void add_landing(const Watched& watched,
                  const engine::SoundLine& sound,
                  const audio::GeneratedMusic& music,
                  BenchReport& report) {
-    const auto path = engine::data_path("models/trained/salsa_basic_lead.json");
-    const auto figure = path ? motion::load_figure(*path) : fail(path.error());
     const auto landing =
-        figure ? engine::shown_landing(watched.pictures, sound, music, *figure) : std::nullopt;
+        engine::shown_landing(watched.pictures, sound, music, watched.figure, watched.skeleton);
     if (!landing) {
         report.notes.emplace_back("landing", "not measured: too little was danced");
         return;
@@ -246,13 +247,20 @@ Expected<BenchReport> bench_latency(double seconds) {
         return fail(file.written().error());
     }
     engine::LiveGraphConfig config;
-    auto library = engine::load_dance("salsa");
+    engine::Settings settings;
+    const auto setup = open_dances(settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    const std::string dance = engine::dance_to_load(settings, *setup->catalogue.list());
+    const auto parts = setup->catalogue.read(dance, motion::DanceRole::lead, {});
+    const auto library = engine::load_dance(setup->catalogue, dance, setup->skeleton);
     auto player = audio::FilePlayer::start({file.path()});
     if (!library || !player) {
         return fail(!library ? library.error() : player.error());
     }
-    config.members = motion::members_of(
-        motion::Formation::solo, motion::Repertoire::of_one(*library), nullptr, 1);
+    config.models = setup->models;
+    config.cast = engine::cast_of(*library, setup->skeleton, 1);
     (*player)->wait_until_ready(4096);
     auto recorder = recorder_for(system, output, kLeadIn + seconds + 5.0);
     auto graph = engine::LiveGraph::play(std::move(*player), output, config);
@@ -262,10 +270,12 @@ Expected<BenchReport> bench_latency(double seconds) {
     auto loop = recorder ? (*recorder)->close_loop() : fail(recorder.error());
     // One figure, whose learnt landings are compared with.
     (*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0);
-    const auto watched = watch(**graph, kLeadIn + seconds);
+    auto watched = watch(**graph, kLeadIn + seconds);
     if (!watched) {
         return fail(watched.error());
     }
+    watched->figure = parts->figures.front();
+    watched->skeleton = setup->skeleton;
 
     BenchReport report;
     report.notes.emplace_back("output", output ? output->name : "none: paced by the clock");

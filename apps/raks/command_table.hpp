@@ -43,7 +43,7 @@ class RaksCommands : public CommandTable {
     std::shared_ptr<const engine::Settings> chosen_settings_;
 };
 
-/// play, live, render, dance, sheet, stick, synth.
+/// play, live, render, dance, dances, sheet, stick, synth.
 void add_dancing_commands(RaksCommands& table);
 /// analyze, eval, bench, devices.
 void add_measuring_commands(RaksCommands& table);

@@ -8,6 +8,7 @@
 
 #include "apps/terminal/exit_code.hpp"
 #include "engine/setup/settings.hpp"
+#include "motion/figures/figure_model.hpp"
 
 /// The commands of the program `raks`. Each takes its arguments, checked for form only, and does
 /// its work.
@@ -79,7 +80,7 @@ struct EvalBeatsArguments {
 
 struct EvalDanceArguments {
     engine::Settings settings;
-    std::string role = "lead";
+    motion::DanceRole role = motion::DanceRole::lead;
     std::vector<std::string> trials;  ///< by name; empty: all
     Path clips;                       ///< folder of people's clips, TAKE.bvh; empty: none
     Path labels;                      ///< TSV; needed with clips
@@ -112,6 +113,12 @@ struct EvalGenreArguments {
 /// How well a model tells dances apart on a folder of music, by each kind of evidence.
 [[nodiscard]] ExitCode eval_genre(const EvalGenreArguments& arguments);
 
+struct DancesArguments {
+    bool as_json = false;
+};
+/// Lists all dances with their figures, where each lies, and why one that is broken is left out.
+[[nodiscard]] ExitCode dances(const DancesArguments& arguments);
+
 struct SheetArguments {
     engine::Settings settings;
     Path output;         ///< .png: a sheet; else a film
@@ -137,7 +144,7 @@ struct StickArguments {
 [[nodiscard]] ExitCode stick_dance(const StickArguments& arguments);
 
 struct SynthArguments {
-    std::string style = "salsa";
+    std::string style;    ///< of the generator, or a dance; empty: the first dance's
     Path output;          ///< .wav
     double bpm = 180.0;   ///< [50, 230]
     double seconds = 60;  ///< (0, 3600]

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
@@ -30,7 +31,8 @@ Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
 
 }  // namespace
 
-ExitCode dance(const DanceArguments& arguments) {
+ExitCode dance(const DanceArguments& given) {
+    DanceArguments arguments = given;
     if (arguments.output.extension() != ".bvh") {
         return fail(arguments.output.string() + ": cannot write this kind of motion; known: .bvh");
     }
@@ -41,14 +43,18 @@ ExitCode dance(const DanceArguments& arguments) {
     if (!source) {
         return fail(source.error());
     }
-    auto dancers = engine::Dancers::load(arguments.settings);
+    const auto setup = open_dances(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
     if (!dancers) {
         return fail(dancers.error());
     }
-    if (auto all = dancers->wait(); !all) {
-        return fail(all.error());
+    for (const std::string& line : dancers->wait()) {
+        say(line);
     }
-    auto driver = engine::OfflineDriver::create(source->rate(), dancers->members());
+    auto driver = engine::OfflineDriver::create(source->rate(), setup->models, dancers->cast());
     if (!driver) {
         return fail(driver.error());
     }
@@ -71,8 +77,8 @@ ExitCode dance(const DanceArguments& arguments) {
     }
     for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
         const Path path = file_of(arguments.output, i, collect.dancers.size());
-        if (auto written = motion::write_bvh(
-                path, motion::mannequin_skeleton(), collect.dancers[i], arguments.fps);
+        if (auto written =
+                motion::write_bvh(path, setup->skeleton, collect.dancers[i], arguments.fps);
             !written) {
             return fail(written.error());
         }

@@ -13,7 +13,9 @@ void add_formation_option(CLI::App& app, engine::Settings& settings) {
 
 /// The options of DESIGN 6 that play, live and render share.
 void add_picture_options(CLI::App& app, engine::Settings& settings) {
-    app.add_option("--dance", settings.dance, "the dance to keep to, or auto");
+    app.add_option("--dance",
+                   settings.dance,
+                   "the dance to keep to: name, folder or written dance (X.toml); or auto");
     add_figures_option(app, settings);
     add_formation_option(app, settings);
     add_generator_option(app, settings);
@@ -42,7 +44,7 @@ void add_section_options(CLI::App& app, Section& section) {
 
 void add_play(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
-    app->add_option("files", a->files, "music files and folders; none: a salsa of our own");
+    app->add_option("files", a->files, "music files and folders; none: music of our own");
     app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
     app->add_option("--volume", a->settings.volume, "1 is the file's own level");
     app->add_flag("--headless", a->is_headless, "no window");
@@ -68,7 +70,7 @@ void add_live(RaksCommands& table) {
 void add_render(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "render", "write a video of the dance to a file", render);
-    app->add_option("file", a->input, "music file; none: a salsa of our own");
+    app->add_option("file", a->input, "music file; none: music of our own");
     app->add_option("-o,--out", a->output, "X.mp4, X.avi, or a folder for .png")->required();
     add_section_options(*app, a->section);
     add_picture_options(*app, a->settings);
@@ -81,17 +83,25 @@ void add_dance(RaksCommands& table) {
         ->required();
     app->add_option("--fps", a->fps, "poses a second")->check(in_range(1.0, 240.0));
     add_formation_option(*app, a->settings);
-    app->add_option("--dance", a->settings.dance, "the dance to keep to, or auto");
+    app->add_option("--dance",
+                    a->settings.dance,
+                    "the dance to keep to: name, folder or written dance (X.toml); or auto");
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
     app->add_option("--seed", a->settings.seed, "same seed, same dance");
+}
+
+void add_dances(RaksCommands& table) {
+    auto [app, a] = table.add(
+        table.app(), "dances", "list the dances that there are, and where they lie", dances);
+    app->add_flag("--json", a->as_json, "one JSON document");
 }
 
 void add_sheet(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "sheet", "draw a figure as a pose sheet, or film it", sheet);
     app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.avi or a folder")->required();
-    app->add_option("--dance", a->settings.dance, "salsa, belly, house, hiphop, rock or waltz");
+    app->add_option("--dance", a->settings.dance, "name, folder or written dance (X.toml)");
     app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
@@ -130,7 +140,10 @@ void add_stick(RaksCommands& table) {
 void add_synth(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "synth", "write music of our own generator", synth);
     app->add_option(
-        "style", a->style, "salsa, maqsum, house, rock, hiphop, waltz, drums or clicks");
+        "style",
+        a->style,
+        "a dance, or montuno, maqsum, four-on-the-floor, backbeat, boom-bap, oom-pah-pah, drums, "
+        "clicks; none: the first dance's");
     app->add_option("-o,--out", a->output, "X.wav")->required();
     app->add_option("--bpm", a->bpm, "tempo")->check(in_range(50.0, 230.0));
     app->add_option("--duration", a->seconds, "seconds")->check(in_range(1.0, 3600.0));
@@ -145,6 +158,7 @@ void add_dancing_commands(RaksCommands& table) {
     add_live(table);
     add_render(table);
     add_dance(table);
+    add_dances(table);
     add_sheet(table);
     add_stick(table);
     add_synth(table);

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "apps/raks/commands.hpp"
+#include "apps/raks/dance_setup.hpp"
 #include "apps/reports/eval_dance_report.hpp"
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/signals.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/trials/trained_figures.hpp"
+#include "motion/dance_library.hpp"
 
 namespace raks::apps {
 namespace {
@@ -18,7 +20,7 @@ namespace {
 using Figures = std::vector<motion::FigureModel>;
 
 /// All trials, or those named.
-Expected<std::vector<engine::DanceTrial>> chosen_trials(std::string_view dance,
+Expected<std::vector<engine::DanceTrial>> chosen_trials(const DanceInfo& dance,
                                                         const Figures& figures,
                                                         const std::vector<std::string>& names) {
     double seconds_per_beat = 0.0;
@@ -48,57 +50,67 @@ Expected<std::vector<engine::DanceTrial>> chosen_trials(std::string_view dance,
     return chosen;
 }
 
+/// What dances and is measured.
+struct Measured {
+    const DanceSetup& setup;
+    const DanceReport& report;
+    engine::DanceForm form;
+
+    [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> library(
+        motion::DanceRole role) const {
+        return engine::load_dance(setup.catalogue, report.dance.name, setup.skeleton, role, form);
+    }
+};
+
 /// The lead dances what `raks play` does; a follow has the figures learnt from follows.
-Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const DanceReport& report,
-                                                                 const engine::DanceForm& form,
+Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const Measured& measured,
                                                                  const Figures& figures) {
-    if (report.role == motion::DanceRole::lead) {
-        return engine::load_dance(report.dance, report.role, form);
+    if (measured.report.role == motion::DanceRole::lead) {
+        return measured.library(measured.report.role);
     }
     return motion::DanceLibrary::build(
-        figures, motion::mannequin_skeleton(), nullptr, form.generator);
+        figures, measured.setup.skeleton, nullptr, measured.form.generator);
 }
 
 /// Who dances: the role alone, or in a couple.
-Expected<engine::TrialCast> cast_of(const EvalDanceArguments& arguments,
-                                    const DanceReport& report,
-                                    const Figures& figures) {
+Expected<engine::TrialCast> cast_of(const Measured& measured, const Figures& figures) {
     using motion::Formation;
     using motion::Repertoire;
-    const auto seed = static_cast<std::uint64_t>(report.seed);
-    const engine::DanceForm form = engine::form_of(arguments.settings);
-    if (form.company != engine::Company::couple) {
-        const auto library = library_of(report, form, figures);
+    const auto seed = static_cast<std::uint64_t>(measured.report.seed);
+    const DanceSetup& setup = measured.setup;
+    if (measured.form.company != engine::Company::couple) {
+        const auto library = library_of(measured, figures);
         if (!library) {
             return fail(library.error());
         }
-        return engine::TrialCast{
-            motion::members_of(Formation::solo, Repertoire::of_one(*library), nullptr, seed), 0};
+        return engine::TrialCast{setup.models, engine::cast_of(*library, setup.skeleton, seed), 0};
     }
-    const auto lead = engine::load_dance(report.dance, motion::DanceRole::lead, form);
+    const auto lead = measured.library(motion::DanceRole::lead);
     if (!lead) {
         return fail(lead.error());
     }
-    const auto follow = engine::load_dance(report.dance, motion::DanceRole::follow, form);
+    const auto follow = measured.library(motion::DanceRole::follow);
     if (!follow) {
         return fail(follow.error());
     }
     return engine::TrialCast{
-        motion::members_of(
-            Formation::couple, Repertoire::of_one(*lead), Repertoire::of_one(*follow), seed),
-        static_cast<std::size_t>(report.role)};
+        setup.models,
+        {motion::members_of(
+             Formation::couple, Repertoire::of_one(*lead), Repertoire::of_one(*follow), seed),
+         setup.skeleton},
+        static_cast<std::size_t>(measured.report.role)};
 }
 
 /// The figures of a written dance, each by itself.
-Expected<std::vector<engine::DancedWrittenFigure>> written_of(const EvalDanceArguments& arguments,
-                                                              const DanceReport& report) {
-    const auto library =
-        engine::load_dance(report.dance, report.role, engine::form_of(arguments.settings));
+Expected<std::vector<engine::DancedWrittenFigure>> written_of(const Measured& measured) {
+    const auto library = measured.library(measured.report.role);
     if (!library) {
         return fail(library.error());
     }
-    return engine::danced_written_figures(
-        report.dance, *library, static_cast<std::uint64_t>(report.seed));
+    return engine::danced_written_figures(measured.report.dance.name,
+                                          *library,
+                                          measured.setup.skeleton,
+                                          static_cast<std::uint64_t>(measured.report.seed));
 }
 
 Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
@@ -130,14 +142,21 @@ Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& argumen
 
 }  // namespace
 
-ExitCode eval_dance(const EvalDanceArguments& arguments) {
+ExitCode eval_dance(const EvalDanceArguments& given) {
+    EvalDanceArguments arguments = given;
+    const auto setup = open_dances(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    const DanceList& dances = *setup->catalogue.list();
     DanceReport report;
-    report.dance = engine::dance_to_load(arguments.settings);
-    report.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
+    report.dance = *dances.find(dances.id_of(engine::dance_to_load(arguments.settings, dances)));
+    report.role = arguments.role;
     report.seed = arguments.settings.seed;
     report.generator = arguments.settings.generator;
+    const Measured measured{*setup, report, engine::form_of(arguments.settings)};
     const auto figures = engine::trained_figures(
-        report.dance, report.role, engine::form_of(arguments.settings).features);
+        *setup->catalogue.find(report.dance.name), report.role, measured.form.features);
     if (!figures) {
         return fail(figures.error());
     }
@@ -145,7 +164,7 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
     if (!trials) {
         return fail(trials.error());
     }
-    const auto cast = cast_of(arguments, report, *figures);
+    const auto cast = cast_of(measured, *figures);
     if (!cast) {
         return fail(cast.error());
     }
@@ -155,7 +174,7 @@ ExitCode eval_dance(const EvalDanceArguments& arguments) {
         return fail(people.error());
     }
     report.people = std::move(*people);
-    auto written = written_of(arguments, report);
+    auto written = written_of(measured);
     if (!written) {
         return fail(written.error());
     }

@@ -17,6 +17,7 @@
 #include "audio/music/damage/sound_damage.hpp"
 #include "base/parallel.hpp"
 #include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_catalogue.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,14 +39,15 @@ struct Row {
 /// What the program shows of one file: switches of the decision, and how long it was right.
 struct Shown {
     std::string file;
-    Genre truth = Genre::unknown;
+    std::string truth;
     double seconds = 0.0;
     int switches = 0;          ///< after the first genre
     double right_share = 0.0;  ///< of the hops from 10 s on
 };
 
 struct Evaluation {
-    std::vector<Genre> genres;
+    std::vector<std::string> genres;
+    std::vector<std::string> pair;  ///< two that are compared
     std::vector<std::size_t> asked;
     std::vector<Row> rows;
     std::vector<Shown> shown;
@@ -55,20 +57,22 @@ struct Evaluation {
 
 class WatchDecision final : public audio::MusicAnalyzer::Sink {
  public:
-    explicit WatchDecision(Genre truth) { shown_.truth = truth; }
+    /// `truth`: class of the model, whose last one is none of its genres.
+    WatchDecision(std::size_t truth, std::size_t none) : truth_(truth), none_(none), last_(none) {}
     void on_state(const MusicState& state) noexcept override {
-        const bool is_switch = state.genre != last_ && last_ != Genre::unknown;
+        const bool is_switch = state.genre_class != last_ && last_ != none_;
         shown_.switches += is_switch ? 1 : 0;
-        last_ = state.genre;
+        last_ = state.genre_class;
         shown_.seconds = to_seconds(state.time);
         if (shown_.seconds >= kSettled) {
             ++counted_;
-            right_ += state.genre == shown_.truth ? 1 : 0;
+            right_ += state.genre_class == truth_ ? 1 : 0;
         }
     }
-    [[nodiscard]] Shown result(std::string file) const {
+    [[nodiscard]] Shown result(const audio::MusicFile& file) const {
         Shown result = shown_;
-        result.file = std::move(file);
+        result.file = file.name;
+        result.truth = file.genre;
         result.right_share = counted_ > 0 ? static_cast<double>(right_) / counted_ : 0.0;
         return result;
     }
@@ -76,7 +80,9 @@ class WatchDecision final : public audio::MusicAnalyzer::Sink {
  private:
     static constexpr double kSettled = 10.0;  // s
     Shown shown_;
-    Genre last_ = Genre::unknown;
+    std::size_t truth_;
+    std::size_t none_;
+    std::size_t last_;
     int counted_ = 0;
     int right_ = 0;
 };
@@ -88,8 +94,7 @@ struct HeardFile {
 
 Expected<HeardFile> hear(const audio::MusicFile& file,
                          audio::Damage damage,
-                         const std::shared_ptr<const audio::GenreModel>& model,
-                         const std::shared_ptr<const audio::BeatNetwork>& network) {
+                         const engine::AnalyzerModels& models) {
     auto music = audio::read_all_mono(file.path);
     if (!music) {
         return fail(music.error());
@@ -101,25 +106,24 @@ Expected<HeardFile> hear(const audio::MusicFile& file,
     heard.piece.name = file.name;
     heard.piece.group = file.group;
     heard.piece.genre = file.genre;
-    if (auto done = audio::hear_piece(
-            music->samples, music->rate, {network, model->features.cepstral_mean}, heard.piece);
+    if (auto done = audio::hear_piece(music->samples,
+                                      music->rate,
+                                      {models.beats, models.genres->features.cepstral_mean},
+                                      heard.piece);
         !done) {
         return fail(file.path.string() + ": " + done.error().message);
     }
     if (heard.piece.windows.empty()) {
         return fail(file.path.string() + ": is silent or shorter than 1 s");
     }
-    audio::MusicAnalyzer analyzer;
-    if (auto prepared = analyzer.prepare({.sample_rate = music->rate,
-                                          .beat_network = network,
-                                          .cepstral_mean = {},
-                                          .genre_model = model});
-        !prepared) {
-        return fail(prepared.error());
+    auto analyzer = engine::make_analyzer(music->rate, models);
+    if (!analyzer) {
+        return fail(analyzer.error());
     }
-    WatchDecision watch(file.genre);
-    analyzer.process(music->samples, watch);
-    heard.shown = watch.result(file.name);
+    const std::vector<std::string>& genres = models.genres->genres;
+    WatchDecision watch(audio::class_of(file.genre, genres), genres.size());
+    analyzer->process(music->samples, watch);
+    heard.shown = watch.result(file);
     return heard;
 }
 
@@ -147,10 +151,12 @@ void add_rows(const audio::GenreModel& model,
             for (const audio::WindowScore& score : scores) {
                 logs.push_back(audio::fuse(score, fusion, evidence, model.classes()));
             }
-            Row row{damage,
-                    name,
-                    audio::kGenreWindows[window] * audio::kSegmentSeconds,
-                    audio::tally(scores, logs, window, evaluation.genres, evaluation.asked)};
+            Row row{
+                damage,
+                name,
+                audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                audio::tally(
+                    scores, logs, window, evaluation.genres, evaluation.asked, evaluation.pair)};
             if (row.tally.windows > 0) {
                 evaluation.rows.push_back(std::move(row));
             }
@@ -160,7 +166,7 @@ void add_rows(const audio::GenreModel& model,
 
 /// Genres that occur in at least `least` files; all that occur when fewer than two do.
 std::vector<std::size_t> asked_genres(const std::vector<audio::MusicFile>& files,
-                                      const std::vector<Genre>& genres,
+                                      const std::vector<std::string>& genres,
                                       std::ptrdiff_t least) {
     std::vector<std::size_t> asked;
     for (std::size_t c = 0; c < genres.size(); ++c) {
@@ -176,8 +182,14 @@ std::vector<std::size_t> asked_genres(const std::vector<audio::MusicFile>& files
 Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     auto model = engine::load_genre_model(arguments.model);
     auto network = engine::load_beat_network();
-    auto files = arguments.groups.empty() ? audio::list_music(arguments.folder)
-                                          : audio::list_music(arguments.folder, arguments.groups);
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
+    }
+    const DanceList& dances = *catalogue->list();
+    auto files = arguments.groups.empty()
+                     ? audio::list_music(arguments.folder, dances)
+                     : audio::list_music(arguments.folder, arguments.groups, dances);
     if (!model || !network || !files) {
         return fail(!model ? model.error() : !network ? network.error() : files.error());
     }
@@ -186,8 +198,10 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
             return arguments.labels.find(file.label) == std::string::npos;
         });
     }
+    const engine::AnalyzerModels models{*network, *model, catalogue->list()};
     Evaluation evaluation;
     evaluation.genres = (*model)->genres;
+    evaluation.pair = catalogue->pair();
     evaluation.files = files->size();
     constexpr std::ptrdiff_t kEnoughFiles = 5;
     evaluation.asked = asked_genres(*files, evaluation.genres, kEnoughFiles);
@@ -195,7 +209,7 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     for (std::size_t damage = 0; damage < damages; ++damage) {
         std::vector<Expected<HeardFile>> heard(files->size(), fail("not heard"));
         run_parallel(files->size(), arguments.threads, [&](std::size_t i) {
-            heard[i] = hear((*files)[i], static_cast<audio::Damage>(damage), *model, *network);
+            heard[i] = hear((*files)[i], static_cast<audio::Damage>(damage), models);
         });
         std::vector<audio::WindowScore> scores;
         for (std::size_t i = 0; i < heard.size(); ++i) {
@@ -235,12 +249,12 @@ std::string json_of(const Evaluation& evaluation) {
     Json json = {{"format", "raks-eval-genre"}, {"version", 1}, {"files", evaluation.files}};
     json["skipped"] = evaluation.skipped;
     json["genres"] = Json::array();
-    for (const Genre genre : evaluation.genres) {
-        json["genres"].push_back(name_of(genre));
+    for (const std::string& genre : evaluation.genres) {
+        json["genres"].push_back(genre);
     }
     json["asked"] = Json::array();
     for (const std::size_t c : evaluation.asked) {
-        json["asked"].push_back(name_of(evaluation.genres[c]));
+        json["asked"].push_back(evaluation.genres[c]);
     }
     json["rows"] = Json::array();
     for (const Row& row : evaluation.rows) {
@@ -250,21 +264,22 @@ std::string json_of(const Evaluation& evaluation) {
             std::transform(line.begin(), line.end(), std::back_inserter(shares), rounded);
             confusion.push_back(shares);
         }
-        json["rows"].push_back({{"damage", row.damage},
-                                {"evidence", row.evidence},
-                                {"seconds", row.seconds},
-                                {"windows", row.tally.windows},
-                                {"macro_recall", rounded(row.tally.macro_recall)},
-                                {"salsa_or_belly", rounded(row.tally.two_dances)},
-                                {"auroc_unknown", rounded(row.tally.auroc_unknown)},
-                                {"calibration_error", rounded(row.tally.calibration_error)},
-                                {"confusion", confusion}});
+        json["rows"].push_back(
+            {{"damage", row.damage},
+             {"evidence", row.evidence},
+             {"seconds", row.seconds},
+             {"windows", row.tally.windows},
+             {"macro_recall", rounded(row.tally.macro_recall)},
+             {fmt::format("{}", fmt::join(evaluation.pair, "_or_")), rounded(row.tally.two_dances)},
+             {"auroc_unknown", rounded(row.tally.auroc_unknown)},
+             {"calibration_error", rounded(row.tally.calibration_error)},
+             {"confusion", confusion}});
     }
     json["switches_a_minute"] = rounded(switches_a_minute(evaluation));
     json["shown"] = Json::array();
     for (const Shown& shown : evaluation.shown) {
         json["shown"].push_back({{"file", shown.file},
-                                 {"genre", name_of(shown.truth)},
+                                 {"genre", audio::shown_genre(shown.truth)},
                                  {"switches", shown.switches},
                                  {"right", rounded(shown.right_share)}});
     }

@@ -60,7 +60,8 @@ audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
 Expected<audio::BeatEstimate> hear_streaming(engine::MusicSource& source,
                                              audio::BeatMethod method,
                                              std::shared_ptr<const audio::BeatNetwork> network) {
-    auto analyzer = engine::make_analyzer(source.rate(), method, std::move(network));
+    auto analyzer =
+        engine::make_analyzer(source.rate(), {std::move(network), nullptr, nullptr}, method);
     if (!analyzer) {
         return fail(std::move(analyzer.error()));
     }

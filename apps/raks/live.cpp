@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "apps/raks/dance_setup.hpp"
 #include "apps/raks/stage_loop.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
@@ -12,7 +13,8 @@
 
 namespace raks::apps {
 
-ExitCode live(const LiveArguments& arguments) {
+ExitCode live(const LiveArguments& given) {
+    LiveArguments arguments = given;
     auto system = audio::AudioSystem::open();
     if (!system) {
         return fail(system.error());
@@ -21,17 +23,24 @@ ExitCode live(const LiveArguments& arguments) {
     if (!choice) {
         return fail(choice.error());
     }
-    auto dancers = engine::Dancers::load(arguments.settings);
+    const auto setup = open_dances(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
     if (!dancers) {
         return fail(dancers.error());
     }
-    auto loop = StageLoop::create(
-        arguments.settings, {arguments.is_headless, arguments.is_fullscreen, arguments.duration});
+    auto loop =
+        StageLoop::create(arguments.settings,
+                          setup->catalogue.list(),
+                          {arguments.is_headless, arguments.is_fullscreen, arguments.duration});
     if (!loop) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
-    config.members = dancers->members();
+    config.models = setup->models;
+    config.cast = dancers->cast();
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);
     if (!graph) {
@@ -39,16 +48,15 @@ ExitCode live(const LiveArguments& arguments) {
     }
     say("listening to " + choice->reason);
     static_cast<void>(loop->run(**graph, choice->device.name, std::nullopt));
-    const auto all = dancers->wait();
-    if (!all) {
-        loop->say(all.error().message);
+    for (const std::string& line : dancers->wait()) {
+        loop->say(line);
     }
     const BeatGrid grid = (*graph)->stage().music.grid;
     say(fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",
                     grid.tempo.bpm(),
                     grid.confidence,
                     level_meter((*graph)->analysis().level_dbfs())));
-    return !all || (*graph)->has_lost_device() ? kExitFailed : kExitDone;
+    return (*graph)->has_lost_device() ? kExitFailed : kExitDone;
 }
 
 }  // namespace raks::apps

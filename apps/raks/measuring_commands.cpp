@@ -43,14 +43,14 @@ void add_analyze(RaksCommands& table) {
 void add_eval_dance(RaksCommands& table, CLI::App& eval) {
     auto [app, a] = table.add(eval, "dance", "measure the dancer on generated music", eval_dance);
     app->add_flag("--json", a->as_json, "one JSON document");
-    app->add_option("--role", a->role, "lead or follow")->check(one_of({"lead", "follow"}));
+    add_named_option(*app, "--role", a->role, motion::kRoleNames, "lead or follow");
     app->add_option("--dance", a->settings.dance, "the dance to measure");
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
     app->add_option("--formation", a->settings.formation, "solo or couple")
         ->check(one_of({"solo", "couple"}));
     app->add_option("--seed", a->settings.seed, "same seed, same dance");
-    app->add_option("--trial", a->trials, "only this one, such as salsa-180")
+    app->add_option("--trial", a->trials, "only this one, such as drums-120")
         ->allow_extra_args(false);
     auto* clips = app->add_option("--clips", a->clips, "folder of people's clips, TAKE.bvh");
     auto* labels =

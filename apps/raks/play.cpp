@@ -6,6 +6,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "apps/raks/dance_setup.hpp"
 #include "apps/raks/stage_loop.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
@@ -122,7 +123,8 @@ Expected<StageEnd> play_file(const Path& file,
 
 }  // namespace
 
-ExitCode play(const PlayArguments& arguments) {
+ExitCode play(const PlayArguments& given) {
+    PlayArguments arguments = given;
     const auto files = files_to_play(arguments.files);
     if (!files) {
         return fail(files.error());
@@ -143,17 +145,23 @@ ExitCode play(const PlayArguments& arguments) {
     if (!output) {
         return fail(output.error().message + " (--no-sound dances without a loudspeaker)");
     }
-    auto dancers = engine::Dancers::load(arguments.settings);
+    const auto setup = open_dances(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
     if (!dancers) {
         return fail(dancers.error());
     }
     auto loop = StageLoop::create(arguments.settings,
+                                  setup->catalogue.list(),
                                   {arguments.is_headless, arguments.is_fullscreen, std::nullopt});
     if (!loop) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
-    config.members = dancers->members();
+    config.models = setup->models;
+    config.cast = dancers->cast();
     config.latency_offset = nanos_from_seconds(arguments.settings.latency_offset_ms * 1e-3);
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     bool has_lost_device = false;
@@ -172,9 +180,8 @@ ExitCode play(const PlayArguments& arguments) {
             break;
         }
     }
-    if (const auto all = dancers->wait(); !all) {
-        loop->say(all.error().message);
-        has_failed = true;
+    for (const std::string& line : dancers->wait()) {
+        loop->say(line);
     }
     return has_lost_device || has_failed ? kExitFailed : kExitDone;
 }

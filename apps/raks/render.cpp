@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
@@ -152,11 +153,18 @@ ExitCode render(const RenderArguments& given) {
     if (!look) {
         return fail(look.error());
     }
-    const auto dancers = engine::Dancers::load(arguments.settings);
+    const auto setup = open_dances(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
     if (!dancers) {
         return fail(dancers.error());
     }
-    auto driver = engine::OfflineDriver::create(source->rate(), dancers->members());
+    for (const std::string& line : dancers->wait()) {  // the same film whatever thread is faster
+        say(line);
+    }
+    auto driver = engine::OfflineDriver::create(source->rate(), setup->models, dancers->cast());
     if (!driver) {
         return fail(std::move(driver.error()).in(arguments.input.string()));
     }
@@ -173,7 +181,7 @@ ExitCode render(const RenderArguments& given) {
     if (!context) {
         return fail(context.error());
     }
-    auto show = engine::Show::create(*look, arguments.settings.overlay);
+    auto show = engine::Show::create(*look, arguments.settings.overlay, setup->catalogue.list());
     if (!show) {
         return fail(show.error());
     }

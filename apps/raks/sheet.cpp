@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
@@ -24,10 +25,15 @@ struct SheetPlan {
 
 /// One figure from count 1 on.
 Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments,
+                                                      const DanceSetup& setup,
                                                       const SheetPlan& plan) {
     const engine::Settings& settings = arguments.settings;
-    const auto library = engine::load_dance(
-        engine::dance_to_load(settings), motion::DanceRole::lead, engine::form_of(settings));
+    const auto library =
+        engine::load_dance(setup.catalogue,
+                           engine::dance_to_load(settings, *setup.catalogue.list()),
+                           setup.skeleton,
+                           motion::DanceRole::lead,
+                           engine::form_of(settings));
     if (!library) {
         return fail(library.error());
     }
@@ -46,12 +52,13 @@ Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& argu
     on.figure = static_cast<std::size_t>(index);
     on.tempo = Bpm(arguments.bpm);
     on.seed = static_cast<std::uint64_t>(settings.seed);
-    return engine::dance_alone(*library, on, beats);
+    return engine::dance_alone(*library, setup.skeleton, on, beats);
 }
 
 }  // namespace
 
-ExitCode sheet(const SheetArguments& arguments) {
+ExitCode sheet(const SheetArguments& given) {
+    SheetArguments arguments = given;
     const auto look = engine::read_look(arguments.settings);
     if (!look) {
         return fail(look.error());
@@ -60,7 +67,11 @@ ExitCode sheet(const SheetArguments& arguments) {
     const double fps = arguments.settings.fps;
     const SheetPlan plan =
         is_sheet ? SheetPlan() : SheetPlan{kFilmCounts, 60.0 * fps / arguments.bpm};
-    const auto poses = poses_of_a_figure(arguments, plan);
+    const auto setup = open_dances(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    const auto poses = poses_of_a_figure(arguments, *setup, plan);
     if (!poses) {
         return fail(poses.error());
     }

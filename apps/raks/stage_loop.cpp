@@ -66,12 +66,14 @@ std::string level_meter(float dbfs) {
     return fmt::format("[{:<{}}] {:6.1f} dBFS", std::string(bars, '#'), kWidth, dbfs);
 }
 
-Expected<StageLoop> StageLoop::create(const engine::Settings& settings, const Options& options) {
+Expected<StageLoop> StageLoop::create(const engine::Settings& settings,
+                                      std::shared_ptr<const DanceList> dances,
+                                      const Options& options) {
     const auto look = engine::read_look(settings);
     if (!look) {
         return fail(look.error());
     }
-    StageLoop loop(settings, options);
+    StageLoop loop(settings, std::move(dances), options);
     loop.volume_ = static_cast<float>(settings.volume);
     if (options.is_headless) {
         return loop;
@@ -86,7 +88,7 @@ Expected<StageLoop> StageLoop::create(const engine::Settings& settings, const Op
         return fail(window.error());
     }
     loop.window_.emplace(std::move(*window));
-    auto show = engine::Show::create(*look, settings.overlay);
+    auto show = engine::Show::create(*look, settings.overlay, loop.dances_);
     if (!show) {
         return fail(show.error());
     }
@@ -251,23 +253,19 @@ void StageLoop::act(render::Action action, const render::KeyEvent& key, engine::
     }
 }
 
-/// The next dance after the selected one, in the order of the genres; after the last as heard.
+/// The next dance after the selected one, in the order of the list; after the last as heard.
 void StageLoop::select_next_dance(engine::LiveGraph& graph) {
     if (settings_.dance != "auto") {
         say(fmt::format("keeping to {}: start without --dance for the others", settings_.dance));
         return;
     }
-    const std::vector<std::string> known = engine::known_dances();
-    auto next = static_cast<int>(selected_dance_);
-    do {
-        next = (next + 1) % kGenreCount;
-        selected_dance_ = static_cast<Genre>(next);
-    } while (selected_dance_ != Genre::unknown &&
-             std::find(known.begin(), known.end(), name_of(selected_dance_)) == known.end());
-    graph.command(DancerKind::select_dance, next);
-    say(selected_dance_ == Genre::unknown
+    const bool is_heard = selected_dance_ == DanceId::none;
+    const std::size_t next = is_heard ? 0 : index_of(selected_dance_) + 1;
+    selected_dance_ = next < dances_->size() ? static_cast<DanceId>(next) : DanceId::none;
+    graph.command(DancerKind::select_dance, static_cast<double>(selected_dance_));
+    say(selected_dance_ == DanceId::none
             ? "the dance that is heard"
-            : fmt::format("dancing {} (D: another dance)", name_of(selected_dance_)));
+            : fmt::format("dancing {} (D: another dance)", dances_->name_of(selected_dance_)));
 }
 
 void StageLoop::draw(engine::LiveGraph& graph,

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "apps/raks/commands.hpp"
 #include "base/expected.hpp"
@@ -28,6 +30,7 @@ class StageLoop {
         std::optional<double> seconds;  ///< ends after this much of the music
     };
     [[nodiscard]] static Expected<StageLoop> create(const engine::Settings& settings,
+                                                    std::shared_ptr<const DanceList> dances,
                                                     const Options& options);
 
     /// Runs until the music ends, a key or a signal says so, or the time is up. `source`: what is
@@ -40,8 +43,10 @@ class StageLoop {
     void say(const std::string& line);
 
  private:
-    StageLoop(const engine::Settings& settings, const Options& options)
-        : settings_(settings), options_(options) {}
+    StageLoop(const engine::Settings& settings,
+              std::shared_ptr<const DanceList> dances,
+              const Options& options)
+        : settings_(settings), dances_(std::move(dances)), options_(options) {}
 
     void handle_events(engine::LiveGraph& graph);
     void act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph);
@@ -52,6 +57,7 @@ class StageLoop {
     [[nodiscard]] std::optional<StageEnd> end_of(engine::LiveGraph& graph) const;
 
     engine::Settings settings_;
+    std::shared_ptr<const DanceList> dances_;
     Options options_;
     // The window before what is drawn in it: its context must live longer.
     std::optional<render::Window> window_;
@@ -59,7 +65,7 @@ class StageLoop {
     std::optional<StageEnd> wish_;
     bool wants_screenshot_ = false;
     bool keeps_figure_ = false;
-    Genre selected_dance_ = Genre::unknown;  // unknown: as heard
+    DanceId selected_dance_ = DanceId::none;  // none: as heard
     std::string message_;
     HostTime message_until_{};
     HostTime last_picture_{};

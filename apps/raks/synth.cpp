@@ -2,14 +2,45 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
+#include "base/suggest.hpp"
+#include "engine/setup/dance_catalogue.hpp"
 
 namespace raks::apps {
+
+namespace {
+
+/// The style of this name, or the one that fits the dance of this name.
+Expected<audio::Style> style_of(const std::string& name) {
+    if (const auto style = audio::style_from_name(name)) {
+        return style;
+    }
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
+    }
+    const DanceList& dances = *catalogue->list();
+    const DanceInfo* const dance =
+        name.empty() ? &dances.all().front() : dances.find(dances.id_of(name));
+    if (dance == nullptr) {
+        std::vector<std::string_view> known = dances.names();
+        const auto styles = audio::style_names();
+        known.insert(known.end(), styles.begin(), styles.end());
+        return fail(unknown_name("style", name, known));
+    }
+    if (dance->style.empty()) {
+        return fail(dance->name +
+                    ": no style of our own music fits it; name one in its dances.toml");
+    }
+    return audio::style_from_name(dance->style);
+}
+
+}  // namespace
 
 ExitCode synth(const SynthArguments& arguments) {
     if (arguments.output.extension() != ".wav") {
         return fail(arguments.output.string() + ": cannot write this kind of sound; known: .wav");
     }
-    const auto style = audio::style_from_name(arguments.style);
+    const auto style = style_of(arguments.style);
     if (!style) {
         return fail(style.error());
     }

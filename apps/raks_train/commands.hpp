@@ -21,19 +21,21 @@ struct LabelledClips {
 };
 
 struct TrainFigureArguments : LabelledClips {
-    Path music;           ///< danced to: its beats are the counts; empty: none
-    double offset = 0.0;  ///< seconds of the music at a clip's first frame
-    std::string figure;   ///< empty: "basic", of a written dance all
-    std::string dance = "salsa";
-    std::string role = "lead";
-    std::string features = "angles";  ///< or "positions"
-    double scale = 0.0;               ///< metres per unit; 0: guessed
-    int states = 0;                   ///< 0: 16, of a written dance as many as its figures need
+    Path music;             ///< danced to: its beats are the counts; empty: none
+    double offset = 0.0;    ///< seconds of the music at a clip's first frame
+    std::string figure;     ///< empty: "basic", of a written dance all
+    std::string dance;      ///< empty: what `output` names, else the first of the list
+    std::string extends;    ///< the dance that the figure joins; empty: none
+    int beats_per_bar = 4;  ///< of the music of a dance that is new
+    motion::DanceRole role = motion::DanceRole::lead;
+    motion::FigureFeatures features = motion::FigureFeatures::angles;
+    double scale = 0.0;  ///< metres per unit; 0: guessed
+    int states = 0;      ///< 0: 16, of a written dance as many as its figures need
     int iterations = 0;
-    std::string covariance = "tied";  ///< tied, full or diagonal
-    std::string start = "flat";       ///< flat or segmental
-    std::string source;               ///< "cmu": the model carries CMU's acknowledgement
-    Path output;                      ///< .json; of a written dance also a folder
+    motion::CovarianceKind covariance = motion::CovarianceKind::tied;
+    motion::StatesStart start = motion::StatesStart::flat;
+    std::string source;  ///< "cmu": the model carries CMU's acknowledgement
+    std::string output;  ///< X.json, a folder, or the name of a dance; empty: the dance's name
 };
 /// Learns from clips, or from a written dance (one .toml in place of the clips).
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
@@ -42,11 +44,11 @@ struct TrainFigureArguments : LabelledClips {
 struct TrainReportArguments : LabelledClips {
     TrainReportArguments() { min_confidence = 0.7; }
 
-    std::string features = "angles";               ///< or "positions"
+    motion::FigureFeatures features = motion::FigureFeatures::angles;
     std::vector<std::string> figures = {"basic"};  ///< two or more are also told apart
-    std::string dance = "salsa";
-    std::string role = "lead";  ///< lead, follow or both
-    std::string test_split;     ///< to tell figures apart in; empty: only with takes left out
+    std::string dance;                             ///< empty: the first of the list
+    std::string role = "lead";                     ///< lead, follow or both
+    std::string test_split;  ///< to tell figures apart in; empty: only with takes left out
     double test_confidence = 0.6;
     std::vector<double> scales;  ///< metres per unit, the follow's last; empty: guessed
     int most_states = 19;

@@ -19,9 +19,15 @@ void add_train_figure(CommandTable& table) {
     app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
     app->add_option("--figure", a->figure, "which label, or figure of a dance, to learn");
     app->add_option("--dance", a->dance, "the dance that it belongs to");
-    app->add_option("--role", a->role, "lead or follow")->check(one_of({"lead", "follow"}));
-    app->add_option("--features", a->features, "of the joints: angles or positions")
-        ->check(one_of({"angles", "positions"}));
+    app->add_option("--extends", a->extends, "a dance that its figures join");
+    app->add_option("--beats-per-bar", a->beats_per_bar, "of the music of a dance that is new")
+        ->check(in_range(2, 12));
+    add_named_option(*app, "--role", a->role, motion::kRoleNames, "lead or follow");
+    add_named_option(*app,
+                     "--features",
+                     a->features,
+                     motion::kFeaturesNames,
+                     "of the joints: angles or positions");
     app->add_option("--split", a->split, "only labels of this split");
     app->add_option("--min-confidence", a->min_confidence, "only labels at least so sure")
         ->check(in_range(0.0, 1.0));
@@ -31,13 +37,23 @@ void add_train_figure(CommandTable& table) {
         ->check(in_range(1e-4, 10.0));
     app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
     app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
-    app->add_option("--covariance", a->covariance, "of the states: tied, full or diagonal")
-        ->check(one_of({"tied", "full", "diagonal"}));
-    app->add_option("--start", a->start, "where states lie before Baum-Welch: flat, segmental")
-        ->check(one_of({"flat", "segmental"}));
+    add_named_option(*app,
+                     "--covariance",
+                     a->covariance,
+                     motion::kCovarianceKindNames,
+                     "of the states: tied, full or diagonal");
+    add_named_option(*app,
+                     "--start",
+                     a->start,
+                     motion::kStatesStartNames,
+                     "where states lie before Baum-Welch: flat, segmental");
     app->add_option("--source", a->source, "cmu: the model acknowledges mocap.cs.cmu.edu")
         ->check(one_of({"cmu"}));
-    app->add_option("-o,--out", a->output, "X.json; of a dance also a folder")->required();
+    app->add_option(
+        "-o,--out",
+        a->output,
+        "NAME of a dance to install it as, a folder, or X.json for one model; none: the dance's "
+        "own name");
 }
 
 void add_train_report(CommandTable& table) {
@@ -50,8 +66,11 @@ void add_train_report(CommandTable& table) {
     app->add_option("--dance", a->dance, "the dance that they belong to");
     app->add_option("--role", a->role, "lead, follow or both")
         ->check(one_of({"lead", "follow", "both"}));
-    app->add_option("--features", a->features, "of the joints: angles or positions")
-        ->check(one_of({"angles", "positions"}));
+    add_named_option(*app,
+                     "--features",
+                     a->features,
+                     motion::kFeaturesNames,
+                     "of the joints: angles or positions");
     app->add_option("--split", a->split, "learn only from labels of this split");
     app->add_option("--test-split", a->test_split, "tell figures apart in this split, too");
     app->add_option("--min-confidence", a->min_confidence, "learn only from labels as sure")

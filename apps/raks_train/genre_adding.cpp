@@ -54,7 +54,9 @@ Expected<void> check_hearing(const GenreBase& base,
     return {};
 }
 
-void keep_known(const GenreBase& base, const std::set<Genre>& renewed, audio::GenreModel& model) {
+void keep_known(const GenreBase& base,
+                const std::set<std::string>& renewed,
+                audio::GenreModel& model) {
     for (std::size_t i = 0; i < model.genres.size(); ++i) {
         const auto& known = base.model->genres;
         const auto found = std::find(known.begin(), known.end(), model.genres[i]);
@@ -66,7 +68,7 @@ void keep_known(const GenreBase& base, const std::set<Genre>& renewed, audio::Ge
 
 Expected<void> keep_samples(const GenreOptions& options,
                             const audio::HearingPlan& hearing,
-                            std::span<const Genre> genres,
+                            std::span<const std::string> genres,
                             std::span<const audio::HeardPiece* const> pieces) {
     if (options.sample_kilobytes == 0 || options.output.empty()) {
         return {};
@@ -75,7 +77,7 @@ Expected<void> keep_samples(const GenreOptions& options,
     const audio::GenreSamples samples{text_of(hearing, options.plan.features),
                                       {genres.begin(), genres.end()},
                                       options.plan.written_networks,
-                                      audio::sample_pieces(pieces, bytes, options.seed)};
+                                      audio::sample_pieces(pieces, genres, bytes, options.seed)};
     return audio::save_samples(samples, audio::samples_path(options.output));
 }
 

@@ -31,12 +31,14 @@ struct GenreBase {
                                            const audio::HearingPlan& hearing);
 
 /// Puts back the HMMs of genres without new music: they knew all of it. `renewed`: those with.
-void keep_known(const GenreBase& base, const std::set<Genre>& renewed, audio::GenreModel& model);
+void keep_known(const GenreBase& base,
+                const std::set<std::string>& renewed,
+                audio::GenreModel& model);
 
 /// Keeps a sample of these pieces beside the model. Nothing, where the options want none.
 [[nodiscard]] Expected<void> keep_samples(const GenreOptions& options,
                                           const audio::HearingPlan& hearing,
-                                          std::span<const Genre> genres,
+                                          std::span<const std::string> genres,
                                           std::span<const audio::HeardPiece* const> pieces);
 
 }  // namespace raks::apps

@@ -90,7 +90,9 @@ std::shared_ptr<const models::RecurrentNetwork> learnt_once(const GenreOptions& 
 }  // namespace
 
 std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
-    const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres) {
+    const GenreOptions& options,
+    const GenreMaterial& material,
+    const std::vector<std::string>& genres) {
     std::vector<const audio::HeardPiece*> pieces;
     std::vector<std::size_t> classes;
     const auto hash_with = [](std::span<const float> values, std::uint64_t hash) {
@@ -183,10 +185,11 @@ std::set<std::string> unjudged(const GenreOptions& options, const GenreMaterial&
 
 }  // namespace
 
-Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& options,
-                                                            const GenreMaterial& material,
-                                                            const audio::HearingPlan& hearing,
-                                                            const std::vector<Genre>& genres) {
+Expected<std::vector<audio::WindowScore>> validate_by_group(
+    const GenreOptions& options,
+    const GenreMaterial& material,
+    const audio::HearingPlan& hearing,
+    const std::vector<std::string>& genres) {
     const std::vector<audio::HeardPiece>& pieces = material.pieces;
     const DamagedMusic damaged =
         options.judges_damage ? hear_damaged(options, material, hearing) : DamagedMusic{};
@@ -217,7 +220,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(const GenreOptions& 
     const auto asked = enough_recordings(pieces, genres);
     const FoldFusions fusions(undamaged, genres.size() + 1, options.threads);
     for (const auto& [damage, judged_scores] : recorded) {
-        const JudgedScores judged{judged_scores, fusions, nullptr};
+        const JudgedScores judged{judged_scores, fusions, nullptr, options.pair};
         const bool is_clean = damage == audio::Damage::none;
         GenrePage page =
             page_of(is_clean ? "recordings, by artist"
@@ -260,7 +263,8 @@ Expected<void> test_on_written(const GenreOptions& options,
         const auto asked = all_genres(model.genres.size());
         const auto scores = scores_of(model, *pieces, options.threads);
         const FoldFusions fusions(scores, model.classes(), options.threads);
-        print_page(page_of(name, {scores, fusions, &model}, model.genres, asked), asked);
+        print_page(page_of(name, {scores, fusions, &model, options.pair}, model.genres, asked),
+                   asked);
         return {};
     };
     const std::uint64_t seed = options.seed + 500;

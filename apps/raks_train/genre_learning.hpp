@@ -13,7 +13,9 @@ namespace raks::apps {
 
 /// The recurrent networks that have learnt from the written music; kept between runs in the cache.
 [[nodiscard]] std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
-    const GenreOptions& options, const GenreMaterial& material, const std::vector<Genre>& genres);
+    const GenreOptions& options,
+    const GenreMaterial& material,
+    const std::vector<std::string>& genres);
 
 /// Scores of pieces by models that did not hear their artist; prints how good they are, of
 /// recordings with damage, too, where that is asked for.
@@ -22,7 +24,7 @@ namespace raks::apps {
     const GenreOptions& options,
     const GenreMaterial& material,
     const audio::HearingPlan& hearing,
-    const std::vector<Genre>& genres);
+    const std::vector<std::string>& genres);
 
 /// Prints how the finished model hears written music that it never heard.
 /// Errors: a soundfont cannot be read.

@@ -105,8 +105,9 @@ Expected<audio::HeardMaterial> hear_all(const GenreOptions& options,
     audio::HeardMaterial material;
     material.written_with = credit_of_written(options);
     if (!options.folder.empty()) {
-        auto listed = options.index.empty() ? audio::list_music(options.folder)
-                                            : audio::list_music(options.folder, options.index);
+        auto listed = options.index.empty()
+                          ? audio::list_music(options.folder, *options.dances)
+                          : audio::list_music(options.folder, options.index, *options.dances);
         if (!listed) {
             return fail(listed.error());
         }
@@ -161,8 +162,9 @@ std::string plan_text(const GenreOptions& options,
                       const audio::HeardMaterial& material) {
     std::uint64_t files = hash_of("");
     for (const audio::MusicFile& file : material.files) {
-        files =
-            hash_of(fmt::format("{} {} {}\n", file.name, file.group, name_of(file.genre)), files);
+        files = hash_of(
+            fmt::format("{} {} {}\n", file.name, file.group, audio::shown_genre(file.genre)),
+            files);
     }
     return fmt::format(
         "hearing {:x} files {:x} altered {} seed {} edition {} styles {:x} written {} {} {}{}",
@@ -238,7 +240,8 @@ Expected<GenreMaterial> gather(const GenreOptions& options, const audio::Hearing
     }
     std::erase_if(material.pieces, [&](const audio::HeardPiece& piece) {
         const auto& left_out = options.left_out;
-        return std::find(left_out.begin(), left_out.end(), name_of(piece.genre)) != left_out.end();
+        return std::find(left_out.begin(), left_out.end(), audio::shown_genre(piece.genre)) !=
+               left_out.end();
     });
     if (material.pieces.empty() && !material.files.empty()) {
         return fail(fmt::format("none of the {} files can be learnt from", material.files.size()));

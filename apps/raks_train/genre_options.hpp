@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "audio/music/damage/sound_augmentation.hpp"
 #include "audio/music/styles/style_book.hpp"
+#include "base/dance_list.hpp"
 #include "training/genre/feature_shard.hpp"
 #include "training/genre/genre_samples.hpp"
 #include "training/genre/genre_trainer.hpp"
@@ -15,6 +17,8 @@ namespace raks::apps {
 
 /// What `raks train genre` was asked for.
 struct GenreOptions {
+    std::shared_ptr<const DanceList> dances;  // whose music is told apart
+    std::vector<std::string> pair;            // two that are compared
     std::filesystem::path folder;
     std::filesystem::path index;
     std::filesystem::path output;

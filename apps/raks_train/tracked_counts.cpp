@@ -8,6 +8,7 @@
 
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_catalogue.hpp"
 
 namespace raks::apps {
 namespace {
@@ -75,7 +76,15 @@ Expected<TrackedCounts> track_counts(const std::filesystem::path& file) {
     if (!source) {
         return fail(source.error());
     }
-    auto analyzer = engine::make_analyzer(source->rate());
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
+    }
+    const auto models = engine::load_analyzer_models(catalogue->list());
+    if (!models) {
+        return fail(models.error());
+    }
+    auto analyzer = engine::make_analyzer(source->rate(), *models);
     if (!analyzer) {
         return fail(std::move(analyzer.error()).in(file.string()));
     }

@@ -1,16 +1,20 @@
 #include "apps/raks_train/commands.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/likelihoods.hpp"
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "engine/setup/dance_catalogue.hpp"
+#include "engine/setup/dance_folder.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "training/figures/training_plan.hpp"
 
@@ -19,21 +23,15 @@
 namespace raks::apps {
 namespace {
 
-/// The value that `names` gives this name; the parser let no other through.
-template <typename Value, typename Names>
-Value named(const Names& names, const std::string& name) {
-    return static_cast<Value>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
+motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
+                                       const std::string& dance) {
     motion::FigureTrainingPlan plan = plan_of(arguments);
     if (!arguments.figure.empty()) {
         plan.figure = arguments.figure;
     }
-    plan.dance = arguments.dance;
-    plan.role = arguments.role == "lead" ? motion::DanceRole::lead : motion::DanceRole::follow;
-    plan.features = arguments.features == "positions" ? motion::FigureFeatures::positions
-                                                      : motion::FigureFeatures::angles;
+    plan.dance = dance;
+    plan.role = arguments.role;
+    plan.features = arguments.features;
     if (arguments.scale > 0.0) {
         plan.metres_per_unit = arguments.scale;
     }
@@ -41,9 +39,8 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments) {
         plan.states = arguments.states;
     }
     plan.baum_welch_iterations = arguments.iterations;
-    plan.covariance =
-        named<motion::CovarianceKind>(motion::kCovarianceKindNames, arguments.covariance);
-    plan.start = named<motion::StatesStart>(motion::kStatesStartNames, arguments.start);
+    plan.covariance = arguments.covariance;
+    plan.start = arguments.start;
     if (arguments.source == "cmu") {
         plan.attribution = std::string(motion::cmu_attribution());
     }
@@ -76,6 +73,57 @@ std::vector<Path> inputs_of(const LabelledClips& clips) {
     return inputs;
 }
 
+namespace {
+
+/// The dance that a figure from clips belongs to: as it is told, as the output is called, or the
+/// first of those that there are.
+Expected<std::string> dance_of(const TrainFigureArguments& arguments) {
+    for (const std::string& told : {arguments.extends, arguments.dance}) {
+        if (!told.empty()) {
+            return told;
+        }
+    }
+    if (is_dance_name(arguments.output)) {
+        return arguments.output;
+    }
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
+    }
+    return catalogue->list()->all().front().name;
+}
+
+/// What a dances.toml says of the dance of one figure.
+DanceInfo info_of(const motion::FigureModel& model, const TrainFigureArguments& arguments) {
+    constexpr double kReach = 0.2;  // of the tempo learnt from, to both sides
+    DanceInfo info;
+    info.name = info.title = model.dance;
+    info.extends = arguments.extends;
+    info.beats_per_bar = arguments.beats_per_bar;
+    const double tempo = std::clamp(model.learnt_tempo.bpm(), 25.0, 330.0);
+    info.lowest = Bpm(std::round((1.0 - kReach) * tempo));
+    info.highest = Bpm(std::round((1.0 + kReach) * tempo));
+    info.likely = Bpm(std::round(tempo));
+    return info;
+}
+
+/// The beats of the music as the counts of the plan.
+Expected<void> take_counts(const TrainFigureArguments& arguments,
+                           motion::FigureTrainingPlan& plan) {
+    auto tracked = track_counts(arguments.music);
+    if (!tracked) {
+        return fail(std::move(tracked.error()));
+    }
+    if (!tracked->warning.empty()) {
+        say(tracked->warning);
+    }
+    plan.music = std::move(tracked->music);
+    plan.music->offset = arguments.offset;
+    return {};
+}
+
+}  // namespace
+
 ExitCode train_figure(const TrainFigureArguments& arguments) {
     if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {
         return train_authored(arguments);
@@ -84,22 +132,26 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
         say("clips need --labels X.tsv: where each figure begins and ends");
         return kExitUsage;
     }
-    std::vector<Path> inputs = inputs_of(arguments);
-    inputs.push_back(arguments.music);
-    if (auto checked = check_output(arguments.output, inputs); !checked) {
-        return fail(std::move(checked.error()));
+    const auto dance = dance_of(arguments);
+    if (!dance) {
+        return fail(dance.error());
     }
-    motion::FigureTrainingPlan plan = figure_plan(arguments);
+    const auto destination = destination_of(arguments.output, *dance);
+    if (!destination) {
+        return fail(destination.error());
+    }
+    if (!destination->file.empty()) {
+        std::vector<Path> inputs = inputs_of(arguments);
+        inputs.push_back(arguments.music);
+        if (auto checked = check_output(destination->file, inputs); !checked) {
+            return fail(std::move(checked.error()));
+        }
+    }
+    motion::FigureTrainingPlan plan = figure_plan(arguments, *dance);
     if (!arguments.music.empty()) {
-        auto heard = track_counts(arguments.music);
-        if (!heard) {
-            return fail(std::move(heard.error()));
+        if (auto taken = take_counts(arguments, plan); !taken) {
+            return fail(std::move(taken.error()));
         }
-        if (!heard->warning.empty()) {
-            say(heard->warning);
-        }
-        plan.music = std::move(heard->music);
-        plan.music->offset = arguments.offset;
     }
     const auto report = motion::train_figure(plan);
     if (!report) {
@@ -108,19 +160,25 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     for (const std::string& warning : report->warnings) {
         say(warning);
     }
-    if (auto saved = motion::save_figure(report->model, arguments.output); !saved) {
-        return fail(saved.error());
+    const auto used = std::count_if(report->repeats.begin(),
+                                    report->repeats.end(),
+                                    [](const auto& use) { return use.left_out.empty(); });
+    const engine::LearntFigure figure{&report->model, static_cast<double>(used)};
+    if (auto done = deliver(*destination, info_of(report->model, arguments), {&figure, 1}); !done) {
+        return fail(std::move(done.error()));
     }
-    int used = 0;
-    for (const motion::RepeatUse& use : report->repeats) {
-        used += use.left_out.empty() ? 1 : 0;
-    }
-    std::string line = fmt::format("{}: {} of {} repeats; log-likelihood a sample: ",
-                                   arguments.output.string(),
-                                   used,
-                                   report->repeats.size());
-    line += listed_likelihoods(report->model.features, report->log_likelihood);
-    std::puts(line.c_str());
+    const Path path = !destination->file.empty() ? destination->file
+                                                 : engine::figure_path(destination->folder,
+                                                                       report->model.dance,
+                                                                       report->model.name,
+                                                                       report->model.role,
+                                                                       report->model.features);
+    std::puts(fmt::format("{}: {} of {} repeats; log-likelihood a sample: {}",
+                          path.string(),
+                          used,
+                          report->repeats.size(),
+                          listed_likelihoods(report->model.features, report->log_likelihood))
+                  .c_str());
     return kExitDone;
 }
 

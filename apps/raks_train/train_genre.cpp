@@ -24,6 +24,7 @@
 #include "audio/io/lossy_codec.hpp"
 #include "base/file.hpp"
 #include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_catalogue.hpp"
 #include "training/genre/network_outputs.hpp"
 
 #include <fmt/format.h>
@@ -242,7 +243,7 @@ Expected<void> learn(GenreOptions& options,
     if (!material) {
         return fail(material.error());
     }
-    std::set<Genre> renewed;
+    std::set<std::string> renewed;
     for (const audio::HeardPiece& piece : material->pieces) {
         renewed.insert(piece.genre);
     }
@@ -251,7 +252,8 @@ Expected<void> learn(GenreOptions& options,
         material->pieces.insert(material->pieces.begin(), kept.begin(), kept.end());
     }
     const std::clock_t start = std::clock();
-    const std::vector<Genre> genres = audio::genres_of(material->pieces);
+    const std::vector<std::string> genres =
+        audio::genres_of(material->pieces, options.dances->names());
     options.plan.written_networks =
         base != nullptr
             ? audio::with_outputs(base->samples.written_networks, base->samples.genres, genres)
@@ -299,6 +301,12 @@ Expected<void> learn(GenreOptions& options,
 }
 
 Expected<void> run(GenreOptions& options, const std::string& command) {
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
+    }
+    options.dances = catalogue->list();
+    options.pair = catalogue->pair();
     if (auto checked = check_options(options); !checked) {
         return checked;
     }

@@ -94,8 +94,7 @@ class Reporter {
     [[nodiscard]] motion::FigureTrainingOptions training() const {
         motion::FigureTrainingOptions training;
         training.dance = arguments_.dance;
-        training.features = arguments_.features == "positions" ? motion::FigureFeatures::positions
-                                                               : motion::FigureFeatures::angles;
+        training.features = arguments_.features;
         training.baum_welch_iterations = arguments_.iterations;
         return training;
     }

@@ -19,8 +19,10 @@ double shortened(float value) { return std::round(static_cast<double>(value) * 1
 
 }  // namespace
 
-AnalysisDocument::AnalysisDocument(std::string file, SampleRate rate)
-    : file_(std::move(file)), rate_(rate) {}
+AnalysisDocument::AnalysisDocument(std::string file,
+                                   SampleRate rate,
+                                   std::vector<std::string> genres)
+    : file_(std::move(file)), rate_(rate), genres_(std::move(genres)) {}
 
 void AnalysisDocument::add(const MusicState& state) {
     if (state.has_beat) {
@@ -35,7 +37,7 @@ void AnalysisDocument::add(const MusicState& state) {
     }
     const double time = rounded(state.time);
     tempo_.push_back({time, state.grid.tempo.bpm(), state.grid.confidence});
-    genre_.push_back({time, state.genre, state.genre_log_probability});
+    genre_.push_back({time, state.genre_class, state.genre_log_probability});
     loudness_.push_back({time, state.loudness_lufs});
 }
 
@@ -79,11 +81,11 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
     auto& genre = document["genre"] = nlohmann::ordered_json::array();
     for (const GenrePoint& point : genre_) {
         nlohmann::ordered_json posterior;
-        for (std::size_t i = 0; i < kGenreNames.size(); ++i) {
-            posterior[std::string(kGenreNames[i])] = shortened(std::exp(point.log_probability[i]));
+        for (std::size_t i = 0; i < genres_.size(); ++i) {
+            posterior[genres_[i]] = shortened(std::exp(point.log_probability[i]));
         }
         genre.push_back(
-            {{"time", point.time}, {"label", name_of(point.label)}, {"posterior", posterior}});
+            {{"time", point.time}, {"label", genres_[point.label]}, {"posterior", posterior}});
     }
     auto& loudness = document["loudness"] = nlohmann::ordered_json::array();
     for (const LoudnessPoint& point : loudness_) {
@@ -119,7 +121,7 @@ std::string AnalysisDocument::to_text(Nanos duration) const {
         text += fmt::format(", the first at {:.3f} s", to_seconds(beats_.front().time));
     }
     text += "\ndance  ";
-    text += genre_.empty() ? "unknown" : name_of(genre_.back().label);
+    text += genre_.empty() ? "unknown" : genres_[genre_.back().label];
     return text + "\n";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace raks::apps {
 /// The form is in docs/file_formats.md (raks-analysis, version 1).
 class AnalysisDocument {
  public:
-    AnalysisDocument(std::string file, SampleRate rate);
+    /// `genres`: names of the classes of MusicState::genre_log_probability, "unknown" last.
+    AnalysisDocument(std::string file, SampleRate rate, std::vector<std::string> genres);
 
     /// Takes the next state, in order.
     void add(const MusicState& state);
@@ -36,8 +38,8 @@ class AnalysisDocument {
     };
     struct GenrePoint {
         double time;
-        Genre label;
-        std::array<float, kGenreCount> log_probability;
+        std::size_t label;  ///< class
+        GenreLogProbabilities log_probability;
     };
     struct LoudnessPoint {
         double time;
@@ -48,6 +50,7 @@ class AnalysisDocument {
 
     std::string file_;
     SampleRate rate_;
+    std::vector<std::string> genres_;
     std::vector<TempoPoint> tempo_;
     std::vector<BeatEvent> beats_;
     std::vector<double> predicted_;

@@ -126,7 +126,7 @@ std::string to_json(const DanceReport& report) {
     const JerkStandard jerk = jerk_standard(report.dance, report.role);
     Json document = {{"format", "raks-eval-dance"},
                      {"version", 1},
-                     {"dance", report.dance},
+                     {"dance", report.dance.name},
                      {"role", motion::kRoleNames[static_cast<std::size_t>(report.role)]},
                      {"generator", report.generator},
                      {"seed", report.seed}};

@@ -178,13 +178,13 @@ constexpr DanceQuantity kQuantities[] = {
 
 }  // namespace
 
-JerkStandard jerk_standard(std::string_view dance, DanceRole role) noexcept {
-    if (dance != "salsa") {
+JerkStandard jerk_standard(const DanceInfo& dance, DanceRole role) noexcept {
+    // What people did, the dance part of all takes without faults (60 frames a second, 1-4-6-4-1).
+    const double rms = dance.people_jerk_rms[static_cast<std::size_t>(role)];
+    const double p999 = dance.people_jerk_p999[static_cast<std::size_t>(role)];
+    if (!(rms > 0.0 && p999 > 0.0)) {
         return {.rms = Bound{60.0, 350.0}, .p999 = Bound{.highest = 2000.0}, .highest = {}};
     }
-    // What people did, the dance part of all takes without faults (60 frames a second, 1-4-6-4-1).
-    const double rms = role == DanceRole::lead ? 204.0 : 284.0;
-    const double p999 = role == DanceRole::lead ? 1408.0 : 1589.0;
     return {
         .rms = Bound{0.8 * rms, 1.25 * rms}, .p999 = {}, .highest = Bound{.highest = 3.0 * p999}};
 }

@@ -24,7 +24,7 @@ constexpr std::array<TopicTitle, 4> kTopics = {
       "80 ms: ramps)"},
      {Topic::feet, "Feet (contact: toe under 0.25 m/s and 5 cm)"},
      {Topic::smoothness, "Smoothness (m/s^3 at 60 a second, 1-4-6-4-1; by pace)"},
-     {Topic::others, "What papers report (no bounds: people dancing salsa score low)"}}};
+     {Topic::others, "What papers report (no bounds: people who dance as couples score low)"}}};
 
 std::string number(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
 
@@ -326,7 +326,7 @@ std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dance
 
 std::string to_text(const DanceReport& report) {
     std::string text = fmt::format("{}, {}, {}, seed {}\n\n",
-                                   report.dance,
+                                   report.dance.name,
                                    motion::kRoleNames[static_cast<std::size_t>(report.role)],
                                    report.generator,
                                    report.seed);

@@ -32,17 +32,17 @@ struct Bound {
     }
 };
 
-/// How smooth a dance must be, m/s^3. Salsa beside the people that it was learnt from; written
-/// dances by salsa's absolute values.
+/// How smooth a dance must be, m/s^3: beside the people that it was learnt from, or, written, by
+/// absolute values.
 struct JerkStandard {
     std::optional<Bound> rms;
     std::optional<Bound> p999;
     std::optional<Bound> highest;
 };
-[[nodiscard]] JerkStandard jerk_standard(std::string_view dance, motion::DanceRole role) noexcept;
+[[nodiscard]] JerkStandard jerk_standard(const DanceInfo& dance, motion::DanceRole role) noexcept;
 
 struct DanceReport {
-    std::string dance;
+    DanceInfo dance;
     motion::DanceRole role = motion::DanceRole::lead;
     std::string generator = "trajectories";
     std::int64_t seed = 1;

@@ -8,6 +8,7 @@
 #include "apps/reports/web_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace raks::apps {
 namespace {
@@ -72,8 +73,8 @@ std::string reliability_chart(const audio::GenreTally& tally) {
 /// Genres that were not judged are left out as truths.
 std::string confusion_table(const GenrePage& page, const audio::GenreTally& tally) {
     std::string html = "<table><thead><tr><th>truth</th>";
-    for (const Genre genre : page.genres) {
-        html += fmt::format("<th>{}</th>", name_of(genre));
+    for (const std::string& genre : page.genres) {
+        html += fmt::format("<th>{}</th>", genre);
     }
     html += "<th>pieces</th></tr></thead><tbody>\n";
     for (std::size_t truth = 0; truth < page.genres.size(); ++truth) {
@@ -81,7 +82,7 @@ std::string confusion_table(const GenrePage& page, const audio::GenreTally& tall
         if (std::all_of(shares.begin(), shares.end(), [](double share) { return share == 0.0; })) {
             continue;
         }
-        html += fmt::format("<tr><td>{}</td>", name_of(page.genres[truth]));
+        html += fmt::format("<tr><td>{}</td>", page.genres[truth]);
         for (std::size_t c = 0; c < page.genres.size(); ++c) {
             html += fmt::format("<td class=\"{}\">{:.2f}</td>",
                                 shares[c] < 0.005 ? "none"
@@ -95,9 +96,10 @@ std::string confusion_table(const GenrePage& page, const audio::GenreTally& tall
 }
 
 std::string rows_table(const GenrePage& page) {
-    std::string html =
-        "<table><thead><tr><th>evidence</th><th>window</th><th>mean recall</th><th>salsa or "
-        "belly</th><th>AUROC unknown</th><th>calibration error</th></tr></thead><tbody>\n";
+    std::string html = fmt::format(
+        "<table><thead><tr><th>evidence</th><th>window</th><th>mean recall</th><th>{}</th>"
+        "<th>AUROC unknown</th><th>calibration error</th></tr></thead><tbody>\n",
+        xml_text(fmt::format("{}", fmt::join(page.pair, " or "))));
     for (const GenrePage::Row& row : page.rows) {
         html += fmt::format(
             "<tr><td>{}</td><td>{:.1f} s</td><td>{:.3f}</td><td>{:.3f}</td>"
@@ -126,7 +128,7 @@ std::string failing_table(const GenrePage& page) {
     for (const GenrePage::File& file : failing) {
         html += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.2f}</td></tr>\n",
                             xml_text(file.name),
-                            name_of(file.truth),
+                            audio::shown_genre(file.truth),
                             file.right);
     }
     return html + "</tbody></table>\n";

@@ -10,7 +10,8 @@ namespace raks::apps {
 /// What a training report shows.
 struct GenrePage {
     std::string title;
-    std::vector<Genre> genres;
+    std::vector<std::string> genres;
+    std::vector<std::string> pair;  ///< two that are compared; empty: none
     struct Row {
         std::string evidence;
         double seconds = 0.0;  ///< of the window
@@ -20,7 +21,7 @@ struct GenrePage {
     /// How often the fused decision of 5 s was right for each file.
     struct File {
         std::string name;
-        Genre truth = Genre::unknown;
+        std::string truth;
         double right = 0.0;
     };
     std::vector<File> files;

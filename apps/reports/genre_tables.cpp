@@ -75,12 +75,13 @@ const audio::GenreFusion& FoldFusions::of(int fold,
 
 GenrePage page_of(const std::string& title,
                   const JudgedScores& judged,
-                  std::span<const Genre> genres,
+                  std::span<const std::string> genres,
                   std::span<const std::size_t> asked) {
     using audio::GenreEvidence;
     GenrePage page;
     page.title = title;
     page.genres.assign(genres.begin(), genres.end());
+    page.pair = judged.pair;
     const bool has_similarity =
         std::any_of(judged.scores.begin(), judged.scores.end(), [](const auto& score) {
             return score.similarity[0] != 0.0F;
@@ -96,9 +97,10 @@ GenrePage page_of(const std::string& title,
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
             const auto logs = fused_scores(judged, window, genres.size() + 1, evidence);
-            GenrePage::Row row{kEvidenceNames[static_cast<std::size_t>(evidence)],
-                               audio::kGenreWindows[window] * audio::kSegmentSeconds,
-                               audio::tally(judged.scores, logs, window, genres, asked)};
+            GenrePage::Row row{
+                kEvidenceNames[static_cast<std::size_t>(evidence)],
+                audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                audio::tally(judged.scores, logs, window, genres, asked, judged.pair)};
             if (row.tally.windows > 0) {
                 page.rows.push_back(std::move(row));
             }
@@ -127,7 +129,7 @@ void print_page(const GenrePage& page, std::span<const std::size_t> asked) {
         if (row.evidence == "fused" && row.seconds == 5.0) {
             for (const std::size_t truth : asked) {
                 fmt::print("    {:8} {:3} pieces  {:.2f}\n",
-                           name_of(page.genres[truth]),
+                           page.genres[truth],
                            row.tally.pieces[truth],
                            fmt::join(row.tally.confusion[truth], " "));
             }
@@ -138,7 +140,7 @@ void print_page(const GenrePage& page, std::span<const std::size_t> asked) {
 
 std::vector<GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
                                           const JudgedScores& judged,
-                                          std::span<const Genre> genres,
+                                          std::span<const std::string> genres,
                                           std::span<const std::size_t> asked) {
     const auto logs =
         fused_scores(judged, kFiveSeconds, genres.size() + 1, audio::GenreEvidence::fused);
@@ -175,7 +177,7 @@ std::vector<std::size_t> all_genres(std::size_t count) {
 }
 
 std::vector<std::size_t> enough_recordings(std::span<const audio::HeardPiece> pieces,
-                                           std::span<const Genre> genres) {
+                                           std::span<const std::string> genres) {
     std::vector<std::size_t> classes;
     for (std::size_t c = 0; c < genres.size(); ++c) {
         const auto count = std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) {

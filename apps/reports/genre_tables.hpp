@@ -32,12 +32,13 @@ struct JudgedScores {
     std::span<const audio::WindowScore> scores;
     const FoldFusions& fusions;
     const audio::GenreModel* calibrated = nullptr;
+    std::vector<std::string> pair{};  ///< two dances that are compared; empty: none
 };
 
 /// How every kind of evidence does at every window length, asked among these genres.
 [[nodiscard]] GenrePage page_of(const std::string& title,
                                 const JudgedScores& judged,
-                                std::span<const Genre> genres,
+                                std::span<const std::string> genres,
                                 std::span<const std::size_t> asked);
 
 /// The page as a table on stdout.
@@ -46,13 +47,13 @@ void print_page(const GenrePage& page, std::span<const std::size_t> asked);
 /// How often each recorded file's windows of 5 s were taken for what they are, among the asked.
 [[nodiscard]] std::vector<GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
                                                         const JudgedScores& judged,
-                                                        std::span<const Genre> genres,
+                                                        std::span<const std::string> genres,
                                                         std::span<const std::size_t> asked);
 
 [[nodiscard]] std::vector<std::size_t> all_genres(std::size_t count);
 
 /// Genres with recordings of at least five pieces.
 [[nodiscard]] std::vector<std::size_t> enough_recordings(std::span<const audio::HeardPiece> pieces,
-                                                         std::span<const Genre> genres);
+                                                         std::span<const std::string> genres);
 
 }  // namespace raks::apps

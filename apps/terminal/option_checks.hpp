@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -46,6 +48,25 @@ template <typename Number>
         return is_known ? std::string() : unknown_name("", printable(word, 40), names).substr(1);
     });
     return validator;
+}
+
+/// An option whose value is one of `names` (of static storage), which number the values of an
+/// enumeration in order.
+template <typename Enum, std::size_t Count>
+CLI::Option* add_named_option(CLI::App& app,
+                              const char* option,
+                              Enum& value,
+                              const std::array<std::string_view, Count>& names,
+                              const char* help) {
+    return app
+        .add_option_function<std::string>(
+            option,
+            [&value, &names](const std::string& word) {
+                value =
+                    static_cast<Enum>(std::find(names.begin(), names.end(), word) - names.begin());
+            },
+            help)
+        ->check(one_of({names.begin(), names.end()}));
 }
 
 }  // namespace raks::apps

@@ -18,7 +18,7 @@ struct AnalyzerCommand {
         set_tempo,     ///< `value` BPM, held until release_tempo
         hold_tempo,    ///< the tempo of now, until release_tempo
         release_tempo,  ///< follow the music again
-        hint_genre,     ///< tempi of this Genre (as a number) are likelier when one is sought
+        hint_genre,     ///< tempi of dance number `value` are likelier when one is sought
     };
     Kind kind = Kind::tap;
     StreamTime time{};

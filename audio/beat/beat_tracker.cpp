@@ -41,19 +41,6 @@ constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 constexpr Nanos kAnnounceLead = kHop;
 constexpr double kLeastGap = 0.45;  // of a beat between two announcements
 
-struct TempoRange {
-    double lowest_bpm = 0.0;
-    double highest_bpm = 0.0;
-};
-// Where the dances' tempi lie, by Genre; nothing is known of `unknown`.
-constexpr std::array<TempoRange, kGenreCount> kTempiOf = {{{160.0, 220.0},
-                                                           {90.0, 150.0},
-                                                           {112.0, 136.0},
-                                                           {70.0, 115.0},
-                                                           {80.0, 180.0},
-                                                           {80.0, 200.0},
-                                                           {0.0, 0.0}}};
-
 double wrapped(double phase) { return phase - std::round(phase); }
 
 }  // namespace
@@ -70,7 +57,7 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     beats_per_hop_ = 1.0 / 50;
     nudge_hops_ = 0.0;
     is_tempo_held_ = false;
-    hint_ = Genre::unknown;
+    hint_ = DanceId::none;
     begin_tempo();
     hops_without_ = 0;
     hops_apart_ = hops_heard_ = 0;
@@ -357,9 +344,9 @@ void BeatTracker::change_tempo(double bpm) noexcept {
 /// Any tempo again; those of the genre, when one is known, are likelier.
 void BeatTracker::release_tempo() noexcept {
     is_tempo_held_ = false;
-    const TempoRange range = kTempiOf[static_cast<std::size_t>(hint_)];
-    if (range.highest_bpm > 0.0) {
-        pointer_.expect_range(range.lowest_bpm, range.highest_bpm);
+    const DanceInfo* const dance = dances_ ? dances_->find(hint_) : nullptr;
+    if (dance != nullptr) {
+        pointer_.expect_range(dance->lowest.bpm(), dance->highest.bpm());
     } else {
         pointer_.expect_any_tempo();
     }
@@ -419,8 +406,8 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             release_tempo();
             break;
         case Kind::hint_genre:
-            hint_ =
-                static_cast<Genre>(std::clamp(static_cast<int>(command.value), 0, kGenreCount - 1));
+            hint_ = static_cast<DanceId>(
+                std::clamp(static_cast<int>(command.value), 0, static_cast<int>(DanceId::none)));
             if (!is_tempo_held_) {
                 release_tempo();
             }

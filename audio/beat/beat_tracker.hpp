@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/bar_belief.hpp"
@@ -45,6 +46,10 @@ class BeatTracker {
     /// Hears bars with this network from the next reset() on; none: by downbeats and changes alone.
     /// Real-time: no.
     void hear_bars_with(std::shared_ptr<const BarNetwork> network);
+
+    /// The dances whose numbers hint_genre gives, and their tempi; none: hints tell nothing.
+    /// Real-time: no.
+    void expect_dances(std::shared_ptr<const DanceList> dances) { dances_ = std::move(dances); }
 
     /// One hop; fills grid, beat and predicted of `state`.
     void advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING;
@@ -98,7 +103,8 @@ class BeatTracker {
     double beats_per_hop_ = 1.0 / 50;  // 120 BPM
     double nudge_hops_ = 0.0;          // the user's, later is positive
     bool is_tempo_held_ = false;
-    Genre hint_ = Genre::unknown;
+    std::shared_ptr<const DanceList> dances_;
+    DanceId hint_ = DanceId::none;
     double steady_rate_ = 1.0 / 50;  // beats a hop over the last beats, corrections included
     double steady_beats_ = 1.0;      // over which it is averaged
     double told_rate_ = 1.0 / 50;    // the same when a network last heard anything like a beat

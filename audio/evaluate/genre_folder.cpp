@@ -11,6 +11,7 @@
 #include "base/text_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace raks::audio {
 namespace {
@@ -18,8 +19,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestIndex = std::size_t{16} << 20U;
-constexpr const char* kLabels =
-    "salsa (latin), belly (mideast), house (electronic), hiphop, rock, waltz or other";
+constexpr std::string_view kOther = "other";
+
+/// "salsa (latin), house or other".
+std::string labels_of(const DanceList& dances) {
+    std::string text;
+    for (const DanceInfo& dance : dances.all()) {
+        text += (text.empty() ? "" : ", ") + dance.name;
+        if (!dance.labels.empty()) {
+            text += fmt::format(" ({})", fmt::join(dance.labels, ", "));
+        }
+    }
+    return fmt::format("{} or {}", text, kOther);
+}
 
 std::vector<std::string_view> cells_of(std::string_view line) {
     std::vector<std::string_view> cells;
@@ -73,11 +85,12 @@ class Head {
 
 Expected<MusicFile> file_of(const Head& head,
                             const std::vector<std::string_view>& cells,
-                            const fs::path& folder) {
+                            const fs::path& folder,
+                            const DanceList& dances) {
     const std::string label = head.cell(cells, "genre");
-    const auto genre = genre_from_label(label);
+    const auto genre = genre_from_label(label, dances);
     if (!genre) {
-        return fail(fmt::format("genre '{}' must be {}", label, kLabels));
+        return fail(fmt::format("genre '{}' must be {}", label, labels_of(dances)));
     }
     MusicFile file;
     file.name = head.cell(cells, "clip");
@@ -97,26 +110,20 @@ Expected<MusicFile> file_of(const Head& head,
 
 }  // namespace
 
-std::optional<Genre> genre_from_label(std::string_view label) noexcept {
-    constexpr std::array<std::pair<std::string_view, Genre>, 5> kOthers = {
-        {{"latin", Genre::salsa},
-         {"mideast", Genre::belly},
-         {"electronic", Genre::house},
-         {"other", Genre::unknown},
-         {"hip-hop", Genre::hiphop}}};
-    const auto* const known = std::find(kGenreNames.begin(), kGenreNames.end(), label);
-    if (known != kGenreNames.end()) {
-        return static_cast<Genre>(known - kGenreNames.begin());
+std::optional<std::string> genre_from_label(std::string_view label, const DanceList& dances) {
+    if (label == kOther) {
+        return std::string();
     }
-    for (const auto& [name, genre] : kOthers) {
-        if (label == name) {
-            return genre;
+    for (const DanceInfo& dance : dances.all()) {
+        const auto& labels = dance.labels;
+        if (dance.name == label || std::find(labels.begin(), labels.end(), label) != labels.end()) {
+            return dance.name;
         }
     }
     return std::nullopt;
 }
 
-Expected<std::vector<MusicFile>> list_music(const fs::path& folder) {
+Expected<std::vector<MusicFile>> list_music(const fs::path& folder, const DanceList& dances) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) {
         return fail(folder.string() + ": no such folder");
@@ -138,10 +145,10 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder) {
         if (std::next(inside.begin()) == inside.end()) {
             continue;  // beside the genres' folders: lists, licences
         }
-        const auto genre = genre_from_label(label);
+        const auto genre = genre_from_label(label, dances);
         if (!genre) {
-            return fail(
-                fmt::format("{}: folder '{}' must be named {}", folder.string(), label, kLabels));
+            return fail(fmt::format(
+                "{}: folder '{}' must be named {}", folder.string(), label, labels_of(dances)));
         }
         files.push_back({path, inside.string(), *genre, inside.string(), "", true, ""});
     }
@@ -151,7 +158,9 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder) {
     return files;
 }
 
-Expected<std::vector<MusicFile>> list_music(const fs::path& folder, const fs::path& index) {
+Expected<std::vector<MusicFile>> list_music(const fs::path& folder,
+                                            const fs::path& index,
+                                            const DanceList& dances) {
     const auto text = read_text_file(index, kLargestIndex);
     if (!text) {
         return fail(text.error());
@@ -179,7 +188,7 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder, const fs::pa
                                     cells.size(),
                                     head.count()));
         }
-        auto file = file_of(head, cells, folder);
+        auto file = file_of(head, cells, folder, dances);
         if (!file) {
             return fail(
                 fmt::format("{}: line {}: {}", index.string(), i + 1, file.error().message));

@@ -87,7 +87,7 @@ class Streams {
 
 }  // namespace
 
-std::size_t class_of(Genre genre, std::span<const Genre> genres) noexcept {
+std::size_t class_of(std::string_view genre, std::span<const std::string> genres) noexcept {
     return static_cast<std::size_t>(std::find(genres.begin(), genres.end(), genre) -
                                     genres.begin());
 }

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "audio/evaluate/piece_features.hpp"
@@ -20,7 +22,8 @@ struct WindowScore : GenreScores {
 };
 
 /// Class of a genre in a model: those that it does not know count as none.
-[[nodiscard]] std::size_t class_of(Genre genre, std::span<const Genre> genres) noexcept;
+[[nodiscard]] std::size_t class_of(std::string_view genre,
+                                   std::span<const std::string> genres) noexcept;
 
 /// Scores all windows of one piece by streaming it, as the recognizer does.
 [[nodiscard]] std::vector<WindowScore> score_piece(const GenreModel& model,

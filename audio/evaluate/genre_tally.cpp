@@ -32,10 +32,13 @@ double area_under_curve(const std::vector<float>& positive, const std::vector<fl
 /// Adds up windows one by one.
 class TallyMaker {
  public:
-    TallyMaker(std::span<const Genre> genres, std::span<const std::size_t> asked)
+    TallyMaker(std::span<const std::string> genres,
+               std::span<const std::size_t> asked,
+               std::span<const std::string> pair)
         : asked_(asked),
           classes_(genres.size() + 1),
-          two_{class_of(Genre::salsa, genres), class_of(Genre::belly, genres)},
+          two_{class_of(pair.empty() ? std::string() : pair[0], genres),
+               class_of(pair.empty() ? std::string() : pair[1], genres)},
           right_(classes_),
           all_(classes_) {
         result_.confusion.assign(classes_, std::vector<double>(classes_));
@@ -125,8 +128,9 @@ class TallyMaker {
 GenreTally tally(std::span<const WindowScore> scores,
                  std::span<const GenreScores::Values> log_chances,
                  std::size_t window,
-                 std::span<const Genre> genres,
-                 std::span<const std::size_t> asked) {
+                 std::span<const std::string> genres,
+                 std::span<const std::size_t> asked,
+                 std::span<const std::string> pair) {
     std::vector<const WindowScore*> used;
     std::vector<const GenreScores::Values*> logs;
     for (std::size_t i = 0; i < scores.size(); ++i) {
@@ -136,7 +140,7 @@ GenreTally tally(std::span<const WindowScore> scores,
         }
     }
     const std::vector<double> weights = balanced_weights(used);
-    TallyMaker maker(genres, asked);
+    TallyMaker maker(genres, asked, pair);
     for (std::size_t i = 0; i < used.size(); ++i) {
         maker.add(*used[i], *logs[i], weights[i]);
     }

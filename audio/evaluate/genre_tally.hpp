@@ -13,7 +13,7 @@ namespace raks::audio {
 struct GenreTally {
     std::size_t windows = 0;
     double macro_recall = 0.0;   ///< mean over the classes asked for that occur, each piece alike
-    double two_dances = 0.0;     ///< salsa against belly, only these two asked for
+    double two_dances = 0.0;     ///< one of a pair against the other, only these two asked for
     double auroc_unknown = 0.0;  ///< none of the genres against the genres; 0.5 is chance
     std::vector<std::vector<double>>
         confusion;                    ///< truth x decision, shares of the truth's windows
@@ -30,11 +30,13 @@ struct GenreTally {
 };
 
 /// `asked`: classes whose pieces count for the recall and between which it is decided (at least
-/// two); the others count for auroc_unknown alone.
+/// two); the others count for auroc_unknown alone. `pair`: the two dances of
+/// `two_dances`; empty: 0.
 [[nodiscard]] GenreTally tally(std::span<const WindowScore> scores,
                                std::span<const GenreScores::Values> log_chances,
                                std::size_t window,
-                               std::span<const Genre> genres,
-                               std::span<const std::size_t> asked);
+                               std::span<const std::string> genres,
+                               std::span<const std::size_t> asked,
+                               std::span<const std::string> pair);
 
 }  // namespace raks::audio

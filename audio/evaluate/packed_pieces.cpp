@@ -32,7 +32,7 @@ bool is_heard(const HeardPiece& piece) {
 void pack_piece(const HeardPiece& piece, Packer& packer) {
     packer.put_list(piece.name);
     packer.put_list(piece.group);
-    packer.put(piece.genre);
+    packer.put_list(piece.genre);
     packer.put(piece.kind);
     packer.put_list(piece.frames);
     packer.put_list(piece.mel);
@@ -43,7 +43,7 @@ Expected<HeardPiece> unpack_piece(Unpacker& unpacker) {
     HeardPiece piece;
     piece.name = unpacker.take_list<std::string>();
     piece.group = unpacker.take_list<std::string>();
-    piece.genre = unpacker.take<Genre>();
+    piece.genre = unpacker.take_list<std::string>();
     piece.kind = unpacker.take<HeardPiece::Kind>();
     piece.frames = unpacker.take_list<std::vector<MfccVector>>();
     piece.mel = unpacker.take_list<std::vector<float>>();
@@ -66,7 +66,8 @@ Expected<HeardPiece> unpack_piece(Unpacker& unpacker) {
     if (!fit) {
         return fail("a window lies outside its piece");
     }
-    if (piece.genre > Genre::unknown || piece.kind > HeardPiece::Kind::written_held_out) {
+    if ((!piece.genre.empty() && !is_dance_name(piece.genre)) ||
+        piece.kind > HeardPiece::Kind::written_held_out) {
         return fail("is damaged");
     }
     return piece;

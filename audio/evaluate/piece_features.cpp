@@ -14,7 +14,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::string_view kMagic = "raks-genre-pieces-4\n";
+constexpr std::string_view kMagic = "raks-genre-pieces-5\n";
 constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
 
 class Listener final : public MusicAnalyzer::Sink {

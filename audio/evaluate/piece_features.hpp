@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "audio/features/mfcc.hpp"
@@ -18,6 +19,11 @@ namespace raks::audio {
 
 class BeatNetwork;
 
+/// A genre as people read it: "unknown" for none of the dances.
+[[nodiscard]] constexpr std::string_view shown_genre(std::string_view genre) noexcept {
+    return genre.empty() ? "unknown" : genre;
+}
+
 /// Bar patterns of one window of a piece.
 struct HeardWindow {
     int segments = 1;   ///< its length: one of kGenreWindows
@@ -28,8 +34,8 @@ struct HeardWindow {
 /// One piece as the analyzer hears it, silence left out: what genre models are learnt from.
 struct HeardPiece {
     std::string name;
-    std::string group;             ///< artist; of written music: its style and soundfont
-    Genre genre = Genre::unknown;  ///< unknown: none of the dances
+    std::string group;  ///< artist; of written music: its style and soundfont
+    std::string genre;  ///< name of a dance; empty: none of the dances
     enum class Kind : std::uint8_t {
         recorded,
         altered,  ///< a recording after some damage: to learn from and to fit fusions to

@@ -188,17 +188,6 @@ std::vector<models::RecurrentNetwork> read_networks(const Field& root,
     return read;
 }
 
-Genre read_genre(const Field& field) {
-    const std::string name = field.text();
-    const auto found = std::find(kGenreNames.begin(), kGenreNames.end(), name);
-    if (found == kGenreNames.end()) {
-        field.complain(
-            fmt::format("is '{}', must be salsa, belly, house, hiphop, rock or waltz", name));
-        return Genre::unknown;
-    }
-    return static_cast<Genre>(found - kGenreNames.begin());
-}
-
 /// What files of earlier versions do not have.
 struct FusionParts {
     bool has_network = true;      ///< since version 2
@@ -285,7 +274,7 @@ std::string genre_text(const GenreModel& model) {
     json["genres"] = Json::array();
     json["mfcc"] = Json::array();
     for (std::size_t i = 0; i < model.genres.size(); ++i) {
-        json["genres"].push_back(name_of(model.genres[i]));
+        json["genres"].push_back(model.genres[i]);
         json["mfcc"].push_back(models::hmm_json(model.mfcc[i]));
     }
     json["background"] = models::hmm_json(model.background);
@@ -316,10 +305,10 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     model.features = read_features(root["features"]);
     const Field genres = root["genres"];
     const Field mfcc = root["mfcc"];
-    for (std::size_t i = 0; i < genres.size() && i < kGenreNames.size(); ++i) {
-        model.genres.push_back(read_genre(genres[i]));
+    for (std::size_t i = 0; i < genres.size() && i <= kMostGenres; ++i) {
+        model.genres.push_back(genres[i].text());
     }
-    for (std::size_t i = 0; i < mfcc.size() && i < kGenreNames.size(); ++i) {
+    for (std::size_t i = 0; i < mfcc.size() && i <= kMostGenres; ++i) {
         model.mfcc.push_back(models::read_hmm(mfcc[i]));
     }
     model.background = models::read_hmm(root["background"]);

@@ -102,17 +102,18 @@ Expected<void> check_network(const models::RecurrentNetwork& network,
     return check_numbers(network.parameters(), network.parameters().size(), name + ".parameters");
 }
 
-Expected<void> check_genres(const std::vector<Genre>& genres) {
-    if (genres.empty() || genres.size() >= static_cast<std::size_t>(kGenreCount)) {
-        return fail(fmt::format("genres has {} entries, must have 1 to 6", genres.size()));
+Expected<void> check_genres(const std::vector<std::string>& genres) {
+    if (genres.empty() || genres.size() > kMostGenres) {
+        return fail(
+            fmt::format("genres has {} entries, must have 1 to {}", genres.size(), kMostGenres));
     }
-    for (std::size_t i = 0; i < genres.size(); ++i) {
-        if (genres[i] == Genre::unknown || (i > 0 && genres[i] <= genres[i - 1])) {
-            return fail(
-                fmt::format("genres[{}] is {}, must come after the one before, in the "
-                            "order salsa, belly, house, hiphop, rock, waltz",
-                            i,
-                            name_of(genres[i])));
+    for (auto genre = genres.begin(); genre != genres.end(); ++genre) {
+        const auto number = genre - genres.begin();
+        if (!is_dance_name(*genre)) {
+            return fail(fmt::format("genres[{}]: {}", number, why_no_dance_name(*genre)));
+        }
+        if (std::find(genres.begin(), genre, *genre) != genre) {
+            return fail(fmt::format("genres[{}] is {}, which is there before", number, *genre));
         }
     }
     return {};

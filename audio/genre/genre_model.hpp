@@ -47,7 +47,7 @@ struct GenreFeatures {
 /// them". A value, immutable while it listens; read and written by genre_file.hpp.
 struct GenreModel {
     GenreFeatures features;
-    std::vector<Genre> genres;              ///< ascending, none twice, without unknown; 1 to 6
+    std::vector<std::string> genres;        ///< names of dances, none twice; 1 to kMostGenres
     std::vector<models::GaussianHmm> mfcc;  ///< one a genre
     models::GaussianHmm background;         ///< of all music: what is none of the genres
     /// Of frames that the genres confuse (inter-genre similarity, Bagci and Erzin 2007): a frame

@@ -43,6 +43,10 @@ Expected<GenreRecognizer> GenreRecognizer::create(std::shared_ptr<const GenreMod
 GenreRecognizer::GenreRecognizer(std::shared_ptr<const GenreModel> model,
                                  const GenreSettings& settings)
     : model_(std::move(model)), settings_(settings) {
+    dances_.fill(DanceId::none);
+    for (std::size_t c = 0; settings_.dances && c < model_->genres.size(); ++c) {
+        dances_[c] = settings_.dances->id_of(model_->genres[c]);
+    }
     const auto nearest = [&](int a, int b) {
         const double wanted = settings_.window_seconds / kSegmentSeconds;
         return std::abs(a - wanted) < std::abs(b - wanted);
@@ -83,10 +87,6 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     log_chances_[model_->genres.size()] = 0.0F;
     decision_ = challenger_ = model_->genres.size();
     leads_for_ = 0.0;
-}
-
-Genre GenreRecognizer::genre_of(std::size_t chosen) const noexcept {
-    return chosen < model_->genres.size() ? model_->genres[chosen] : Genre::unknown;
 }
 
 void GenreRecognizer::advance(const MfccVector& mfcc,
@@ -217,10 +217,10 @@ void GenreRecognizer::decide(const MusicState& state) noexcept {
 void GenreRecognizer::publish(MusicState& state) const noexcept {
     state.genre_log_probability.fill(kImprobable);
     for (std::size_t c = 0; c < model_->classes(); ++c) {
-        const auto place = static_cast<std::size_t>(genre_of(c));
-        state.genre_log_probability[place] = std::max(kImprobable, log_chances_[c]);
+        state.genre_log_probability[c] = std::max(kImprobable, log_chances_[c]);
     }
-    state.genre = genre_of(decision_);
+    state.genre_class = static_cast<std::uint8_t>(decision_);
+    state.genre = dances_[decision_];
 }
 
 }  // namespace raks::audio

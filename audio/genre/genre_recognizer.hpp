@@ -27,6 +27,8 @@ namespace raks::audio {
 [[nodiscard]] double frame_density(std::span<const double> log_emissions) noexcept;
 
 struct GenreSettings {
+    /// What MusicState::genre numbers; dances of the model that are not in it count as none.
+    std::shared_ptr<const DanceList> dances = nullptr;
     double window_seconds = 3.0;  ///< 0.5 to 10, rounded to the model's nearest window
     GenreEvidence evidence = GenreEvidence::fused;
     float margin = 0.2F;            ///< by which another genre must lead, in chance
@@ -75,9 +77,9 @@ class GenreRecognizer {
     void score_patterns() noexcept;
     void decide(const MusicState& state) noexcept;
     void publish(MusicState& state) const noexcept;
-    [[nodiscard]] Genre genre_of(std::size_t chosen) const noexcept;
 
     std::shared_ptr<const GenreModel> model_;
+    std::array<DanceId, kMostGenres + 1> dances_{};  // by class
     GenreSettings settings_;
     std::size_t window_ = 0;  // index into kGenreWindows
 

@@ -23,8 +23,9 @@ float level_of(std::span<const float> mono) noexcept {
 
 }  // namespace
 
-Expected<std::unique_ptr<AnalysisStage>> AnalysisStage::create(SampleRate rate) {
-    auto analyzer = make_analyzer(rate);
+Expected<std::unique_ptr<AnalysisStage>> AnalysisStage::create(SampleRate rate,
+                                                               const AnalyzerModels& models) {
+    auto analyzer = make_analyzer(rate, models);
     if (!analyzer) {
         return fail(analyzer.error());
     }

@@ -12,6 +12,7 @@
 #include "base/realtime.hpp"
 #include "engine/live/clock_map.hpp"
 #include "engine/live/timing.hpp"
+#include "engine/setup/analyzer_setup.hpp"
 
 namespace raks::engine {
 
@@ -25,7 +26,8 @@ class AnalysisStage {
     static constexpr std::size_t kQueuedStates = 512;
 
     /// Errors: a rate that the analyzer refuses.
-    [[nodiscard]] static Expected<std::unique_ptr<AnalysisStage>> create(SampleRate rate);
+    [[nodiscard]] static Expected<std::unique_ptr<AnalysisStage>> create(
+        SampleRate rate, const AnalyzerModels& models);
 
     /// *audio* Takes the next block of mono samples. Real-time: yes.
     void analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKING;

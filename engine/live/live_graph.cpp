@@ -15,7 +15,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     const std::optional<audio::AudioDevice>& output,
     const LiveGraphConfig& config) {
     std::unique_ptr<LiveGraph> graph(new LiveGraph);
-    auto playback = Playback::create(std::move(player));
+    auto playback = Playback::create(std::move(player), config.models);
     if (!playback) {
         return fail(playback.error());
     }
@@ -55,7 +55,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice&
     }
     graph->stream_ = std::move(*stream);
     graph->device_name_ = input.name;
-    auto listening = Listening::create(graph->stream_->rate());
+    auto listening = Listening::create(graph->stream_->rate(), config.models);
     if (!listening) {
         return fail(input.name + ": " + listening.error().message);
     }
@@ -71,7 +71,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice&
 Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     pose_lead_ = config.pose_lead;
     motion::Ensemble dancers;
-    if (auto ok = dancers.prepare(config.members, motion::mannequin_skeleton()); !ok) {
+    if (auto ok = dancers.prepare(config.cast.members, config.cast.skeleton); !ok) {
         return ok;
     }
     motion_ =

@@ -13,16 +13,19 @@
 #include "engine/live/motion_thread.hpp"
 #include "engine/live/paced_clock.hpp"
 #include "engine/live/playback.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_files.hpp"
 #include "motion/dancer.hpp"
 
 namespace raks::engine {
 
 /// What `play` and `live` share.
 struct LiveGraphConfig {
-    std::vector<motion::EnsembleMember> members;  ///< who dances
-    Nanos latency_offset{};                       ///< the user's, added to what the device reports
-    Nanos pose_lead{};                            ///< pictures show this much ahead
-    EventQueue<DancedHop>* record = nullptr;      ///< gets every danced hop, if given
+    AnalyzerModels models;
+    Cast cast;
+    Nanos latency_offset{};                   ///< the user's, added to what the device reports
+    Nanos pose_lead{};                        ///< pictures show this much ahead
+    EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop, if given
 };
 
 /// Counters for the overlay and the benchmarks.

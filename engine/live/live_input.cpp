@@ -15,8 +15,9 @@ constexpr Nanos kMostLoss = std::chrono::seconds(5);
 
 }  // namespace
 
-Expected<std::unique_ptr<Listening>> Listening::create(SampleRate device_rate) {
-    auto analysis = AnalysisStage::create(device_rate);
+Expected<std::unique_ptr<Listening>> Listening::create(SampleRate device_rate,
+                                                       const AnalyzerModels& models) {
+    auto analysis = AnalysisStage::create(device_rate, models);
     if (!analysis) {
         return fail(analysis.error());
     }

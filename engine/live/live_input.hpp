@@ -15,7 +15,8 @@ namespace raks::engine {
 class Listening final : public audio::StreamCallback {
  public:
     /// Errors: a rate that the analyzer refuses.
-    [[nodiscard]] static Expected<std::unique_ptr<Listening>> create(SampleRate device_rate);
+    [[nodiscard]] static Expected<std::unique_ptr<Listening>> create(SampleRate device_rate,
+                                                                     const AnalyzerModels& models);
 
     void on_input(std::span<const float> interleaved,
                   int channels,

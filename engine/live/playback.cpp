@@ -15,8 +15,9 @@ constexpr float kGainStep = 1.0F / 480.0F;
 
 }  // namespace
 
-Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::FilePlayer> player) {
-    auto analysis = AnalysisStage::create(player->first_info().rate);
+Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::FilePlayer> player,
+                                                     const AnalyzerModels& models) {
+    auto analysis = AnalysisStage::create(player->first_info().rate, models);
     if (!analysis) {
         return fail(analysis.error());
     }

@@ -24,7 +24,7 @@ class Playback final : public audio::StreamCallback {
  public:
     /// `player` plays one file. Errors: a rate that the analyzer refuses.
     [[nodiscard]] static Expected<std::unique_ptr<Playback>> create(
-        std::unique_ptr<audio::FilePlayer> player);
+        std::unique_ptr<audio::FilePlayer> player, const AnalyzerModels& models);
 
     /// Before the first callback: the rate of what will call. Errors: the resampler refuses it.
     [[nodiscard]] Expected<void> prepare(SampleRate device_rate);

@@ -97,7 +97,7 @@ std::optional<double> MusicSource::progress() const noexcept {
 }
 
 Expected<fs::path> demo_music() {
-    const fs::path path = cache_folder() / fmt::format("demo_salsa_{}.wav", kDemoVersion);
+    const fs::path path = cache_folder() / fmt::format("demo_{}.wav", kDemoVersion);
     std::error_code error;
     if (fs::exists(path, error)) {
         return path;

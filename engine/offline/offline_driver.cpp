@@ -31,25 +31,17 @@ class DanceEachState final : public audio::MusicAnalyzer::Sink {
 }  // namespace
 
 Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
-                                              std::span<const motion::EnsembleMember> members) {
-    auto analyzer = make_analyzer(rate);
+                                              const AnalyzerModels& models,
+                                              const Cast& cast) {
+    auto analyzer = make_analyzer(rate, models);
     if (!analyzer) {
         return fail(analyzer.error());
     }
     motion::Ensemble dancers;
-    if (auto prepared = dancers.prepare(members, motion::mannequin_skeleton()); !prepared) {
+    if (auto prepared = dancers.prepare(cast.members, cast.skeleton); !prepared) {
         return fail(prepared.error());
     }
     return OfflineDriver(rate, std::move(*analyzer), std::move(dancers));
-}
-
-Expected<OfflineDriver> OfflineDriver::create(
-    SampleRate rate,
-    const std::shared_ptr<const motion::DanceLibrary>& library,
-    std::uint64_t seed) {
-    return create(rate,
-                  motion::members_of(
-                      motion::Formation::solo, motion::Repertoire::of_one(library), nullptr, seed));
 }
 
 OfflineDriver::OfflineDriver(SampleRate rate,

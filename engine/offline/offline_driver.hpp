@@ -7,6 +7,8 @@
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "base/time.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_files.hpp"
 #include "motion/ensemble.hpp"
 #include "motion/skeleton/pose_track.hpp"
 
@@ -23,7 +25,7 @@ struct PerformedHop {
 /// The offline driver: the same analyzer and dancer as in the live graph, on a virtual clock that
 /// the samples move. Same audio, seed and commands: the same poses by hop number as live.
 ///
-///     auto driver = OfflineDriver::create(rate, library, seed);
+///     auto driver = OfflineDriver::create(rate, models, dancers.cast());
 ///     while (... block of mono samples ...) driver->feed(block, sink);
 ///     driver->finish(sink);
 ///
@@ -39,13 +41,9 @@ class OfflineDriver {
     };
 
     /// Errors: a sample rate out of range, no dancer, a library that is missing.
-    [[nodiscard]] static Expected<OfflineDriver> create(
-        SampleRate rate, std::span<const motion::EnsembleMember> members);
-    /// One dancer alone.
-    [[nodiscard]] static Expected<OfflineDriver> create(
-        SampleRate rate,
-        const std::shared_ptr<const motion::DanceLibrary>& library,
-        std::uint64_t seed);
+    [[nodiscard]] static Expected<OfflineDriver> create(SampleRate rate,
+                                                        const AnalyzerModels& models,
+                                                        const Cast& cast);
 
     /// Takes the next samples; calls the sink once for each hop that is complete.
     void feed(std::span<const float> mono, Sink& sink);

@@ -32,43 +32,32 @@ Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(
     return audio::load_genre(*shipped);
 }
 
-namespace {
+Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> dances) {
+    auto beats = load_beat_network();
+    if (!beats) {
+        return fail(beats.error());
+    }
+    auto genres = load_genre_model();
+    if (!genres) {
+        return fail(genres.error());
+    }
+    return AnalyzerModels{std::move(*beats), std::move(*genres), std::move(dances)};
+}
 
-Expected<audio::MusicAnalyzer> prepared(const audio::AnalyzerConfig& config) {
+Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
+                                             const AnalyzerModels& models,
+                                             audio::BeatMethod method) {
+    audio::AnalyzerConfig config;
+    config.sample_rate = rate;
+    config.beat_method = method;
+    config.beat_network = models.beats;
+    config.genre_model = models.genres;
+    config.dances = models.dances;
     audio::MusicAnalyzer analyzer;
     if (auto done = analyzer.prepare(config); !done) {
         return fail(done.error());
     }
     return analyzer;
-}
-
-}  // namespace
-
-Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate, audio::BeatMethod method) {
-    auto network = load_beat_network();
-    if (!network) {
-        return fail(network.error());
-    }
-    auto model = load_genre_model();
-    if (!model) {
-        return fail(model.error());
-    }
-    audio::AnalyzerConfig config;
-    config.sample_rate = rate;
-    config.beat_method = method;
-    config.beat_network = std::move(*network);
-    config.genre_model = std::move(*model);
-    return prepared(config);
-}
-
-Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
-                                             audio::BeatMethod method,
-                                             std::shared_ptr<const audio::BeatNetwork> network) {
-    audio::AnalyzerConfig config;
-    config.sample_rate = rate;
-    config.beat_method = method;
-    config.beat_network = std::move(network);
-    return prepared(config);
 }
 
 }  // namespace raks::engine

@@ -6,6 +6,7 @@
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_model.hpp"
 #include "audio/music_analyzer.hpp"
+#include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
@@ -21,13 +22,22 @@ namespace raks::engine {
 [[nodiscard]] Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(
     const std::filesystem::path& path = {});
 
-/// An analyzer for samples of this rate, with the beat network and the genre model that come with
-/// Raks (models/trained/beats.json, genres.json).
-/// Errors: a rate that is not supported, a network file that is missing or bad.
+/// What analyzers share: read once, used by any number of them.
+struct AnalyzerModels {
+    std::shared_ptr<const audio::BeatNetwork> beats;
+    std::shared_ptr<const audio::GenreModel> genres;  ///< null: the genre stays unknown
+    std::shared_ptr<const DanceList> dances;          ///< that MusicState::genre numbers
+};
+
+/// Those that come with Raks (models/trained/beats.json, genres.json).
+/// Errors: a file that is missing or bad. Threads: workers.
+[[nodiscard]] Expected<AnalyzerModels> load_analyzer_models(
+    std::shared_ptr<const DanceList> dances);
+
+/// An analyzer for samples of this rate. Errors: a rate that is not supported.
 [[nodiscard]] Expected<audio::MusicAnalyzer> make_analyzer(
-    SampleRate rate, audio::BeatMethod method = audio::BeatMethod::pointer);
-/// The same with a network of the caller's, for beats alone.
-[[nodiscard]] Expected<audio::MusicAnalyzer> make_analyzer(
-    SampleRate rate, audio::BeatMethod method, std::shared_ptr<const audio::BeatNetwork> network);
+    SampleRate rate,
+    const AnalyzerModels& models,
+    audio::BeatMethod method = audio::BeatMethod::pointer);
 
 }  // namespace raks::engine

@@ -1,13 +1,10 @@
 #include "engine/setup/dance_files.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <utility>
 
 #include "base/suggest.hpp"
-#include "engine/setup/settings.hpp"
-#include "motion/figures/figure_grammar.hpp"
-#include "motion/figures/figure_model.hpp"
+#include "motion/dance_library.hpp"
 
 #include <fmt/format.h>
 
@@ -19,23 +16,15 @@ using motion::FigureFeatures;
 using motion::Repertoire;
 
 constexpr std::string_view kAuto = "auto";
+constexpr std::string_view kFirst = "first";
 constexpr std::string_view kKeep = "keep";
 constexpr std::string_view kStand = "stand";
 
-// models/trained/DANCE.toml is the grammar, models/trained/DANCE_FIGURE_ROLE.json the figures,
-// DANCE_FIGURE_ROLE_positions.json those of positions.
-std::filesystem::path grammar_file(std::string_view dance) {
-    return std::filesystem::path("models") / "trained" / fmt::format("{}.toml", dance);
-}
-
-Genre genre_of(const std::string& dance) {
-    const auto at = std::find(kGenreNames.begin(), kGenreNames.end(), dance);
-    return static_cast<Genre>(at - kGenreNames.begin());
-}
-
-Expected<void> check_name(const std::string& dance, std::vector<std::string_view> others) {
-    const std::vector<std::string> known = known_dances();
-    others.insert(others.end(), known.begin(), known.end());
+Expected<void> check_name(const std::string& dance,
+                          const DanceList& dances,
+                          std::vector<std::string_view> others) {
+    const std::vector<std::string_view> names = dances.names();
+    others.insert(others.end(), names.begin(), names.end());
     if (std::find(others.begin(), others.end(), dance) == others.end()) {
         return fail(unknown_name("dance", dance, others));
     }
@@ -48,71 +37,91 @@ Repertoire::Otherwise otherwise_of(const Settings& settings) {
                                                : Repertoire::Otherwise::first;
 }
 
-/// The repertoires of a formation: the lead's and, for couples, the follow's.
-struct Parts {
+/// What dances are made with, and the repertoires that they go to: the lead's and, for couples, the
+/// follow's. Copies are for another thread.
+struct DanceLoader {
+    DanceCatalogue catalogue;
+    motion::Skeleton skeleton;
     DanceForm form;
     std::shared_ptr<Repertoire> lead;
     std::shared_ptr<Repertoire> follow;
 
+    [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> library(
+        const std::string& dance, DanceRole role) const {
+        return load_dance(catalogue, dance, skeleton, role, form);
+    }
+
+    [[nodiscard]] Expected<std::shared_ptr<Repertoire>> first_of(const Settings& settings,
+                                                                 DanceRole role) const {
+        const std::string dance = dance_to_load(settings, *catalogue.list());
+        auto first = library(dance, role);
+        if (!first) {
+            return fail(std::move(first.error()));
+        }
+        return std::make_shared<Repertoire>(
+            catalogue.list()->id_of(dance), std::move(*first), otherwise_of(settings));
+    }
+
     /// Nothing is added where a part is missing.
-    Expected<void> add(const std::string& dance) const {
-        auto lead_dance = load_dance(dance, DanceRole::lead, form);
+    [[nodiscard]] Expected<void> add(const std::string& dance) const {
+        auto lead_dance = library(dance, DanceRole::lead);
         if (!lead_dance) {
             return fail(std::move(lead_dance.error()));
         }
+        const DanceId id = catalogue.list()->id_of(dance);
         if (follow) {
-            auto follow_dance = load_dance(dance, DanceRole::follow, form);
+            auto follow_dance = library(dance, DanceRole::follow);
             if (!follow_dance) {
                 return fail(std::move(follow_dance.error()));
             }
-            follow->add(genre_of(dance), std::move(*follow_dance));
+            follow->add(id, std::move(*follow_dance));
         }
-        lead->add(genre_of(dance), std::move(*lead_dance));
+        lead->add(id, std::move(*lead_dance));
         return {};
+    }
+
+    [[nodiscard]] std::vector<std::string> add_all(const std::vector<std::string>& dances) const {
+        std::vector<std::string> left_out;
+        for (const std::string& dance : dances) {
+            if (auto added = add(dance); !added) {
+                left_out.push_back(fmt::format("{} is left out: {}", dance, added.error().message));
+            }
+        }
+        return left_out;
     }
 };
 
-Expected<std::shared_ptr<Repertoire>> first_of(const Settings& settings, DanceRole role) {
-    const std::string dance = dance_to_load(settings);
-    auto library = load_dance(dance, role, form_of(settings));
-    if (!library) {
-        return fail(std::move(library.error()));
+/// What is solved while the show goes on: all dances but the first; of couples those for two.
+std::vector<std::string> other_dances(const Settings& settings, const DanceList& dances) {
+    std::vector<std::string> others;
+    if (settings.dance != kAuto) {
+        return others;
     }
-    return std::make_shared<Repertoire>(
-        genre_of(dance), std::move(*library), otherwise_of(settings));
-}
-
-/// Whether a dance has figures for couples.
-bool is_for_couples(const std::string& dance) {
-    const auto grammar_path = data_path(grammar_file(dance));
-    const auto grammar = grammar_path ? motion::load_grammar(*grammar_path) : fail("");
-    return grammar && grammar->place_of(DanceRole::follow) != nullptr;
+    const bool is_couple = form_of(settings).company == Company::couple;
+    const std::string first = dance_to_load(settings, dances);
+    for (const DanceInfo& dance : dances.all()) {
+        if (dance.name != first && (!is_couple || dance.roles == 2)) {
+            others.push_back(dance.name);
+        }
+    }
+    return others;
 }
 
 }  // namespace
 
-std::vector<std::string> known_dances() {
-    std::vector<std::string> known;
-    for (const std::string_view name : kGenreNames) {
-        if (data_path(grammar_file(name))) {
-            known.emplace_back(name);
-        }
+Expected<void> check_dances(const Settings& settings, const DanceList& dances) {
+    if (auto checked = check_name(settings.dance, dances, {kAuto}); !checked) {
+        return checked;
     }
-    return known;
+    return check_name(settings.fallback_dance, dances, {kFirst, kKeep, kStand});
 }
 
-Expected<void> check_dance(const std::string& dance) { return check_name(dance, {kAuto}); }
-
-Expected<void> check_fallback_dance(const std::string& dance) {
-    return check_name(dance, {kKeep, kStand});
-}
-
-std::string dance_to_load(const Settings& settings) {
+std::string dance_to_load(const Settings& settings, const DanceList& dances) {
     if (settings.dance != kAuto) {
         return settings.dance;
     }
-    const bool is_dance = otherwise_of(settings) == Repertoire::Otherwise::first;
-    return is_dance ? settings.fallback_dance : known_dances().front();
+    const bool is_dance = dances.id_of(settings.fallback_dance) != DanceId::none;
+    return is_dance ? settings.fallback_dance : dances.all().front().name;
 }
 
 DanceForm form_of(const Settings& settings) {
@@ -125,86 +134,75 @@ DanceForm form_of(const Settings& settings) {
     return form;
 }
 
-Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const std::string& dance,
+Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const DanceCatalogue& catalogue,
+                                                                 std::string_view dance,
+                                                                 const motion::Skeleton& skeleton,
                                                                  motion::DanceRole role,
-                                                                 const DanceForm& form) {
-    if (auto checked = check_dance(dance); !checked) {
-        return fail(checked.error());
+                                                                 const DanceForm& form,
+                                                                 const DanceCache& cache) {
+    auto plan = catalogue.plan(dance, role, form);
+    if (!plan) {
+        return fail(std::move(plan.error()));
     }
-    const auto grammar_path = data_path(grammar_file(dance));
-    if (!grammar_path) {
-        return fail(grammar_path.error());
+    const std::filesystem::path kept = cache.path_of(*plan, skeleton, form);
+    if (auto found = DanceCache::find(kept, skeleton, plan->grammar)) {
+        return found;
     }
-    auto grammar = motion::load_grammar(*grammar_path);
-    if (!grammar) {
-        return fail(grammar.error());
+    auto parts = read_figures(std::move(*plan));
+    if (!parts) {
+        return fail(std::move(parts.error()));
     }
-    for (motion::FigureGrammar::Rule& rule : grammar->rules) {
-        rule.aside = form.company == Company::couple ? rule.aside : decltype(rule.aside){};
+    auto library =
+        motion::DanceLibrary::build(parts->figures, skeleton, &parts->grammar, form.generator);
+    if (library) {
+        DanceCache::keep(kept, **library);
     }
-    const std::string_view role_name = motion::kRoleNames[static_cast<std::size_t>(role)];
-    std::vector<motion::FigureModel> figures;
-    for (const motion::FigureGrammar::Rule& rule : grammar->rules) {
-        const std::string file = fmt::format("{}_{}_{}", dance, rule.figure, role_name);
-        const std::filesystem::path folder = grammar_file(dance).parent_path();
-        const auto positions = data_path(folder / (file + "_positions.json"));
-        const auto path = form.features == FigureFeatures::positions && positions
-                              ? positions
-                              : data_path(folder / (file + ".json"));
-        if (!path) {
-            return fail(path.error());
-        }
-        auto figure = motion::load_figure(*path);
-        if (!figure) {
-            return fail(figure.error());
-        }
-        figures.push_back(std::move(*figure));
-    }
-    return motion::DanceLibrary::build(
-        figures, motion::mannequin_skeleton(), &*grammar, form.generator);
+    return library;
 }
 
-Expected<Dancers> Dancers::load(const Settings& settings) {
+Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
+             const motion::Skeleton& skeleton,
+             std::uint64_t seed) {
+    return {motion::members_of(
+                motion::Formation::solo, Repertoire::of_one(std::move(library)), nullptr, seed),
+            skeleton};
+}
+
+Expected<Dancers> Dancers::load(const Settings& settings,
+                                const DanceCatalogue& catalogue,
+                                const motion::Skeleton& skeleton) {
     const auto name = std::find(
         motion::kFormationNames.begin(), motion::kFormationNames.end(), settings.formation);
     if (name == motion::kFormationNames.end()) {
         return fail(unknown_name("formation", settings.formation, motion::kFormationNames));
     }
     const auto formation = static_cast<motion::Formation>(name - motion::kFormationNames.begin());
-    const bool is_couple = formation == motion::Formation::couple;
-    Parts parts;
-    parts.form = form_of(settings);
-    for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
-        if (role == DanceRole::follow && !is_couple) {
-            continue;
+    DanceLoader loader{catalogue, skeleton, form_of(settings), nullptr, nullptr};
+    auto lead = loader.first_of(settings, DanceRole::lead);
+    if (!lead) {
+        return fail(std::move(lead.error()));
+    }
+    loader.lead = std::move(*lead);
+    if (formation == motion::Formation::couple) {
+        auto follow = loader.first_of(settings, DanceRole::follow);
+        if (!follow) {
+            return fail(std::move(follow.error()));
         }
-        auto repertoire = first_of(settings, role);
-        if (!repertoire) {
-            return fail(std::move(repertoire.error()));
-        }
-        (role == DanceRole::lead ? parts.lead : parts.follow) = std::move(*repertoire);
+        loader.follow = std::move(*follow);
     }
     Dancers dancers;
-    dancers.members_ = motion::members_of(
-        formation, parts.lead, parts.follow, static_cast<std::uint64_t>(settings.seed));
-    std::vector<std::string> others;
-    for (const std::string& dance : known_dances()) {
-        const bool is_first = dance == dance_to_load(settings);
-        if (settings.dance == kAuto && !is_first && (!is_couple || is_for_couples(dance))) {
-            others.push_back(dance);
-        }
-    }
-    dancers.others_ = std::async(std::launch::async, [parts, others]() -> Expected<void> {
-        for (const std::string& dance : others) {
-            if (auto added = parts.add(dance); !added) {
-                return added;
-            }
-        }
-        return {};
-    });
+    dancers.cast_ = {
+        motion::members_of(
+            formation, loader.lead, loader.follow, static_cast<std::uint64_t>(settings.seed)),
+        skeleton};
+    const auto others = other_dances(settings, *catalogue.list());
+    dancers.others_ =
+        std::async(std::launch::async, [loader, others] { return loader.add_all(others); });
     return dancers;
 }
 
-Expected<void> Dancers::wait() { return others_.valid() ? others_.get() : Expected<void>{}; }
+std::vector<std::string> Dancers::wait() {
+    return others_.valid() ? others_.get() : std::vector<std::string>{};
+}
 
 }  // namespace raks::engine

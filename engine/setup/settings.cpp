@@ -284,6 +284,18 @@ fs::path user_settings_path() {
     return fs::path(home != nullptr ? home : ".") / ".config" / "raks" / "config.toml";
 }
 
+fs::path user_cache_path() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): see above
+    if (const char* const xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') {
+        return fs::path(xdg) / "raks";
+    }
+    // NOLINTNEXTLINE(concurrency-mt-unsafe)
+    if (const char* const home = std::getenv("HOME"); home != nullptr && *home == '/') {
+        return fs::path(home) / ".cache" / "raks";
+    }
+    return {};
+}
+
 Expected<Settings> load_settings() {
     Settings settings;
     std::vector<fs::path> files;

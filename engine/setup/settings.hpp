@@ -19,8 +19,8 @@ struct Settings {
     double latency_offset_ms = 0.0;  ///< added to the reported output latency; [-500, 500]
     double volume = 1.0;             ///< [0, 2]
     // [dance]
-    std::string dance = "auto";              ///< a genre's name, or auto: as recognised
-    std::string fallback_dance = "salsa";    ///< when nothing is recognised; or keep, stand
+    std::string dance = "auto";              ///< a dance's name, or auto: as recognised
+    std::string fallback_dance = "first";    ///< when nothing is recognised; or keep, stand
     std::string figures = "angles";          ///< learnt as angles or positions of the joints
     std::string formation = "solo";          ///< solo, couple, unison, canon or free
     std::string generator = "trajectories";  ///< or frames: the paper's
@@ -58,6 +58,10 @@ struct Settings {
 /// A file that comes with Raks (`models/trained/x.json`, `config/default.toml`): beside the
 /// program's build or installation, or below $RAKS_DATA.
 [[nodiscard]] Expected<std::filesystem::path> data_path(const std::filesystem::path& relative);
+
+/// Where what can be made again is kept: $XDG_CACHE_HOME/raks, or below ~/.cache. Empty: there is
+/// no home.
+[[nodiscard]] std::filesystem::path user_cache_path();
 
 struct PictureSize {
     int width = 0;

@@ -22,22 +22,25 @@ Expected<Drawing> create_drawing(const Look& look) {
     return Drawing{std::move(*renderer), std::move(*overlay)};
 }
 
-Expected<Show> Show::create(const Look& look, bool has_overlay) {
+Expected<Show> Show::create(const Look& look,
+                            bool has_overlay,
+                            std::shared_ptr<const DanceList> dances) {
     auto drawing = create_drawing(look);
     if (!drawing) {
         return fail(drawing.error());
     }
-    return Show(look.scene, std::move(drawing->renderer), std::move(drawing->overlay), has_overlay);
+    return Show(look, std::move(*drawing), has_overlay, std::move(dances));
 }
 
-Show::Show(render::Scene scene,
-           render::Renderer renderer,
-           render::Overlay overlay,
-           bool has_overlay)
-    : scene_(scene),
-      first_camera_(scene.camera),
-      renderer_(std::move(renderer)),
-      overlay_(std::move(overlay)),
+Show::Show(const Look& look,
+           Drawing drawing,
+           bool has_overlay,
+           std::shared_ptr<const DanceList> dances)
+    : dances_(std::move(dances)),
+      scene_(look.scene),
+      first_camera_(look.scene.camera),
+      renderer_(std::move(drawing.renderer)),
+      overlay_(std::move(drawing.overlay)),
       overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {}
 
 void Show::draw(const ShownMoment& shown,
@@ -49,7 +52,7 @@ void Show::draw(const ShownMoment& shown,
     }
     scene_.rings = render::beat_rings(shown.music.grid, shown.moment);
     renderer_.draw(scene_, shown.poses, target);
-    describe_moment(shown, info);
+    describe_moment(shown, *dances_, info);
     overlay_.draw(info, overlay_view_, target, content_scale);
 }
 
@@ -67,7 +70,9 @@ void Show::toggle_help() noexcept {
                                                                : render::OverlayView::help;
 }
 
-void describe_moment(const ShownMoment& shown, render::OverlayState& state) noexcept {
+void describe_moment(const ShownMoment& shown,
+                     const DanceList& dances,
+                     render::OverlayState& state) noexcept {
     const BeatGrid& grid = shown.music.grid;
     const Beats position = grid.beats_at(shown.moment);
     state.bpm = grid.tempo.bpm();
@@ -75,13 +80,12 @@ void describe_moment(const ShownMoment& shown, render::OverlayState& state) noex
     state.beats_per_bar = grid.beats_per_bar;
     state.bar_position = grid.bar_position(position);
     state.is_silent = shown.music.is_silent;
-    state.genre =
-        shown.music.genre == Genre::unknown ? std::string_view{} : name_of(shown.music.genre);
-    state.genre_posterior =
-        std::exp(shown.music.genre_log_probability[static_cast<std::size_t>(shown.music.genre)]);
+    state.genre = dances.title_of(shown.music.genre);
+    state.genre_posterior = std::exp(shown.music.genre_log_probability[shown.music.genre_class]);
     const auto& figure = shown.dancer.figure;
     state.figure = std::string_view(figure.data(), strnlen(figure.data(), figure.size()));
-    state.dance = shown.dancer.is_dancing ? name_of(shown.dancer.dance) : std::string_view{};
+    state.dance =
+        shown.dancer.is_dancing ? dances.title_of(shown.dancer.dance) : std::string_view{};
     state.figure_count = shown.dancer.count;
     state.figure_counts = shown.dancer.counts;
     state.level_dbfs = shown.music.level_dbfs;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "engine/show/picture.hpp"
@@ -35,7 +36,9 @@ struct Drawing {
 class Show {
  public:
     /// An OpenGL context must be current. Errors: the driver refuses.
-    [[nodiscard]] static Expected<Show> create(const Look& look, bool has_overlay);
+    [[nodiscard]] static Expected<Show> create(const Look& look,
+                                               bool has_overlay,
+                                               std::shared_ptr<const DanceList> dances);
 
     /// Draws one picture. `info` brings what the moment does not know: source, position, latency,
     /// counters; tempo, bar, genre, figure and levels are filled in here.
@@ -57,8 +60,12 @@ class Show {
     [[nodiscard]] std::string notice() const { return std::string(renderer_.notice()); }
 
  private:
-    Show(render::Scene scene, render::Renderer renderer, render::Overlay overlay, bool has_overlay);
+    Show(const Look& look,
+         Drawing drawing,
+         bool has_overlay,
+         std::shared_ptr<const DanceList> dances);
 
+    std::shared_ptr<const DanceList> dances_;
     render::Scene scene_;
     render::Camera first_camera_;
     render::Renderer renderer_;
@@ -66,7 +73,9 @@ class Show {
     render::OverlayView overlay_view_;
 };
 
-/// A moment filled into what the overlay shows. Pure.
-void describe_moment(const ShownMoment& shown, render::OverlayState& state) noexcept;
+/// A moment filled into what the overlay shows, whose names are those of `dances`. Pure.
+void describe_moment(const ShownMoment& shown,
+                     const DanceList& dances,
+                     render::OverlayState& state) noexcept;
 
 }  // namespace raks::engine

@@ -66,8 +66,7 @@ motion::MetricFrames frames_of(const RecordDance& record, std::span<const Danced
     return frames;
 }
 
-double lowest_sole(std::span<const motion::Pose> poses) {
-    const motion::Skeleton& skeleton = motion::mannequin_skeleton();
+double lowest_sole(const motion::Skeleton& skeleton, std::span<const motion::Pose> poses) {
     float lowest = 1e9F;
     for (const motion::Pose& pose : poses) {
         const motion::WorldPose world = motion::world_pose(skeleton, pose);
@@ -102,12 +101,13 @@ std::vector<double> audible_beats(const audio::GeneratedMusic& music) {
     return times;
 }
 
-CoupleResult couple_of(const RecordDance& record,
+CoupleResult couple_of(const motion::Skeleton& skeleton,
+                       const RecordDance& record,
                        std::span<const DancedFigure> figures,
                        const motion::MetricFrames& frames) {
     constexpr std::string_view kBasic = "basic";
-    const motion::CoupleMeasures all = motion::measure_couple(
-        motion::mannequin_skeleton(), record.dancers()[0], record.dancers()[1]);
+    const motion::CoupleMeasures all =
+        motion::measure_couple(skeleton, record.dancers()[0], record.dancers()[1]);
     CoupleResult result;
     result.closest = 1e9;
     std::vector<double> hands;
@@ -137,12 +137,12 @@ CoupleResult couple_of(const RecordDance& record,
 }
 
 TrialResult result_of(const DanceTrial& trial,
+                      const motion::Skeleton& skeleton,
                       const RecordDance& record,
                       const audio::GeneratedMusic& music,
                       std::span<const motion::FigureModel> models) {
     const std::vector<DancedFigure> figures = danced_figures(record.hops, music.beats, models);
-    const motion::BodyTrack track =
-        motion::body_track(motion::mannequin_skeleton(), record.poses(), kPosesPerSecond);
+    const motion::BodyTrack track = motion::body_track(skeleton, record.poses(), kPosesPerSecond);
     TrialResult result;
     const std::vector<motion::HeardCount> counts =
         heard_counts(figures, {.from = trial.judged_from, .to = trial.judged_to});
@@ -156,7 +156,7 @@ TrialResult result_of(const DanceTrial& trial,
     // Settled or not; but the body does not stop where the track ends.
     const std::vector<bool> all(track.frames(), true);
     result.highest_jerk = motion::jerk_of(track, {all, subject.frames.pace}).highest;
-    result.lowest_sole = lowest_sole(record.poses());
+    result.lowest_sole = lowest_sole(skeleton, record.poses());
     double settled = 0.0;
     for (std::size_t f = 0; f < track.frames(); ++f) {
         if (subject.frames.counted[f]) {
@@ -166,7 +166,7 @@ TrialResult result_of(const DanceTrial& trial,
     }
     result.pace = settled > 0.0 ? result.pace / settled : 0.0;
     if (record.dancers().size() == 2) {
-        result.couple = couple_of(record, figures, subject.frames);
+        result.couple = couple_of(skeleton, record, figures, subject.frames);
     }
     const auto dancing = std::count_if(record.hops.begin(),
                                        record.hops.end(),
@@ -185,14 +185,14 @@ Expected<TrialResult> run_trial(const DanceTrial& trial,
     if (!music) {
         return fail(music.error());
     }
-    auto driver = OfflineDriver::create(music->rate, cast.members);
+    auto driver = OfflineDriver::create(music->rate, cast.models, cast.cast);
     if (!driver) {
         return fail(driver.error());
     }
     RecordDance record(cast.measured);
     driver->feed(music->mono(), record);
     driver->finish(record);
-    return result_of(trial, record, *music, models);
+    return result_of(trial, cast.cast.skeleton, record, *music, models);
 }
 
 }  // namespace raks::engine

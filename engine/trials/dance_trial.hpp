@@ -8,7 +8,8 @@
 
 #include "audio/music/generator/music_generator.hpp"
 #include "base/expected.hpp"
-#include "motion/ensemble.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_files.hpp"
 #include "motion/evaluate/dance_measures.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -30,10 +31,10 @@ struct DanceTrial {
     double judged_to = 1e9;
 };
 
-/// For salsa steady music of 100 to 200 BPM (salsa from 160 on, other styles elsewhere), 60 s each;
-/// ramps up and down; breaks. For other dances music of their own style at 0.85, 1 and 1.15 of the
-/// tempo in which they were learnt, the same ramps between those, silences.
-[[nodiscard]] std::vector<DanceTrial> standard_trials(std::string_view dance, Bpm learnt);
+/// In full: steady music of 100 to 200 BPM (the dance's own style from 160 on, other styles
+/// elsewhere), 60 s each; ramps up and down; breaks. In brief: music of the dance's own style at
+/// 0.85, 1 and 1.15 of the tempo in which it was learnt, the same ramps between those, silences.
+[[nodiscard]] std::vector<DanceTrial> standard_trials(const DanceInfo& dance, Bpm learnt);
 
 /// A couple, while it dances and is settled.
 struct CoupleResult {
@@ -57,7 +58,8 @@ struct TrialResult {
 
 /// Who dances a trial and which of them is measured: one alone, or a couple.
 struct TrialCast {
-    std::vector<motion::EnsembleMember> members;
+    AnalyzerModels models;
+    Cast cast;
     std::size_t measured = 0;
 };
 

@@ -31,7 +31,7 @@ MusicState steady_music(HopIndex hop, const FigureOnBeat& on) {
     state.is_silent = false;
     state.loudness_lufs = -16.0F;
     state.level_dbfs = -16.0F;
-    state.genre = Genre::salsa;
+    state.genre = DanceId{0};  // the one of a repertoire of one
     return state;
 }
 
@@ -45,6 +45,7 @@ Expected<motion::TakeMeasures> measure_alone(
     const motion::AuthoredDance& dance,
     const motion::AuthoredFigure& figure,
     const std::shared_ptr<const motion::DanceLibrary>& library,
+    const motion::Skeleton& skeleton,
     std::uint64_t seed) {
     const std::vector<std::string_view> names = library->figure_names();
     const auto found = std::find(names.begin(), names.end(), figure.name);
@@ -67,23 +68,25 @@ Expected<motion::TakeMeasures> measure_alone(
     }
     const auto poses = dance_alone(
         library,
+        skeleton,
         {static_cast<std::size_t>(found - names.begin()), dance.written, dance.beats_per_bar, seed},
         beats);
     if (!poses) {
         return fail(poses.error());
     }
     take.poses = *poses;
-    return motion::measure_take(take, motion::mannequin_skeleton());
+    return motion::measure_take(take, skeleton);
 }
 
 }  // namespace
 
 Expected<std::vector<motion::Pose>> dance_alone(
     const std::shared_ptr<const motion::DanceLibrary>& library,
+    const motion::Skeleton& skeleton,
     const FigureOnBeat& on,
     std::span<const double> beats) {
     motion::Dancer dancer;
-    if (auto prepared = dancer.prepare(library, motion::mannequin_skeleton(), on.seed); !prepared) {
+    if (auto prepared = dancer.prepare(library, skeleton, on.seed); !prepared) {
         return fail(prepared.error());
     }
     using Kind = motion::DancerCommand::Kind;
@@ -112,6 +115,7 @@ Expected<std::vector<motion::Pose>> dance_alone(
 Expected<std::vector<DancedWrittenFigure>> danced_written_figures(
     const std::string& dance,
     const std::shared_ptr<const motion::DanceLibrary>& library,
+    const motion::Skeleton& skeleton,
     std::uint64_t seed) {
     const auto path =
         data_path(std::filesystem::path("config") / "choreographies" / (dance + ".toml"));
@@ -124,7 +128,7 @@ Expected<std::vector<DancedWrittenFigure>> danced_written_figures(
         return fail(written.error());
     }
     for (const motion::AuthoredFigure& figure : written->figures) {
-        auto measures = measure_alone(*written, figure, library, seed);
+        auto measures = measure_alone(*written, figure, library, skeleton, seed);
         if (!measures) {
             return fail(measures.error());
         }

@@ -28,6 +28,7 @@ struct FigureOnBeat {
 /// Errors: those of Dancer::prepare. Threads: workers. Real-time: no (some 10 ms a second).
 [[nodiscard]] Expected<std::vector<motion::Pose>> dance_alone(
     const std::shared_ptr<const motion::DanceLibrary>& library,
+    const motion::Skeleton& skeleton,
     const FigureOnBeat& on,
     std::span<const double> beats);
 
@@ -45,6 +46,7 @@ struct DancedWrittenFigure {
 [[nodiscard]] Expected<std::vector<DancedWrittenFigure>> danced_written_figures(
     const std::string& dance,
     const std::shared_ptr<const motion::DanceLibrary>& library,
+    const motion::Skeleton& skeleton,
     std::uint64_t seed = 1);
 
 }  // namespace raks::engine

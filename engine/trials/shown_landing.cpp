@@ -124,7 +124,8 @@ std::vector<double> counts_heard(const audio::GeneratedMusic& music,
 std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures,
                                           const SoundLine& sound,
                                           const audio::GeneratedMusic& music,
-                                          const motion::FigureModel& figure) {
+                                          const motion::FigureModel& figure,
+                                          const motion::Skeleton& skeleton) {
     const auto first = std::find_if(
         pictures.begin(), pictures.end(), [](const auto& picture) { return picture.is_dancing; });
     if (first == pictures.end() || pictures.back().octave != 1.0 ||
@@ -132,8 +133,8 @@ std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures
         return std::nullopt;
     }
     const auto danced = pictures.subspan(static_cast<std::size_t>(first - pictures.begin()));
-    const motion::BodyTrack track = motion::body_track(
-        motion::mannequin_skeleton(), on_regular_grid(danced), kShownPosesPerSecond);
+    const motion::BodyTrack track =
+        motion::body_track(skeleton, on_regular_grid(danced), kShownPosesPerSecond);
     const auto landing = [&](std::size_t bars_later) {
         return motion::landing_errors(
             track, figure, counts_heard(music, sound, first->at, kBlendIn, bars_later));

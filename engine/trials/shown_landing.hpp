@@ -67,6 +67,7 @@ struct ShownLanding {
 [[nodiscard]] std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures,
                                                         const SoundLine& sound,
                                                         const audio::GeneratedMusic& music,
-                                                        const motion::FigureModel& figure);
+                                                        const motion::FigureModel& figure,
+                                                        const motion::Skeleton& skeleton);
 
 }  // namespace raks::engine

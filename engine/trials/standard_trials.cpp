@@ -1,6 +1,5 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "engine/trials/dance_trial.hpp"
@@ -26,18 +25,26 @@ audio::MusicPlan music(Style style, double bpm, double seconds) {
     return plan;
 }
 
-DanceTrial steady(Style style, double bpm) {
-    return {fmt::format("{}-{:.0f}", audio::name_of(style), bpm),
+/// Music that trials are named after.
+struct TrialMusic {
+    std::string name;
+    Style style = Style::drums;
+};
+
+TrialMusic other(Style style) { return {std::string(audio::name_of(style)), style}; }
+
+DanceTrial steady(const TrialMusic& of, double bpm) {
+    return {fmt::format("{}-{:.0f}", of.name, bpm),
             TrialKind::steady,
-            music(style, bpm, kSteadySeconds)};
+            music(of.style, bpm, kSteadySeconds)};
 }
 
 /// Every second 2 % faster or slower than the one before.
-DanceTrial ramp(Style style, double from, double to) {
+DanceTrial ramp(const TrialMusic& of, double from, double to) {
     const double seconds = std::abs(std::log(to / from)) / std::log1p(kRampPerSecond);
-    DanceTrial trial{fmt::format("{}-{:.0f}-to-{:.0f}", audio::name_of(style), from, to),
+    DanceTrial trial{fmt::format("{}-{:.0f}-to-{:.0f}", of.name, from, to),
                      TrialKind::ramp,
-                     music(style, from, kBeforeRamp + seconds + kBehindRamp)};
+                     music(of.style, from, kBeforeRamp + seconds + kBehindRamp)};
     trial.music.tempo.clear();
     for (double t = 0.0; t < seconds; t += 1.0) {
         trial.music.tempo.push_back({kBeforeRamp + t, from * std::pow(to / from, t / seconds)});
@@ -57,67 +64,57 @@ DanceTrial with_silences(DanceTrial trial, std::vector<audio::Silence> silences)
 }
 
 /// Stops, and goes on at another tempo.
-DanceTrial with_jump(Style style, double from, double to) {
-    DanceTrial trial{fmt::format("{}-{:.0f}-jump-{:.0f}", audio::name_of(style), from, to),
+DanceTrial with_jump(const TrialMusic& of, double from, double to) {
+    DanceTrial trial{fmt::format("{}-{:.0f}-jump-{:.0f}", of.name, from, to),
                      TrialKind::breaks,
-                     music(style, from, 70.0)};
+                     music(of.style, from, 70.0)};
     trial.music.tempo = {{0.0, from}, {30.0, from}, {30.0, to}};
     trial.music.silences = {{30.0, 33.0}};
     return trial;
 }
 
-std::vector<DanceTrial> salsa_trials() {
-    std::vector<DanceTrial> trials = {steady(Style::drums, 100.0),
-                                      steady(Style::maqsum, 110.0),
-                                      steady(Style::drums, 120.0),
-                                      steady(Style::house, 126.0),
-                                      steady(Style::drums, 140.0),
-                                      steady(Style::drums, 150.0)};
+std::vector<DanceTrial> full_trials(const TrialMusic& own) {
+    const TrialMusic drums = other(Style::drums);
+    std::vector<DanceTrial> trials = {steady(drums, 100.0),
+                                      steady(other(Style::maqsum), 110.0),
+                                      steady(drums, 120.0),
+                                      steady(other(Style::four_on_the_floor), 126.0),
+                                      steady(drums, 140.0),
+                                      steady(drums, 150.0)};
     for (const double bpm : {160.0, 170.0, 180.0, 190.0, 200.0}) {
-        trials.push_back(steady(Style::salsa, bpm));
+        trials.push_back(steady(own, bpm));
     }
-    trials.push_back(ramp(Style::salsa, 160.0, 200.0));
-    trials.push_back(ramp(Style::salsa, 200.0, 160.0));
-    trials.push_back(ramp(Style::drums, 110.0, 160.0));
-    trials.push_back(ramp(Style::drums, 160.0, 110.0));
+    trials.push_back(ramp(own, 160.0, 200.0));
+    trials.push_back(ramp(own, 200.0, 160.0));
+    trials.push_back(ramp(drums, 110.0, 160.0));
+    trials.push_back(ramp(drums, 160.0, 110.0));
     // A break of a beat or two is danced through, a longer one settled in.
-    trials.push_back(with_silences(steady(Style::salsa, 180.0),
+    trials.push_back(with_silences(steady(own, 180.0),
                                    {{20.0, 20.7}, {30.0, 31.4}, {40.0, 46.0}, {65.0, 67.0}}));
-    trials.push_back(
-        with_silences(steady(Style::drums, 130.0), {{0.0, 3.0}, {25.0, 26.0}, {45.0, 50.0}}));
-    trials.push_back(with_jump(Style::salsa, 165.0, 190.0));
+    trials.push_back(with_silences(steady(drums, 130.0), {{0.0, 3.0}, {25.0, 26.0}, {45.0, 50.0}}));
+    trials.push_back(with_jump(own, 165.0, 190.0));
     return trials;
 }
 
-Style style_of(std::string_view dance) {
-    constexpr std::array<std::pair<std::string_view, Style>, 5> kStyles = {{
-        {"belly", Style::maqsum},
-        {"house", Style::house},
-        {"hiphop", Style::hiphop},
-        {"rock", Style::rock},
-        {"waltz", Style::waltz},
-    }};
-    const auto found = std::find_if(
-        kStyles.begin(), kStyles.end(), [&](const auto& one) { return one.first == dance; });
-    return found != kStyles.end() ? found->second : Style::drums;
+std::vector<DanceTrial> brief_trials(const TrialMusic& own, Bpm learnt) {
+    const double written = std::round(learnt.bpm());
+    const double slow = std::round(0.85 * written);
+    const double fast = std::round(1.15 * written);
+    return {steady(own, slow),
+            steady(own, written),
+            steady(own, fast),
+            ramp(own, slow, fast),
+            ramp(own, fast, slow),
+            with_silences(steady(own, written), {{20.0, 20.7}, {30.0, 32.0}, {45.0, 51.0}})};
 }
 
 }  // namespace
 
-std::vector<DanceTrial> standard_trials(std::string_view dance, Bpm learnt) {
-    if (dance == "salsa") {
-        return salsa_trials();
-    }
-    const Style style = style_of(dance);
-    const double written = std::round(learnt.bpm());
-    const double slow = std::round(0.85 * written);
-    const double fast = std::round(1.15 * written);
-    return {steady(style, slow),
-            steady(style, written),
-            steady(style, fast),
-            ramp(style, slow, fast),
-            ramp(style, fast, slow),
-            with_silences(steady(style, written), {{20.0, 20.7}, {30.0, 32.0}, {45.0, 51.0}})};
+std::vector<DanceTrial> standard_trials(const DanceInfo& dance, Bpm learnt) {
+    // A dance whose style is none of ours is tried with drums.
+    const Style style = audio::style_from_name(dance.style).value_or(Style::drums);
+    const TrialMusic own{dance.name, style};
+    return dance.trials == DanceInfo::Trials::full ? full_trials(own) : brief_trials(own, learnt);
 }
 
 }  // namespace raks::engine

@@ -4,33 +4,29 @@
 #include <utility>
 
 #include "base/file.hpp"
-#include "engine/setup/settings.hpp"
 
 namespace raks::engine {
 
 namespace fs = std::filesystem;
 
-Expected<std::vector<motion::FigureModel>> trained_figures(const std::string& dance,
+Expected<std::vector<motion::FigureModel>> trained_figures(const CatalogueEntry& dance,
                                                            motion::DanceRole role,
                                                            motion::FigureFeatures features) {
-    const auto folder = data_path(fs::path("models") / "trained");
-    if (!folder) {
-        return fail(folder.error());
-    }
     const std::string role_name(motion::kRoleNames[static_cast<std::size_t>(role)]);
     const std::string end =
         "_" + role_name +
         (features == motion::FigureFeatures::positions ? "_positions.json" : ".json");
-    auto files = list_folder(*folder);
+    auto files = list_folder(dance.folder);
     if (!files) {
         return fail(std::move(files.error()));
     }
     std::erase_if(*files, [&](const fs::path& file) {
         const std::string name = file.filename().string();
-        return !name.starts_with(dance + "_") || !name.ends_with(end);
+        return !name.starts_with(dance.info.name + "_") || !name.ends_with(end);
     });
     if (files->empty()) {
-        return fail(folder->string() + ": holds no figure of " + dance + " for the " + role_name);
+        return fail(dance.folder.string() + ": holds no figure of " + dance.info.name +
+                    " for the " + role_name);
     }
     std::vector<motion::FigureModel> figures;
     for (const fs::path& file : *files) {

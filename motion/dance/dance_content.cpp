@@ -291,8 +291,8 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     for (const FigureWay& way : ways) {
         turns_half.push_back(way.half_turns % 2 != 0);
     }
-    content.choreography =
-        Choreography(grammar != nullptr ? *grammar : FigureGrammar::uniform(names), turns_half);
+    content.chooser =
+        FigureChooser(grammar != nullptr ? *grammar : FigureGrammar::uniform(names), turns_half);
     const std::vector<StartPlaces> places =
         start_places(figures,
                      tracks,

@@ -43,7 +43,7 @@ struct DanceContent {
 
     Generator generator = Generator::trajectories;
     std::vector<LibraryFigure> figures;
-    Choreography choreography;
+    FigureChooser chooser;
     DanceMetre metre;  ///< its tempo: the mean of the figures'
     FloorMove couple;  ///< the same, for one of a couple about the stage's centre
     FloorMove stage;   ///< from the frame in which a figure starts: it faces the audience, centred

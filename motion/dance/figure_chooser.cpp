@@ -40,7 +40,7 @@ double MusicEnergy::value() const noexcept {
     return std::clamp(0.5 + (now_ - usual_) / kSpan, 0.0, 1.0);
 }
 
-double Choreography::weight(std::size_t figure, const FigureMoment& moment) const noexcept {
+double FigureChooser::weight(std::size_t figure, const FigureMoment& moment) const noexcept {
     const double weight = grammar_.rules[moment.after].after[figure] *
                           std::exp(-kFit * std::abs(grammar_.rules[figure].energy - moment.energy));
     switch (moment.audience) {
@@ -54,10 +54,10 @@ double Choreography::weight(std::size_t figure, const FigureMoment& moment) cons
     return weight;
 }
 
-std::size_t Choreography::next(const FigureMoment& moment,
-                               const FigureWish& wish,
-                               std::uint64_t seed,
-                               std::uint64_t number) const noexcept {
+std::size_t FigureChooser::next(const FigureMoment& moment,
+                                const FigureWish& wish,
+                                std::uint64_t seed,
+                                std::uint64_t number) const noexcept {
     const std::size_t count = grammar_.rules.size();
     if (wish.figure && *wish.figure < count) {
         return *wish.figure;

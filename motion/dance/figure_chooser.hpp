@@ -50,11 +50,11 @@ struct FigureMoment {
 /// Which figure comes next: by the grammar's weights, more often one as lively as the music, and
 /// one that ends towards the audience. Drawn by (seed, number of the figure): the same dance again
 /// from the same seed and music. Threads: any. Real-time: next yes.
-class Choreography {
+class FigureChooser {
  public:
-    Choreography() = default;
+    FigureChooser() = default;
     /// `turns_half`: by figure, whether it ends half a turn from where it began.
-    Choreography(FigureGrammar grammar, std::vector<bool> turns_half)
+    FigureChooser(FigureGrammar grammar, std::vector<bool> turns_half)
         : grammar_(std::move(grammar)), turns_half_(std::move(turns_half)) {}
 
     [[nodiscard]] std::size_t next(const FigureMoment& moment,

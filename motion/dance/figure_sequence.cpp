@@ -142,7 +142,7 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
         const Audience audience = part_.is_in_couple ? Audience::none
                                   : is_turned        ? Audience::behind
                                                      : Audience::ahead;
-        const std::size_t figure = content_->choreography.next(
+        const std::size_t figure = content_->chooser.next(
             {current_.choice.figure, energy, audience}, wish, part_.seed, number_ + 1);
         next_ = {choose(figure, number_ + 1), end, is_turned, {}};
         const std::array<FootLook, 2> looks = look_at_feet(current_, *next_);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "base/text_file.hpp"
 #include "base/toml_headers.hpp"
@@ -21,6 +22,7 @@ constexpr std::int64_t kVersion = 1;
 constexpr std::array<std::string_view, 2> kStartsNames = {"common", "own"};  // by Starts
 constexpr double kLargestWeight = 1e6;
 constexpr std::size_t kMaxGrammarBytes = std::size_t{1} << 20U;
+constexpr std::size_t kLongestFigureName = 60;
 constexpr double kFarthest = 10.0;      // metres
 constexpr double kFarthestAside = 1.0;  // metres
 
@@ -30,6 +32,49 @@ class GrammarReader {
     explicit GrammarReader(const std::string& name) : name_(name) {}
 
     Expected<FigureGrammar> read(const toml::table& root) {
+        FigureGrammar grammar;
+        if (auto ok = read_head(root, grammar); !ok) {
+            return fail(std::move(ok.error()));
+        }
+        if (auto ok = read_figures(root, grammar); !ok) {
+            return fail(std::move(ok.error()));
+        }
+        return grammar;
+    }
+
+    /// Adds the figures of the file to those of `grammar`.
+    Expected<void> extend(const toml::table& root, FigureGrammar& grammar) {
+        FigureGrammar own;
+        if (auto ok = read_head(root, own); !ok) {
+            return ok;
+        }
+        const std::size_t known = grammar.rules.size();
+        if (auto ok = read_figures(root, grammar); !ok) {
+            return ok;
+        }
+        for (std::size_t i = 0; i < known; ++i) {
+            lead_on(grammar, known, grammar.rules[i].after);
+        }
+        return {};
+    }
+
+ private:
+    /// Weights of the figures from number `known` on, behind one that knew only those before.
+    static void lead_on(const FigureGrammar& grammar,
+                        std::size_t known,
+                        std::vector<double>& after) {
+        double sum = 0.0;
+        double count = 0.0;
+        for (std::size_t i = 0; i < known; ++i) {
+            sum += after[i];
+            count += after[i] > 0.0 ? 1.0 : 0.0;
+        }
+        for (std::size_t i = known; i < grammar.rules.size(); ++i) {
+            after.push_back(grammar.rules[i].seen * sum / std::max(count, 1.0));
+        }
+    }
+
+    Expected<void> read_head(const toml::table& root, FigureGrammar& grammar) {
         if (auto ok = check_keys(root,
                                  {"format",
                                   "version",
@@ -40,7 +85,7 @@ class GrammarReader {
                                   "follow",
                                   "figure"});
             !ok) {
-            return fail(std::move(ok.error()));
+            return ok;
         }
         if (root["format"].value<std::string>() != std::string(kFormat)) {
             return fail(fmt::format("{}: format must be \"{}\"", name_, kFormat));
@@ -52,7 +97,6 @@ class GrammarReader {
                             name_,
                             kVersion));
         }
-        FigureGrammar grammar;
         grammar.dance = root["dance"].value_or(std::string());
         const toml::array* const figures = root["figure"].as_array();
         if (grammar.dance.empty() || figures == nullptr || figures->empty()) {
@@ -73,23 +117,28 @@ class GrammarReader {
         grammar.starts = static_cast<FigureGrammar::Starts>(named - kStartsNames.begin());
         for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
             if (auto ok = read_place(root, role, grammar); !ok) {
-                return fail(std::move(ok.error()));
+                return ok;
             }
         }
-        for (const toml::node& node : *figures) {
-            if (auto ok = read_figure(node, grammar); !ok) {
-                return fail(std::move(ok.error()));
-            }
-        }
-        for (std::size_t i = 0; i < grammar.rules.size(); ++i) {
-            if (auto ok = read_followers(*(*figures)[i].as_table(), grammar, i); !ok) {
-                return fail(std::move(ok.error()));
-            }
-        }
-        return grammar;
+        return {};
     }
 
- private:
+    Expected<void> read_figures(const toml::table& root, FigureGrammar& grammar) {
+        const std::size_t known = grammar.rules.size();
+        const toml::array& figures = *root["figure"].as_array();
+        for (const toml::node& node : figures) {
+            if (auto ok = read_figure(node, grammar); !ok) {
+                return ok;
+            }
+        }
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            if (auto ok = read_followers(*figures[i].as_table(), grammar, known + i); !ok) {
+                return ok;
+            }
+        }
+        return {};
+    }
+
     [[nodiscard]] std::string where(const toml::node& node) const {
         return fmt::format("{}: line {}", name_, node.source().begin.line);
     }
@@ -149,7 +198,8 @@ class GrammarReader {
         if (table == nullptr) {
             return fail(where(node) + ": a figure must be a [[figure]] table");
         }
-        if (auto ok = check_keys(*table, {"name", "energy", "after", "lead_aside", "follow_aside"});
+        if (auto ok = check_keys(*table,
+                                 {"name", "energy", "seen", "after", "lead_aside", "follow_aside"});
             !ok) {
             return ok;
         }
@@ -168,6 +218,10 @@ class GrammarReader {
         rule.energy = (*table)["energy"].value_or(table->contains("energy") ? -1.0 : 0.5);
         if (!(rule.energy >= 0.0 && rule.energy <= 1.0)) {
             return fail(where(node) + ": energy must be a number from 0 to 1");
+        }
+        rule.seen = (*table)["seen"].value_or(table->contains("seen") ? -1.0 : 1.0);
+        if (!(rule.seen > 0.0 && rule.seen <= kLargestWeight)) {
+            return fail(where(node) + ": seen must be a number > 0");
         }
         for (std::size_t role = 0; role < kRoleNames.size(); ++role) {
             const std::string key = fmt::format("{}_aside", kRoleNames[role]);
@@ -188,6 +242,14 @@ class GrammarReader {
         return {};
     }
 
+    /// Every other figure comes after this one; after the only one itself.
+    static void follow_as_seen(FigureGrammar& grammar, std::size_t index) {
+        std::vector<double>& after = grammar.rules[index].after;
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            after[i] = i != index || after.size() == 1 ? grammar.rules[i].seen : 0.0;
+        }
+    }
+
     Expected<void> read_followers(const toml::table& table,
                                   FigureGrammar& grammar,
                                   std::size_t index) const {
@@ -197,6 +259,10 @@ class GrammarReader {
         }
         std::vector<double>& after = grammar.rules[index].after;
         after.assign(names.size(), 0.0);
+        if (!table.contains("after")) {
+            follow_as_seen(grammar, index);
+            return {};
+        }
         const toml::table* const weights = table["after"].as_table();
         double sum = 0.0;
         if (weights != nullptr) {
@@ -249,17 +315,28 @@ FigureGrammar FigureGrammar::uniform(const std::vector<std::string>& figures) {
     return grammar;
 }
 
-Expected<FigureGrammar> parse_grammar(std::string_view text, const std::string& name) {
+namespace {
+
+/// Hands the table of a TOML text to `read`, which returns an Expected of some kind.
+template <typename Read>
+auto with_toml(std::string_view text, const std::string& name, const Read& read)
+    -> decltype(read(toml::table())) {
     if (const std::size_t line = line_of_nameless_header(text); line > 0) {
         return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
     }
     try {
-        const toml::table root = toml::parse(text);
-        return GrammarReader(name).read(root);
+        return read(toml::parse(text));
     } catch (const toml::parse_error& error) {
         return fail(
             fmt::format("{}: line {}: {}", name, error.source().begin.line, error.description()));
     }
+}
+
+}  // namespace
+
+Expected<FigureGrammar> parse_grammar(std::string_view text, const std::string& name) {
+    return with_toml(
+        text, name, [&name](const toml::table& root) { return GrammarReader(name).read(root); });
 }
 
 Expected<FigureGrammar> load_grammar(const fs::path& path) {
@@ -268,6 +345,70 @@ Expected<FigureGrammar> load_grammar(const fs::path& path) {
         return fail(std::move(text.error()));
     }
     return parse_grammar(*text, path.string());
+}
+
+Expected<void> extend_grammar(const fs::path& path, FigureGrammar& grammar) {
+    auto text = read_text_file(path, kMaxGrammarBytes);
+    if (!text) {
+        return fail(std::move(text.error()));
+    }
+    FigureGrammar extended = grammar;
+    const std::string name = path.string();
+    auto done = with_toml(*text, name, [&](const toml::table& root) {
+        return GrammarReader(name).extend(root, extended);
+    });
+    if (done) {
+        grammar = std::move(extended);
+    }
+    return done;
+}
+
+Expected<std::vector<std::string>> figures_in_grammar(std::string_view text,
+                                                      const std::string& name) {
+    return with_toml(text, name, [](const toml::table& root) -> Expected<std::vector<std::string>> {
+        std::vector<std::string> names;
+        if (const toml::array* const figures = root["figure"].as_array()) {
+            for (const toml::node& node : *figures) {
+                const toml::table* const table = node.as_table();
+                names.push_back(table != nullptr ? (*table)["name"].value_or(std::string())
+                                                 : std::string());
+            }
+        }
+        return names;
+    });
+}
+
+bool is_figure_name(std::string_view name) noexcept {
+    const auto is_fit = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_';
+    };
+    return !name.empty() && name.size() <= kLongestFigureName &&
+           std::all_of(name.begin(), name.end(), is_fit);
+}
+
+std::string why_no_figure_name(std::string_view name) {
+    return fmt::format("\"{}\" is no name for a file: letters a-z, digits, '-' and '_', 1 to {}",
+                       printable(name, kLongestFigureName),
+                       kLongestFigureName);
+}
+
+std::string figure_rule_text(std::string_view figure, double seen) {
+    return fmt::format("\n[[figure]]\nname = \"{}\"\nseen = {}\n", figure, seen);
+}
+
+std::string grammar_head_text(const FigureGrammar& grammar) {
+    return fmt::format(
+        "# Which figure comes after which. Without a line `after`, every other figure follows as\n"
+        "# often as it was `seen`; after = {{ NAME = 2, OTHER = 1 }} says it for one figure.\n"
+        "# energy = 0.0 ... 1.0 is the music that a figure is for: from the quietest to the\n"
+        "# loudest. The dance begins with the first figure.\n"
+        "format = \"{}\"\nversion = {}\ndance = \"{}\"\nbeats_per_bar = {}\nstarts = \"{}\"\n",
+        kFormat,
+        kVersion,
+        grammar.dance,
+        grammar.beats_per_bar,
+        kStartsNames[static_cast<std::size_t>(grammar.starts)]);
 }
 
 }  // namespace raks::motion

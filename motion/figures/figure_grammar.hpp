@@ -19,6 +19,7 @@ struct FigureGrammar {
     struct Rule {
         std::string figure;
         double energy = 0.5;        ///< [0, 1]: 0 for the quietest music, 1 for the loudest
+        double seen = 1.0;          ///< > 0: how often it occurs, where no rule says more
         std::vector<double> after;  ///< by figure: weight that it comes after this one, >= 0
         /// By DanceRole: how far one of a couple goes aside in the middle of the figure, so that
         /// both have room; left, forward of where it starts; metres.
@@ -52,13 +53,36 @@ struct FigureGrammar {
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
 /// 12; 4 if left out), starts ("common" if left out, or "own"), and one [[figure]] each with name,
-/// energy and `after` = { figure = weight,
-/// ... }; for couples [lead] and [follow] with turn_point = [left, forward] and heading in degrees,
-/// and with a figure lead_aside and follow_aside = [left, forward].
+/// energy, `seen` (1 if left out) and `after` = { figure = weight, ... }; without `after` every
+/// other figure follows as often as it is seen. For couples [lead] and [follow] with
+/// turn_point = [left, forward] and heading in degrees, and with a figure lead_aside and
+/// follow_aside = [left, forward].
 /// Errors, one line: not readable, not TOML, another format, a newer version, unknown keys and
 /// figures (the nearest is named), two figures of one name, weights that are negative or no
 /// numbers, a figure that nothing follows. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);
+
+/// Adds the figures of another file to a grammar. What the file says besides figures is left
+/// aside. Its `after` may name figures of both; the figures of `grammar` go on to each new one with
+/// the mean of the weights that they have, times `seen`.
+/// Errors: as load_grammar; a figure that the grammar has already.
+[[nodiscard]] Expected<void> extend_grammar(const std::filesystem::path& path,
+                                            FigureGrammar& grammar);
+
+/// The names of the figures in the text of such a file, whatever their rules say: also of one that
+/// extends another. Errors: not TOML.
+[[nodiscard]] Expected<std::vector<std::string>> figures_in_grammar(std::string_view toml,
+                                                                    const std::string& name);
+
+/// Letters, digits, '-' and '_', at most 60: a part of a file's name on any system.
+[[nodiscard]] bool is_figure_name(std::string_view name) noexcept;
+/// "NAME" with the reason why it is none; for errors.
+[[nodiscard]] std::string why_no_figure_name(std::string_view name);
+
+/// A [[figure]] without `after`, as text of such a file.
+[[nodiscard]] std::string figure_rule_text(std::string_view figure, double seen);
+/// A file without figures yet: its head, with comments for who edits it.
+[[nodiscard]] std::string grammar_head_text(const FigureGrammar& grammar);
 
 }  // namespace raks::motion

@@ -54,7 +54,7 @@ constexpr std::array kOver = {
     BoneRotation{Bone::left_lower_arm, {0.9703F, 0.0F, -0.24192F, 0.0F}},
     BoneRotation{Bone::left_hand, {0.99619F, 0.0F, 0.0F, -0.08716F}},
 };
-constexpr std::array kSalsa = {
+constexpr std::array kSideStep = {
     BoneRotation{Bone::hips, {0.99069F, -0.00744F, 0.12164F, 0.06059F}},
     BoneRotation{Bone::spine, {0.99414F, 0.02071F, -0.08856F, -0.05852F}},
     BoneRotation{Bone::chest, {0.99559F, -0.00304F, -0.0871F, -0.03477F}},
@@ -169,8 +169,8 @@ Pose bind() noexcept {
     return pose;
 }
 
-Pose salsa() noexcept {
-    Pose pose = posed(kSalsa);
+Pose side_step() noexcept {
+    Pose pose = posed(kSideStep);
     curl_fingers(Side::left, 22.0F, 20.0F, pose);
     curl_fingers(Side::right, 18.0F, 18.0F, pose);
     return pose;
@@ -186,7 +186,7 @@ std::array<NamedPose, 12> make_poses() {
         {"hip", posed(kHipBend)},
         {"knee", posed(kKneeBend)},
         {"over", with_hands(posed_on_both_sides(kOver), 10.0F, 15.0F)},
-        {"salsa", salsa()},
+        {"side_step", side_step()},
         {"squat", with_hands(posed_on_both_sides(kSquat), 12.0F, 15.0F)},
         {"twist", with_hands(posed(kTwist), 16.0F, 15.0F)},
         {"wrist", posed(kWristBend)},

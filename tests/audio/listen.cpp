@@ -8,6 +8,7 @@
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
+#include "tests/support/dances.hpp"
 
 namespace raks::audio::test {
 
@@ -75,6 +76,8 @@ AnalyzerConfig as_shipped(SampleRate rate) {
     static const auto genres = load_genre(RAKS_SOURCE_DIR "/models/trained/genres.json");
     EXPECT_TRUE(genres) << genres.error().message;
     config.genre_model = genres ? *genres : nullptr;
+    static const auto dances = raks::test::shipped_dances();
+    config.dances = dances;
     return config;
 }
 

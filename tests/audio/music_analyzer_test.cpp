@@ -74,7 +74,7 @@ TEST(MusicAnalyzer, any_blocks_give_the_same_bits) {
 }
 
 TEST(MusicAnalyzer, a_prefix_gives_the_same_states_as_the_whole) {
-    const GeneratedMusic piece = music(Style::salsa, {{0.0, 180.0}}, 12.0);
+    const GeneratedMusic piece = music(Style::montuno, {{0.0, 180.0}}, 12.0);
     const auto whole = listen(piece);
     for (const double seconds : {0.5, 3.21, 7.77}) {
         GeneratedMusic prefix = piece;
@@ -197,7 +197,7 @@ TEST(MusicAnalyzer, in_silence_lost_audio_leaves_the_tempo_where_it_was_put) {
 }
 
 TEST(MusicAnalyzer, reset_gives_the_same_bits_again) {
-    const GeneratedMusic piece = music(Style::house, {{0.0, 124.0}}, 4.0);
+    const GeneratedMusic piece = music(Style::four_on_the_floor, {{0.0, 124.0}}, 4.0);
     MusicAnalyzer analyzer;
     ASSERT_TRUE(analyzer.prepare(test::as_shipped()));
     Collect first;
@@ -223,7 +223,7 @@ TEST(MusicAnalyzer, rates_out_of_range_are_refused) {
 
 TEST(MusicAnalyzer, sixty_seconds_with_jump_and_silence_keep_the_real_time_rules) {
     MusicPlan plan;
-    plan.style = Style::salsa;
+    plan.style = Style::montuno;
     plan.tempo = {{0.0, 170.0}, {30.0, 170.0}, {30.0, 200.0}};
     plan.seconds = 60.0;
     plan.channels = 1;
@@ -254,7 +254,7 @@ TEST(MusicAnalyzer, sixty_seconds_with_jump_and_silence_keep_the_real_time_rules
 }
 
 TEST(MusicAnalyzer, hints_the_recognised_dance_to_the_beat_tracker) {
-    const GeneratedMusic piece = music(Style::salsa, {{0.0, 186.0}}, 15.0);
+    const GeneratedMusic piece = music(Style::montuno, {{0.0, 186.0}}, 15.0);
     const std::vector<MusicState> recognised = listen(piece);
     const auto told = [&](const std::vector<AnalyzerCommand>& hints) {
         AnalyzerConfig config = test::as_shipped(piece.rate);

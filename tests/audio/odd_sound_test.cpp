@@ -68,10 +68,10 @@ GeneratedMusic at_rate(const GeneratedMusic& piece, int hertz) {
 }
 
 TEST(Rates, any_two_give_the_same_beats) {
-    for (const auto& [style, bpm] : {std::pair{Style::salsa, 184.0},
+    for (const auto& [style, bpm] : {std::pair{Style::montuno, 184.0},
                                      std::pair{Style::drums, 120.0},
                                      std::pair{Style::maqsum, 112.0},
-                                     std::pair{Style::house, 126.0}}) {
+                                     std::pair{Style::four_on_the_floor, 126.0}}) {
         const GeneratedMusic piece = music(style, {{0.0, bpm}}, 30.0, 192'000);
         std::vector<std::vector<double>> heard;
         for (const int hertz : {22'050, 32'000, 44'100, 48'000, 96'000, 192'000}) {
@@ -92,7 +92,7 @@ class OddSound : public ::testing::Test {
     /// Scores a salsa after something was done to each sample (value, index).
     template <class Change>
     static test::BeatScore score_after(const Change& change) {
-        GeneratedMusic piece = music(Style::salsa, {{0.0, 180.0}}, 25.0);
+        GeneratedMusic piece = music(Style::montuno, {{0.0, 180.0}}, 25.0);
         for (std::size_t i = 0; i < piece.samples.size(); ++i) {
             piece.samples[i] = change(piece.samples[i], i);
         }
@@ -164,7 +164,7 @@ TEST(LongSound, ten_minutes_of_silence_have_no_beat) {
 }
 
 TEST(LongSound, twenty_minutes_of_music_do_not_drift) {
-    const GeneratedMusic piece = music(Style::salsa, {{0.0, 180.0}}, 1200.0, 32'000);
+    const GeneratedMusic piece = music(Style::montuno, {{0.0, 180.0}}, 1200.0, 32'000);
     MusicAnalyzer analyzer;
     ASSERT_TRUE(analyzer.prepare(test::as_shipped(piece.rate)));
     Collect collect(130'000);

@@ -83,6 +83,8 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "engine/offline"}},
 
     {"apps/terminal", {"base"}},
+    {"apps/dances",
+     {"base", "motion", "motion/**", "engine/setup", "training/figures", "training/hmm"}},
     {"apps/reports",
      {"base",
       "audio",
@@ -104,6 +106,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "render/**",
       "engine/**",
       "training/hmm",
+      "apps/dances",
       "apps/terminal",
       "apps/reports"}},
     {"apps/raks_train",
@@ -116,6 +119,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "engine/setup",
       "engine/offline",
       "training/**",
+      "apps/dances",
       "apps/terminal",
       "apps/reports"}},
 };

@@ -238,12 +238,12 @@ TEST_F(BadInput, one_repetition_of_standing_still_is_learnt_but_cannot_be_judged
                                         "--scale",
                                         "1",
                                         "-o",
-                                        path("out")};
+                                        path("out.json")};
     };
     // No joint moves: the floor under the variances keeps the covariances positive definite.
     const ProcessResult learnt = run(arguments("figure"));
     EXPECT_EQ(learnt.exit_code, 0) << learnt.err;
-    std::filesystem::remove(folder_ / "out");
+    std::filesystem::remove(folder_ / "out.json");
     expect_one_line(arguments("report"), 1, "1 repeat of one take only");
     EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
 }
@@ -268,7 +268,7 @@ TEST_F(BadInput, a_dance_is_learnt_by_its_music_or_the_reason_is_said) {
                                         "--scale",
                                         "1",
                                         "-o",
-                                        path("out")};
+                                        path("out.json")};
     };
     expect_one_line(arguments("missing.wav", "0"), 1, "missing.wav");
     expect_one_line(arguments("labels.tsv", "0"), 1, "is not audio");
@@ -296,7 +296,10 @@ TEST_F(BadInput, motion_beyond_all_measure_is_refused) {
 TEST_F(BadInput, a_model_of_another_version_or_with_nan_is_refused) {
     write_clicks("music.wav");
     const std::filesystem::path trained = folder_ / "data" / "models" / "trained";
-    std::filesystem::create_directories(trained);
+    std::filesystem::create_directories(trained.parent_path());
+    std::filesystem::copy(std::filesystem::path(RAKS_SOURCE_DIR) / "models" / "trained",
+                          trained,
+                          std::filesystem::copy_options::recursive);
     const std::string model = read_file(std::filesystem::path(RAKS_SOURCE_DIR) / "models" /
                                         "trained" / "salsa_basic_lead.json")
                                   .value();

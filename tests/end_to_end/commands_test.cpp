@@ -22,7 +22,7 @@ class Commands : public ProgramTest {
     audio::GeneratedMusic write_music(const std::string& name,
                                       double bpm,
                                       double seconds,
-                                      audio::Style style = audio::Style::salsa) const {
+                                      audio::Style style = audio::Style::montuno) const {
         audio::MusicPlan plan;
         plan.style = style;
         plan.tempo = {{0.0, bpm}};

@@ -25,7 +25,7 @@ class EvalBeats : public ProgramTest {
         fs::create_directories(corpus());
         std::string index = "name\tclass\n";
         for (const auto& [style, name] : {std::pair{audio::Style::drums, "drums_120"},
-                                          std::pair{audio::Style::salsa, "salsa_180"},
+                                          std::pair{audio::Style::montuno, "salsa_180"},
                                           std::pair{audio::Style::drums, "drums_100"}}) {
             const std::string bpm = std::string(name).substr(std::string(name).size() - 3);
             add(style, name, std::stod(bpm));

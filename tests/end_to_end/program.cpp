@@ -10,7 +10,7 @@ std::vector<std::string> ProgramTest::files() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
         const std::string name = entry.path().filename().string();
-        if (name != "cache" && name != "config") {
+        if (name != "cache" && name != "config" && name != "share") {
             names.push_back(name);
         }
     }

@@ -23,6 +23,7 @@ class ProgramTest : public ::testing::Test {
         plan.command.insert(plan.command.end(), arguments.begin(), arguments.end());
         plan.environment = {{"XDG_CONFIG_HOME", (folder_ / "config").string()},
                             {"XDG_CACHE_HOME", (folder_ / "cache").string()},
+                            {"XDG_DATA_HOME", (folder_ / "share").string()},
                             {"JACK_NO_START_SERVER", "1"},
                             {"JACK_DEFAULT_SERVER", "raks_none"},
                             {"PULSE_SERVER", "unix:" + (folder_ / "no_pulse").string()},

@@ -29,7 +29,7 @@ class TrainGenre : public ProgramTest {
                      double seconds = 8.0) const {
         audio::MusicPlan plan;
         plan.style = style;
-        plan.tempo = {{0.0, style == Style::salsa ? 180.0 : 118.0}};
+        plan.tempo = {{0.0, style == Style::montuno ? 180.0 : 118.0}};
         plan.seconds = seconds;
         plan.seed = seed;
         plan.channels = 1;
@@ -46,9 +46,9 @@ class TrainGenre : public ProgramTest {
     void write_folder(const std::string& name) const {
         for (const std::uint64_t seed : {1U, 2U}) {
             const std::string file = std::to_string(seed) + ".wav";
-            write_music(fs::path(name) / "salsa" / file, Style::salsa, seed);
+            write_music(fs::path(name) / "salsa" / file, Style::montuno, seed);
             write_music(fs::path(name) / "belly" / file, Style::maqsum, seed);
-            write_music(fs::path(name) / "house" / file, Style::house, seed);
+            write_music(fs::path(name) / "house" / file, Style::four_on_the_floor, seed);
         }
     }
     /// As small a model as learns at all.
@@ -154,7 +154,7 @@ TEST_F(TrainGenre, what_damage_costs_is_told_by_artist) {
 }
 
 TEST_F(TrainGenre, folders_that_hold_too_little_are_told_what_they_lack) {
-    write_music("one/salsa/a.wav", Style::salsa, 1);
+    write_music("one/salsa/a.wav", Style::montuno, 1);
     expect_failure(train({path("one"), "-o", path("x.json")}),
                    "salsa: all its music is one file or by one artist, so that none can be held "
                    "out; add music, or use --no-validation");
@@ -162,12 +162,12 @@ TEST_F(TrainGenre, folders_that_hold_too_little_are_told_what_they_lack) {
     write_silence("silent/rock/a.wav", 50'000);
     expect_failure(train({path("silent"), "-o", path("x.json")}),
                    "none of the 2 files can be learnt from");
-    write_music("twins/salsa/a.wav", Style::salsa, 1, 2.0);
-    write_music("twins/rock/b.wav", Style::salsa, 1, 2.0);
+    write_music("twins/salsa/a.wav", Style::montuno, 1, 2.0);
+    write_music("twins/rock/b.wav", Style::montuno, 1, 2.0);
     expect_failure(train({path("twins"), "-o", path("x.json")}),
                    path("twins/rock/b.wav") + " and " + path("twins/salsa/a.wav") +
                        " are the same file under two genres; remove one");
-    write_music("short/salsa/a.wav", Style::salsa, 1, 2.0);
+    write_music("short/salsa/a.wav", Style::montuno, 1, 2.0);
     const ProcessResult few = run({"train", "genre", path("short"), "--no-validation"});
     EXPECT_EQ(few.exit_code, 1);
     EXPECT_TRUE(std::regex_search(
@@ -226,7 +226,7 @@ TEST_F(TrainGenre, wrong_usage_says_so) {
 }
 
 TEST_F(TrainGenre, a_model_of_other_features_is_refused) {
-    write_music("a.wav", Style::salsa, 1, 2.0);
+    write_music("a.wav", Style::montuno, 1, 2.0);
     fs::create_directories(path("music/salsa"));
     fs::rename(path("a.wav"), path("music/salsa/a.wav"));
     const ProcessResult made = train({path("music"), "--no-validation", "-o", path("model.json")});

@@ -1,7 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "tests/support/temporary_folder.hpp"
+
 int main(int argc, char** argv) {
     ::testing::InitGoogleTest(&argc, argv);
+    // A test never reads or writes what the user of this machine has.
+    const raks::test::TemporaryFolder home;
+    setenv("XDG_CONFIG_HOME", (home.path() / "config").c_str(), 1);
+    setenv("XDG_CACHE_HOME", (home.path() / "cache").c_str(), 1);
+    setenv("XDG_DATA_HOME", (home.path() / "share").c_str(), 1);
     return RUN_ALL_TESTS();
 }
 

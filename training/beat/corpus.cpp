@@ -39,10 +39,6 @@ struct Piece {
     bool is_electronic = false;  // played by machines
 };
 
-bool is_electronic(const RhythmStyle& style) {
-    return style.family == "electronic" || style.family == "hiphop";
-}
-
 /// Errors: nothing to draw from.
 Expected<void> check_styles(const CorpusPlan& plan) {
     const auto styles = plan.styles->rhythms_for_beats();
@@ -50,9 +46,9 @@ Expected<void> check_styles(const CorpusPlan& plan) {
         return fail("the styles of music have no rhythm for the beat tracker's training");
     }
     const bool has_machines = std::any_of(
-        styles.begin(), styles.end(), [](const auto* style) { return is_electronic(*style); });
+        styles.begin(), styles.end(), [](const auto* style) { return style->is_by_machines; });
     if (plan.with_machines && !has_machines) {
-        return fail("the styles of music have no rhythm of the family electronic or hiphop");
+        return fail("the styles of music have no rhythm that machines play (machines = true)");
     }
     return {};
 }
@@ -89,6 +85,7 @@ class PieceMaker {
     PieceMaker(std::vector<MidiStretch> pack, const CorpusPlan& plan)
         : seconds_(plan.seconds),
           with_machines_(plan.with_machines),
+          book_(plan.styles),
           styles_(plan.styles->rhythms_for_beats()) {
         for (MidiStretch& stretch : pack) {
             auto& set = stretch.set == "groove"     ? (stretch.is_fill ? fills_ : groove_)
@@ -102,7 +99,7 @@ class PieceMaker {
         std::copy_if(styles_.begin(),
                      styles_.end(),
                      std::back_inserter(electronic_),
-                     [](const RhythmStyle* style) { return is_electronic(*style); });
+                     [](const RhythmStyle* style) { return style->is_by_machines; });
     }
 
     /// What is no music and has no beat.
@@ -160,10 +157,10 @@ class PieceMaker {
             add_band(style.bass, style.comping, score, dice);
         }
         if (with_machines_) {
-            widen_tempi(is_electronic(style) ? 0.5 : 0.2, score, dice);
+            widen_tempi(style.is_by_machines ? 0.5 : 0.2, score, dice);
         }
         return played(
-            style.family, style.name, std::move(score), is_electronic(style) ? 0.75 : 0.0, dice);
+            style.family, style.name, std::move(score), style.is_by_machines ? 0.75 : 0.0, dice);
     }
     /// `machines`: the chance that machines play it, where there are any.
     [[nodiscard]] Piece played(
@@ -212,19 +209,23 @@ class PieceMaker {
     }
     [[nodiscard]] Piece from_own_generator(Dice& dice) const {
         MusicPlan plan;
-        plan.style = dice.pick(
-            {Style::clicks, Style::drums, Style::drums, Style::salsa, Style::maqsum, Style::house});
-        const double bpm = plan.style == Style::salsa    ? dice.uniform(150.0, 217.0)
-                           : plan.style == Style::maqsum ? dice.uniform(80.0, 150.0)
-                           : plan.style == Style::house  ? dice.uniform(110.0, 135.0)
-                                                         : dice.log_uniform(57.0, 205.0);
+        plan.style = dice.pick({Style::clicks,
+                                Style::drums,
+                                Style::drums,
+                                Style::montuno,
+                                Style::maqsum,
+                                Style::four_on_the_floor});
+        const double bpm = plan.style == Style::montuno             ? dice.uniform(150.0, 217.0)
+                           : plan.style == Style::maqsum            ? dice.uniform(80.0, 150.0)
+                           : plan.style == Style::four_on_the_floor ? dice.uniform(110.0, 135.0)
+                                                                    : dice.log_uniform(57.0, 205.0);
         plan.tempo = {{0.0, bpm}, {seconds_, bpm * dice.uniform(0.85, 1.18)}};
         plan.seconds = seconds_;
         plan.channels = 1;
         plan.rate = SampleRate(SoundfontPlayer::kRate);
         plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
         plan.first_beat_seconds = dice.uniform(0.0, 0.5);
-        Piece piece{"own", "own " + std::string(name_of(plan.style)), {}, {}};
+        Piece piece{"own", book_->own_name(name_of(plan.style)), {}, {}};
         if (auto music = generate(plan)) {
             piece.samples = std::move(music->samples);
             for (const ReferenceBeat& beat : music->beats) {
@@ -238,6 +239,7 @@ class PieceMaker {
 
     double seconds_;
     bool with_machines_;
+    const StyleBook* book_;
     Styles styles_;
     Styles electronic_;
     std::vector<Score> groove_;

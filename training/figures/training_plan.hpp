@@ -26,7 +26,7 @@ struct FigureTrainingPlan {
     std::optional<std::filesystem::path> faults;
 
     std::string figure = "basic";
-    std::string dance = "salsa";
+    std::string dance;  ///< that the model says it is of
     DanceRole role = DanceRole::lead;
     FigureFeatures features = FigureFeatures::angles;
     std::string split;  ///< only labels of this split; empty: all

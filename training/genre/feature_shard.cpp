@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kShardFormat = "raks-genre-shard-";
-constexpr std::string_view kShardMagic = "raks-genre-shard-1\n";
+constexpr std::string_view kShardMagic = "raks-genre-shard-2\n";
 constexpr std::size_t kMostShardBytes = std::size_t{4} << 30U;
 constexpr std::uint32_t kMostShards = 1'000;
 constexpr std::uint32_t kMostUnits = 1'000'000;
@@ -26,7 +26,7 @@ void pack_file(const MusicFile& file, Packer& packer) {
     packer.put_list(file.group);
     packer.put_list(file.label);
     packer.put_list(file.credit);
-    packer.put(file.genre);
+    packer.put_list(file.genre);
     packer.put(static_cast<std::uint8_t>(file.may_train ? 1 : 0));
 }
 
@@ -36,7 +36,7 @@ MusicFile unpack_file(Unpacker& unpacker) {
     file.group = unpacker.take_list<std::string>();
     file.label = unpacker.take_list<std::string>();
     file.credit = unpacker.take_list<std::string>();
-    file.genre = std::min(unpacker.take<Genre>(), Genre::unknown);
+    file.genre = unpacker.take_list<std::string>();
     file.may_train = unpacker.take<std::uint8_t>() != 0;
     file.path = file.name;
     return file;

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "audio/evaluate/genre_scores.hpp"
 #include "audio/evaluate/packed_pieces.hpp"
 #include "audio/genre/genre_listener.hpp"
 #include "base/dice.hpp"
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSamplesFormat = "raks-genre-samples-";
-constexpr std::string_view kMagic = "raks-genre-samples-2\n";
+constexpr std::string_view kMagic = "raks-genre-samples-3\n";
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr std::size_t kStretch = 1'200;        // hops
 constexpr std::size_t kShortestStretch = 600;  // hops of a stretch
@@ -94,7 +95,7 @@ Expected<Table> unpack_table(std::size_t rows, std::size_t columns, Unpacker& un
 void pack_stretch(const HeardPiece& piece, Packer& packer) {
     packer.put_list(piece.name);
     packer.put_list(piece.group);
-    packer.put(piece.genre);
+    packer.put_list(piece.genre);
     packer.put(piece.kind);
     const std::size_t hops = piece.frames.size();
     packer.put(static_cast<std::uint32_t>(hops));
@@ -150,10 +151,10 @@ Expected<HeardPiece> unpack_stretch(Unpacker& unpacker) {
     HeardPiece piece;
     piece.name = unpacker.take_list<std::string>();
     piece.group = unpacker.take_list<std::string>();
-    piece.genre = unpacker.take<Genre>();
+    piece.genre = unpacker.take_list<std::string>();
     piece.kind = unpacker.take<HeardPiece::Kind>();
     const std::size_t hops = unpacker.take<std::uint32_t>();
-    if (hops > kStretch || piece.genre > Genre::unknown ||
+    if (hops > kStretch || (!piece.genre.empty() && !is_dance_name(piece.genre)) ||
         piece.kind > HeardPiece::Kind::written_held_out) {
         return fail("is damaged");
     }
@@ -278,14 +279,15 @@ Expected<std::shared_ptr<const models::RecurrentNetwork>> unpack_network(Unpacke
 Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
     GenreSamples samples;
     samples.hearing = unpacker.take_list<std::string>();
-    samples.genres = unpacker.take_list<std::vector<Genre>>();
-    const bool are_genres =
-        !samples.genres.empty() && samples.genres.size() < static_cast<std::size_t>(kGenreCount) &&
-        std::adjacent_find(samples.genres.begin(), samples.genres.end(), std::greater_equal<>()) ==
-            samples.genres.end() &&
-        samples.genres.back() < Genre::unknown;
-    if (!unpacker.is_good() || !are_genres) {
+    const std::size_t genres = unpacker.take<std::uint32_t>();
+    if (!unpacker.is_good() || genres < 1 || genres > kMostGenres) {
         return fail("is cut short or damaged");
+    }
+    for (std::size_t i = 0; i < genres; ++i) {
+        samples.genres.push_back(unpacker.take_list<std::string>());
+        if (!is_dance_name(samples.genres.back())) {
+            return fail("is cut short or damaged");
+        }
     }
     const std::size_t networks = unpacker.take<std::uint32_t>();
     if (networks < 1 || networks > GenreListener::kMostNetworks) {
@@ -316,16 +318,17 @@ Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
 }  // namespace
 
 std::vector<HeardPiece> sample_pieces(std::span<const HeardPiece* const> pieces,
+                                      std::span<const std::string> genres,
                                       std::size_t bytes,
                                       std::uint64_t seed) {
-    std::map<Genre, std::vector<const HeardPiece*>> of_genre;
+    std::map<std::size_t, std::vector<const HeardPiece*>> of_class;
     for (const HeardPiece* piece : pieces) {
         if (piece->frames.size() >= static_cast<std::size_t>(BarPatterns::kSegmentHops)) {
-            of_genre[piece->genre].push_back(piece);
+            of_class[class_of(piece->genre, genres)].push_back(piece);
         }
     }
     std::vector<HeardPiece> sample;
-    for (const auto& [genre, own] : of_genre) {
+    for (const auto& [genre, own] : of_class) {
         Dice dice(seed, 700 + static_cast<std::uint64_t>(genre));
         std::size_t left = bytes;
         for (const Place& place : order_of(own, dice)) {
@@ -350,7 +353,10 @@ fs::path samples_path(const fs::path& model) {
 Expected<void> save_samples(const GenreSamples& samples, const fs::path& path) {
     Packer packer(kMagic);
     packer.put_list(samples.hearing);
-    packer.put_list(samples.genres);
+    packer.put(static_cast<std::uint32_t>(samples.genres.size()));
+    for (const std::string& genre : samples.genres) {
+        packer.put_list(genre);
+    }
     packer.put(static_cast<std::uint32_t>(samples.written_networks.size()));
     for (const auto& network : samples.written_networks) {
         const models::RecurrentNetwork::Shape& shape = network->shape();

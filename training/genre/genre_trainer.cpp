@@ -14,11 +14,14 @@ namespace {
 
 /// Deals groups to folds: in each genre the largest first, each to the fold that has least of the
 /// genre so far. A group of several genres stays together.
-std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces, int folds) {
-    std::map<Genre, std::map<std::string, int>> sizes;
+std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces,
+                                       std::span<const std::string> genres,
+                                       int folds) {
+    std::map<std::size_t, std::map<std::string, int>> sizes;  // by class
     for (const HeardPiece& piece : pieces) {
         // Recordings and written music are dealt apart, so that each fold has its share of both.
-        sizes[piece.genre][(piece.is_recorded() ? "r " : "w ") + piece.group] += 1;
+        sizes[class_of(piece.genre, genres)][(piece.is_recorded() ? "r " : "w ") + piece.group] +=
+            1;
     }
     std::map<std::string, int> fold_of;
     for (const auto& [genre, groups] : sizes) {
@@ -49,8 +52,9 @@ struct Fold {
 
 std::vector<Fold> deal_folds(std::span<const HeardPiece> pieces,
                              std::span<const HeardPiece> damaged,
+                             std::span<const std::string> genres,
                              int count) {
-    const std::map<std::string, int> folds = deal_groups(pieces, count);
+    const std::map<std::string, int> folds = deal_groups(pieces, genres, count);
     const auto fold_of = [&](const HeardPiece& piece) {
         return static_cast<std::size_t>(
             folds.at((piece.is_recorded() ? "r " : "w ") + piece.group));
@@ -74,14 +78,15 @@ std::vector<Fold> deal_folds(std::span<const HeardPiece> pieces,
 }
 
 /// Whether something of each genre is left to learn from while something is held out.
-Expected<void> check_groups(std::span<const HeardPiece> pieces, std::span<const Genre> genres) {
-    std::map<Genre, std::set<std::string>> groups;
+Expected<void> check_groups(std::span<const HeardPiece> pieces,
+                            std::span<const std::string> genres) {
+    std::map<std::string, std::set<std::string>> groups;
     for (const HeardPiece& piece : pieces) {
         groups[piece.genre].insert((piece.is_recorded() ? "r " : "w ") + piece.group);
     }
-    for (const Genre genre : genres) {
+    for (const std::string& genre : genres) {
         if (groups[genre].size() < 2) {
-            return fail(std::string(name_of(genre)) +
+            return fail(genre +
                         ": all its music is one file or by one artist, so that none can be held "
                         "out; add music, or use --no-validation");
         }
@@ -91,22 +96,25 @@ Expected<void> check_groups(std::span<const HeardPiece> pieces, std::span<const 
 
 }  // namespace
 
-std::vector<Genre> genres_of(std::span<const HeardPiece> pieces) {
-    std::vector<Genre> genres;
-    for (int i = 0; i < static_cast<int>(Genre::unknown); ++i) {
-        const auto genre = static_cast<Genre>(i);
-        const bool occurs = std::any_of(pieces.begin(), pieces.end(), [genre](const auto& piece) {
-            return piece.genre == genre;
-        });
-        if (occurs) {
-            genres.push_back(genre);
+std::vector<std::string> genres_of(std::span<const HeardPiece> pieces,
+                                   std::span<const std::string_view> order) {
+    std::set<std::string> left;
+    for (const HeardPiece& piece : pieces) {
+        left.insert(piece.genre);
+    }
+    left.erase("");
+    std::vector<std::string> genres;
+    for (const std::string_view name : order) {
+        if (left.erase(std::string(name)) > 0) {
+            genres.emplace_back(name);
         }
     }
+    genres.insert(genres.end(), left.begin(), left.end());
     return genres;
 }
 
 Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
-                                  std::span<const Genre> genres,
+                                  std::span<const std::string> genres,
                                   const GenreTrainingPlan& plan) {
     if (genres.empty()) {
         return fail("no piece is of a dance: nothing to learn");
@@ -146,13 +154,13 @@ Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
 
 Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pieces,
                                                   std::span<const HeardPiece> damaged,
-                                                  std::span<const Genre> genres,
+                                                  std::span<const std::string> genres,
                                                   const GenreTrainingPlan& plan,
                                                   const std::function<void(int, int)>& on_fold) {
     if (auto enough = check_groups(pieces, genres); !enough) {
         return fail(enough.error());
     }
-    const std::vector<Fold> folds = deal_folds(pieces, damaged, plan.folds);
+    const std::vector<Fold> folds = deal_folds(pieces, damaged, genres, plan.folds);
     std::vector<WindowScore> scores;
     for (int fold = 0; fold < plan.folds; ++fold) {
         const std::vector<std::size_t>& held_out = folds[static_cast<std::size_t>(fold)].held_out;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "audio/evaluate/genre_scores.hpp"
@@ -28,13 +29,14 @@ struct GenreTrainingPlan {
     int folds = 3;  ///< >= 2
 };
 
-/// Genres that occur among the pieces, in order.
-[[nodiscard]] std::vector<Genre> genres_of(std::span<const HeardPiece> pieces);
+/// Genres that occur among the pieces: those in `order` first, then the others by name.
+[[nodiscard]] std::vector<std::string> genres_of(std::span<const HeardPiece> pieces,
+                                                 std::span<const std::string_view> order);
 
 /// A model of all these pieces; its fusion is the default until calibrate().
 /// Errors: no genre, or one with too little sound for its model.
 [[nodiscard]] Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
-                                                std::span<const Genre> genres,
+                                                std::span<const std::string> genres,
                                                 const GenreTrainingPlan& plan);
 
 /// Scores of every recording and its altered copies, and of the written pieces that are kept out,
@@ -46,7 +48,7 @@ struct GenreTrainingPlan {
 [[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
     std::span<const HeardPiece> pieces,
     std::span<const HeardPiece> damaged,
-    std::span<const Genre> genres,
+    std::span<const std::string> genres,
     const GenreTrainingPlan& plan,
     const std::function<void(int, int)>& on_fold);
 

@@ -210,7 +210,7 @@ Expected<Sorted> sort_frames(const std::vector<models::TrainingSet>& sets,
 
 Expected<MfccModels> train_mfcc(std::span<const HeardPiece* const> pieces,
                                 std::span<const std::size_t> classes,
-                                std::span<const Genre> genres,
+                                std::span<const std::string> genres,
                                 const GenreFeatures& features,
                                 const MfccTrainingPlan& plan) {
     MfccModels result;
@@ -224,8 +224,7 @@ Expected<MfccModels> train_mfcc(std::span<const HeardPiece* const> pieces,
             }
         }
         sets[genre].sequences = draw_stretches(own, features, plan, 10 + genre);
-        auto model =
-            train_model(sets[genre], frames_of(own), plan, std::string(name_of(genres[genre])));
+        auto model = train_model(sets[genre], frames_of(own), plan, genres[genre]);
         if (!model) {
             return fail(model.error());
         }

@@ -36,7 +36,7 @@ struct MfccModels {
 /// Errors: a genre with fewer frames than its model has parameters (names it).
 [[nodiscard]] Expected<MfccModels> train_mfcc(std::span<const HeardPiece* const> pieces,
                                               std::span<const std::size_t> classes,
-                                              std::span<const Genre> genres,
+                                              std::span<const std::string> genres,
                                               const GenreFeatures& features,
                                               const MfccTrainingPlan& plan);
 

@@ -10,8 +10,8 @@ namespace raks::audio {
 namespace {
 
 models::RecurrentNetwork widened(const models::RecurrentNetwork& network,
-                                 std::span<const Genre> known,
-                                 std::span<const Genre> genres) {
+                                 std::span<const std::string> known,
+                                 std::span<const std::string> genres) {
     models::RecurrentNetwork::Shape shape = network.shape();
     shape.outputs = genres.size() + 1;
     models::RecurrentNetwork wide(shape);
@@ -20,7 +20,7 @@ models::RecurrentNetwork widened(const models::RecurrentNetwork& network,
     std::copy_n(from.begin(), network.output_weights(), to.begin());
     const std::size_t none = known.size();
     std::vector<std::size_t> sources;
-    for (const Genre genre : genres) {
+    for (const std::string& genre : genres) {
         const auto found = std::find(known.begin(), known.end(), genre);
         sources.push_back(static_cast<std::size_t>(found - known.begin()));
     }
@@ -42,8 +42,8 @@ models::RecurrentNetwork widened(const models::RecurrentNetwork& network,
 
 std::vector<std::shared_ptr<const models::RecurrentNetwork>> with_outputs(
     std::span<const std::shared_ptr<const models::RecurrentNetwork>> networks,
-    std::span<const Genre> known,
-    std::span<const Genre> genres) {
+    std::span<const std::string> known,
+    std::span<const std::string> genres) {
     std::vector<std::shared_ptr<const models::RecurrentNetwork>> wide;
     for (const auto& network : networks) {
         wide.push_back(

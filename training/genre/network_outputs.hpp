@@ -13,7 +13,7 @@ namespace raks::audio {
 /// among `genres`. A genre that is new begins with half of the chance of none of them.
 [[nodiscard]] std::vector<std::shared_ptr<const models::RecurrentNetwork>> with_outputs(
     std::span<const std::shared_ptr<const models::RecurrentNetwork>> networks,
-    std::span<const Genre> known,
-    std::span<const Genre> genres);
+    std::span<const std::string> known,
+    std::span<const std::string> genres);
 
 }  // namespace raks::audio

@@ -28,22 +28,6 @@ namespace {
 
 constexpr double kShortestPiece = 8.0;  // s
 
-/// Training numbers dances; the styles name them.
-std::string dance_of(Genre genre) {
-    return genre == Genre::unknown ? std::string() : std::string(name_of(genre));
-}
-
-/// Nothing: no number stands for this dance.
-std::optional<Genre> genre_of(std::string_view dance) {
-    const auto* const found = std::find(kGenreNames.begin(), kGenreNames.end(), dance);
-    if (dance.empty()) {
-        return Genre::unknown;
-    }
-    return found == kGenreNames.end()
-               ? std::nullopt
-               : std::optional(static_cast<Genre>(found - kGenreNames.begin()));
-}
-
 bool is_among(const DanceLabel& label, WrittenCorpusPlan::Families families) {
     const bool is_held_out = label.use == DanceLabel::Use::held_out;
     return families == WrittenCorpusPlan::Families::all ||
@@ -58,6 +42,17 @@ std::vector<const RhythmStyle*> styles_of(const WrittenCorpusPlan& plan, const s
     return chosen;
 }
 
+/// The dances that our own generator has music for, in order.
+std::vector<std::string> dances_of_generator(const StyleBook& styles) {
+    std::vector<std::string> dances;
+    for (const BandPalette& palette : styles.palettes) {
+        if (palette.own && !palette.dance.empty()) {
+            dances.push_back(palette.dance);
+        }
+    }
+    return dances;
+}
+
 /// Errors: nothing to draw from.
 Expected<void> check_styles(const WrittenCorpusPlan& plan) {
     using Music = WrittenCorpusPlan::Music;
@@ -65,9 +60,8 @@ Expected<void> check_styles(const WrittenCorpusPlan& plan) {
         return fail("the styles of music have no rhythm with dance = \"none\"");
     }
     const bool has_dances = plan.music == Music::all || plan.music == Music::synthesized;
-    for (int number = 0; has_dances && number < kGenreCount - 1; ++number) {
-        const std::string dance = dance_of(static_cast<Genre>(number));
-        if (styles_of(plan, dance).empty()) {
+    for (const std::string& dance : plan.styles->dances()) {
+        if (has_dances && styles_of(plan, dance).empty()) {
             const char* const use = plan.families == WrittenCorpusPlan::Families::all ? ""
                                     : plan.families == WrittenCorpusPlan::Families::held_out
                                         ? " that is held out"
@@ -76,36 +70,31 @@ Expected<void> check_styles(const WrittenCorpusPlan& plan) {
                 "the styles of music have no rhythm with dance = \"{}\"{}", dance, use));
         }
     }
+    if (plan.music == Music::own && dances_of_generator(*plan.styles).empty()) {
+        return fail("the styles of music have no palette with own = { ... }");
+    }
+    for (const BandPalette& palette : plan.styles->palettes) {
+        if (palette.own && !style_from_name(palette.own->style)) {
+            return fail(fmt::format("the palette of \"{}\": own: {}",
+                                    palette.dance,
+                                    style_from_name(palette.own->style).error().message));
+        }
+    }
     return {};
 }
 
-/// What our own generator calls a dance's music, and the tempi that it is played at.
-struct OwnStyle {
-    Style style;
-    double lowest_bpm;
-    double highest_bpm;
-};
-constexpr std::array<OwnStyle, kGenreCount - 1> kOwnStyles = {{
-    {Style::salsa, 150.0, 215.0},
-    {Style::maqsum, 80.0, 145.0},
-    {Style::house, 112.0, 132.0},
-    {Style::hiphop, 72.0, 106.0},
-    {Style::rock, 92.0, 176.0},
-    {Style::waltz, 80.0, 185.0},
-}};
-
 /// Our own generator's music: sounds that no soundfont has (darbuka, oud).
-WrittenPiece own_piece(Genre genre, double seconds, Dice& dice) {
-    const OwnStyle& own = kOwnStyles[static_cast<std::size_t>(genre)];
+WrittenPiece own_piece(const BandPalette& palette, double seconds, Dice& dice) {
+    const OwnMusic& own = *palette.own;
     MusicPlan plan;
-    plan.style = own.style;
+    plan.style = style_from_name(own.style).value_or(Style::drums);  // known: check_styles
     const double bpm = dice.uniform(own.lowest_bpm, own.highest_bpm);
     plan.tempo = {{0.0, bpm}};
     plan.seconds = seconds;
     plan.channels = 1;
     plan.rate = SampleRate(SoundfontPlayer::kRate);
     plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
-    WrittenPiece piece{"own " + std::string(name_of(plan.style)), dance_of(genre), {}, {}};
+    WrittenPiece piece{own.name, palette.dance, {}, {}};
     if (auto music = generate(plan)) {
         piece.samples = std::move(music->samples);
     }
@@ -188,24 +177,26 @@ Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
     return samples;
 }
 
-WrittenPiece draw_piece(const WrittenCorpusPlan& plan, Genre genre, Dice& dice) {
+WrittenPiece draw_piece(const WrittenCorpusPlan& plan, const std::string& dance, Dice& dice) {
     if (plan.music == WrittenCorpusPlan::Music::undanceable) {
         return undanceable_piece(*plan.styles, plan.seconds, dice);
     }
+    const BandPalette& palette = plan.styles->palette_of(dance);
     if (plan.music == WrittenCorpusPlan::Music::own) {
-        return own_piece(genre, plan.seconds, dice);
+        return own_piece(palette, plan.seconds, dice);
     }
-    if (genre == Genre::unknown) {
+    if (dance.empty()) {
         return other_piece(*plan.styles, plan.seconds, dice);
     }
-    const bool is_ours = genre == Genre::salsa || genre == Genre::belly || genre == Genre::house;
-    if (is_ours && plan.families != WrittenCorpusPlan::Families::held_out && dice.chance(0.1)) {
-        return own_piece(genre, plan.seconds, dice);
+    const bool may_be_ours = palette.own && palette.own->share > 0.0 &&
+                             plan.families != WrittenCorpusPlan::Families::held_out;
+    if (may_be_ours && dice.chance(palette.own->share)) {
+        return own_piece(palette, plan.seconds, dice);
     }
-    const auto styles = styles_of(plan, dance_of(genre));
+    const auto styles = styles_of(plan, dance);
     const RhythmStyle& style = *dice.pick<const RhythmStyle*>(styles);
     const Score score = arrange(*plan.styles, style, kWrittenBeats, dice, scales_of(plan));
-    return {style.name, dance_of(genre), perform(score, plan.seconds, dice), {}};
+    return {style.name, dance, perform(score, plan.seconds, dice), {}};
 }
 
 /// One, or all of them for a band.
@@ -219,29 +210,30 @@ std::vector<std::filesystem::path> soundfonts_of(const WrittenCorpusPlan& plan, 
     return {dice.pick<std::filesystem::path>(plan.soundfonts)};
 }
 
-Genre genre_of_number(const WrittenCorpusPlan& plan, int number) {
-    constexpr int kDances = kGenreCount - 1;
-    switch (plan.music) {
-        case WrittenCorpusPlan::Music::undanceable:
-            return Genre::unknown;
-        case WrittenCorpusPlan::Music::own:
-            return static_cast<Genre>(number % kDances);
-        case WrittenCorpusPlan::Music::all:
-        case WrittenCorpusPlan::Music::synthesized:
-            break;
+/// The dance that a piece is for; empty: none of them.
+std::string dance_of_number(const WrittenCorpusPlan& plan, int number) {
+    const auto turn = static_cast<std::size_t>(number);
+    if (plan.music == WrittenCorpusPlan::Music::undanceable) {
+        return {};
+    }
+    if (plan.music == WrittenCorpusPlan::Music::own) {
+        const std::vector<std::string> dances = dances_of_generator(*plan.styles);
+        return dances[turn % dances.size()];
     }
     // What is none of the dances is of more kinds than any dance: two pieces a round.
-    return static_cast<Genre>(std::min(number % (kDances + 2), kDances));
+    const std::vector<std::string> dances = plan.styles->dances();
+    const std::size_t place = turn % (dances.size() + 2);
+    return place < dances.size() ? dances[place] : std::string();
 }
 
 Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
-    const Genre genre = genre_of_number(plan, number);
-    WrittenPiece piece = draw_piece(plan, genre, dice);
+    const std::string dance = dance_of_number(plan, number);
+    WrittenPiece piece = draw_piece(plan, dance, dice);
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortestPiece && tries < 20;
          ++tries) {
-        piece = draw_piece(plan, genre, dice);
+        piece = draw_piece(plan, dance, dice);
     }
     const std::vector<std::filesystem::path> soundfonts = soundfonts_of(plan, dice);
     if (piece.samples.empty()) {
@@ -268,7 +260,7 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
     heard.name = piece.name + " " + std::to_string(number);
     heard.group =
         piece.name + "/" + (soundfonts.size() > 1 ? "band" : soundfonts.front().stem().string());
-    heard.genre = genre_of(piece.dance).value_or(Genre::unknown);
+    heard.genre = piece.dance;
     heard.kind = plan.families == WrittenCorpusPlan::Families::held_out
                      ? HeardPiece::Kind::written_held_out
                      : HeardPiece::Kind::written;
@@ -297,8 +289,7 @@ Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path&
     std::vector<HeardPiece> pieces;
     for (TrainingExcerpt& excerpt : *corpus) {
         const auto label = styles.label_of(excerpt.style);
-        const auto genre = label ? genre_of(label->dance) : std::nullopt;
-        const bool is_kept = genre && is_among(*label, families) &&
+        const bool is_kept = label && is_among(*label, families) &&
                              !(excerpt.family == "piano" && is_in_three_beats(excerpt));
         if (!is_kept) {
             continue;
@@ -306,7 +297,7 @@ Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path&
         HeardPiece& piece = pieces.emplace_back();
         piece.name = excerpt.style + " of the beat tracker's";
         piece.group = excerpt.style + "/beats";
-        piece.genre = *genre;
+        piece.genre = label->dance;
         piece.kind = HeardPiece::Kind::written;
         piece.mel = std::move(excerpt.mel);
     }

@@ -98,18 +98,18 @@ void write_waltz_bar(Notes& score, int bar, const CounterRandom& random) {
 
 }  // namespace
 
-Notes write_rock(double beats, std::uint64_t seed) {
+Notes write_backbeat(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 3);
     return write_bars(beats, 4, [&](Notes& score, int bar) { write_rock_bar(score, bar, random); });
 }
 
-Notes write_hiphop(double beats, std::uint64_t seed) {
+Notes write_boom_bap(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 4);
     return write_bars(
         beats, 4, [&](Notes& score, int bar) { write_hiphop_bar(score, bar, random); });
 }
 
-Notes write_waltz(double beats, std::uint64_t seed) {
+Notes write_oom_pah_pah(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 5);
     return write_bars(
         beats, 3, [&](Notes& score, int bar) { write_waltz_bar(score, bar, random); });

@@ -12,7 +12,7 @@ void write_house_bar(Notes& score, int bar, const CounterRandom& random) {
     const int section = bar / 8 % 4;
     const int key = 45 + static_cast<int>(random.below(0, 7));
     const int root = key + kRoots[bar / 2 % 4];
-    strike(score, Sound::house_kick, "X...X...X...X...", start, 0.25);
+    strike(score, Sound::club_kick, "X...X...X...X...", start, 0.25);
     strike(score, Sound::open_hat, "..x...x...x...x.", start, 0.25);
     strike(score, Sound::clap, "....X.......X...", start, 0.25, section == 0 ? 0.7 : 1.0);
     if (section != 0) {
@@ -66,7 +66,7 @@ Notes write_drums(double beats, std::uint64_t seed) {
     });
 }
 
-Notes write_house(double beats, std::uint64_t seed) {
+Notes write_four_on_the_floor(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 2);
     return write_bars(
         beats, 4, [&](Notes& score, int bar) { write_house_bar(score, bar, random); });

@@ -52,7 +52,7 @@ Recipe kit_recipe(Sound sound) {
     switch (sound) {
         case Sound::kick:
             return {{{58, 1.0, 0.28}, {116, 0.25, 0.12}}, {{0.25, 0.02, 2500, 0.7}}, 1.6, 0.018};
-        case Sound::house_kick:
+        case Sound::club_kick:
             return {{{50, 1.0, 0.36}, {100, 0.2, 0.10}}, {{0.3, 0.012, 3500, 0.6}}, 3.2, 0.022};
         case Sound::snare:
             return {{{185, 0.55, 0.16}, {330, 0.35, 0.10}},

@@ -24,7 +24,7 @@ constexpr std::array<Strip, kSoundCount> kStrips{{
     {0.80F, 0.00F, 0.00F},   // click_high
     {0.60F, 0.00F, 0.00F},   // click_low
     {0.70F, 0.00F, 0.02F},   // kick
-    {0.62F, 0.00F, 0.00F},   // house_kick
+    {0.62F, 0.00F, 0.00F},   // club_kick
     {0.60F, 0.05F, 0.12F},   // snare
     {0.50F, -0.05F, 0.16F},  // clap
     {0.32F, 0.30F, 0.03F},   // closed_hat
@@ -64,17 +64,17 @@ double band_gain(Style style) {
             return 1.0;
         case Style::drums:
             return 1.3;
-        case Style::salsa:
+        case Style::montuno:
             return 0.87;
         case Style::maqsum:
             return 1.18;
-        case Style::house:
+        case Style::four_on_the_floor:
             return 0.91;
-        case Style::rock:
+        case Style::backbeat:
             return 0.95;
-        case Style::hiphop:
+        case Style::boom_bap:
             return 1.25;
-        case Style::waltz:
+        case Style::oom_pah_pah:
             return 1.4;
     }
     return 1.0;

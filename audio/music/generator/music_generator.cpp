@@ -1,17 +1,25 @@
 #include "audio/music/generator/music_generator.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
 #include "audio/music/generator/mixer.hpp"
 #include "audio/music/generator/notes.hpp"
+#include "base/suggest.hpp"
 
 namespace raks::audio {
 namespace {
 
-constexpr std::array<std::string_view, 8> kStyleNames{
-    "clicks", "drums", "salsa", "maqsum", "house", "rock", "hiphop", "waltz"};
+constexpr std::array<std::string_view, 8> kStyleNames{"clicks",
+                                                      "drums",
+                                                      "montuno",
+                                                      "maqsum",
+                                                      "four-on-the-floor",
+                                                      "backbeat",
+                                                      "boom-bap",
+                                                      "oom-pah-pah"};
 constexpr double kMaxSeconds = 3600.0;
 
 /// Collects the faults of a plan as one line.
@@ -77,18 +85,18 @@ Notes write_score(Style style, double beats, std::uint64_t seed) {
             return write_clicks(beats);
         case Style::drums:
             return write_drums(beats, seed);
-        case Style::salsa:
-            return write_salsa(beats, seed);
+        case Style::montuno:
+            return write_montuno(beats, seed);
         case Style::maqsum:
             return write_maqsum(beats, seed);
-        case Style::house:
-            return write_house(beats, seed);
-        case Style::rock:
-            return write_rock(beats, seed);
-        case Style::hiphop:
-            return write_hiphop(beats, seed);
-        case Style::waltz:
-            return write_waltz(beats, seed);
+        case Style::four_on_the_floor:
+            return write_four_on_the_floor(beats, seed);
+        case Style::backbeat:
+            return write_backbeat(beats, seed);
+        case Style::boom_bap:
+            return write_boom_bap(beats, seed);
+        case Style::oom_pah_pah:
+            return write_oom_pah_pah(beats, seed);
     }
     return {};
 }
@@ -123,15 +131,14 @@ std::vector<ReferenceBeat> reference_beats(const MusicPlan& plan,
 
 }  // namespace
 
+std::span<const std::string_view> style_names() noexcept { return kStyleNames; }
+
 Expected<Style> style_from_name(std::string_view name) {
-    std::string known;
-    for (std::size_t i = 0; i < kStyleNames.size(); ++i) {
-        if (name == kStyleNames[i]) {
-            return static_cast<Style>(i);
-        }
-        known += (i == 0 ? "" : ", ") + std::string(kStyleNames[i]);
+    const auto* const found = std::find(kStyleNames.begin(), kStyleNames.end(), name);
+    if (found == kStyleNames.end()) {
+        return fail(unknown_name("style", name, kStyleNames));
     }
-    return fail("style '" + std::string(name) + "' is not known; there are " + known);
+    return static_cast<Style>(found - kStyleNames.begin());
 }
 
 std::string_view name_of(Style style) noexcept {
@@ -169,7 +176,7 @@ Expected<GeneratedMusic> generate(const MusicPlan& plan) {
 }
 
 MusicPlan demo_plan() {
-    return {.style = Style::salsa, .tempo = {{0.0, 184.0}}, .seconds = 60.0, .seed = 7};
+    return {.style = Style::montuno, .tempo = {{0.0, 184.0}}, .seconds = 60.0, .seed = 7};
 }
 
 }  // namespace raks::audio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -10,22 +11,24 @@
 
 namespace raks::audio {
 
-/// What the generator plays. All are in bars of four beats, but for the waltz.
+/// What the generator plays. All are in bars of four beats, but for the last.
 enum class Style : std::uint8_t {
-    clicks,  ///< one dry click on every beat, the downbeat higher; nothing else
-    drums,   ///< rock kit: bass drum 1 and 3, snare 2 and 4, hi-hat in eighths
-    salsa,   ///< son clave, tumbao bass, montuno piano, congas, bell, brass; best at 150-220 BPM
-    maqsum,  ///< darbuka D T - T D - T -, riq, oud in hijaz; best at 90-140 BPM
-    house,   ///< four on the floor, off-beat hats and bass, stabs, pad; best at 115-130 BPM
-    rock,    ///< straight eighths, snare 2 and 4, power chords; best at 110-150 BPM
-    hiphop,  ///< swung sixteenths, snare and clap 2 and 4, deep bass; best at 75-105 BPM
-    waltz    ///< bars of three: bass on 1, chords on 2 and 3, a melody; best at 80-190 BPM
+    clicks,             ///< one dry click on every beat, the downbeat higher; nothing else
+    drums,              ///< rock kit: bass drum 1 and 3, snare 2 and 4, hi-hat in eighths
+    montuno,            ///< son clave, tumbao bass, montuno piano, congas, brass; 150-220 BPM
+    maqsum,             ///< darbuka D T - T D - T -, riq, oud in hijaz; best at 90-140 BPM
+    four_on_the_floor,  ///< and off-beat hats and bass, stabs, pad; best at 115-130 BPM
+    backbeat,           ///< straight eighths, snare 2 and 4, power chords; best at 110-150 BPM
+    boom_bap,           ///< swung sixteenths, snare and clap 2 and 4, deep bass; 75-105 BPM
+    oom_pah_pah         ///< bars of three: bass on 1, chords on 2 and 3, a melody; 80-190 BPM
 };
 [[nodiscard]] constexpr int beats_per_bar(Style style) noexcept {
-    return style == Style::waltz ? 3 : 4;
+    return style == Style::oom_pah_pah ? 3 : 4;
 }
 
-/// "clicks", "drums", "salsa" and so on, as above. Errors: any other name (the error lists them).
+/// "clicks", "drums", "four-on-the-floor" and so on, as above.
+[[nodiscard]] std::span<const std::string_view> style_names() noexcept;
+/// Errors: any other name (the nearest is named).
 [[nodiscard]] Expected<Style> style_from_name(std::string_view name);
 [[nodiscard]] std::string_view name_of(Style style) noexcept;
 
@@ -37,7 +40,7 @@ struct Silence {
 
 /// What to play. Check with generate(), which names every fault.
 struct MusicPlan {
-    Style style = Style::salsa;
+    Style style = Style::montuno;
     /// Tempo over time, see TempoCurve: piecewise linear in seconds, constant before the first
     /// and after the last point, two points at the same second are a jump. 20 to 400 BPM.
     std::vector<TempoPoint> tempo{{0.0, 180.0}};
@@ -72,13 +75,13 @@ struct GeneratedMusic {
 
 /// Plays `plan` with sounds of our own (all synthesized here). The same plan gives the same bits.
 ///
-///     const auto music = generate({.style = Style::salsa, .tempo = {{0, 90}, {20, 140}}});
+///     const auto music = generate({.style = Style::montuno, .tempo = {{0, 90}, {20, 140}}});
 ///
 /// Errors: every fault of the plan, in one line. Cost: about 1/300 of the piece's length.
 /// Threads: any, no shared state. Real-time: no.
 [[nodiscard]] Expected<GeneratedMusic> generate(const MusicPlan& plan);
 
-/// The piece that `raks` dances to when no file is given: 60 s of salsa at 184 BPM.
+/// The piece that `raks` dances to when no file is given: 60 s of a montuno at 184 BPM.
 [[nodiscard]] MusicPlan demo_plan();
 
 }  // namespace raks::audio

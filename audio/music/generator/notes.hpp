@@ -12,7 +12,7 @@ enum class Sound : std::uint8_t {
     click_high,
     click_low,
     kick,
-    house_kick,
+    club_kick,
     snare,
     clap,
     closed_hat,
@@ -63,11 +63,11 @@ struct Note {
 using Notes = std::vector<Note>;
 [[nodiscard]] Notes write_clicks(double beats);
 [[nodiscard]] Notes write_drums(double beats, std::uint64_t seed);
-[[nodiscard]] Notes write_salsa(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_montuno(double beats, std::uint64_t seed);
 [[nodiscard]] Notes write_maqsum(double beats, std::uint64_t seed);
-[[nodiscard]] Notes write_house(double beats, std::uint64_t seed);
-[[nodiscard]] Notes write_rock(double beats, std::uint64_t seed);
-[[nodiscard]] Notes write_hiphop(double beats, std::uint64_t seed);
-[[nodiscard]] Notes write_waltz(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_four_on_the_floor(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_backbeat(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_boom_bap(double beats, std::uint64_t seed);
+[[nodiscard]] Notes write_oom_pah_pah(double beats, std::uint64_t seed);
 
 }  // namespace raks::audio

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,15 @@ enum class Melody : std::uint8_t {
 inline constexpr std::array<std::string_view, 6> kMelodyNames = {
     "riffs_ahead", "maqam", "sixteenth_riffs", "fifths", "long_notes", "any"};
 
+/// Music of our own generator for a dance.
+struct OwnMusic {
+    std::string style;  ///< the generator's name of it
+    std::string name;   ///< of such pieces
+    double lowest_bpm = 90.0;
+    double highest_bpm = 130.0;
+    double share = 0.0;  ///< of the dance's written pieces that are such
+};
+
 /// What a band is drawn from that plays music for one dance. Numbers are General MIDI programs,
 /// from 0; no list is empty, and what is twice in a list is drawn twice as often.
 struct BandPalette {
@@ -40,6 +50,7 @@ struct BandPalette {
     double drumless_chance = 0.0;  ///< that the drums are silent
     BandChances players;           ///< of the band
     Melody melody = Melody::any;
+    std::optional<OwnMusic> own;
 };
 
 }  // namespace raks::audio

@@ -48,10 +48,41 @@ void read_players(const toml::table& table, TomlComplaints& complaints, BandChan
     complaints.read(*chances, "lead", kChance, players.lead);
 }
 
+std::optional<OwnMusic> read_own(const toml::table& table, TomlComplaints& complaints) {
+    const toml::node* const node = table.get("own");
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const toml::table* const own = node->as_table();
+    if (own == nullptr) {
+        complaints.complain(*node, "own must be { style = ..., name = ..., tempo = [.., ..] }");
+        return std::nullopt;
+    }
+    constexpr std::array<std::string_view, 4> kKeys = {"style", "name", "tempo", "share"};
+    complaints.check_keys(*own, kKeys);
+    OwnMusic music;
+    music.style = complaints.text(*own, "style");
+    music.name = complaints.text(*own, "name");
+    if (music.style.empty() || music.name.empty()) {
+        complaints.complain(*node, "own needs style = \"...\" and name = \"...\"");
+    }
+    if (const auto* const tempo = complaints.needed(*own, "tempo", "tempo = [lowest, highest]")) {
+        const auto range =
+            complaints.numbers<2>(*tempo, "tempo", {30.0, 300.0}, "[lowest, highest] in BPM");
+        if (range[0] > range[1]) {
+            complaints.complain(*tempo, "tempo: the lowest must come first");
+        }
+        music.lowest_bpm = range[0];
+        music.highest_bpm = range[1];
+    }
+    complaints.read(*own, "share", kChance, music.share);
+    return music;
+}
+
 }  // namespace
 
 BandPalette read_palette(const toml::table& table, TomlComplaints& complaints) {
-    constexpr std::array<std::string_view, 10> kKeys = {"dance",
+    constexpr std::array<std::string_view, 11> kKeys = {"dance",
                                                         "melody",
                                                         "bass",
                                                         "chords",
@@ -60,7 +91,8 @@ BandPalette read_palette(const toml::table& table, TomlComplaints& complaints) {
                                                         "band_chance",
                                                         "lead_chance",
                                                         "drumless_chance",
-                                                        "players"};
+                                                        "players",
+                                                        "own"};
     BandPalette palette;
     const std::string dance = complaints.text(table, "dance");
     if (dance.empty()) {
@@ -80,6 +112,7 @@ BandPalette read_palette(const toml::table& table, TomlComplaints& complaints) {
     complaints.read(table, "lead_chance", kChance, palette.lead_chance);
     complaints.read(table, "drumless_chance", kChance, palette.drumless_chance);
     read_players(table, complaints, palette.players);
+    palette.own = read_own(table, complaints);
     return palette;
 }
 

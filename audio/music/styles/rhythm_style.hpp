@@ -87,8 +87,9 @@ struct RhythmStyle {
     /// Nothing: it is neither clearly music for a dance nor clearly for none, and the training of
     /// genre does without it.
     std::optional<DanceLabel> label;
-    bool is_for_beats = true;  ///< whether the beat tracker's training has it
-    double lowest_bpm = 90.0;  ///< 30 to 300
+    bool is_for_beats = true;     ///< whether the beat tracker's training has it
+    bool is_by_machines = false;  ///< played by drum machines and synthesizers
+    double lowest_bpm = 90.0;     ///< 30 to 300
     double highest_bpm = 130.0;
     int beats_per_bar = 4;  ///< 1 to 12
     int cell_beats = 4;     ///< whole bars

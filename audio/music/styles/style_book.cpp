@@ -58,7 +58,8 @@ std::string text_of(const RhythmStyle& rhythm) {
 }
 
 std::string text_of(const BandPalette& palette) {
-    return fmt::format("{}\n{}\n{}\n{}\n{}\n{} {} {} {} {} {} {}\n",
+    const OwnMusic own = palette.own.value_or(OwnMusic{});
+    return fmt::format("{}\n{}\n{}\n{}\n{}\n{} {} {} {} {} {} {}\n{} {} {} {} {}\n",
                        palette.dance,
                        fmt::join(palette.bass, " "),
                        fmt::join(palette.chords, " "),
@@ -70,7 +71,12 @@ std::string text_of(const BandPalette& palette) {
                        palette.players.bass,
                        palette.players.chords,
                        palette.players.lead,
-                       kMelodyNames[static_cast<std::size_t>(palette.melody)]);
+                       kMelodyNames[static_cast<std::size_t>(palette.melody)],
+                       own.style,
+                       own.name,
+                       own.lowest_bpm,
+                       own.highest_bpm,
+                       own.share);
 }
 
 }  // namespace
@@ -83,6 +89,24 @@ std::vector<const RhythmStyle*> StyleBook::rhythms_for(std::string_view dance) c
     return chosen_from(rhythms, [dance](const RhythmStyle& rhythm) {
         return rhythm.label && rhythm.label->dance == dance;
     });
+}
+
+std::vector<std::string> StyleBook::dances() const {
+    std::vector<std::string> dances;
+    for (const BandPalette& palette : palettes) {
+        if (!palette.dance.empty()) {
+            dances.push_back(palette.dance);
+        }
+    }
+    return dances;
+}
+
+std::string StyleBook::own_name(std::string_view style) const {
+    const auto found = std::find_if(
+        corpus_styles.begin(), corpus_styles.end(), [style](const CorpusStyle& corpus_style) {
+            return corpus_style.style == style;
+        });
+    return found != corpus_styles.end() ? found->name : fmt::format("own {}", style);
 }
 
 const BandPalette& StyleBook::palette_of(std::string_view dance) const {

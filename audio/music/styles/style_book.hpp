@@ -16,6 +16,7 @@ namespace raks::audio {
 struct CorpusStyle {
     std::string name;   ///< "groove rock", "own salsa", "piano"; also all names "groove rock-..."
     std::string dance;  ///< empty: none of the dances
+    std::string style;  ///< of our own generator, that is called so; empty: of another source
 };
 
 /// The styles that music is written in. Dances are named as in their files; the empty name is that
@@ -37,6 +38,12 @@ struct StyleBook {
 
     /// Those that are music for this dance, in order.
     [[nodiscard]] std::vector<const RhythmStyle*> rhythms_for(std::string_view dance) const;
+
+    /// The dances that have a palette, in order.
+    [[nodiscard]] std::vector<std::string> dances() const;
+
+    /// What pieces of a style of our own generator are called.
+    [[nodiscard]] std::string own_name(std::string_view style) const;
 
     /// The dance's palette; without one of its own that of none of the dances.
     [[nodiscard]] const BandPalette& palette_of(std::string_view dance) const;

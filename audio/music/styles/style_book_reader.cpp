@@ -41,8 +41,14 @@ Expected<toml::table> parse_toml(const StyleText& file) {
 }
 
 void check_head(const toml::table& root, TomlComplaints& complaints) {
-    constexpr std::array<std::string_view, 7> kKeys = {
-        "format", "version", "order", "beat_training", "rhythm", "palette", "corpus_style"};
+    constexpr std::array<std::string_view, 8> kKeys = {"format",
+                                                       "version",
+                                                       "order",
+                                                       "beat_training",
+                                                       "machines",
+                                                       "rhythm",
+                                                       "palette",
+                                                       "corpus_style"};
     const std::string form = fmt::format("format = \"{}\"", kStylesFormat);
     const toml::node* const format = complaints.needed(root, "format", form);
     if (format != nullptr && complaints.text(root, "format") != kStylesFormat) {
@@ -102,10 +108,12 @@ class BookReader {
 
     Expected<void> read_file(const StyleFile& file) {
         TomlComplaints complaints(file.name);
-        const bool is_for_beats = read_beat_training(file.root, complaints);
+        const bool is_for_beats = read_flag(file.root, "beat_training", true, complaints);
+        const bool is_by_machines = read_flag(file.root, "machines", false, complaints);
         for_each_table(file.root, "rhythm", complaints, [&](const toml::table& table) {
             RhythmStyle rhythm = read_rhythm(table, complaints);
             rhythm.is_for_beats = is_for_beats;
+            rhythm.is_by_machines = is_by_machines;
             note_once({file.name, line_of(table, "name")}, rhythm.name, complaints, rhythms_);
             if (rhythm.label) {
                 dances_.emplace(rhythm.label->dance, Place{file.name, line_of(table, "dance")});
@@ -123,12 +131,15 @@ class BookReader {
         return complaints.is_sound() ? Expected<void>{} : fail(complaints.fault());
     }
 
-    static bool read_beat_training(const toml::table& root, TomlComplaints& complaints) {
-        const toml::node* const node = root.get("beat_training");
+    static bool read_flag(const toml::table& root,
+                          std::string_view key,
+                          bool otherwise,
+                          TomlComplaints& complaints) {
+        const toml::node* const node = root.get(key);
         if (node != nullptr && !node->is_boolean()) {
-            complaints.complain(*node, "beat_training must be true or false");
+            complaints.complain(*node, fmt::format("{} must be true or false", key));
         }
-        return node == nullptr || node->value_or(true);
+        return node == nullptr ? otherwise : node->value_or(otherwise);
     }
 
     /// Calls read(table) for each [[key]] until something is wrong.
@@ -160,9 +171,11 @@ class BookReader {
     void read_corpus_style(const toml::table& table,
                            const std::string& file,
                            TomlComplaints& complaints) {
-        constexpr std::array<std::string_view, 2> kKeys = {"name", "dance"};
+        constexpr std::array<std::string_view, 3> kKeys = {"name", "dance", "style"};
         complaints.check_keys(table, kKeys);
-        CorpusStyle style{complaints.text(table, "name"), complaints.text(table, "dance")};
+        CorpusStyle style{complaints.text(table, "name"),
+                          complaints.text(table, "dance"),
+                          complaints.text(table, "style")};
         if (style.name.empty() || style.dance.empty()) {
             complaints.complain(table, "a corpus_style needs name = \"...\" and dance = \"...\"");
         }

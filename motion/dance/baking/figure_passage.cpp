@@ -279,4 +279,28 @@ void FigurePassage::arms_at(double beat, Pose& pose) const noexcept {
     }
 }
 
+void FigurePassage::pack(Packer& packer) const {
+    packer.put(samples_per_beat_);
+    packer.put(static_cast<std::uint32_t>(samples_.size()));
+    for (const Sample& sample : samples_) {
+        packer.put(sample.rotations);
+        packer.put(sample.hips);
+        packer.put(sample.contact);
+    }
+}
+
+FigurePassage FigurePassage::unpack(Unpacker& unpacker) {
+    FigurePassage passage;
+    passage.samples_per_beat_ = unpacker.take<double>();
+    const auto samples = unpacker.take<std::uint32_t>();
+    passage.samples_.reserve(std::min<std::size_t>(samples, unpacker.left() / sizeof(Sample) + 1));
+    for (std::uint32_t i = 0; i < samples && unpacker.is_good(); ++i) {
+        Sample& sample = passage.samples_.emplace_back();
+        unpacker.take_into(sample.rotations);
+        unpacker.take_into(sample.hips);
+        unpacker.take_into(sample.contact);
+    }
+    return passage;
+}
+
 }  // namespace raks::motion

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/beats.hpp"
+#include "base/packer.hpp"
 #include "base/random.hpp"
 #include "motion/dance/baking/foot_lock.hpp"
 #include "motion/dance/baking/free_figure.hpp"
@@ -57,6 +58,11 @@ class FigurePassage {
     /// Arms alone. Threads: any. Real-time: yes.
     void arms_at(double beat, Pose& pose) const noexcept;
 
+    /// As this machine stores it, for a cache. Threads: any. Real-time: no.
+    void pack(Packer& packer) const;
+    /// Of what pack() wrote. Behind a fault of `unpacker` it is empty: ask that.
+    [[nodiscard]] static FigurePassage unpack(Unpacker& unpacker);
+
     /// The bones that move; the arms are the last kArmBones.
     static constexpr std::size_t kArmBones = 8;
     static constexpr std::array<Bone, 22> kBones = {Bone::hips,
@@ -83,6 +89,7 @@ class FigurePassage {
                                                     Bone::right_hand};
 
  private:
+    FigurePassage() = default;
     struct Sample {
         std::array<glm::quat, kBones.size()> rotations;
         glm::vec3 hips{};

@@ -72,7 +72,7 @@ TEST(BeatRegression, is_no_worse_than_it_was) {
         {{M::f, 0.98}, {M::cml_total, 0.97}, {M::prediction_f, 0.98}, {M::downbeat_f, 0.96}});
     expect_at_least(
         "salsa",
-        steady(Style::salsa, {165.0, 185.0, 205.0}),
+        steady(Style::montuno, {165.0, 185.0, 205.0}),
         {{M::f, 0.99}, {M::cml_total, 0.98}, {M::prediction_f, 0.99}, {M::downbeat_f, 0.99}});
     expect_at_least(
         "maqsum",
@@ -80,13 +80,13 @@ TEST(BeatRegression, is_no_worse_than_it_was) {
         {{M::f, 0.98}, {M::cml_total, 0.97}, {M::prediction_f, 0.98}, {M::downbeat_f, 0.78}});
     expect_at_least(
         "house",
-        steady(Style::house, {118.0, 126.0}),
+        steady(Style::four_on_the_floor, {118.0, 126.0}),
         {{M::f, 0.98}, {M::cml_total, 0.97}, {M::prediction_f, 0.98}, {M::downbeat_f, 0.98}});
     expect_at_least(
         "changing",
-        {test::music(Style::salsa, {{0.0, 150.0}, {12.0, 215.0}}, 24.0),
+        {test::music(Style::montuno, {{0.0, 150.0}, {12.0, 215.0}}, 24.0),
          test::music(Style::drums, {{0.0, 120.0}, {15.0, 120.0}, {15.0, 142.0}}, 30.0),
-         test::music(Style::house, {{0.0, 132.0}, {25.0, 112.0}}, 25.0)},
+         test::music(Style::four_on_the_floor, {{0.0, 132.0}, {25.0, 112.0}}, 25.0)},
         {{M::f, 0.99}, {M::cml_total, 0.98}, {M::prediction_f, 0.97}, {M::downbeat_f, 0.98}});
 }
 

@@ -37,7 +37,7 @@ TEST(BeatTracker, follows_the_dances_at_their_tempi) {
     const struct {
         Style style;
         double bpm;
-    } cases[] = {{Style::salsa, 165.0}, {Style::salsa, 184.0}, {Style::salsa, 205.0}};
+    } cases[] = {{Style::montuno, 165.0}, {Style::montuno, 184.0}, {Style::montuno, 205.0}};
     for (const auto& c : cases) {
         const GeneratedMusic piece = music(c.style, {{0.0, c.bpm}}, 30.0);
         const BeatScore score = score_beats(listen(piece), piece.beats, 14.0, 29.9);
@@ -99,7 +99,7 @@ TEST(BeatTracker, confidence_rises_with_the_music_and_falls_in_silence) {
 }
 
 TEST(BeatTracker, the_grid_is_continuous_and_its_tempo_calm_on_steady_music) {
-    const GeneratedMusic piece = music(Style::salsa, {{0.0, 184.0}}, 30.0);
+    const GeneratedMusic piece = music(Style::montuno, {{0.0, 184.0}}, 30.0);
     const auto states = listen(piece);
     for (std::size_t hop = 1500; hop < states.size(); ++hop) {
         const BeatGrid& before = states[hop - 1].grid;

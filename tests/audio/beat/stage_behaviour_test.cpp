@@ -7,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "tests/audio/listen.hpp"
+#include "tests/support/dances.hpp"
 
 namespace raks::audio {
 namespace {
@@ -75,13 +76,13 @@ TEST(Stage, locks_in_about_a_bar) {
     for (const auto& [style, bpm] : {std::pair{Style::drums, 90.0},
                                      std::pair{Style::drums, 125.0},
                                      std::pair{Style::drums, 165.0},
-                                     std::pair{Style::salsa, 168.0},
-                                     std::pair{Style::salsa, 184.0},
-                                     std::pair{Style::salsa, 204.0},
+                                     std::pair{Style::montuno, 168.0},
+                                     std::pair{Style::montuno, 184.0},
+                                     std::pair{Style::montuno, 204.0},
                                      std::pair{Style::maqsum, 98.0},
                                      std::pair{Style::maqsum, 124.0},
-                                     std::pair{Style::house, 118.0},
-                                     std::pair{Style::house, 128.0}}) {
+                                     std::pair{Style::four_on_the_floor, 118.0},
+                                     std::pair{Style::four_on_the_floor, 128.0}}) {
         const GeneratedMusic piece = music(style, {{0.0, bpm}}, 20.0);
         bars.push_back(time_to_lock(listen(piece), piece.beats, 0.0) / (4.0 * 60.0 / bpm));
     }
@@ -122,7 +123,7 @@ double strayed_without_drums(Style style, double bpm) {
 }
 
 TEST(Stage, holds_phase_through_four_bars_without_drums) {
-    for (const Style style : {Style::drums, Style::salsa, Style::house}) {
+    for (const Style style : {Style::drums, Style::montuno, Style::four_on_the_floor}) {
         for (const double bpm : {85.0, 100.0, 126.0, 150.0, 180.0}) {
             EXPECT_LE(strayed_without_drums(style, bpm), 0.040) << bpm << " BPM";
         }
@@ -133,7 +134,7 @@ TEST(Stage, follows_ramps_of_3_percent_a_second) {
     for (const auto& [from, to] : {std::pair{150.0, 210.0}, std::pair{200.0, 145.0}}) {
         const double seconds = std::abs(std::log(to / from)) / 0.03;
         const GeneratedMusic piece =
-            music(Style::salsa, {{0.0, from}, {8.0, from}, {8.0 + seconds, to}}, 12.0 + seconds);
+            music(Style::montuno, {{0.0, from}, {8.0, from}, {8.0 + seconds, to}}, 12.0 + seconds);
         const auto score = test::score_beats(listen(piece), piece.beats, 5.0, 12.0 + seconds);
         EXPECT_GE(score.f_measure, 0.97) << from << " to " << to;
     }
@@ -159,8 +160,8 @@ double time_to_find(const Song& first, const Song& second) {
 
 TEST(Stage, finds_the_next_song_within_3_seconds) {
     for (const auto& [first, second] :
-         {std::pair{Song{Style::salsa, 182.0}, Song{Style::house, 124.0}},
-          std::pair{Song{Style::house, 128.0}, Song{Style::salsa, 190.0}},
+         {std::pair{Song{Style::montuno, 182.0}, Song{Style::four_on_the_floor, 124.0}},
+          std::pair{Song{Style::four_on_the_floor, 128.0}, Song{Style::montuno, 190.0}},
           std::pair{Song{Style::maqsum, 104.0}, Song{Style::drums, 140.0}},
           std::pair{Song{Style::drums, 96.0}, Song{Style::maqsum, 118.0}}}) {
         EXPECT_LE(time_to_find(first, second), 3.0)
@@ -170,19 +171,19 @@ TEST(Stage, finds_the_next_song_within_3_seconds) {
 
 /// Counting on from house it would take the half beats of rock for its beats, to the end.
 TEST(Stage, finds_the_beat_of_rock_after_house_not_its_half_beat) {
-    EXPECT_LE(time_to_find({Style::house, 122.0}, {Style::rock, 120.0}), 4.0);
+    EXPECT_LE(time_to_find({Style::four_on_the_floor, 122.0}, {Style::backbeat, 120.0}), 4.0);
 }
 
 /// Slow house, hip-hop and drums have eighths as loud as beats.
 TEST(Stage, does_not_flip_between_octaves) {
     for (const auto& [style, bpm] : {std::pair{Style::drums, 85.0},
                                      std::pair{Style::drums, 170.0},
-                                     std::pair{Style::salsa, 200.0},
+                                     std::pair{Style::montuno, 200.0},
                                      std::pair{Style::maqsum, 100.0},
-                                     std::pair{Style::house, 96.0},
-                                     std::pair{Style::house, 104.0},
-                                     std::pair{Style::house, 125.0},
-                                     std::pair{Style::hiphop, 75.0},
+                                     std::pair{Style::four_on_the_floor, 96.0},
+                                     std::pair{Style::four_on_the_floor, 104.0},
+                                     std::pair{Style::four_on_the_floor, 125.0},
+                                     std::pair{Style::boom_bap, 75.0},
                                      std::pair{Style::drums, 60.0}}) {
         const auto states = listen(music(style, {{0.0, bpm}}, 60.0));
         for (std::size_t hop = 800; hop < states.size(); ++hop) {
@@ -247,7 +248,7 @@ TEST(Stage, is_not_sure_of_any_beat_in_applause_and_talk) {
 TEST(Stage, silence_freezes_it) {
     EXPECT_EQ(announced(listen_to(std::vector<float>(30 * kRate))), 0);
     // After music: the last beats that were due, then none, and the tempo stays.
-    GeneratedMusic piece = music(Style::house, {{0.0, 124.0}}, 15.0);
+    GeneratedMusic piece = music(Style::four_on_the_floor, {{0.0, 124.0}}, 15.0);
     std::vector<float> mono = piece.mono();
     mono.resize(mono.size() + 30 * kRate);
     const auto states = listen_to(mono);
@@ -259,7 +260,7 @@ TEST(Stage, silence_freezes_it) {
 
 TEST(Stage, a_hint_of_the_genre_moves_the_tempo_that_is_sought_and_vetoes_nothing) {
     // Clicks say nothing of the octave; music with a beat of its own does.
-    const auto tempo_with = [](Style style, double bpm, Genre genre) {
+    const auto tempo_with = [](Style style, double bpm, DanceId genre) {
         MusicAnalyzer analyzer;
         EXPECT_TRUE(analyzer.prepare(test::as_shipped(SampleRate(kRate))));
         analyzer.command({AnalyzerCommand::Kind::hint_genre, {}, static_cast<double>(genre)});
@@ -267,10 +268,10 @@ TEST(Stage, a_hint_of_the_genre_moves_the_tempo_that_is_sought_and_vetoes_nothin
         analyzer.process(music(style, {{0.0, bpm}}, 15.0).mono(), collect);
         return collect.states.back().grid.tempo.bpm();
     };
-    EXPECT_NEAR(tempo_with(Style::house, 126.0, Genre::salsa), 126.0, 2.0);
-    EXPECT_NEAR(tempo_with(Style::salsa, 186.0, Genre::belly), 186.0, 3.0);
-    EXPECT_NEAR(tempo_with(Style::maqsum, 96.0, Genre::salsa), 96.0, 2.0);
-    EXPECT_NEAR(tempo_with(Style::salsa, 186.0, Genre::salsa), 186.0, 3.0);
+    EXPECT_NEAR(tempo_with(Style::four_on_the_floor, 126.0, shipped::salsa), 126.0, 2.0);
+    EXPECT_NEAR(tempo_with(Style::montuno, 186.0, shipped::belly), 186.0, 3.0);
+    EXPECT_NEAR(tempo_with(Style::maqsum, 96.0, shipped::salsa), 96.0, 2.0);
+    EXPECT_NEAR(tempo_with(Style::montuno, 186.0, shipped::salsa), 186.0, 3.0);
 }
 
 }  // namespace

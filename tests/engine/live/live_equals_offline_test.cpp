@@ -16,6 +16,7 @@
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "tests/engine/installed.hpp"
 #include "tests/support/realtime_guard.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -28,7 +29,7 @@ class LiveEqualsOffline : public ::testing::Test {
  protected:
     void SetUp() override {
         audio::MusicPlan plan;
-        plan.style = audio::Style::salsa;
+        plan.style = audio::Style::montuno;
         plan.tempo = {{0.0, 176.0}, {9.0, 176.0}, {9.0, 190.0}};
         plan.seconds = kSeconds;
         plan.rate = SampleRate(44'100);
@@ -36,9 +37,8 @@ class LiveEqualsOffline : public ::testing::Test {
         const auto music = audio::generate(plan);
         ASSERT_TRUE(music) << music.error().message;
         ASSERT_TRUE(audio::write_wav(path_, music->samples, music->channels, music->rate));
-        auto library = load_dance("salsa");
-        ASSERT_TRUE(library) << library.error().message;
-        library_ = *library;
+        auto library = installed::library_of("salsa");
+        library_ = library;
     }
 
     [[nodiscard]] motion::Dancer dancer() const {
@@ -49,7 +49,7 @@ class LiveEqualsOffline : public ::testing::Test {
     [[nodiscard]] std::unique_ptr<Playback> playback(SampleRate device_rate) const {
         auto player = audio::FilePlayer::start({path_});
         EXPECT_TRUE(player);
-        auto made = Playback::create(std::move(*player));
+        auto made = Playback::create(std::move(*player), installed::models());
         EXPECT_TRUE(made);
         EXPECT_TRUE((*made)->prepare(device_rate));
         return std::move(*made);
@@ -73,7 +73,8 @@ std::vector<motion::Pose> danced_offline(
     const std::filesystem::path& path, const std::shared_ptr<const motion::DanceLibrary>& library) {
     auto source = MusicSource::open(path);
     EXPECT_TRUE(source);
-    auto driver = OfflineDriver::create(source->rate(), library, 1);
+    auto driver = OfflineDriver::create(
+        source->rate(), installed::models(), cast_of(library, motion::mannequin_skeleton(), 1));
     EXPECT_TRUE(driver);
     Record record;
     for (auto block = source->next(); !block.mono.empty(); block = source->next()) {
@@ -181,7 +182,7 @@ TEST_F(LiveEqualsOffline, a_pause_is_silent_and_stream_time_stands_still) {
 }
 
 TEST(Listening, the_inputs_callback_keeps_the_real_time_rules) {
-    auto listening = Listening::create(SampleRate(48'000));
+    auto listening = Listening::create(SampleRate(48'000), installed::models());
     ASSERT_TRUE(listening) << listening.error().message;
     const CounterRandom random(8);
     for (const int channels : {1, 2, 8}) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audio/io/audio_file.hpp"
+#include "tests/engine/installed.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
@@ -29,7 +30,7 @@ class PlaybackTest : public ::testing::Test {
         ASSERT_TRUE(audio::write_wav(path_, samples, 1, SampleRate(kHertz)));
         auto player = audio::FilePlayer::start({path_});
         ASSERT_TRUE(player) << player.error().message;
-        auto made = Playback::create(std::move(*player));
+        auto made = Playback::create(std::move(*player), installed::models());
         ASSERT_TRUE(made) << made.error().message;
         playback_ = std::move(*made);
         ASSERT_TRUE(playback_->prepare(SampleRate(kHertz)));

@@ -11,6 +11,7 @@
 #include "engine/live/motion_stage.hpp"
 #include "engine/live/playback.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "tests/engine/installed.hpp"
 #include "tests/support/realtime_guard.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -23,7 +24,7 @@ constexpr std::size_t kFrames = 256;
 /// A tempo jump at 25 s and a silence from 40 to 46 s.
 audio::GeneratedMusic minute_of_music(SampleRate rate) {
     audio::MusicPlan plan;
-    plan.style = audio::Style::salsa;
+    plan.style = audio::Style::montuno;
     plan.tempo = {{0.0, 176.0}, {25.0, 176.0}, {25.0, 200.0}};
     plan.seconds = kChainSeconds;
     plan.rate = rate;
@@ -34,10 +35,9 @@ audio::GeneratedMusic minute_of_music(SampleRate rate) {
 }
 
 motion::Dancer salsa_dancer() {
-    auto library = load_dance("salsa");
-    EXPECT_TRUE(library) << library.error().message;
+    auto library = installed::library_of("salsa");
     motion::Dancer dancer;
-    EXPECT_TRUE(dancer.prepare(*library, motion::mannequin_skeleton(), 1));
+    EXPECT_TRUE(dancer.prepare(library, motion::mannequin_skeleton(), 1));
     return dancer;
 }
 
@@ -85,7 +85,7 @@ TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
     ASSERT_TRUE(audio::write_wav(path, music.samples, music.channels, music.rate));
     auto player = audio::FilePlayer::start({path});
     ASSERT_TRUE(player) << player.error().message;
-    auto playback = Playback::create(std::move(*player));
+    auto playback = Playback::create(std::move(*player), installed::models());
     ASSERT_TRUE(playback) << playback.error().message;
     ASSERT_TRUE((*playback)->prepare(SampleRate(48'000)));
     AnalysisStage& analysis = (*playback)->analysis();
@@ -107,7 +107,7 @@ TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
 
 TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
     const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
-    auto listening = Listening::create(music.rate);
+    auto listening = Listening::create(music.rate, installed::models());
     ASSERT_TRUE(listening) << listening.error().message;
     AnalysisStage& analysis = (*listening)->analysis();
     MotionStage motion(salsa_dancer(), analysis.states());

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "motion/dancer.hpp"
 #include "motion/repertoire.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "tests/engine/installed.hpp"
+#include "tests/support/dances.hpp"
 
 /// Every shipped dance, every figure of it, and every change from one dance to another, on a
 /// perfect beat: what is seen stays whole.
@@ -25,40 +28,28 @@ using motion::Skeleton;
 using motion::WorldPose;
 
 struct ShippedDance {
-    Genre genre = Genre::unknown;
+    DanceId genre = DanceId::none;
     double bpm = 120.0;  // that it is danced to here
     int beats_per_bar = 4;
     std::shared_ptr<const motion::DanceLibrary> library;
 };
 
-double usual_tempo(Genre genre) {
-    switch (genre) {
-        case Genre::salsa:
-            return 176.0;
-        case Genre::belly:
-            return 112.0;
-        case Genre::house:
-            return 124.0;
-        case Genre::hiphop:
-            return 96.0;
-        case Genre::rock:
-            return 126.0;
-        default:
-            return 90.0;
-    }
-}
+const std::map<std::string, double> kTempi = {{"salsa", 176.0},
+                                              {"belly", 112.0},
+                                              {"house", 124.0},
+                                              {"hiphop", 96.0},
+                                              {"rock", 126.0},
+                                              {"waltz", 90.0}};
 
 const std::vector<ShippedDance>& shipped_dances() {
     static const std::vector<ShippedDance> dances = [] {
         std::vector<ShippedDance> all;
-        for (const std::string& name : known_dances()) {
-            const auto at = std::find(kGenreNames.begin(), kGenreNames.end(), name);
-            const auto genre = static_cast<Genre>(at - kGenreNames.begin());
-            auto library = load_dance(name);
-            EXPECT_TRUE(library) << name << ": " << (library ? "" : library.error().message);
-            if (library) {
-                all.push_back({genre, usual_tempo(genre), genre == Genre::waltz ? 3 : 4, *library});
-            }
+        for (const DanceInfo& dance : installed::dances().list()->all()) {
+            const DanceId id = installed::dances().list()->id_of(dance.name);
+            all.push_back({id,
+                           kTempi.at(dance.name),
+                           dance.beats_per_bar,
+                           installed::library_of(dance.name)});
         }
         return all;
     }();
@@ -169,9 +160,10 @@ TEST(DanceChanges, each_dance_goes_over_to_each_other_within_three_bars) {
             }
         }
         const double bar = dance.beats_per_bar * 60.0 / dance.bpm;
-        ASSERT_GE(begun, from) << name_of(dance.genre) << " was not taken up";
+        ASSERT_GE(begun, from) << installed::dances().list()->name_of(dance.genre)
+                               << " was not taken up";
         EXPECT_LT(static_cast<double>(begun - from) / 100.0, 3.0 * bar + 0.7)
-            << name_of(dance.genre);
+            << installed::dances().list()->name_of(dance.genre);
     }
     EXPECT_LT(watch.largest_step, 0.10F) << "10 m/s";
     EXPECT_GT(watch.lowest, -0.005F) << "5 mm under the floor";

@@ -12,6 +12,8 @@
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/settings.hpp"
+#include "tests/engine/installed.hpp"
+#include "tests/support/dances.hpp"
 
 namespace raks::engine {
 namespace {
@@ -48,10 +50,10 @@ class Seen final : public OfflineDriver::Sink {
     /// How often another dance was taken up than the one before.
     [[nodiscard]] int changes() const {
         int count = 0;
-        Genre before = Genre::unknown;
+        DanceId before = DanceId::none;
         for (const Hop& hop : hops) {
-            if (hop.dancer.dance != Genre::unknown && hop.dancer.dance != before) {
-                count += before == Genre::unknown ? 0 : 1;
+            if (hop.dancer.dance != DanceId::none && hop.dancer.dance != before) {
+                count += before == DanceId::none ? 0 : 1;
                 before = hop.dancer.dance;
             }
         }
@@ -68,10 +70,10 @@ class MusicScenes : public ::testing::TestWithParam<std::string> {
         settings.dance = "auto";
         settings.fallback_dance = "keep";
         settings.figures = figures;
-        auto dancers = Dancers::load(settings);
+        auto dancers = Dancers::load(settings, installed::dances(), motion::mannequin_skeleton());
         EXPECT_TRUE(dancers) << dancers.error().message;
-        EXPECT_TRUE(dancers->wait());
-        auto driver = OfflineDriver::create(kRate, dancers->members());
+        EXPECT_TRUE(dancers->wait().empty());
+        auto driver = OfflineDriver::create(kRate, installed::models(), dancers->cast());
         EXPECT_TRUE(driver) << driver.error().message;
         Seen seen(static_cast<double>(mono.size()) / kRate.hertz());
         driver->feed(mono, seen);
@@ -82,14 +84,14 @@ class MusicScenes : public ::testing::TestWithParam<std::string> {
 TEST_P(MusicScenes, a_mix_of_salsa_and_belly_dance_is_danced_as_it_goes) {
     constexpr double kEach = 25.0;
     std::vector<float> mix;
-    for (const auto& [style, bpm] : {std::pair{audio::Style::salsa, 180.0},
+    for (const auto& [style, bpm] : {std::pair{audio::Style::montuno, 180.0},
                                      {audio::Style::maqsum, 108.0},
-                                     {audio::Style::salsa, 176.0}}) {
+                                     {audio::Style::montuno, 176.0}}) {
         const std::vector<float> piece = music(style, {{0.0, bpm}}, kEach);
         mix.insert(mix.end(), piece.begin(), piece.end());
     }
     const Seen seen = danced(mix, GetParam());
-    const Genre expected[] = {Genre::salsa, Genre::belly, Genre::salsa};
+    const DanceId expected[] = {shipped::salsa, shipped::belly, shipped::salsa};
     for (int i = 0; i < 3; ++i) {
         // Recognised within 6 s; then the dance goes over within three bars (DanceChanges).
         const double start = kEach * i;
@@ -102,14 +104,14 @@ TEST_P(MusicScenes, a_mix_of_salsa_and_belly_dance_is_danced_as_it_goes) {
 
 TEST_P(MusicScenes, a_salsa_a_tenth_slower_and_faster_stays_one_dance_at_the_musics_tempo) {
     const Seen seen =
-        danced(music(audio::Style::salsa,
+        danced(music(audio::Style::montuno,
                      {{0.0, 180.0}, {14.0, 180.0}, {18.0, 162.0}, {26.0, 162.0}, {34.0, 198.0}},
                      42.0),
                GetParam());
     EXPECT_EQ(seen.changes(), 0);
     for (const auto& [seconds, bpm] : {std::pair{13.5, 180.0}, {25.5, 162.0}, {41.5, 198.0}}) {
         const motion::DancerStatus& dancer = seen.at(seconds).dancer;
-        EXPECT_EQ(dancer.dance, Genre::salsa) << seconds << " s";
+        EXPECT_EQ(dancer.dance, shipped::salsa) << seconds << " s";
         EXPECT_NEAR(dancer.rate, dancer.octave * bpm / 60.0, 0.03 * bpm / 60.0) << seconds << " s";
     }
 }

@@ -15,6 +15,7 @@
 #include "motion/evaluate/body_track.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "tests/engine/installed.hpp"
 
 namespace raks::engine {
 namespace {
@@ -34,9 +35,9 @@ class Poses final : public OfflineDriver::Sink {
 };
 
 std::vector<motion::Pose> danced(const audio::GeneratedMusic& music) {
-    auto library = load_dance("salsa");
-    EXPECT_TRUE(library) << library.error().message;
-    auto driver = OfflineDriver::create(music.rate, *library, 1);
+    auto library = installed::library_of("salsa");
+    auto driver = OfflineDriver::create(
+        music.rate, installed::models(), cast_of(library, motion::mannequin_skeleton(), 1));
     EXPECT_TRUE(driver) << driver.error().message;
     // One figure, whose learnt offsets are compared with.
     driver->command(motion::DancerCommand{motion::DancerCommand::Kind::lock_figure, {}, 1.0});
@@ -103,10 +104,10 @@ INSTANTIATE_TEST_SUITE_P(Songs,
                          ::testing::Values(Song{audio::Style::drums, 125.0},
                                            Song{audio::Style::drums, 150.0},
                                            Song{audio::Style::drums, 184.0},
-                                           Song{audio::Style::salsa, 160.0},
-                                           Song{audio::Style::salsa, 184.0},
-                                           Song{audio::Style::salsa, 200.0},
-                                           Song{audio::Style::house, 126.0}));
+                                           Song{audio::Style::montuno, 160.0},
+                                           Song{audio::Style::montuno, 184.0},
+                                           Song{audio::Style::montuno, 200.0},
+                                           Song{audio::Style::four_on_the_floor, 126.0}));
 
 }  // namespace
 }  // namespace raks::engine

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/setup/dance_files.hpp"
+#include "tests/engine/installed.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -16,9 +17,9 @@ namespace {
 TEST(WrittenFigures, dance_as_their_files_expect) {
     std::size_t figures = 0;
     for (const char* const dance : {"belly", "hiphop", "house", "rock", "waltz"}) {
-        const auto library = load_dance(dance, motion::DanceRole::lead, DanceForm());
+        const auto library = load_dance(installed::dances(), dance, motion::mannequin_skeleton());
         ASSERT_TRUE(library) << library.error().message;
-        const auto danced = danced_written_figures(dance, *library);
+        const auto danced = danced_written_figures(dance, *library, motion::mannequin_skeleton());
         ASSERT_TRUE(danced) << danced.error().message;
         for (const DancedWrittenFigure& figure : *danced) {
             ++figures;
@@ -36,7 +37,7 @@ TEST(WrittenFigures, dance_as_their_files_expect) {
 
 /// Two repeats of a figure, 16 poses a beat.
 std::vector<motion::WorldPose> danced_at(const char* dance, std::string_view figure, double bpm) {
-    const auto library = load_dance(dance, motion::DanceRole::lead, DanceForm());
+    const auto library = load_dance(installed::dances(), dance, motion::mannequin_skeleton());
     std::vector<motion::WorldPose> poses;
     if (!library) {
         ADD_FAILURE() << library.error().message;
@@ -51,7 +52,7 @@ std::vector<motion::WorldPose> danced_at(const char* dance, std::string_view fig
     for (int i = 0; i < 8 * 16; ++i) {
         beats.push_back(i / 16.0);
     }
-    const auto danced = dance_alone(*library, on, beats);
+    const auto danced = dance_alone(*library, motion::mannequin_skeleton(), on, beats);
     if (!danced) {
         ADD_FAILURE() << danced.error().message;
         return poses;
@@ -120,7 +121,7 @@ TEST(WrittenFigures, clap_at_every_clap_and_any_tempo) {
 }
 
 TEST(WrittenFigures, close_their_hands_as_written) {
-    const auto library = load_dance("rock", motion::DanceRole::lead, DanceForm());
+    const auto library = load_dance(installed::dances(), "rock", motion::mannequin_skeleton());
     ASSERT_TRUE(library) << library.error().message;
     const std::vector<std::string_view> names = (*library)->figure_names();
     const auto bend_of = [&](std::string_view figure) {
@@ -129,7 +130,7 @@ TEST(WrittenFigures, close_their_hands_as_written) {
         on.figure =
             static_cast<std::size_t>(std::find(names.begin(), names.end(), figure) - names.begin());
         const double beats[] = {1.0};
-        const auto poses = dance_alone(*library, on, beats);
+        const auto poses = dance_alone(*library, motion::mannequin_skeleton(), on, beats);
         return poses ? std::abs((*poses)[0].rotation(motion::Bone::left_middle_proximal).z) : -1.0F;
     };
     EXPECT_GT(bend_of("pogo"), 0.5F);  // a fist: over 60 degrees
@@ -137,9 +138,9 @@ TEST(WrittenFigures, close_their_hands_as_written) {
 }
 
 TEST(WrittenFigures, a_captured_dance_has_none) {
-    const auto library = load_dance("salsa", motion::DanceRole::lead, DanceForm());
+    const auto library = load_dance(installed::dances(), "salsa", motion::mannequin_skeleton());
     ASSERT_TRUE(library) << library.error().message;
-    const auto danced = danced_written_figures("salsa", *library);
+    const auto danced = danced_written_figures("salsa", *library, motion::mannequin_skeleton());
     ASSERT_TRUE(danced) << danced.error().message;
     EXPECT_TRUE(danced->empty());
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "motion/dance_library.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/motion/dance/stage.hpp"
 #include "tests/support/realtime_guard.hpp"

@@ -19,9 +19,9 @@ namespace {
 
 FigureGrammar three() {
     FigureGrammar grammar;
-    grammar.rules = {{"calm", 0.1, {0.0, 3.0, 1.0}},
-                     {"middling", 0.5, {1.0, 0.0, 1.0}},
-                     {"lively", 0.9, {1.0, 1.0, 2.0}}};
+    grammar.rules = {{.figure = "calm", .energy = 0.1, .after = {0.0, 3.0, 1.0}},
+                     {.figure = "middling", .energy = 0.5, .after = {1.0, 0.0, 1.0}},
+                     {.figure = "lively", .energy = 0.9, .after = {1.0, 1.0, 2.0}}};
     return grammar;
 }
 
@@ -31,7 +31,7 @@ const std::vector<bool> kLastTurnsHalf = {false, false, true};
 std::array<int, 3> followers(const FigureMoment& moment,
                              const FigureWish& wish = {},
                              const FigureGrammar& grammar = three()) {
-    const Choreography choreography(grammar, kLastTurnsHalf);
+    const FigureChooser choreography(grammar, kLastTurnsHalf);
     std::array<int, 3> counts{};
     for (std::uint64_t number = 0; number < 4000; ++number) {
         ++counts[choreography.next(moment, wish, 11, number)];
@@ -39,7 +39,7 @@ std::array<int, 3> followers(const FigureMoment& moment,
     return counts;
 }
 
-TEST(Choreography, follows_the_weights_of_the_grammar) {
+TEST(FigureChooser, follows_the_weights_of_the_grammar) {
     // 0.5 lies between: both followers are 0.4 away, so that the weights alone tell.
     FigureGrammar grammar = three();
     grammar.rules[1].energy = 0.1;
@@ -49,14 +49,14 @@ TEST(Choreography, follows_the_weights_of_the_grammar) {
     EXPECT_NEAR(counts[1], 3000, 150);
 }
 
-TEST(Choreography, lively_music_is_danced_livelier) {
+TEST(FigureChooser, lively_music_is_danced_livelier) {
     const std::array<int, 3> quiet = followers({.after = 1, .energy = 0.05});
     const std::array<int, 3> loud = followers({.after = 1, .energy = 0.95});
     EXPECT_GT(quiet[0], 2 * quiet[2]);
     EXPECT_GT(loud[2], 2 * loud[0]);
 }
 
-TEST(Choreography, does_what_is_wished) {
+TEST(FigureChooser, does_what_is_wished) {
     FigureWish wish;
     wish.is_locked = true;
     EXPECT_EQ(followers({.after = 2}, wish)[2], 4000);
@@ -67,8 +67,8 @@ TEST(Choreography, does_what_is_wished) {
     EXPECT_EQ(followers({.after = 2}, another)[2], 0);
 }
 
-TEST(Choreography, the_same_seed_gives_the_same_dance_another_another) {
-    const Choreography choreography(three(), kLastTurnsHalf);
+TEST(FigureChooser, the_same_seed_gives_the_same_dance_another_another) {
+    const FigureChooser choreography(three(), kLastTurnsHalf);
     const FigureMoment moment{.after = 1};
     int same = 0;
     for (std::uint64_t number = 0; number < 200; ++number) {
@@ -79,7 +79,7 @@ TEST(Choreography, the_same_seed_gives_the_same_dance_another_another) {
     EXPECT_LT(same, 150);
 }
 
-TEST(Choreography, turns_to_the_audience_when_it_can_and_away_from_it_more_seldom) {
+TEST(FigureChooser, turns_to_the_audience_when_it_can_and_away_from_it_more_seldom) {
     const auto of_three = [](Audience audience) {
         return followers({.after = 1, .energy = 0.5, .audience = audience});
     };

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "motion/dance/generator.hpp"
+#include "motion/dance_library.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/motion/dance/stage.hpp"
 #include "tests/support/realtime_guard.hpp"

@@ -9,6 +9,7 @@
 
 #include "motion/dance/body/floor_move.hpp"
 #include "tests/motion/dance/stage.hpp"
+#include "tests/support/dances.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::motion {
@@ -21,8 +22,9 @@ constexpr double kTempoBpm = 168.0;
 
 /// Salsa with all its figures, and a "belly dance" of one salsa step: another library.
 std::shared_ptr<Repertoire> two_dances(Repertoire::Otherwise otherwise) {
-    auto repertoire = std::make_shared<Repertoire>(Genre::salsa, test::salsa_library(), otherwise);
-    repertoire->add(Genre::belly, test::library_of(test::basic_step()));
+    auto repertoire =
+        std::make_shared<Repertoire>(shipped::salsa, test::salsa_library(), otherwise);
+    repertoire->add(shipped::belly, test::library_of(test::basic_step()));
     return repertoire;
 }
 
@@ -64,17 +66,17 @@ double largest_step(const std::vector<Hop>& danced) {
     return test::largest_step(poses, 0, static_cast<HopIndex>(poses.size()));
 }
 
-Genre to_belly(HopIndex hop) { return hop < 1700 ? Genre::salsa : Genre::belly; }
+DanceId to_belly(HopIndex hop) { return hop < 1700 ? shipped::salsa : shipped::belly; }
 
 TEST(Repertoire, a_new_dance_begins_on_a_bar_line_from_a_settled_pose) {
     const auto danced = dance_to(two_dances(Repertoire::Otherwise::first), 3500, to_belly);
     std::size_t left = 0;
     std::size_t begun = 0;
     for (std::size_t hop = 1; hop < danced.size(); ++hop) {
-        if (danced[hop - 1].status.dance == Genre::salsa && !danced[hop].status.is_dancing) {
+        if (danced[hop - 1].status.dance == shipped::salsa && !danced[hop].status.is_dancing) {
             left = hop;
         }
-        if (danced[hop].status.dance == Genre::belly && begun == 0) {
+        if (danced[hop].status.dance == shipped::belly && begun == 0) {
             begun = hop;
         }
     }
@@ -114,44 +116,45 @@ TEST(Repertoire, feet_step_to_where_the_dancer_settles_and_do_not_slide) {
 }
 
 TEST(Repertoire, unknown_music_is_danced_as_the_setting_says) {
-    const auto lost = [](HopIndex hop) { return hop < 1700 ? Genre::belly : Genre::unknown; };
+    const auto lost = [](HopIndex hop) { return hop < 1700 ? shipped::belly : DanceId::none; };
     using Otherwise = Repertoire::Otherwise;
-    EXPECT_EQ(dance_to(two_dances(Otherwise::first), 3000, lost).back().status.dance, Genre::salsa);
-    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 3000, lost).back().status.dance, Genre::belly);
+    EXPECT_EQ(dance_to(two_dances(Otherwise::first), 3000, lost).back().status.dance,
+              shipped::salsa);
+    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 3000, lost).back().status.dance,
+              shipped::belly);
     EXPECT_FALSE(dance_to(two_dances(Otherwise::stand), 3000, lost).back().status.is_dancing);
     // A genre whose dance nobody knows is as good as unknown.
-    const auto waltz = [](HopIndex) { return Genre::waltz; };
-    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 1500, waltz).back().status.dance, Genre::salsa);
+    const auto waltz = [](HopIndex) { return shipped::waltz; };
+    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 1500, waltz).back().status.dance,
+              shipped::salsa);
 }
 
 TEST(Repertoire, a_dance_that_is_selected_is_kept_to_until_it_is_let_go) {
     using Kind = DancerCommand::Kind;
-    const auto salsa = [](HopIndex) { return Genre::salsa; };
-    const auto danced =
-        dance_to(two_dances(Repertoire::Otherwise::first),
-                 4000,
-                 salsa,
-                 {{Kind::select_dance, stream_time_from_seconds(10.0), 1.0},
-                  {Kind::select_dance, stream_time_from_seconds(15.0), std::nan("")},
-                  {Kind::select_dance,
-                   stream_time_from_seconds(25.0),
-                   static_cast<double>(Genre::unknown)}});
-    EXPECT_EQ(danced[900].status.dance, Genre::salsa);
-    EXPECT_EQ(danced[2400].status.dance, Genre::belly);
-    EXPECT_EQ(danced[3900].status.dance, Genre::salsa);
+    const auto salsa = [](HopIndex) { return shipped::salsa; };
+    const auto danced = dance_to(
+        two_dances(Repertoire::Otherwise::first),
+        4000,
+        salsa,
+        {{Kind::select_dance, stream_time_from_seconds(10.0), 1.0},
+         {Kind::select_dance, stream_time_from_seconds(15.0), std::nan("")},
+         {Kind::select_dance, stream_time_from_seconds(25.0), static_cast<double>(DanceId::none)}});
+    EXPECT_EQ(danced[900].status.dance, shipped::salsa);
+    EXPECT_EQ(danced[2400].status.dance, shipped::belly);
+    EXPECT_EQ(danced[3900].status.dance, shipped::salsa);
 }
 
 TEST(Repertoire, a_dance_added_later_is_danced_from_then_on) {
-    auto repertoire = std::make_shared<Repertoire>(Genre::salsa, test::salsa_library());
+    auto repertoire = std::make_shared<Repertoire>(shipped::salsa, test::salsa_library());
     const auto belly = [&](HopIndex hop) {
         if (hop == 1500) {
-            repertoire->add(Genre::belly, test::library_of(test::basic_step()));
+            repertoire->add(shipped::belly, test::library_of(test::basic_step()));
         }
-        return Genre::belly;
+        return shipped::belly;
     };
     const auto danced = dance_to(repertoire, 2500, belly);
-    EXPECT_EQ(danced[1499].status.dance, Genre::salsa);
-    EXPECT_EQ(danced.back().status.dance, Genre::belly);
+    EXPECT_EQ(danced[1499].status.dance, shipped::salsa);
+    EXPECT_EQ(danced.back().status.dance, shipped::belly);
 }
 
 TEST(Repertoire, changes_of_dance_keep_the_real_time_rules) {
@@ -162,7 +165,7 @@ TEST(Repertoire, changes_of_dance_keep_the_real_time_rules) {
     raks::test::RealtimeScope scope;
     for (HopIndex hop = 0; hop < 4000; ++hop) {
         MusicState state = sure_state(hop, steady_grid(kTempoBpm));
-        state.genre = hop / 1000 % 2 == 0 ? Genre::salsa : Genre::belly;
+        state.genre = hop / 1000 % 2 == 0 ? shipped::salsa : shipped::belly;
         dancer.advance(state, *track);
     }
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();

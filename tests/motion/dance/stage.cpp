@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "motion/dance_library.hpp"
 #include "motion/figures/figure_grammar.hpp"
 #include "motion/skeleton/skeleton.hpp"
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/file.hpp"
 #include "tests/support/mangled.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::motion {
 namespace {
@@ -98,8 +100,7 @@ TEST(FigureGrammar, tells_what_is_wrong_and_where) {
                  {replaced("energy = 0.2", "energy = nan"), "from 0 to 1"},
                  {replaced("turn = 3", "turn = -3"), "must be a number >= 0"},
                  {replaced("turn = 3", "turn = \"x\""), "must be a number >= 0"},
-                 {replaced("basic = 1.5", "basic = 0"), "nothing comes after"},
-                 {replaced("after = { basic = 1.5 }", ""), "nothing comes after"}};
+                 {replaced("basic = 1.5", "basic = 0"), "nothing comes after"}};
     for (const auto& c : cases) {
         const auto grammar = parse_grammar(c.text, "x.toml");
         ASSERT_FALSE(grammar) << c.text;
@@ -119,6 +120,78 @@ TEST(FigureGrammar, survives_every_cut_and_flipped_bytes) {
         const auto grammar = parse_grammar(raks::test::mangled(kGood, {.seed = seed}), "x.toml");
         EXPECT_TRUE(grammar || grammar.error().message.find('\n') == std::string::npos);
     }
+}
+
+const std::string kSeen = R"(format = "raks-dance"
+version = 1
+dance = "tango"
+[[figure]]
+name = "walk"
+seen = 6
+[[figure]]
+name = "ocho"
+seen = 2
+[[figure]]
+name = "cross"
+)";
+
+TEST(FigureGrammar, without_a_rule_every_other_figure_follows_as_often_as_it_was_seen) {
+    const auto grammar = parse_grammar(kSeen, "x.toml");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    EXPECT_EQ(grammar->rules[0].after, (std::vector<double>{0.0, 2.0, 1.0}));
+    EXPECT_EQ(grammar->rules[1].after, (std::vector<double>{6.0, 0.0, 1.0}));
+    EXPECT_EQ(grammar->rules[2].after, (std::vector<double>{6.0, 2.0, 0.0}));
+    const auto bad =
+        parse_grammar(std::string(kSeen).replace(kSeen.find("seen = 6"), 8, "seen = 0"), "x.toml");
+    EXPECT_EQ(bad.error().message, "x.toml: line 4: seen must be a number > 0");
+}
+
+TEST(FigureGrammar, the_only_figure_follows_itself) {
+    const auto grammar = parse_grammar(
+        "format = \"raks-dance\"\nversion = 1\ndance = \"x\"\n[[figure]]\nname = \"a\"\n",
+        "x.toml");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    EXPECT_EQ(grammar->rules[0].after, std::vector<double>{1.0});
+}
+
+TEST(FigureGrammar, figures_of_another_file_join) {
+    const raks::test::TemporaryFolder folder;
+    const auto file = folder / "more.toml";
+    ASSERT_TRUE(write_file(file, R"(format = "raks-dance"
+version = 1
+dance = "salsa"
+[[figure]]
+name = "wave"
+seen = 0.5
+after = { basic = 2, wave = 1 }
+)"));
+    auto grammar = parse_grammar(kGood, "x.toml");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    const auto joined = extend_grammar(file, *grammar);
+    ASSERT_TRUE(joined) << joined.error().message;
+    ASSERT_EQ(grammar->rules.size(), 3U);
+    // basic goes on to turn with 3 and to itself with 1: to the new one with half of their mean.
+    EXPECT_EQ(grammar->rules[0].after, (std::vector<double>{1.0, 3.0, 1.0}));
+    EXPECT_EQ(grammar->rules[1].after, (std::vector<double>{1.5, 0.0, 0.75}));
+    EXPECT_EQ(grammar->rules[2].after, (std::vector<double>{2.0, 0.0, 1.0}));
+
+    const auto twice = extend_grammar(file, *grammar);
+    EXPECT_EQ(twice.error().message, file.string() + ": line 4: figure \"wave\" is there twice");
+    EXPECT_EQ(grammar->rules.size(), 3U) << "a bad file changes nothing";
+}
+
+TEST(FigureGrammar, its_own_text_reads_back) {
+    FigureGrammar grammar;
+    grammar.dance = "tango";
+    grammar.beats_per_bar = 4;
+    grammar.starts = FigureGrammar::Starts::own;
+    const std::string text =
+        grammar_head_text(grammar) + figure_rule_text("walk", 3.0) + figure_rule_text("ocho", 1.0);
+    const auto read = parse_grammar(text, "x.toml");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->starts, FigureGrammar::Starts::own);
+    EXPECT_EQ(read->rules[1].after, (std::vector<double>{3.0, 0.0}));
+    EXPECT_EQ(*figures_in_grammar(text, "x.toml"), (std::vector<std::string>{"walk", "ocho"}));
 }
 
 }  // namespace

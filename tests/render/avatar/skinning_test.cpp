@@ -68,7 +68,7 @@ TEST(Palette, moves_with_the_hips) {
 }
 
 TEST(Palette, a_mirrored_pose_makes_the_mirrored_body) {
-    const Pose pose = mannequin_test_pose("salsa");
+    const Pose pose = mannequin_test_pose("side_step");
     const std::vector<glm::vec3> one = posed(pose);
     const std::vector<glm::vec3> other = posed(motion::mirrored(pose));
     for (std::size_t i = 0; i < one.size(); ++i) {
@@ -118,7 +118,7 @@ TEST(HelperJoints, do_not_jump_when_a_limb_swings_through_180_degrees) {
 }
 
 TEST(ShoulderRhythm, leaves_arms_below_the_horizontal_alone) {
-    for (const std::string_view name : {"T", "bind", "down", "salsa", "twist", "wrist"}) {
+    for (const std::string_view name : {"T", "bind", "down", "side_step", "twist", "wrist"}) {
         const Pose& pose = mannequin_test_pose(name);
         const Pose shown = with_shoulder_rhythm(pose);
         for (std::size_t i = 0; i < pose.local_rotations.size(); ++i) {

@@ -120,6 +120,7 @@ TEST_P(ShippedFigure, comes_out_of_the_clips_bit_for_bit) {
     plan.labels = mocap / "labels_salsa.tsv";
     plan.counts = mocap / "salsa_counts.tsv";
     plan.faults = mocap / "salsa_glitches.tsv";
+    plan.dance = "salsa";
     plan.role = GetParam();
     plan.split = "train";
     plan.frames_per_second = 60.0;

@@ -18,7 +18,7 @@ HeardPiece small_piece(const std::string& name) {
     HeardPiece piece;
     piece.name = name;
     piece.group = "artist of " + name;
-    piece.genre = Genre::salsa;
+    piece.genre = "salsa";
     piece.frames.resize(60);
     piece.mel.resize(60 * BarPatterns::kMelBands, 2.0F);
     piece.windows.push_back({.segments = 1, .end_frame = 50});
@@ -31,7 +31,7 @@ HeardShard shard_of(ShardNumber share) {
     shard.material.written_with = "written. ";
     for (const char* const name : {"a", "b", "c"}) {
         shard.material.files.push_back(
-            {name, name, Genre::salsa, "artist", "A", true, "credit of " + std::string(name)});
+            {name, name, "salsa", "artist", "A", true, "credit of " + std::string(name)});
     }
     shard.material.units.resize(4);
     for (std::size_t i = 0; i < shard.material.units.size(); ++i) {

@@ -19,9 +19,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMel = BarPatterns::kMelBands;
 
-HeardPiece made_piece(Genre genre, int number, HeardPiece::Kind kind, std::size_t hops = 1'500) {
+HeardPiece made_piece(const std::string& genre,
+                      int number,
+                      HeardPiece::Kind kind,
+                      std::size_t hops = 1'500) {
     HeardPiece piece;
-    piece.name = std::string(name_of(genre)) + " " + std::to_string(number);
+    piece.name = genre + " " + std::to_string(number);
     piece.group = "artist " + std::to_string(number % 5);
     piece.genre = genre;
     piece.kind = kind;
@@ -64,7 +67,7 @@ std::vector<const HeardPiece*> pointers(const std::vector<HeardPiece>& pieces) {
 GenreSamples small_samples() {
     GenreSamples samples;
     samples.hearing = "features";
-    samples.genres = {Genre::salsa, Genre::rock};
+    samples.genres = {"salsa", "rock"};
     models::RecurrentNetwork network({NetworkInput::kSize, 4, 1, 3});
     for (std::size_t i = 0; i < network.parameters().size(); ++i) {
         network.parameters()[i] = 0.01F * static_cast<float>(i % 97);
@@ -72,8 +75,8 @@ GenreSamples small_samples() {
     samples.written_networks = {std::make_shared<const models::RecurrentNetwork>(network)};
     network.parameters()[3] = -2.0F;
     samples.written_networks.push_back(std::make_shared<const models::RecurrentNetwork>(network));
-    samples.pieces = {made_piece(Genre::salsa, 1, HeardPiece::Kind::recorded, 200),
-                      made_piece(Genre::unknown, 2, HeardPiece::Kind::written, 150)};
+    samples.pieces = {made_piece("salsa", 1, HeardPiece::Kind::recorded, 200),
+                      made_piece("", 2, HeardPiece::Kind::written, 150)};
     return samples;
 }
 
@@ -82,12 +85,13 @@ TEST(GenreSamples, stay_within_their_bytes_and_take_groups_in_turn) {
     pieces.reserve(32);
     for (int i = 0; i < 30; ++i) {
         pieces.push_back(made_piece(
-            Genre::salsa, i, i < 20 ? HeardPiece::Kind::recorded : HeardPiece::Kind::written));
+            "salsa", i, i < 20 ? HeardPiece::Kind::recorded : HeardPiece::Kind::written));
     }
-    pieces.push_back(made_piece(Genre::rock, 1, HeardPiece::Kind::recorded));
+    pieces.push_back(made_piece("rock", 1, HeardPiece::Kind::recorded));
     pieces.push_back(HeardPiece{});  // mel alone, as the beat tracker's corpus has: passed over
     constexpr std::size_t kBytes = 1'200'000;
-    const auto sample = sample_pieces(pointers(pieces), kBytes, 1);
+    const auto sample =
+        sample_pieces(pointers(pieces), std::vector<std::string>{"salsa", "rock"}, kBytes, 1);
     std::set<std::string> artists;
     int written = 0;
     int salsa = 0;
@@ -98,7 +102,7 @@ TEST(GenreSamples, stay_within_their_bytes_and_take_groups_in_turn) {
             EXPECT_GE(window.end_frame, window.segments * BarPatterns::kSegmentHops);
             EXPECT_LE(window.end_frame, static_cast<int>(stretch.frames.size()));
         }
-        if (stretch.genre == Genre::salsa) {
+        if (stretch.genre == "salsa") {
             artists.insert(stretch.group);
             written += stretch.is_recorded() ? 0 : 1;
             ++salsa;
@@ -192,7 +196,7 @@ TEST(GenreSamples, cut_and_mangled_files_are_refused_or_read_without_harm) {
 
 TEST(GenreSamples, a_new_output_begins_with_half_of_what_is_none_of_them) {
     const GenreSamples samples = small_samples();
-    const std::vector<Genre> genres = {Genre::salsa, Genre::belly, Genre::rock};
+    const std::vector<std::string> genres = {"salsa", "belly", "rock"};
     const auto widened = with_outputs(samples.written_networks, samples.genres, genres);
     ASSERT_EQ(widened.size(), 2U);
     const models::RecurrentNetwork& wide = *widened[0];

@@ -13,6 +13,7 @@
 #include "audio/evaluate/genre_tally.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
+#include "tests/support/dances.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "training/genre/fusion_fit.hpp"
 
@@ -22,14 +23,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A piece whose first cepstra and features lie about its genre's own places.
-HeardPiece made_piece(Genre genre, int number, double spread = 0.6) {
+/// Different for each genre of these tests, 0 to 6.
+std::uint64_t number_of(const std::string& genre) {
+    return genre == "salsa" ? 0 : genre == "belly" ? 1 : genre == "rock" ? 4 : 6;
+}
+
+HeardPiece made_piece(const std::string& genre, int number, double spread = 0.6) {
     HeardPiece piece;
-    piece.name = std::string(name_of(genre)) + std::to_string(number);
+    piece.name = genre + std::to_string(number);
     piece.group = "artist " + std::to_string(number % 7);
     piece.genre = genre;
-    const CounterRandom random(static_cast<std::uint64_t>(genre) + 1,
-                               static_cast<std::uint64_t>(number));
-    const double place = 2.0 * static_cast<double>(genre);
+    const CounterRandom random(number_of(genre) + 1, static_cast<std::uint64_t>(number));
+    const double place = 2.0 * static_cast<double>(number_of(genre));
     std::uint64_t draw = 0;
     for (int frame = 0; frame < 620; ++frame) {
         MfccVector& vector = piece.frames.emplace_back();
@@ -38,7 +43,7 @@ HeardPiece made_piece(Genre genre, int number, double spread = 0.6) {
         }
         vector[0] += static_cast<float>(place);
         vector[3] -= static_cast<float>(place);
-        const std::size_t loud = 5 * static_cast<std::size_t>(genre);
+        const std::size_t loud = 5 * static_cast<std::size_t>(number_of(genre));
         for (std::size_t band = 0; band < BarPatterns::kMelBands; ++band) {
             const bool is_loud = band >= loud && band < loud + 5;
             piece.mel.push_back(static_cast<float>((is_loud ? 8.0 : 1.0) + random.uniform(draw++)));
@@ -55,7 +60,7 @@ HeardPiece made_piece(Genre genre, int number, double spread = 0.6) {
             for (float& value : window.features) {
                 value = static_cast<float>(spread * random.normal(draw++));
             }
-            const std::size_t own = 8 * static_cast<std::size_t>(genre);
+            const std::size_t own = 8 * static_cast<std::size_t>(number_of(genre));
             for (std::size_t i = own; i < own + 8; ++i) {
                 window.features[i] += 1.5F;
             }
@@ -64,9 +69,11 @@ HeardPiece made_piece(Genre genre, int number, double spread = 0.6) {
     return piece;
 }
 
+constexpr std::array<std::string_view, 3> kOrder = {"salsa", "belly", "rock"};
+
 std::vector<HeardPiece> made_pieces(int each) {
     std::vector<HeardPiece> pieces;
-    for (const Genre genre : {Genre::salsa, Genre::belly, Genre::rock, Genre::unknown}) {
+    for (const char* const genre : {"salsa", "belly", "rock", ""}) {
         for (int i = 0; i < each; ++i) {
             pieces.push_back(made_piece(genre, i));
         }
@@ -94,8 +101,8 @@ GenreTrainingPlan small_plan() {
 
 TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
     const std::vector<HeardPiece> pieces = made_pieces(7);
-    const std::vector<Genre> genres = genres_of(pieces);
-    ASSERT_EQ(genres, (std::vector<Genre>{Genre::salsa, Genre::belly, Genre::rock}));
+    const std::vector<std::string> genres = genres_of(pieces, kOrder);
+    ASSERT_EQ(genres, (std::vector<std::string>{"salsa", "belly", "rock"}));
     int folds = 0;
     const auto scores =
         cross_validate(pieces, {}, genres, small_plan(), [&](int done, int) { folds = done; });
@@ -113,7 +120,7 @@ TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
             logs.push_back(fuse(score, fusion, evidence, 4));
         }
         const std::vector<std::size_t> asked = {0, 1, 2};
-        const GenreTally result = tally(*scores, logs, 3, genres, asked);
+        const GenreTally result = tally(*scores, logs, 3, genres, asked, {});
         EXPECT_GT(result.macro_recall, 0.9) << static_cast<int>(evidence);
         EXPECT_EQ(result.pieces, (std::vector<std::size_t>{7, 7, 7, 7}));
     }
@@ -121,7 +128,7 @@ TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
 
 TEST(GenreTraining, damaged_copies_are_judged_by_models_that_heard_neither_them_nor_their_artist) {
     std::vector<HeardPiece> pieces = made_pieces(3);
-    const std::vector<Genre> genres = genres_of(pieces);
+    const std::vector<std::string> genres = genres_of(pieces, kOrder);
     GenreTrainingPlan plan = small_plan();
     plan.rhythm.steps = plan.sound.steps = 5;
     const auto unheard = [](int, int) {};
@@ -154,9 +161,9 @@ TEST(GenreTraining, the_same_plan_gives_the_same_bits_for_any_number_of_threads)
     }
     GenreTrainingPlan plan = small_plan();
     plan.rhythm.steps = plan.sound.steps = 20;
-    const auto one = train_genres(all, genres_of(pieces), plan);
+    const auto one = train_genres(all, genres_of(pieces, kOrder), plan);
     plan.mfcc.threads = 4;
-    const auto four = train_genres(all, genres_of(pieces), plan);
+    const auto four = train_genres(all, genres_of(pieces, kOrder), plan);
     ASSERT_TRUE(one && four);
     EXPECT_EQ(one->rhythm.hidden_weights, four->rhythm.hidden_weights);
     EXPECT_EQ(one->mfcc[1].means, four->mfcc[1].means);
@@ -216,7 +223,7 @@ TEST(GenreTraining, a_silent_piece_has_no_scores) {
     }
     GenreTrainingPlan plan = small_plan();
     plan.rhythm.steps = plan.sound.steps = 5;
-    const auto model = train_genres(all, genres_of(pieces), plan);
+    const auto model = train_genres(all, genres_of(pieces, kOrder), plan);
     ASSERT_TRUE(model) << model.error().message;
     EXPECT_TRUE(score_piece(*model, HeardPiece{}, 0).empty());
     EXPECT_EQ(score_piece(*model, pieces[0], 0).size(), pieces[0].windows.size());
@@ -227,7 +234,7 @@ TEST(GenreTraining, too_little_sound_for_a_model_is_said) {
     std::vector<const HeardPiece*> all = {&pieces[0]};
     GenreTrainingPlan plan = small_plan();
     plan.mfcc.frames = 50;
-    const auto model = train_genres(all, genres_of(std::span(pieces).first(1)), plan);
+    const auto model = train_genres(all, genres_of(std::span(pieces).first(1), kOrder), plan);
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().message,
               "salsa: 50 frames of sound, fewer than the 156 parameters of its model; add music or "
@@ -236,7 +243,7 @@ TEST(GenreTraining, too_little_sound_for_a_model_is_said) {
 
 TEST(GenreTraining, pieces_read_back_and_cut_ones_are_refused) {
     const raks::test::TemporaryFolder folder;
-    const std::vector<HeardPiece> pieces = {made_piece(Genre::belly, 1)};
+    const std::vector<HeardPiece> pieces = {made_piece("belly", 1)};
     const fs::path file = folder / "a.pieces";
     ASSERT_TRUE(save_pieces(pieces, file));
     const auto read = load_pieces(file);
@@ -261,30 +268,30 @@ TEST(GenreTraining, folders_and_tables_name_what_is_wrong) {
     const raks::test::TemporaryFolder temporary;
     const fs::path& folder = temporary.path();
     fs::create_directories(folder / "latin");
-    EXPECT_EQ(list_music(folder).error().message,
+    EXPECT_EQ(list_music(folder, *raks::test::shipped_dances()).error().message,
               folder.string() + ": holds no folder of music; it needs one a genre");
     ASSERT_TRUE(write_file(folder / "latin" / "a.wav", "x"));
-    const auto files = list_music(folder);
+    const auto files = list_music(folder, *raks::test::shipped_dances());
     ASSERT_TRUE(files);
-    EXPECT_EQ(files->front().genre, Genre::salsa);
+    EXPECT_EQ(files->front().genre, "salsa");
     fs::create_directories(folder / "polka");
     ASSERT_TRUE(write_file(folder / "polka" / "a.wav", "x"));
-    EXPECT_EQ(list_music(folder).error().message,
+    EXPECT_EQ(list_music(folder, *raks::test::shipped_dances()).error().message,
               folder.string() +
                   ": folder 'polka' must be named salsa (latin), belly (mideast), "
-                  "house (electronic), hiphop, rock, waltz or other");
+                  "house (electronic), hiphop (hip-hop), rock, waltz or other");
     const fs::path table = folder / "index.tsv";
     ASSERT_TRUE(write_file(table, "clip\tgenre\tartist\na.wav\tlatin\n"));
-    EXPECT_EQ(list_music(folder, table).error().message,
+    EXPECT_EQ(list_music(folder, table, *raks::test::shipped_dances()).error().message,
               table.string() + ": line 2: 2 columns, the first line has 3");
     ASSERT_TRUE(write_file(table, "clip\tartist\n"));
-    EXPECT_EQ(list_music(folder, table).error().message,
+    EXPECT_EQ(list_music(folder, table, *raks::test::shipped_dances()).error().message,
               table.string() + ": line 1 names no column 'genre'");
     ASSERT_TRUE(write_file(table, "clip\tgenre\ttrain_ok\na.wav\twaltz\tno\n"));
-    const auto listed = list_music(folder, table);
+    const auto listed = list_music(folder, table, *raks::test::shipped_dances());
     ASSERT_TRUE(listed);
     EXPECT_FALSE(listed->front().may_train);
-    EXPECT_EQ(listed->front().genre, Genre::waltz);
+    EXPECT_EQ(listed->front().genre, "waltz");
 }
 
 TEST(GenreTraining, the_same_file_under_two_genres_is_said) {
@@ -295,14 +302,15 @@ TEST(GenreTraining, the_same_file_under_two_genres_is_said) {
         ASSERT_TRUE(write_file(folder / genre / "a.wav", "the same"));
     }
     ASSERT_TRUE(write_file(folder / "rock" / "b.wav", "the same"));
-    const auto files = list_music(folder);
+    const auto files = list_music(folder, *raks::test::shipped_dances());
     ASSERT_TRUE(files);
     EXPECT_EQ(check_distinct(*files).error().message,
               (folder / "rock" / "a.wav").string() + " and " +
                   (folder / "salsa" / "a.wav").string() +
                   " are the same file under two genres; remove one");
     fs::remove(folder / "salsa" / "a.wav");
-    EXPECT_TRUE(check_distinct(*list_music(folder))) << "twice under one genre is only a waste";
+    EXPECT_TRUE(check_distinct(*list_music(folder, *raks::test::shipped_dances())))
+        << "twice under one genre is only a waste";
 }
 
 }  // namespace

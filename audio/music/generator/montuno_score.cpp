@@ -290,7 +290,7 @@ class SalsaWriter {
 
 }  // namespace
 
-Notes write_salsa(double beats, std::uint64_t seed) {
+Notes write_montuno(double beats, std::uint64_t seed) {
     SalsaWriter writer(seed);
     for (int cycle = 0; 8.0 * cycle < beats; ++cycle) {
         writer.write_cycle(cycle);

@@ -1,14 +1,40 @@
-#include "models/hmm_file.hpp"
+#include "models/hmm_json.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "base/random.hpp"
+#include "models/json_text.hpp"
 #include "tests/support/text.hpp"
 
 namespace raks::models {
 namespace {
+
+// A document that holds a model and nothing else.
+std::string hmm_text(const GaussianHmm& model) {
+    nlohmann::ordered_json json = {{"format", "raks-hmm"}, {"version", 1}};
+    json.update(hmm_json(model));
+    return json_text(json);
+}
+
+Expected<GaussianHmm> parse_hmm(std::string_view text) {
+    Expected<JsonDocument> document = JsonDocument::parse(text, "raks-hmm", 1);
+    if (!document) {
+        return fail(std::move(document.error()));
+    }
+    GaussianHmm model = read_hmm(document->root());
+    if (auto ok = document->finish(); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    if (auto ok = validate(model); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    return model;
+}
 
 GaussianHmm small_model(CovarianceType type) {
     GaussianHmm model = left_to_right(2, 2, type, 3.0);
@@ -17,7 +43,7 @@ GaussianHmm small_model(CovarianceType type) {
     return model;
 }
 
-TEST(HmmFile, reads_back_the_same_bits) {
+TEST(HmmJson, reads_back_the_same_bits) {
     for (const CovarianceType type : {CovarianceType::diagonal,
                                       CovarianceType::full,
                                       CovarianceType::tied,
@@ -33,7 +59,7 @@ TEST(HmmFile, reads_back_the_same_bits) {
     }
 }
 
-TEST(HmmFile, refuses_bad_files_with_one_line_that_names_the_field) {
+TEST(HmmJson, refuses_bad_files_with_one_line_that_names_the_field) {
     const std::string good = hmm_text(small_model(CovarianceType::full));
     const auto replaced = [&](const std::string& from, const std::string& to) {
         return raks::test::replaced(good, from, to);
@@ -65,7 +91,7 @@ TEST(HmmFile, refuses_bad_files_with_one_line_that_names_the_field) {
     }
 }
 
-TEST(HmmFile, names_what_is_wrong_in_a_model) {
+TEST(HmmJson, names_what_is_wrong_in_a_model) {
     const struct {
         void (*spoil)(GaussianHmm&);
         std::string message;
@@ -90,7 +116,7 @@ TEST(HmmFile, names_what_is_wrong_in_a_model) {
     }
 }
 
-TEST(HmmFile, survives_cuts_at_every_byte_and_flipped_bytes) {
+TEST(HmmJson, survives_cuts_at_every_byte_and_flipped_bytes) {
     const std::string good = hmm_text(small_model(CovarianceType::full));
     for (std::size_t length = 0; length + 2 < good.size(); ++length) {
         const Expected<GaussianHmm> model = parse_hmm(std::string_view(good).substr(0, length));

@@ -1,20 +1,17 @@
-#include "models/hmm_file.hpp"
-
-#include <fmt/format.h>
+#include "models/hmm_json.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <iterator>
+#include <string>
+#include <vector>
 
-#include "base/file.hpp"
-#include "models/hmm_json.hpp"
-#include "models/json_fields.hpp"
-#include "models/json_text.hpp"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace raks::models {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 
 template <typename Row>
 Json list_of(const Row& row) {
@@ -98,46 +95,6 @@ GaussianHmm read_hmm(const JsonDocument::Field& fields) {
         model.covariances.push_back(matrix_of(covariances[i]));
     }
     return model;
-}
-
-std::string hmm_text(const GaussianHmm& model) {
-    Json json = {{"format", kHmmFormat}, {"version", kHmmVersion}};
-    json.update(hmm_json(model));
-    return json_text(json);
-}
-
-Expected<GaussianHmm> parse_hmm(std::string_view text) {
-    Expected<JsonDocument> document = JsonDocument::parse(text, kHmmFormat, kHmmVersion);
-    if (!document) {
-        return fail(std::move(document.error()));
-    }
-    GaussianHmm model = read_hmm(document->root());
-    if (auto ok = document->finish(); !ok) {
-        return fail(std::move(ok.error()));
-    }
-    if (auto ok = validate(model); !ok) {
-        return fail(std::move(ok.error()));
-    }
-    return model;
-}
-
-Expected<GaussianHmm> load_hmm(const std::filesystem::path& path) {
-    const Expected<std::string> text = read_file(path, kMaxBytes);
-    if (!text) {
-        return fail(text.error());
-    }
-    Expected<GaussianHmm> model = parse_hmm(*text);
-    if (!model) {
-        return fail(std::move(model.error()).in(path.filename().string()));
-    }
-    return model;
-}
-
-Expected<void> save_hmm(const GaussianHmm& model, const std::filesystem::path& path) {
-    if (auto ok = validate(model); !ok) {
-        return fail(std::move(ok.error()).in(path.filename().string()));
-    }
-    return write_file(path, hmm_text(model));
 }
 
 }  // namespace raks::models

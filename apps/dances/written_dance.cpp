@@ -1,0 +1,119 @@
+#include "apps/dances/written_dance.hpp"
+
+#include <unistd.h>
+
+#include <cstdint>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "base/suggest.hpp"
+#include "base/text_file.hpp"
+#include "engine/setup/dance_folder.hpp"
+#include "engine/setup/settings.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxTextBytes = std::size_t{1} << 20U;
+// Part of the name in the cache: another as soon as the same text is learnt otherwise.
+constexpr int kLearningVersion = 1;
+
+bool is_whole(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(engine::dances_path(folder), ignored);  // written last
+}
+
+/// The first of the cache and the folder for temporary files in which a folder can be made.
+fs::path folder_for(const std::string& name) {
+    const fs::path kept = engine::user_cache_path();
+    std::error_code error;
+    if (!kept.empty()) {
+        const fs::path folder = kept / "written" / name;
+        fs::create_directories(folder, error);
+        if (!error && access(folder.c_str(), W_OK) == 0) {
+            return folder;
+        }
+    }
+    return temporary_folder() / fmt::format("raks-{}-{}", name, getpid());
+}
+
+}  // namespace
+
+DanceInfo info_of(const motion::AuthoredDance& dance) {
+    DanceInfo info;
+    info.name = info.title = dance.dance;
+    info.beats_per_bar = dance.beats_per_bar;
+    info.lowest = dance.slowest;
+    info.highest = dance.fastest;
+    info.likely = dance.written;
+    return info;
+}
+
+Expected<std::vector<motion::AuthoredTrainingResult>> learn_figures(
+    const motion::AuthoredDance& dance,
+    std::string_view figure,
+    const motion::Skeleton& skeleton,
+    const motion::AuthoredTrainingOptions& options,
+    const std::function<void(const motion::AuthoredFigure&, const motion::AuthoredTrainingResult&)>&
+        on_learnt) {
+    std::vector<motion::AuthoredTrainingResult> learnt;
+    std::vector<std::string_view> names;
+    for (const motion::AuthoredFigure& one : dance.figures) {
+        names.push_back(one.name);
+        if (!figure.empty() && one.name != figure) {
+            continue;
+        }
+        auto trained = motion::train_authored_figure(dance, one, skeleton, options);
+        if (!trained) {
+            return fail(std::move(trained.error()));
+        }
+        if (on_learnt) {
+            on_learnt(one, *trained);
+        }
+        learnt.push_back(std::move(*trained));
+    }
+    if (learnt.empty()) {
+        return fail(dance.file + ": " + unknown_name("figure", figure, names));
+    }
+    return learnt;
+}
+
+Expected<fs::path> learn_written_dance(const fs::path& file, const motion::Skeleton& skeleton) {
+    const auto text = read_text_file(file, kMaxTextBytes);
+    if (!text) {
+        return fail(text.error());
+    }
+    const auto dance = motion::parse_authored_dance(*text, file.string());
+    if (!dance) {
+        return fail(dance.error());
+    }
+    if (!is_dance_name(dance->dance)) {
+        return fail(fmt::format("{}: dance: {}", dance->file, why_no_dance_name(dance->dance)));
+    }
+    const std::uint64_t hash = hash_of(fmt::format("{}\n{}", kLearningVersion, *text));
+    const fs::path folder = folder_for(fmt::format("{}-{:016x}", dance->dance, hash));
+    if (is_whole(folder)) {
+        return folder;
+    }
+    const auto learnt = learn_figures(*dance, {}, skeleton, {});
+    if (!learnt) {
+        return fail(learnt.error());
+    }
+    std::vector<engine::LearntFigure> figures;
+    for (const motion::AuthoredTrainingResult& one : *learnt) {
+        figures.push_back({&one.model, 1.0});
+    }
+    if (auto added = engine::add_to_folder(folder, info_of(*dance), figures); !added) {
+        return fail(std::move(added.error()));
+    }
+    return folder;
+}
+
+}  // namespace raks::apps

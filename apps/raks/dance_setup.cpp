@@ -1,0 +1,59 @@
+#include "apps/raks/dance_setup.hpp"
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "apps/dances/written_dance.hpp"
+#include "apps/terminal/say.hpp"
+#include "engine/setup/dance_files.hpp"
+
+namespace raks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_written_dance(const fs::path& place) { return place.extension() == ".toml"; }
+
+}  // namespace
+
+bool is_dance_place(const std::string& dance) {
+    std::error_code ignored;
+    return is_written_dance(dance) || dance.find('/') != std::string::npos ||
+           (!is_dance_name(dance) && fs::is_directory(dance, ignored));
+}
+
+Expected<DanceSetup> open_dances(engine::Settings& settings) {
+    fs::path given;
+    if (is_dance_place(settings.dance)) {
+        given = settings.dance;
+        if (is_written_dance(given)) {
+            auto learnt = learn_written_dance(given, motion::mannequin_skeleton());
+            if (!learnt) {
+                return fail(std::move(learnt.error()));
+            }
+            given = std::move(*learnt);
+        }
+    }
+    auto catalogue = engine::DanceCatalogue::load(given);
+    if (!catalogue) {
+        return fail(std::move(catalogue.error()));
+    }
+    for (const std::string& note : catalogue->notes()) {
+        say(note);
+    }
+    if (!given.empty()) {
+        settings.dance = catalogue->given_dance();
+    }
+    if (auto checked = engine::check_dances(settings, *catalogue->list()); !checked) {
+        return fail(std::move(checked.error()));
+    }
+    auto models = engine::load_analyzer_models(catalogue->list());
+    if (!models) {
+        return fail(std::move(models.error()));
+    }
+    return DanceSetup{std::move(*catalogue), std::move(*models), motion::mannequin_skeleton()};
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,123 @@
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "apps/raks/commands.hpp"
+#include "apps/reports/text_table.hpp"
+#include "apps/terminal/say.hpp"
+#include "engine/setup/dance_catalogue.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace raks::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One dance as it was found.
+struct FoundDance {
+    const engine::CatalogueEntry* entry = nullptr;
+    std::vector<std::string> figures;
+    std::string fault;  ///< why it cannot be danced; empty: it can
+};
+
+const char* name_of(engine::DanceOrigin origin) {
+    switch (origin) {
+        case engine::DanceOrigin::given:
+            return "given";
+        case engine::DanceOrigin::user:
+            return "yours";
+        case engine::DanceOrigin::shipped:
+            return "shipped";
+    }
+    return "";
+}
+
+FoundDance examine(const engine::DanceCatalogue& catalogue, const engine::CatalogueEntry& entry) {
+    FoundDance found{&entry, {}, {}};
+    for (const auto role : {motion::DanceRole::lead, motion::DanceRole::follow}) {
+        if (role == motion::DanceRole::follow && entry.info.roles < 2) {
+            continue;
+        }
+        const auto parts = catalogue.read(entry.info.name, role, {});
+        if (!parts) {
+            found.fault = parts.error().message;
+            return found;
+        }
+        if (role == motion::DanceRole::lead) {
+            for (const motion::FigureModel& figure : parts->figures) {
+                found.figures.push_back(figure.name);
+            }
+        }
+    }
+    return found;
+}
+
+Json json_of(const FoundDance& found) {
+    const DanceInfo& info = found.entry->info;
+    Json json = {{"name", info.name},
+                 {"title", info.title},
+                 {"beats_per_bar", info.beats_per_bar},
+                 {"tempo", {info.lowest.bpm(), info.highest.bpm()}},
+                 {"likely_tempo", info.likely.bpm()},
+                 {"roles", info.roles},
+                 {"style", info.style},
+                 {"origin", name_of(found.entry->origin)},
+                 {"folder", found.entry->folder.string()}};
+    json["extensions"] = Json::array();
+    for (const Path& folder : found.entry->extensions) {
+        json["extensions"].push_back(folder.string());
+    }
+    json["figures"] = found.figures;
+    json["fault"] = found.fault;
+    return json;
+}
+
+std::string text_of(const FoundDance& found) {
+    const DanceInfo& info = found.entry->info;
+    std::string text = fmt::format("{} ({}, {})\n  {:g} to {:g} BPM, bars of {}{}\n  {}\n",
+                                   info.name,
+                                   info.title,
+                                   name_of(found.entry->origin),
+                                   info.lowest.bpm(),
+                                   info.highest.bpm(),
+                                   info.beats_per_bar,
+                                   info.roles == 2 ? ", for couples too" : "",
+                                   found.entry->folder.string());
+    for (const Path& folder : found.entry->extensions) {
+        text += fmt::format("  and {}\n", folder.string());
+    }
+    text += found.fault.empty() ? fmt::format("  figures: {}\n", fmt::join(found.figures, ", "))
+                                : fmt::format("  cannot be danced: {}\n", found.fault);
+    return text;
+}
+
+}  // namespace
+
+ExitCode dances(const DancesArguments& arguments) {
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
+    }
+    Json json = {{"format", "raks-dances-found"}, {"version", 1}};
+    json["dances"] = Json::array();
+    std::string text;
+    for (const engine::CatalogueEntry& entry : catalogue->entries()) {
+        const FoundDance found = examine(*catalogue, entry);
+        json["dances"].push_back(json_of(found));
+        text += text_of(found);
+    }
+    json["notes"] = catalogue->notes();
+    for (const std::string& note : catalogue->notes()) {
+        say(note);
+    }
+    if (arguments.as_json) {
+        text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return kExitDone;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,72 @@
+#include "apps/raks_train/destination.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include "apps/terminal/say.hpp"
+#include "engine/setup/dance_catalogue.hpp"
+#include "motion/figures/figure_model.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const std::string& output) {
+    std::error_code ignored;
+    return output.find('/') != std::string::npos || output == "." || output == ".." ||
+           fs::is_directory(output, ignored);
+}
+
+}  // namespace
+
+Expected<Destination> destination_of(const std::string& output, const std::string& otherwise) {
+    Destination destination;
+    if (fs::path(output).extension() == ".json") {
+        destination.file = output;
+        return destination;
+    }
+    if (!output.empty() && is_folder(output)) {
+        destination.folder = output;
+        return destination;
+    }
+    destination.name = output;
+    const std::string& name = output.empty() ? otherwise : output;
+    if (!is_dance_name(name)) {
+        return fail(why_no_dance_name(name) + "; -o NAME, FOLDER/ or X.json says where it goes");
+    }
+    const fs::path dances = engine::user_dances_path();
+    if (dances.empty()) {
+        return fail("there is no home to install dances in; give -o a folder");
+    }
+    destination.folder = dances / name;
+    destination.is_installed = true;
+    return destination;
+}
+
+Expected<void> deliver(const Destination& destination,
+                       const DanceInfo& dance,
+                       std::span<const engine::LearntFigure> figures) {
+    if (!destination.file.empty()) {
+        if (figures.size() != 1) {
+            return fail(
+                fmt::format("{}: there are {} figures; name one with --figure, or give -o "
+                            "a folder or a name",
+                            destination.file.string(),
+                            figures.size()));
+        }
+        return motion::save_figure(*figures.front().model, destination.file);
+    }
+    if (auto added = engine::add_to_folder(destination.folder, dance, figures); !added) {
+        return added;
+    }
+    say(fmt::format("{} lies in {}; raks play SONG --dance {} dances it",
+                    dance.name,
+                    destination.folder.string(),
+                    destination.is_installed ? dance.name : destination.folder.string()));
+    return {};
+}
+
+}  // namespace raks::apps

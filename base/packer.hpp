@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace raks {
+
+/// Writes plain values and lists of them one after the other, as this machine stores them. A
+/// struct that has gaps between its fields is to be put field by field: what lies in a gap is
+/// not always the same.
+class Packer {
+ public:
+    explicit Packer(std::string_view magic) : bytes_(magic) {}
+    template <class T>
+    void put(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    /// Of at most 2^32 - 1 values.
+    template <class List>
+    void put_list(const List& list) {
+        static_assert(std::is_trivially_copyable_v<typename List::value_type>);
+        put(static_cast<std::uint32_t>(list.size()));
+        bytes_.append(reinterpret_cast<const char*>(list.data()),
+                      list.size() * sizeof(typename List::value_type));
+    }
+    [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+ private:
+    std::string bytes_;
+};
+
+/// Reads them back. Behind a fault everything is zero or empty: ask is_good() at the end. Lists
+/// take no more memory than there are bytes left.
+class Unpacker {
+ public:
+    explicit Unpacker(std::string_view bytes) : left_(bytes) {}
+    [[nodiscard]] bool is_good() const { return is_good_; }
+    [[nodiscard]] bool at_end() const { return left_.empty(); }
+    /// Bytes that are not read yet.
+    [[nodiscard]] std::size_t left() const { return left_.size(); }
+
+    template <class T>
+    T take() {
+        static_assert(std::is_trivially_copyable_v<T>);
+        T value{};
+        if (has(sizeof value)) {
+            std::memcpy(&value, left_.data(), sizeof value);
+            left_.remove_prefix(sizeof value);
+        }
+        return value;
+    }
+    /// The same over a value that has no default.
+    template <class T>
+    void take_into(T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        if (has(sizeof value)) {
+            std::memcpy(static_cast<void*>(&value), left_.data(), sizeof value);
+            left_.remove_prefix(sizeof value);
+        }
+    }
+    template <class List>
+    List take_list() {
+        constexpr std::size_t kSize = sizeof(typename List::value_type);
+        const std::size_t count = take<std::uint32_t>();
+        List list;
+        if (count > 0 && has(count * kSize)) {
+            list.resize(count);
+            std::memcpy(list.data(), left_.data(), count * kSize);
+            left_.remove_prefix(count * kSize);
+        }
+        return list;
+    }
+
+ private:
+    bool has(std::size_t bytes) {
+        is_good_ = is_good_ && bytes <= left_.size();
+        left_ = is_good_ ? left_ : std::string_view{};
+        return is_good_;
+    }
+
+    std::string_view left_;
+    bool is_good_ = true;
+};
+
+}  // namespace raks

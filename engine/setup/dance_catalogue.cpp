@@ -1,0 +1,239 @@
+#include "engine/setup/dance_catalogue.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+#include "base/file.hpp"
+#include "base/printable.hpp"
+#include "base/suggest.hpp"
+#include "engine/setup/dance_folder.hpp"
+#include "engine/setup/settings.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file of a figure, of angles where there are none of positions; empty: there is none.
+fs::path find_figure(const CatalogueEntry& entry,
+                     std::string_view figure,
+                     motion::DanceRole role,
+                     motion::FigureFeatures features) {
+    std::vector<fs::path> folders = {entry.folder};
+    folders.insert(folders.end(), entry.extensions.begin(), entry.extensions.end());
+    for (const auto wanted : {features, motion::FigureFeatures::angles}) {
+        for (const fs::path& folder : folders) {
+            fs::path path = figure_path(folder, entry.info.name, figure, role, wanted);
+            if (is_there(path)) {
+                return path;
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+fs::path user_dances_path() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here changes the environment
+    if (const char* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
+        return fs::path(data) / "raks" / "dances";
+    }
+    // NOLINTNEXTLINE(concurrency-mt-unsafe)
+    if (const char* const home = std::getenv("HOME"); home != nullptr && *home == '/') {
+        return fs::path(home) / ".local" / "share" / "raks" / "dances";
+    }
+    return {};
+}
+
+Expected<DanceCatalogue> DanceCatalogue::load(const fs::path& given) {
+    DanceCatalogue catalogue;
+    if (!given.empty()) {
+        catalogue.add_folder(given, DanceOrigin::given);
+        if (catalogue.entries_.empty()) {
+            return fail(catalogue.notes_.empty()
+                            ? given.string() + ": its dances.toml lists no dance of its own"
+                            : catalogue.notes_.front());
+        }
+        catalogue.given_dance_ = catalogue.entries_.front().info.name;
+    }
+    if (const fs::path user = user_dances_path(); !user.empty() && is_there(user)) {
+        const auto folders = list_folder(user);
+        std::error_code ignored;
+        for (const fs::path& folder : folders ? *folders : std::vector<fs::path>{}) {
+            if (fs::is_directory(folder, ignored) && folder.filename().string().front() != '.') {
+                catalogue.add_folder(folder, DanceOrigin::user);
+            }
+        }
+    }
+    const auto shipped = data_path(fs::path("models") / "trained" / "dances.toml");
+    if (shipped) {
+        catalogue.add_folder(shipped->parent_path(), DanceOrigin::shipped);
+    } else {
+        catalogue.notes_.push_back(shipped.error().message);
+    }
+    catalogue.join_extensions();
+    catalogue.number_dances();
+    if (catalogue.entries_.empty()) {
+        return fail(catalogue.notes_.front());
+    }
+    return catalogue;
+}
+
+void DanceCatalogue::add_folder(const fs::path& folder, DanceOrigin origin) {
+    auto file = load_dances(dances_path(folder));
+    if (!file) {
+        notes_.push_back(is_there(dances_path(folder))
+                             ? file.error().message
+                             : folder.string() +
+                                   ": holds no dances.toml; `raks train figure` writes one");
+        return;
+    }
+    if (origin == DanceOrigin::shipped) {
+        pair_ = file->pair;
+    }
+    for (DanceInfo& dance : file->dances) {
+        add({std::move(dance), origin, folder, {}});
+    }
+}
+
+void DanceCatalogue::add(CatalogueEntry entry) {
+    if (!entry.info.extends.empty()) {
+        joining_.push_back(std::move(entry));
+        return;
+    }
+    if (!is_there(grammar_path(entry.folder, entry.info.name))) {
+        notes_.push_back(fmt::format("{}: {} is not there, so that {} cannot be danced",
+                                     entry.folder.string(),
+                                     grammar_path({}, entry.info.name).string(),
+                                     entry.info.name));
+        return;
+    }
+    if (const CatalogueEntry* const known = find(entry.info.name)) {
+        notes_.push_back(fmt::format("{} is danced from {} and not from {}",
+                                     entry.info.name,
+                                     known->folder.string(),
+                                     entry.folder.string()));
+        return;
+    }
+    entries_.push_back(std::move(entry));
+}
+
+void DanceCatalogue::join_extensions() {
+    for (const CatalogueEntry& joining : joining_) {
+        const auto extended =
+            std::find_if(entries_.begin(), entries_.end(), [&](const CatalogueEntry& entry) {
+                return entry.info.name == joining.info.extends;
+            });
+        if (extended == entries_.end()) {
+            const auto names = DanceList([this] {
+                std::vector<DanceInfo> infos;
+                for (std::size_t i = 0; i < std::min(entries_.size(), kMostDances); ++i) {
+                    infos.push_back(entries_[i].info);
+                }
+                return infos;
+            }());
+            notes_.push_back(joining.folder.string() + ": extends: " +
+                             unknown_name("dance", joining.info.extends, names.names()));
+        } else {
+            extended->extensions.push_back(joining.folder);
+        }
+    }
+    joining_.clear();
+}
+
+/// Those that come with Raks keep their numbers whatever a user has installed.
+void DanceCatalogue::number_dances() {
+    std::stable_sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
+        const bool is_a_shipped = a.origin == DanceOrigin::shipped;
+        const bool is_b_shipped = b.origin == DanceOrigin::shipped;
+        return is_a_shipped > is_b_shipped;
+    });
+    if (entries_.size() > kMostDances) {
+        // The given one, the last but for its kind, must not be among those that go.
+        std::stable_partition(entries_.begin(), entries_.end(), [](const auto& entry) {
+            return entry.origin != DanceOrigin::user;
+        });
+        notes_.push_back(fmt::format("there are {} dances; {} and those after it are left out",
+                                     entries_.size(),
+                                     entries_[kMostDances].info.name));
+        entries_.resize(kMostDances);
+    }
+    std::vector<DanceInfo> infos;
+    for (const CatalogueEntry& entry : entries_) {
+        infos.push_back(entry.info);
+    }
+    list_ = std::make_shared<const DanceList>(std::move(infos));
+}
+
+const CatalogueEntry* DanceCatalogue::find(std::string_view name) const noexcept {
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [name](const auto& entry) {
+        return entry.info.name == name;
+    });
+    return found != entries_.end() ? &*found : nullptr;
+}
+
+Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
+                                         motion::DanceRole role,
+                                         const DanceForm& form) const {
+    const CatalogueEntry* const entry = find(name);
+    if (entry == nullptr) {
+        return fail(unknown_name("dance", name, list_->names()));
+    }
+    auto grammar = motion::load_grammar(grammar_path(entry->folder, entry->info.name));
+    if (!grammar) {
+        return fail(std::move(grammar.error()));
+    }
+    for (const fs::path& folder : entry->extensions) {
+        const fs::path path = grammar_path(folder, entry->info.name);
+        if (auto extended = motion::extend_grammar(path, *grammar); !extended) {
+            return fail(std::move(extended.error()));
+        }
+    }
+    DancePlan plan{role, std::move(*grammar), {}};
+    for (motion::FigureGrammar::Rule& rule : plan.grammar.rules) {
+        rule.aside = form.company == Company::couple ? rule.aside : decltype(rule.aside){};
+        fs::path path = find_figure(*entry, rule.figure, role, form.features);
+        if (path.empty()) {
+            return fail(fmt::format(
+                "{}: is not there; train figure {} for the {}, or take it out of the grammar",
+                figure_path(entry->folder, entry->info.name, rule.figure, role, form.features)
+                    .string(),
+                rule.figure,
+                motion::kRoleNames[static_cast<std::size_t>(role)]));
+        }
+        plan.files.push_back(std::move(path));
+    }
+    return plan;
+}
+
+Expected<DanceParts> DanceCatalogue::read(std::string_view name,
+                                          motion::DanceRole role,
+                                          const DanceForm& form) const {
+    auto planned = plan(name, role, form);
+    return planned ? read_figures(std::move(*planned)) : fail(std::move(planned.error()));
+}
+
+Expected<DanceParts> read_figures(DancePlan plan) {
+    DanceParts parts{std::move(plan.grammar), {}};
+    for (std::size_t i = 0; i < plan.files.size(); ++i) {
+        auto figure = motion::load_figure(plan.files[i]);
+        if (!figure) {
+            return fail(std::move(figure.error()));
+        }
+        if (figure->name != parts.grammar.rules[i].figure || figure->role != plan.role) {
+            return fail(fmt::format("{}: is of the figure {} for the {}, not what its name says",
+                                    plan.files[i].string(),
+                                    printable(figure->name, 60),
+                                    motion::kRoleNames[static_cast<std::size_t>(figure->role)]));
+        }
+        parts.figures.push_back(std::move(*figure));
+    }
+    return parts;
+}
+
+}  // namespace raks::engine

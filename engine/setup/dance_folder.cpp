@@ -1,0 +1,117 @@
+#include "engine/setup/dance_folder.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "base/file.hpp"
+#include "base/text_file.hpp"
+#include "motion/figures/figure_grammar.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxTextBytes = std::size_t{4} << 20U;
+
+/// Lists the dance in dances.toml, unless it is there.
+Expected<void> list_dance(const fs::path& folder, const DanceInfo& dance) {
+    const fs::path path = dances_path(folder);
+    if (!is_there(path)) {
+        return write_file(path, dances_text({{dance}, {}}));
+    }
+    auto text = read_text_file(path, kMaxTextBytes);
+    if (!text) {
+        return fail(std::move(text.error()));
+    }
+    const auto known = parse_dances(*text, path.string());
+    if (!known) {
+        return fail(known.error());
+    }
+    const bool is_listed = std::any_of(known->dances.begin(),
+                                       known->dances.end(),
+                                       [&](const DanceInfo& d) { return d.name == dance.name; });
+    return is_listed ? Expected<void>{} : write_file(path, *text + dance_text(dance));
+}
+
+/// Adds rules for the figures that the grammar lacks; the text that is there stays.
+Expected<void> add_rules(const fs::path& folder,
+                         const DanceInfo& dance,
+                         std::span<const LearntFigure> figures) {
+    const fs::path path = grammar_path(folder, dance.name);
+    motion::FigureGrammar head;
+    head.dance = dance.name;
+    head.beats_per_bar = dance.beats_per_bar;
+    std::string text = motion::grammar_head_text(head);
+    std::vector<std::string> known;
+    if (is_there(path)) {
+        auto there = read_text_file(path, kMaxTextBytes);
+        if (!there) {
+            return fail(std::move(there.error()));
+        }
+        text = std::move(*there);
+        auto names = motion::figures_in_grammar(text, path.string());
+        if (!names) {
+            return fail(std::move(names.error()));
+        }
+        known = std::move(*names);
+    }
+    const std::string before = text;
+    for (const LearntFigure& figure : figures) {
+        if (std::find(known.begin(), known.end(), figure.model->name) == known.end()) {
+            text += motion::figure_rule_text(figure.model->name, figure.seen);
+            known.push_back(figure.model->name);
+        }
+    }
+    return text == before ? Expected<void>{} : write_file(path, text);
+}
+
+}  // namespace
+
+fs::path dances_path(const fs::path& folder) { return folder / "dances.toml"; }
+
+fs::path grammar_path(const fs::path& folder, std::string_view dance) {
+    return folder / fmt::format("{}.toml", dance);
+}
+
+fs::path figure_path(const fs::path& folder,
+                     std::string_view dance,
+                     std::string_view figure,
+                     motion::DanceRole role,
+                     motion::FigureFeatures features) {
+    return folder / fmt::format("{}_{}_{}{}.json",
+                                dance,
+                                figure,
+                                motion::kRoleNames[static_cast<std::size_t>(role)],
+                                features == motion::FigureFeatures::positions ? "_positions" : "");
+}
+
+Expected<void> add_to_folder(const fs::path& folder,
+                             const DanceInfo& dance,
+                             std::span<const LearntFigure> figures) {
+    for (const LearntFigure& figure : figures) {
+        if (!motion::is_figure_name(figure.model->name)) {
+            return fail("figure " + motion::why_no_figure_name(figure.model->name));
+        }
+    }
+    std::error_code problem;  // what is wrong shows when a file is written
+    fs::create_directories(folder, problem);
+    for (const LearntFigure& figure : figures) {
+        const motion::FigureModel& model = *figure.model;
+        const fs::path path =
+            figure_path(folder, dance.name, model.name, model.role, model.features);
+        if (auto saved = motion::save_figure(model, path); !saved) {
+            return saved;
+        }
+    }
+    // The rules last but one, the list last: what is listed is whole.
+    if (auto added = add_rules(folder, dance, figures); !added) {
+        return added;
+    }
+    return list_dance(folder, dance);
+}
+
+}  // namespace raks::engine

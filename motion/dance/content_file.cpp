@@ -1,0 +1,139 @@
+#include "motion/dance/content_file.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "base/hash.hpp"
+#include "base/packer.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr std::string_view kBakedMagic = "raks-baked-1\n";
+constexpr std::uint32_t kMostFigures = 10'000;
+
+void pack_pose(const Pose& pose, Packer& packer) {
+    packer.put(pose.local_rotations);
+    packer.put(pose.hips_position);
+    packer.put(pose.foot_contact);
+}
+
+Pose unpack_pose(Unpacker& unpacker) {
+    Pose pose;
+    unpacker.take_into(pose.local_rotations);
+    unpacker.take_into(pose.hips_position);
+    unpacker.take_into(pose.foot_contact);
+    return pose;
+}
+
+void pack_figure(const LibraryFigure& figure, Packer& packer) {
+    packer.put_list(figure.name);
+    packer.put(figure.beats);
+    packer.put(figure.move);
+    packer.put(figure.place);
+    packer.put(figure.turns_half);
+    for (const std::vector<double>& fist : figure.fist) {
+        packer.put_list(fist);
+    }
+    packer.put(figure.landing_delay);
+    packer.put(figure.arms_mix);
+    packer.put(figure.learnt_tempo);
+    packer.put(figure.size_by_tempo);
+    pack_pose(figure.middle.pose, packer);
+    packer.put(figure.middle.ankles);
+    packer.put(figure.middle.turns_about_it);
+    packer.put(figure.middle.comes_back);
+    packer.put(static_cast<std::uint32_t>(figure.passages.size()));
+    for (const FigurePassage& passage : figure.passages) {
+        passage.pack(packer);
+    }
+}
+
+LibraryFigure unpack_figure(Unpacker& unpacker) {
+    LibraryFigure figure;
+    figure.name = unpacker.take_list<std::string>();
+    figure.beats = unpacker.take<int>();
+    figure.move = unpacker.take<FloorMove>();
+    figure.place = unpacker.take<FloorMove>();
+    figure.turns_half = unpacker.take<bool>();
+    for (std::vector<double>& fist : figure.fist) {
+        fist = unpacker.take_list<std::vector<double>>();
+    }
+    figure.landing_delay = unpacker.take<Nanos>();
+    figure.arms_mix = unpacker.take<ArmMixes>();
+    unpacker.take_into(figure.learnt_tempo);
+    unpacker.take_into(figure.size_by_tempo);
+    figure.middle.pose = unpack_pose(unpacker);
+    unpacker.take_into(figure.middle.ankles);
+    unpacker.take_into(figure.middle.turns_about_it);
+    unpacker.take_into(figure.middle.comes_back);
+    const auto passages = unpacker.take<std::uint32_t>();
+    for (std::uint32_t i = 0; i < passages && unpacker.is_good(); ++i) {
+        figure.passages.push_back(FigurePassage::unpack(unpacker));
+    }
+    return figure;
+}
+
+}  // namespace
+
+std::string pack_content(const DanceContent& content) {
+    Packer packer(kBakedMagic);
+    packer.put(content.generator);
+    packer.put(content.metre.learnt_tempo);
+    packer.put(content.metre.beats_per_bar);
+    packer.put(content.couple);
+    packer.put(content.stage);
+    pack_pose(content.rest, packer);
+    packer.put(static_cast<std::uint32_t>(content.figures.size()));
+    for (const LibraryFigure& figure : content.figures) {
+        pack_figure(figure, packer);
+    }
+    std::string bytes = packer.take();
+    const std::uint64_t sum = hash_of(bytes);
+    bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+    return bytes;
+}
+
+Expected<DanceContent> unpack_content(std::string_view bytes,
+                                      const Skeleton& skeleton,
+                                      const FigureGrammar& grammar) {
+    std::uint64_t sum = 0;
+    if (!bytes.starts_with(kBakedMagic) || bytes.size() < kBakedMagic.size() + sizeof sum) {
+        return fail("is no dance that was solved");
+    }
+    std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
+    bytes.remove_suffix(sizeof sum);
+    if (hash_of(bytes) != sum) {
+        return fail("is damaged");
+    }
+    Unpacker unpacker(bytes.substr(kBakedMagic.size()));
+    DanceContent content;
+    content.skeleton = skeleton;
+    content.generator = unpacker.take<Generator>();
+    unpacker.take_into(content.metre.learnt_tempo);
+    unpacker.take_into(content.metre.beats_per_bar);
+    content.couple = unpacker.take<FloorMove>();
+    content.stage = unpacker.take<FloorMove>();
+    content.rest = unpack_pose(unpacker);
+    const auto figures = unpacker.take<std::uint32_t>();
+    if (figures > kMostFigures || figures != grammar.rules.size()) {
+        return fail("has other figures than the grammar");
+    }
+    std::vector<bool> turns_half;
+    for (std::uint32_t i = 0; i < figures && unpacker.is_good(); ++i) {
+        content.figures.push_back(unpack_figure(unpacker));
+        turns_half.push_back(content.figures.back().turns_half);
+        if (content.figures.back().name != grammar.rules[i].figure ||
+            content.figures.back().passages.size() !=
+                static_cast<std::size_t>(DanceContent::kPassages)) {
+            return fail("has other figures than the grammar");
+        }
+    }
+    if (!unpacker.is_good() || !unpacker.at_end()) {
+        return fail("is cut short or of another program");
+    }
+    content.chooser = FigureChooser(grammar, std::move(turns_half));
+    return content;
+}
+
+}  // namespace raks::motion

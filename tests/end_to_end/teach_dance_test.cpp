@@ -1,0 +1,248 @@
+// From a dance that somebody wrote or captured to the dancer who dances it, by the lines of README.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/file.hpp"
+#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/skeleton.hpp"
+#include "tests/end_to_end/program.hpp"
+#include "tests/motion/figures/small_figure.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TeachDance : public ProgramTest {
+ protected:
+    void SetUp() override {
+        audio::MusicPlan plan;
+        plan.style = audio::Style::drums;
+        plan.tempo = {{0.0, 120.0}};
+        plan.seconds = 8.0;
+        write_music("song.wav", plan);
+        fs::rename(folder_ / "song.wav", folder_ / "song.mp3");  // told by what it holds
+        write_dance("my.toml", "tango");
+    }
+
+    /// A written dance with another name.
+    void write_dance(const std::string& file, const std::string& name) const {
+        const fs::path written = fs::path(RAKS_SOURCE_DIR) / "config/choreographies/waltz.toml";
+        auto text = read_file(written);
+        ASSERT_TRUE(text) << text.error().message;
+        const std::string old = "dance = \"waltz\"";
+        text->replace(text->find(old), old.size(), "dance = \"" + name + "\"");
+        ASSERT_TRUE(write_file(folder_ / file, *text));
+    }
+
+    /// Three repeats of a known dance, with the tables that a person writes.
+    void write_clips() const {
+        fs::create_directories(folder_ / "CLIPS");
+        const motion::TrainingClip clip = motion::test::known_dance(3);
+        ASSERT_TRUE(motion::write_bvh(
+            folder_ / "CLIPS/1.bvh", motion::mannequin_skeleton(), clip.poses, 60.0));
+        std::string labels = "take\trole\tstart\tend\tfigure\tbeats\tconfidence\tsplit\n";
+        std::string counts = "take\tcount\tframe\n";
+        for (int r = 0; r < 3; ++r) {
+            labels += fmt::format("1\tlead\t{}\t{}\tbasic\t8\t1\ttrain\n", 160 * r, 160 * r + 160);
+            for (int c = 1; c <= 8; ++c) {
+                counts += fmt::format("1\t{}\t{}\n", c, 160 * r + 20 * (c - 1));
+            }
+        }
+        ASSERT_TRUE(write_file(folder_ / "labels.tsv", labels));
+        ASSERT_TRUE(write_file(folder_ / "counts.tsv", counts));
+    }
+
+    /// Runs a command in the test's folder.
+    [[nodiscard]] ProcessResult run_here(std::vector<std::string> arguments) const {
+        ProcessPlan here = plan(std::move(arguments));
+        here.folder = folder_.path().string();
+        return run_process(here);
+    }
+
+    void expect_done(const std::vector<std::string>& arguments) const {
+        const ProcessResult result = run_here(arguments);
+        EXPECT_EQ(result.exit_code, 0) << fmt::format("{}", fmt::join(arguments, " ")) << "\n"
+                                       << result.err;
+    }
+
+    /// What `raks dances` says of a dance; null where it has none of that name.
+    [[nodiscard]] nlohmann::json found(const std::string& dance) const {
+        const ProcessResult result = run_here({"dances", "--json"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        const auto document = nlohmann::json::parse(result.out);
+        for (const auto& one : document["dances"]) {
+            if (one["name"] == dance) {
+                return one;
+            }
+        }
+        return nullptr;
+    }
+};
+
+/// The commands of README's section: its indented lines, without what stands behind a '#'.
+std::vector<std::vector<std::string>> commands_of_readme() {
+    const auto readme = read_file(fs::path(RAKS_SOURCE_DIR) / "README.md");
+    EXPECT_TRUE(readme);
+    const std::size_t start = readme->find("## Teach it a dance");
+    std::istringstream lines(readme->substr(start, readme->find("\n## ", start + 3) - start));
+    std::vector<std::vector<std::string>> commands;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("    raks ")) {
+            continue;
+        }
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::vector<std::string> command;
+        for (std::string word; words >> word;) {
+            command.push_back(word);
+        }
+        command.erase(command.begin());  // "raks"
+        if (command.front() == "play") {
+            command.insert(command.end(), {"--headless", "--no-sound", "--duration", "4"});
+        }
+        commands.push_back(std::move(command));
+    }
+    return commands;
+}
+
+TEST_F(TeachDance, the_lines_of_readme_end_with_the_dance_danced) {
+    write_clips();
+    const auto commands = commands_of_readme();
+    ASSERT_GE(commands.size(), 6U);
+    for (const auto& command : commands) {
+        expect_done(command);
+    }
+    EXPECT_EQ(found("tango")["figures"], (nlohmann::json{"box", "natural_turn", "balance"}));
+    EXPECT_EQ(found("tango")["origin"], "yours");
+    EXPECT_EQ(found("polka")["figures"], nlohmann::json{"basic"});
+    EXPECT_NEAR(found("polka")["likely_tempo"].get<double>(), 180.0, 1.0);
+    EXPECT_TRUE(fs::exists(folder_ / "my_box.png"));
+    EXPECT_TRUE(fs::exists(folder_ / "polka.png"));
+}
+
+TEST_F(TeachDance, what_is_learnt_is_danced_by_name_by_folder_and_by_its_text) {
+    const ProcessResult learnt = run_here({"train", "figure", "my.toml"});
+    ASSERT_EQ(learnt.exit_code, 0) << learnt.err;
+    const std::string folder = (folder_ / "share/raks/dances/tango").string();
+    EXPECT_NE(learnt.err.find("raks: tango lies in " + folder +
+                              "; raks play SONG --dance tango dances it"),
+              std::string::npos)
+        << learnt.err;
+    expect_done({"dance", "song.mp3", "--dance", "tango", "-o", "name.bvh"});
+    expect_done({"dance", "song.mp3", "--dance", folder, "-o", "folder.bvh"});
+    expect_done({"dance", "song.mp3", "--dance", "my.toml", "-o", "text.bvh"});
+    const auto by_name = read_file(folder_ / "name.bvh");
+    ASSERT_TRUE(by_name);
+    EXPECT_EQ(*by_name, *read_file(folder_ / "folder.bvh"));
+    EXPECT_EQ(*by_name, *read_file(folder_ / "text.bvh"));
+    expect_done({"dance", "song.mp3", "--dance", "waltz", "-o", "waltz.bvh"});
+    EXPECT_NE(*by_name, *read_file(folder_ / "waltz.bvh")) << "its own grammar, not the waltz's";
+}
+
+TEST_F(TeachDance, its_grammar_can_be_edited_and_is_kept) {
+    expect_done({"train", "figure", "my.toml", "--figure", "box"});
+    const fs::path grammar = folder_ / "share/raks/dances/tango/tango.toml";
+    auto text = read_file(grammar);
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("name = \"box\"\nseen = 1\n"), std::string::npos) << *text;
+    ASSERT_TRUE(write_file(grammar, *text + "energy = 0.9  # mine\n"));
+    expect_done({"train", "figure", "my.toml"});
+    const auto after = read_file(grammar);
+    ASSERT_TRUE(after);
+    EXPECT_NE(after->find("energy = 0.9  # mine\n"), std::string::npos) << *after;
+    EXPECT_EQ(found("tango")["figures"], (nlohmann::json{"box", "natural_turn", "balance"}));
+}
+
+TEST_F(TeachDance, a_figure_joins_a_dance_that_there_is) {
+    expect_done(
+        {"train", "figure", "my.toml", "--figure", "balance", "--extends", "rock", "-o", "more"});
+    const auto rock = found("rock");
+    EXPECT_EQ(rock["origin"], "shipped");
+    EXPECT_EQ(rock["figures"].back(), "balance");
+    EXPECT_EQ(rock["extensions"].size(), 1U);
+    expect_done({"sheet", "--dance", "rock", "--figure", "balance", "-o", "x.png"});
+}
+
+TEST_F(TeachDance, a_dance_of_the_users_shadows_one_and_that_is_said) {
+    write_dance("own.toml", "waltz");
+    expect_done({"train", "figure", "own.toml", "--figure", "box"});
+    const ProcessResult result = run_here({"dance", "song.mp3", "--dance", "waltz", "-o", "x.bvh"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("raks: waltz is danced from " +
+                              (folder_ / "share/raks/dances/waltz").string() + " and not from "),
+              std::string::npos)
+        << result.err;
+    EXPECT_EQ(found("waltz")["figures"], nlohmann::json{"box"});
+}
+
+TEST_F(TeachDance, names_that_no_file_can_have_are_refused) {
+    for (const std::string name : {"my tango", "tängo", "auto", "-x"}) {
+        const ProcessResult result = run_here({"train", "figure", "my.toml", "-o=" + name});
+        EXPECT_EQ(result.exit_code, 1) << name << "\n" << result.err;
+        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+        EXPECT_NE(result.err.find("is no name for a dance"), std::string::npos) << result.err;
+    }
+    expect_one_line(
+        {"play", path("song.mp3"), "--dance", "tango"}, 2, "dance \"tango\" is unknown");
+    expect_one_line({"dance", path("song.mp3"), "--dance", path("none.toml"), "-o", path("x.bvh")},
+                    1,
+                    "none.toml");
+    expect_one_line({"dance", path("song.mp3"), "--dance", path(""), "-o", path("x.bvh")},
+                    1,
+                    "holds no dances.toml");
+}
+
+TEST_F(TeachDance, a_broken_dance_is_named_and_the_show_goes_on) {
+    const fs::path dances = folder_ / "share/raks/dances";
+    expect_done({"train", "figure", "my.toml", "--figure", "box"});
+    ASSERT_TRUE(write_file(dances / "tango/tango_box_lead.json", "{"));
+    fs::create_directories(dances / "empty");
+    fs::create_directories(dances / "odd");
+    ASSERT_TRUE(write_file(dances / "odd/dances.toml", "format = \"raks-dances\"\nversion = 9\n"));
+    fs::create_directories(dances / "half");
+    ASSERT_TRUE(write_file(dances / "half/dances.toml",
+                           "format = \"raks-dances\"\nversion = 1\n[[dance]]\nname = \"half\"\n"));
+
+    const ProcessResult result = run_here({"dance", "song.mp3", "-o", "x.bvh"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    for (const std::string line :
+         {"empty: holds no dances.toml; `raks train figure` writes one",
+          "odd/dances.toml: version must be a number up to 1; is Raks older than the file?",
+          "half: half.toml is not there, so that half cannot be danced",
+          "raks: tango is left out: "}) {
+        EXPECT_NE(result.err.find(line), std::string::npos) << line << "\n" << result.err;
+    }
+    EXPECT_NE(found("tango")["fault"].get<std::string>().find("tango_box_lead.json"),
+              std::string::npos);
+    EXPECT_EQ(found("waltz")["fault"], "");
+}
+
+TEST_F(TeachDance, a_thousand_dances_are_cut_and_that_is_said) {
+    const fs::path dances = folder_ / "share/raks/dances";
+    for (int i = 0; i < 1000; ++i) {
+        const std::string name = fmt::format("dance{:04}", i);
+        fs::create_directories(dances / name);
+        ASSERT_TRUE(write_file(
+            dances / name / "dances.toml",
+            fmt::format("format = \"raks-dances\"\nversion = 1\n[[dance]]\nname = \"{}\"\n",
+                        name)));
+        ASSERT_TRUE(write_file(
+            dances / name / (name + ".toml"),
+            fmt::format("format = \"raks-dance\"\nversion = 1\ndance = \"{}\"\n[[figure]]\nname = "
+                        "\"x\"\n",
+                        name)));
+    }
+    const ProcessResult result = run_here({"dance", "song.mp3", "--dance", "waltz", "-o", "x.bvh"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err,
+              "raks: there are 1006 dances; dance0244 and those after it are left out\n");
+}
+
+}  // namespace
+}  // namespace raks::test
