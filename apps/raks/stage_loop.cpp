@@ -151,7 +151,7 @@ std::optional<StageEnd> StageLoop::end_of(engine::LiveGraph& graph) const {
 
 void StageLoop::handle_events(engine::LiveGraph& graph) {
     for (const render::WindowEvent& event : window_->poll_events()) {
-        if (const auto* key = std::get_if<render::KeyEvent>(&event)) {
+        if (const auto* key = std::get_if<KeyEvent>(&event)) {
             if (const auto action = render::action_of(*key)) {
                 act(*action, *key, graph);
             }
@@ -163,7 +163,7 @@ void StageLoop::handle_events(engine::LiveGraph& graph) {
     }
 }
 
-void StageLoop::act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph) {
+void StageLoop::act(render::Action action, const KeyEvent& key, engine::LiveGraph& graph) {
     using render::Action;
     engine::Playback* playback = graph.playback();
     const auto seek_by = [&](double seconds) {

@@ -44,7 +44,7 @@ class StageLoop {
         : settings_(settings), options_(options) {}
 
     void handle_events(engine::LiveGraph& graph);
-    void act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph);
+    void act(render::Action action, const KeyEvent& key, engine::LiveGraph& graph);
     void draw(engine::LiveGraph& graph, const std::string& source, std::optional<double> duration);
     void wait(engine::LiveGraph& graph);
     void select_next_dance(engine::LiveGraph& graph);

@@ -63,7 +63,7 @@ void act_on(const render::WindowEvent& event,
             engine::DancePreview& preview,
             render::Window& window,
             render::Scene& scene) {
-    if (const auto* key = std::get_if<render::KeyEvent>(&event)) {
+    if (const auto* key = std::get_if<KeyEvent>(&event)) {
         if (preview.handle(*key)) {
             return;
         }

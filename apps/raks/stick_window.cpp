@@ -13,7 +13,7 @@ namespace raks::apps {
 namespace {
 
 /// What is not the transport's means the same as in every window.
-void act_on(const render::KeyEvent& key,
+void act_on(const KeyEvent& key,
             const render::Camera& first,
             render::Window& window,
             render::Scene& scene) {
@@ -41,7 +41,7 @@ Expected<void> play_clip(render::Window& window,
     HostTime last = HostClock::now();
     while (!window.should_close() && !stop_signal()) {
         for (const render::WindowEvent& event : window.poll_events()) {
-            if (const auto* key = std::get_if<render::KeyEvent>(&event)) {
+            if (const auto* key = std::get_if<KeyEvent>(&event)) {
                 if (!transport.handle(*key)) {
                     act_on(*key, look.scene.camera, window, scene);
                 }
