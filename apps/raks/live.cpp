@@ -6,7 +6,7 @@
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
 #include "audio/io/devices.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/formations.hpp"
 
 #include <fmt/format.h>
 
@@ -21,27 +21,29 @@ ExitCode live(const LiveArguments& arguments) {
     if (!choice) {
         return fail(choice.error());
     }
-    auto dancers = engine::Dancers::load(arguments.settings);
-    if (!dancers) {
-        return fail(dancers.error());
+    auto formations = engine::Formations::load(arguments.settings);
+    if (!formations) {
+        return fail(formations.error());
     }
-    auto loop = StageLoop::create(
-        arguments.settings, {arguments.is_headless, arguments.is_fullscreen, arguments.duration});
+    auto loop =
+        StageLoop::create(arguments.settings,
+                          {arguments.is_headless, arguments.is_fullscreen, arguments.duration},
+                          *formations);
     if (!loop) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
-    config.members = dancers->members();
+    config.members = formations->members();
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);
     if (!graph) {
         return fail(graph.error());
     }
     say("listening to " + choice->reason);
-    static_cast<void>(loop->run(**graph, choice->device.name, std::nullopt));
-    const auto all = dancers->wait();
+    static_cast<void>((*loop)->run(**graph, {.name = choice->device.name}));
+    const auto all = formations->wait();
     if (!all) {
-        loop->say(all.error().message);
+        (*loop)->say(all.error().message);
     }
     const BeatGrid grid = (*graph)->stage().music.grid;
     say(fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",
