@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace raks::engine {
 namespace {
 
@@ -70,7 +72,7 @@ Expected<void> Formations::take_loaded() {
         (is_couple(loading_for_) ? couple_ : alone_).emplace(std::move(*loaded));
     } else if (is_waiting_ && is_couple(asked_) == is_couple(loading_for_)) {
         is_waiting_ = false;
-        return fail(std::move(loaded.error()));
+        return fail(fmt::format("formation {}: {}", name_of(asked_), loaded.error().message));
     }
     return {};
 }
