@@ -200,6 +200,13 @@ void StageLoop::select_next_dance(engine::LiveGraph& graph) {
             : fmt::format("dancing {} (D: another dance)", name_of(selected_dance_)));
 }
 
+/// For dancers who take over from others.
+void StageLoop::repeat_selected_dance(engine::LiveGraph& graph) const {
+    if (selected_dance_ != Genre::unknown) {
+        graph.command(DancerKind::select_dance, static_cast<double>(selected_dance_));
+    }
+}
+
 void StageLoop::ask_for_next_formation() {
     say(fmt::format("formation {} (E: another one)", formations_.ask_for_next()));
 }
@@ -211,9 +218,7 @@ void StageLoop::change_formation() {
         return;
     }
     live_actions_.brief_dancers();
-    if (selected_dance_ != Genre::unknown) {
-        graph_->command(DancerKind::select_dance, static_cast<double>(selected_dance_));
-    }
+    repeat_selected_dance(*graph_);
     if (window_) {
         window_->scene().camera.zoom(engine::distance_for(formations_.name()) /
                                      engine::distance_for(formation_));

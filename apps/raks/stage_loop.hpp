@@ -63,6 +63,7 @@ class StageLoop final : private engine::WindowContent {
     void run_headless(const std::string& source);
     void describe(const engine::StageState& stage, render::OverlayState& overlay) const;
     void select_next_dance(engine::LiveGraph& graph);
+    void repeat_selected_dance(engine::LiveGraph& graph) const;
     void toggle_figure_view();
     void go_back();
     void ask_for_next_formation();
