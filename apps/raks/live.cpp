@@ -7,7 +7,7 @@
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
 #include "audio/io/devices.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/formations.hpp"
 
 #include <fmt/format.h>
 
@@ -27,29 +27,31 @@ ExitCode live(const LiveArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
-    if (!dancers) {
-        return fail(dancers.error());
+    auto formations =
+        engine::Formations::load(arguments.settings, setup->catalogue, setup->skeleton);
+    if (!formations) {
+        return fail(formations.error());
     }
     auto loop =
         StageLoop::create(arguments.settings,
+                          {arguments.is_headless, arguments.is_fullscreen, arguments.duration},
                           setup->catalogue.list(),
-                          {arguments.is_headless, arguments.is_fullscreen, arguments.duration});
+                          *formations);
     if (!loop) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
     config.models = setup->models;
-    config.cast = dancers->cast();
+    config.cast = formations->cast();
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);
     if (!graph) {
         return fail(graph.error());
     }
     say("listening to " + choice->reason);
-    static_cast<void>(loop->run(**graph, choice->device.name, std::nullopt));
-    for (const std::string& line : dancers->wait()) {
-        loop->say(line);
+    static_cast<void>((*loop)->run(**graph, {.name = choice->device.name}));
+    for (const std::string& line : formations->wait()) {
+        (*loop)->say(line);
     }
     const BeatGrid grid = (*graph)->stage().music.grid;
     say(fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",

@@ -13,7 +13,7 @@
 #include "audio/io/devices.hpp"
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/formations.hpp"
 
 namespace raks::apps {
 namespace {
@@ -92,33 +92,87 @@ Expected<std::optional<audio::AudioDevice>> choose_output(const PlayArguments& a
     return choice->device;
 }
 
+/// Several files, one after the other, on one stage.
+class Player {
+ public:
+    Player(const PlayArguments& arguments,
+           const std::optional<audio::AudioDevice>& output,
+           const engine::AnalyzerModels& models,
+           const engine::Formations& formations,
+           StageLoop& loop)
+        : arguments_(arguments),
+          output_(output),
+          models_(models),
+          formations_(formations),
+          loop_(loop) {}
+
+    /// Errors: the only file cannot be played. Of several it is said and the next one plays.
+    [[nodiscard]] Expected<void> play(const std::vector<Path>& files);
+    /// A file could not be played, or the device died.
+    [[nodiscard]] bool has_failed() const noexcept { return has_failed_; }
+
+ private:
+    [[nodiscard]] Expected<StageEnd> play(const Path& file);
+    [[nodiscard]] engine::LiveGraphConfig graph_config() const;
+
+    const PlayArguments& arguments_;
+    const std::optional<audio::AudioDevice>& output_;
+    const engine::AnalyzerModels& models_;
+    const engine::Formations& formations_;
+    StageLoop& loop_;
+    bool has_failed_ = false;
+};
+
+Expected<void> Player::play(const std::vector<Path>& files) {
+    for (std::size_t i = 0; i < files.size();) {
+        const auto end = play(files[i]);
+        if (!end && files.size() == 1) {
+            return fail(end.error());
+        }
+        if (!end) {
+            loop_.say(end.error().message);
+            has_failed_ = true;
+        } else if (*end == StageEnd::quit) {
+            break;
+        }
+        const bool is_back = end && *end == StageEnd::previous_file;
+        i = is_back ? i - std::min<std::size_t>(i, 1) : i + 1;
+    }
+    return {};
+}
+
 /// Plays one file; what its end asks for.
-Expected<StageEnd> play_file(const Path& file,
-                             const PlayArguments& arguments,
-                             const std::optional<audio::AudioDevice>& output,
-                             const engine::LiveGraphConfig& config,
-                             StageLoop& loop,
-                             bool& has_lost_device) {
-    auto player = audio::FilePlayer::start({file}, {.start_seconds = arguments.section.start});
+Expected<StageEnd> Player::play(const Path& file) {
+    const Section& section = arguments_.section;
+    auto player = audio::FilePlayer::start({file}, {.start_seconds = section.start});
     if (!player) {
         return fail(player.error());
     }
     const std::optional<double> duration = (*player)->first_info().claimed_seconds;
     (*player)->wait_until_ready(4096);
-    auto graph = engine::LiveGraph::play(std::move(*player), output, config);
+    auto graph = engine::LiveGraph::play(std::move(*player), output_, graph_config());
     if (!graph) {
         return fail(graph.error());
     }
-    if (arguments.section.duration) {
-        (*graph)->playback()->set_end(arguments.section.start + *arguments.section.duration);
+    if (section.duration) {
+        (*graph)->playback()->set_end(section.start + *section.duration);
     }
     say("playing " + file.string());
-    const StageEnd end = loop.run(**graph, file.filename().string(), duration);
+    const StageEnd end = loop_.run(**graph, {file.filename().string(), duration, section.start});
     for (const std::string& message : (*graph)->playback()->player().take_messages()) {
-        loop.say(message);
+        loop_.say(message);
     }
-    has_lost_device = has_lost_device || (*graph)->has_lost_device();
+    has_failed_ = has_failed_ || (*graph)->has_lost_device();
     return end;
+}
+
+engine::LiveGraphConfig Player::graph_config() const {
+    engine::LiveGraphConfig config;
+    config.models = models_;
+    config.cast = formations_.cast();
+    config.latency_offset = nanos_from_seconds(arguments_.settings.latency_offset_ms * 1e-3);
+    config.pose_lead = nanos_from_seconds(arguments_.settings.pose_lead_ms * 1e-3);
+    return config;
 }
 
 }  // namespace
@@ -149,41 +203,26 @@ ExitCode play(const PlayArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
-    if (!dancers) {
-        return fail(dancers.error());
+    auto formations =
+        engine::Formations::load(arguments.settings, setup->catalogue, setup->skeleton);
+    if (!formations) {
+        return fail(formations.error());
     }
     auto loop = StageLoop::create(arguments.settings,
+                                  {arguments.is_headless, arguments.is_fullscreen, std::nullopt},
                                   setup->catalogue.list(),
-                                  {arguments.is_headless, arguments.is_fullscreen, std::nullopt});
+                                  *formations);
     if (!loop) {
         return fail(loop.error());
     }
-    engine::LiveGraphConfig config;
-    config.models = setup->models;
-    config.cast = dancers->cast();
-    config.latency_offset = nanos_from_seconds(arguments.settings.latency_offset_ms * 1e-3);
-    config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
-    bool has_lost_device = false;
-    bool has_failed = false;
-    for (const Path& file : *files) {
-        const auto end = play_file(file, arguments, *output, config, *loop, has_lost_device);
-        if (!end) {
-            if (files->size() == 1) {
-                return fail(end.error());
-            }
-            loop->say(end.error().message);
-            has_failed = true;
-            continue;
-        }
-        if (*end == StageEnd::quit) {
-            break;
-        }
+    Player player(arguments, *output, setup->models, *formations, **loop);
+    if (const auto played = player.play(*files); !played) {
+        return fail(played.error());
     }
-    for (const std::string& line : dancers->wait()) {
-        loop->say(line);
+    for (const std::string& line : formations->wait()) {
+        (*loop)->say(line);
     }
-    return has_lost_device || has_failed ? kExitFailed : kExitDone;
+    return player.has_failed() ? kExitFailed : kExitDone;
 }
 
 }  // namespace raks::apps

@@ -2,33 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
-#include <filesystem>
-#include <system_error>
+#include <span>
 #include <utility>
-#include <variant>
 
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
 #include "engine/setup/dance_files.hpp"
-#include "engine/show/camera_moves.hpp"
-#include "render/overlay/key_bindings.hpp"
-#include "render/video/png.hpp"
 
 #include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
 
-using AnalyzerKind = audio::AnalyzerCommand::Kind;
 using DancerKind = motion::DancerCommand::Kind;
+using engine::Action;
 
-constexpr Nanos kMessageTime = std::chrono::seconds(4);
 constexpr Nanos kHeadlessNap = std::chrono::milliseconds(20);
-constexpr float kVolumeStep = 0.05F;
-constexpr double kFpsShare = 0.05;
+constexpr double kStillTheStart = 3.0;  // seconds: from here on, going back is to the start
 
 void nap(Nanos span) {
     timespec time{};
@@ -36,24 +28,26 @@ void nap(Nanos span) {
     clock_nanosleep(CLOCK_MONOTONIC, 0, &time, nullptr);
 }
 
-/// raks-20260131-235959.png, with a number behind it when that is there already.
-std::string screenshot_name() {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    const std::string stem = fmt::format("raks-{:04}{:02}{:02}-{:02}{:02}{:02}",
-                                         local.tm_year + 1900,
-                                         local.tm_mon + 1,
-                                         local.tm_mday,
-                                         local.tm_hour,
-                                         local.tm_min,
-                                         local.tm_sec);
-    std::string name = stem + ".png";
-    std::error_code error;
-    for (int i = 2; std::filesystem::exists(name, error); ++i) {
-        name = fmt::format("{}-{}.png", stem, i);
+bool is_stop_requested() { return stop_signal().has_value(); }
+
+Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
+                                         const engine::Look& look,
+                                         const StageLoop::Options& options) {
+    auto window = render::Window::create({.title = "Raks",
+                                          .width = look.size.width,
+                                          .height = look.size.height,
+                                          .is_fullscreen = options.is_fullscreen,
+                                          .samples = 0,
+                                          .max_fps = settings.fps});
+    if (!window) {
+        return fail(window.error());
     }
-    return name;
+    return engine::WindowLoop::create(
+        std::move(*window),
+        look,
+        {settings.overlay ? engine::Cards::shown : engine::Cards::hidden,
+         apps::say,
+         is_stop_requested});
 }
 
 }  // namespace
@@ -66,191 +60,129 @@ std::string level_meter(float dbfs) {
     return fmt::format("[{:<{}}] {:6.1f} dBFS", std::string(bars, '#'), kWidth, dbfs);
 }
 
-Expected<StageLoop> StageLoop::create(const engine::Settings& settings,
-                                      std::shared_ptr<const DanceList> dances,
-                                      const Options& options) {
+Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& settings,
+                                                       const Options& options,
+                                                       std::shared_ptr<const DanceList> dances,
+                                                       engine::Formations& formations) {
     const auto look = engine::read_look(settings);
     if (!look) {
         return fail(look.error());
     }
-    StageLoop loop(settings, std::move(dances), options);
-    loop.volume_ = static_cast<float>(settings.volume);
-    if (options.is_headless) {
-        return loop;
-    }
-    auto window = render::Window::create({.title = "Raks",
-                                          .width = look->size.width,
-                                          .height = look->size.height,
-                                          .is_fullscreen = options.is_fullscreen,
-                                          .samples = 0,
-                                          .max_fps = settings.fps});
-    if (!window) {
-        return fail(window.error());
-    }
-    loop.window_.emplace(std::move(*window));
-    auto show = engine::Show::create(*look, settings.overlay, loop.dances_);
-    if (!show) {
-        return fail(show.error());
-    }
-    loop.show_.emplace(std::move(*show));
-    if (const std::string notice = loop.show_->notice(); !notice.empty()) {
-        loop.say(notice);
+    std::unique_ptr<StageLoop> loop(
+        new StageLoop(settings, options, std::move(dances), formations));
+    if (!options.is_headless) {
+        auto window = open_window(settings, *look, options);
+        if (!window) {
+            return fail(window.error());
+        }
+        loop->window_.emplace(std::move(*window));
+        if (const std::string notice(loop->window_->notice()); !notice.empty()) {
+            loop->say(notice);
+        }
     }
     return loop;
 }
 
+StageLoop::StageLoop(const engine::Settings& settings,
+                     const Options& options,
+                     std::shared_ptr<const DanceList> dances,
+                     engine::Formations& formations)
+    : settings_(settings),
+      options_(options),
+      dances_(std::move(dances)),
+      formations_(formations),
+      live_actions_(static_cast<float>(settings.volume),
+                    [this](const std::string& line) { say(line); }),
+      formation_(formations.name()) {}
+
 void StageLoop::say(const std::string& line) {
-    apps::say(line);
-    message_ = line;
-    message_until_ = HostClock::now() + kMessageTime;
+    if (window_) {
+        window_->say(line);
+    } else {
+        apps::say(line);
+    }
 }
 
-StageEnd StageLoop::run(engine::LiveGraph& graph,
-                        const std::string& source,
-                        std::optional<double> duration) {
+StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
+    graph_ = &graph;
+    source_ = source;
     wish_.reset();
-    ProgressLine status(source);
-    if (engine::Playback* playback = graph.playback()) {
-        playback->set_volume(volume_);
-    }
-    for (;;) {
-        if (const auto line = graph.watch(HostClock::now())) {
-            say(*line);
-        }
-        if (window_) {
-            handle_events(graph);
-            draw(graph, source, duration);
-        } else {
-            status.show(fmt::format("{} {:5.1f} BPM",
-                                    level_meter(graph.analysis().level_dbfs()),
-                                    graph.stage().music.grid.tempo.bpm()));
-            nap(kHeadlessNap);
-        }
-        if (const auto end = end_of(graph)) {
-            return *end;
-        }
-    }
-}
-
-std::optional<StageEnd> StageLoop::end_of(engine::LiveGraph& graph) const {
-    if (stop_signal() || (window_ && window_->should_close())) {
+    engine::GraphTarget target(graph);
+    engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
+    live_actions_.attach(target);
+    bind(actions);
+    if (!window_) {
+        run_headless(source.name);
+    } else if (window_->run(*this, actions) == engine::WindowEnd::quit) {
         return StageEnd::quit;
     }
+    if (is_stop_requested()) {
+        return StageEnd::quit;
+    }
+    return wish_.value_or(StageEnd::finished);
+}
+
+void StageLoop::run_headless(const std::string& source) {
+    ProgressLine status(source);
+    while (!is_stop_requested() && !is_finished()) {
+        advance(0.0);
+        status.show(fmt::format("{} {:5.1f} BPM",
+                                level_meter(graph_->analysis().level_dbfs()),
+                                graph_->stage().music.grid.tempo.bpm()));
+        nap(kHeadlessNap);
+    }
+}
+
+void StageLoop::bind(engine::ActionDispatcher& actions) {
+    live_actions_.bind(actions);
+    actions.on(Action::next_file, [this](double) { wish_ = StageEnd::next_file; });
+    actions.on(Action::previous_file, [this](double) { go_back(); });
+    actions.on(Action::next_dance, [this](double) { select_next_dance(*graph_); });
+    actions.on(Action::next_formation, [this](double) { ask_for_next_formation(); });
+    actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
+}
+
+void StageLoop::advance(double /*seconds*/) {
+    if (const auto line = graph_->watch(HostClock::now())) {
+        say(*line);
+    }
+    const auto is_formed = formations_.poll();
+    if (!is_formed) {
+        say(is_formed.error().message);
+    } else if (*is_formed) {
+        change_formation();
+    }
+}
+
+bool StageLoop::is_finished() const {
     if (wish_) {
-        return wish_;
+        return true;
     }
     // To the end of what is heard, not of what was handed over.
-    const StreamTime heard = graph.moment_at(HostClock::now());
+    const StreamTime heard = graph_->moment_at(HostClock::now());
     if (options_.seconds && to_seconds(heard) >= *options_.seconds) {
-        return StageEnd::finished;
+        return true;
     }
-    engine::Playback* playback = graph.playback();
-    if (playback != nullptr && playback->is_finished()) {
-        return StageEnd::finished;
-    }
-    return std::nullopt;
+    const engine::Playback* const playback = graph_->playback();
+    return playback != nullptr && playback->is_finished();
 }
 
-void StageLoop::handle_events(engine::LiveGraph& graph) {
-    for (const render::WindowEvent& event : window_->poll_events()) {
-        if (const auto* key = std::get_if<render::KeyEvent>(&event)) {
-            if (const auto action = render::action_of(*key)) {
-                act(*action, *key, graph);
-            }
-        } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
-            engine::move_camera(show_->scene().camera, *drag);
-        } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
-            engine::move_camera(show_->scene().camera, *scroll);
-        }
+/// Back to the start or, close to it, to the file before.
+void StageLoop::go_back() {
+    engine::Playback* const playback = graph_->playback();
+    if (playback == nullptr) {
+        return;
+    }
+    if (playback->position_seconds() - source_.start > kStillTheStart) {
+        playback->seek(source_.start);
+    } else {
+        wish_ = StageEnd::previous_file;
     }
 }
 
-void StageLoop::act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph) {
-    using render::Action;
-    engine::Playback* playback = graph.playback();
-    const auto seek_by = [&](double seconds) {
-        if (playback != nullptr) {
-            playback->seek(playback->position_seconds() + seconds);
-        }
-    };
-    const auto change_volume = [&](float by) {
-        volume_ = std::clamp(volume_ + by, 0.0F, 1.0F);
-        if (playback != nullptr) {
-            playback->set_volume(volume_);
-        }
-    };
-    switch (action) {
-        case Action::pause:
-            if (playback != nullptr) {
-                playback->set_paused(!playback->is_paused());
-            }
-            break;
-        case Action::seek_back:
-            seek_by(-render::kSeekSeconds);
-            break;
-        case Action::seek_forward:
-            seek_by(render::kSeekSeconds);
-            break;
-        case Action::seek_back_far:
-            seek_by(-render::kSeekFarSeconds);
-            break;
-        case Action::seek_forward_far:
-            seek_by(render::kSeekFarSeconds);
-            break;
-        case Action::next_file:
-            wish_ = StageEnd::next_file;
-            break;
-        case Action::volume_up:
-            change_volume(kVolumeStep);
-            break;
-        case Action::volume_down:
-            change_volume(-kVolumeStep);
-            break;
-        case Action::tap_tempo:
-            graph.command(AnalyzerKind::tap);
-            break;
-        case Action::half_tempo:
-            graph.command(AnalyzerKind::half_tempo);
-            break;
-        case Action::double_tempo:
-            graph.command(AnalyzerKind::double_tempo);
-            break;
-        case Action::next_figure:
-            graph.command(DancerKind::next_figure);
-            break;
-        case Action::select_figure:
-            graph.command(DancerKind::select_figure, render::figure_of(key.key));
-            break;
-        case Action::keep_figure:
-            keeps_figure_ = !keeps_figure_;
-            graph.command(DancerKind::lock_figure, keeps_figure_ ? 1.0 : 0.0);
-            say(keeps_figure_ ? "keeping to this figure (K lets go)" : "figures as they come");
-            break;
-        case Action::next_dance:
-            select_next_dance(graph);
-            break;
-        case Action::toggle_figure_view:
-            show_->toggle_view();
-            break;
-        case Action::reset_camera:
-            show_->reset_camera();
-            break;
-        case Action::toggle_overlay:
-            show_->toggle_overlay();
-            break;
-        case Action::toggle_fullscreen:
-            window_->toggle_fullscreen();
-            break;
-        case Action::screenshot:
-            wants_screenshot_ = true;
-            break;
-        case Action::toggle_help:
-            show_->toggle_help();
-            break;
-        case Action::quit:
-            wish_ = StageEnd::quit;
-            break;
-    }
+void StageLoop::toggle_figure_view() {
+    render::View& view = window_->scene().view;
+    view = view == render::View::skin ? render::View::stick : render::View::skin;
 }
 
 /// The next dance after the selected one, in the order of the list; after the last as heard.
@@ -268,61 +200,67 @@ void StageLoop::select_next_dance(engine::LiveGraph& graph) {
             : fmt::format("dancing {} (D: another dance)", dances_->name_of(selected_dance_)));
 }
 
-void StageLoop::draw(engine::LiveGraph& graph,
-                     const std::string& source,
-                     std::optional<double> duration) {
-    const HostTime now = HostClock::now();
-    // A picture drawn now is on the screen about one refresh later.
-    const Nanos until_seen = nanos_from_seconds(1.0 / window_->refresh_rate());
-    const engine::StageState& stage = graph.stage();
-    const StreamTime moment = graph.moment_at(now + until_seen);
-
-    render::OverlayState info;
-    info.source = source;
-    info.duration = duration;
-    if (engine::Playback* playback = graph.playback()) {
-        info.position = playback->position_seconds();
-        info.is_paused = playback->is_paused();
-        info.volume = volume_;
-        info.latency_ms = to_seconds(graph.output_latency()) * 1e3;
-    } else {
-        info.latency_ms = to_seconds(graph.analysis().taken_until() - stage.music.time) * 1e3;
+/// For dancers who take over from others.
+void StageLoop::repeat_selected_dance(engine::LiveGraph& graph) const {
+    if (selected_dance_ != DanceId::none) {
+        graph.command(DancerKind::select_dance, static_cast<double>(selected_dance_));
     }
-    const engine::LiveCounters counters = graph.counters();
-    info.drops = counters.dropped_states;
-    info.xruns = counters.xruns;
-    info.late = counters.underruns;
-    info.fps = fps_;
-    if (now < message_until_) {
-        info.message = message_;
-    }
-    std::array<motion::Pose, motion::Ensemble::kMost> poses;
-    for (std::size_t i = 0; i < stage.dancers; ++i) {
-        poses[i] = stage.tracks[i].at(moment);
-    }
-    show_->draw({stage.music, stage.dancer, std::span(poses).first(stage.dancers), moment},
-                info,
-                window_->frame(),
-                window_->content_scale());
-    if (std::exchange(wants_screenshot_, false)) {
-        save_screenshot();
-    }
-    window_->present();
-    const double seconds = to_seconds(HostClock::now() - last_picture_);
-    last_picture_ = HostClock::now();
-    fps_ += kFpsShare * (1.0 / std::max(seconds, 1e-3) - fps_);
 }
 
-void StageLoop::save_screenshot() {
-    const render::FrameTarget frame = window_->frame();
-    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(frame.width) *
-                                   static_cast<std::size_t>(frame.height) * 4);
-    const std::string name = screenshot_name();
-    auto done = render::read_rgba(frame, rgba);
-    if (done) {
-        done = render::write_png(name, frame.width, frame.height, rgba);
+void StageLoop::ask_for_next_formation() {
+    say(fmt::format("formation {} (E: another one)", formations_.ask_for_next()));
+}
+
+/// What was asked of the dancers before them holds for those who take over.
+void StageLoop::change_formation() {
+    if (const auto replaced = graph_->replace_dancers(formations_.cast()); !replaced) {
+        say(replaced.error().message);
+        return;
     }
-    say(done ? "screenshot saved: " + name : done.error().message);
+    live_actions_.brief_dancers();
+    repeat_selected_dance(*graph_);
+    if (window_) {
+        window_->scene().camera.zoom(engine::distance_for(formations_.name()) /
+                                     engine::distance_for(formation_));
+    }
+    formation_ = formations_.name();
+    say(fmt::format("dancing: {}", formation_));
+}
+
+render::Camera StageLoop::framed(render::Camera preset) const {
+    preset.zoom(engine::distance_for(formation_));
+    return preset;
+}
+
+void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
+    const engine::StageState& stage = graph_->stage();
+    const StreamTime moment = graph_->moment_at(picture.seen_at);
+    for (std::size_t i = 0; i < stage.dancers; ++i) {
+        poses_[i] = stage.tracks[i].at(moment);
+    }
+    const engine::ShownMoment shown{
+        stage.music, stage.dancer, std::span(poses_).first(stage.dancers), moment};
+    draw_moment(shown, picture.renderer, picture.scene, picture.target);
+    describe_moment(shown, *dances_, overlay);
+    describe(stage, overlay);
+}
+
+/// What the moment does not know.
+void StageLoop::describe(const engine::StageState& stage, render::OverlayState& overlay) const {
+    overlay.source = source_.name;
+    overlay.duration = source_.duration;
+    if (const engine::Playback* const playback = graph_->playback()) {
+        overlay.position = playback->position_seconds();
+        overlay.is_paused = playback->is_paused();
+        overlay.volume = live_actions_.volume();
+        overlay.latency_ms = to_seconds(graph_->output_latency()) * 1e3;
+    } else {
+        overlay.latency_ms = to_seconds(graph_->analysis().taken_until() - stage.music.time) * 1e3;
+    }
+    const engine::LiveCounters counters = graph_->counters();
+    overlay.drops = counters.dropped_states;
+    overlay.xruns = counters.xruns;
+    overlay.late = counters.underruns;
 }
 
 }  // namespace raks::apps

@@ -1,76 +1,91 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "apps/raks/commands.hpp"
 #include "base/expected.hpp"
+#include "engine/control/action_dispatcher.hpp"
+#include "engine/control/live_actions.hpp"
 #include "engine/live/live_graph.hpp"
-#include "engine/show/show.hpp"
-#include "render/gl/window.hpp"
-#include "render/overlay/key_bindings.hpp"
+#include "engine/setup/formations.hpp"
+#include "engine/show/window_loop.hpp"
 
 namespace raks::apps {
 
 /// Why a piece ended.
-enum class StageEnd { finished, next_file, quit };
+enum class StageEnd { finished, next_file, previous_file, quit };
 
-/// The main thread of `play` and `live`: draws pictures, turns keys into commands, watches the
-/// device; with or without a window. One of these lives as long as the window; run() is called for
-/// each file.
-class StageLoop {
+/// What is on the stage, for the overlay.
+struct StageSource {
+    std::string name;                               ///< file or device
+    std::optional<double> duration = std::nullopt;  ///< of the file in seconds, where known
+    double start = 0.0;                             ///< where in the file it began, in seconds
+};
+
+/// The main thread of `play` and `live`: draws pictures, turns what is asked for into commands,
+/// watches the device; with or without a window. One of these lives as long as the window; run() is
+/// called for each file.
+class StageLoop final : private engine::WindowContent {
  public:
-    /// Without `fullscreen` a window of the settings' size. Errors: no display, no OpenGL, an
-    /// unknown theme or camera.
+    /// Without `fullscreen` a window of the settings' size.
     struct Options {
         bool is_headless = false;
         bool is_fullscreen = false;
         std::optional<double> seconds;  ///< ends after this much of the music
     };
-    [[nodiscard]] static Expected<StageLoop> create(const engine::Settings& settings,
-                                                    std::shared_ptr<const DanceList> dances,
-                                                    const Options& options);
+    /// `formations` must outlive this. Errors: no display, no OpenGL, an unknown theme or camera.
+    [[nodiscard]] static Expected<std::unique_ptr<StageLoop>> create(
+        const engine::Settings& settings,
+        const Options& options,
+        std::shared_ptr<const DanceList> dances,
+        engine::Formations& formations);
+    StageLoop(const StageLoop&) = delete;
+    StageLoop& operator=(const StageLoop&) = delete;
 
-    /// Runs until the music ends, a key or a signal says so, or the time is up. `source`: what is
-    /// played or listened to, for the overlay; `duration`: of the file, where known.
-    [[nodiscard]] StageEnd run(engine::LiveGraph& graph,
-                               const std::string& source,
-                               std::optional<double> duration);
+    /// Runs until the music ends, somebody or a signal says so, or the time is up.
+    [[nodiscard]] StageEnd run(engine::LiveGraph& graph, const StageSource& source);
 
     /// A line for people on stderr, and for a while in the overlay.
     void say(const std::string& line);
 
  private:
     StageLoop(const engine::Settings& settings,
+              const Options& options,
               std::shared_ptr<const DanceList> dances,
-              const Options& options)
-        : settings_(settings), dances_(std::move(dances)), options_(options) {}
+              engine::Formations& formations);
 
-    void handle_events(engine::LiveGraph& graph);
-    void act(render::Action action, const render::KeyEvent& key, engine::LiveGraph& graph);
-    void draw(engine::LiveGraph& graph, const std::string& source, std::optional<double> duration);
-    void wait(engine::LiveGraph& graph);
+    void advance(double seconds) override;
+    void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
+    [[nodiscard]] bool is_finished() const override;
+    [[nodiscard]] render::Camera framed(render::Camera preset) const override;
+
+    void bind(engine::ActionDispatcher& actions);
+    void run_headless(const std::string& source);
+    void describe(const engine::StageState& stage, render::OverlayState& overlay) const;
     void select_next_dance(engine::LiveGraph& graph);
-    void save_screenshot();
-    [[nodiscard]] std::optional<StageEnd> end_of(engine::LiveGraph& graph) const;
+    void repeat_selected_dance(engine::LiveGraph& graph) const;
+    void toggle_figure_view();
+    void go_back();
+    void ask_for_next_formation();
+    void change_formation();
 
     engine::Settings settings_;
-    std::shared_ptr<const DanceList> dances_;
     Options options_;
-    // The window before what is drawn in it: its context must live longer.
-    std::optional<render::Window> window_;
-    std::optional<engine::Show> show_;
-    std::optional<StageEnd> wish_;
-    bool wants_screenshot_ = false;
-    bool keeps_figure_ = false;
+    std::shared_ptr<const DanceList> dances_;
+    engine::Formations& formations_;
+    std::optional<engine::WindowLoop> window_;
+    engine::LiveActions live_actions_;
+    std::string formation_;                   // that the camera stands for
     DanceId selected_dance_ = DanceId::none;  // none: as heard
-    std::string message_;
-    HostTime message_until_{};
-    HostTime last_picture_{};
-    double fps_ = 0.0;
-    float volume_ = 1.0F;
+    // While run() runs.
+    engine::LiveGraph* graph_ = nullptr;
+    StageSource source_;
+    std::optional<StageEnd> wish_;
+    std::array<motion::Pose, motion::Ensemble::kMost> poses_;
 };
 
 /// The level meter of a terminal: "[#####     ] -18.2 dBFS".

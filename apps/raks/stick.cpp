@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/raks/commands.hpp"
@@ -11,7 +12,6 @@
 #include "engine/show/clip_transport.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "motion/skeleton/text_lines.hpp"
-#include "render/gl/window.hpp"
 
 #include <fmt/format.h>
 
@@ -48,16 +48,6 @@ double scale_of(const motion::MotionClip& clip, const StickArguments& arguments)
                     arguments.input.string(),
                     guess));
     return guess;
-}
-
-/// Fills a tile, or a window, with a standing body with its hands up, of whatever size.
-render::Camera framed(render::Camera camera, const render::ClipFigures& figures) {
-    constexpr float kDistance = 4.8F;  // for the mannequin's size; metres
-    constexpr float kMiddle = 1.0F;
-    camera.distance = std::clamp(
-        kDistance * figures.size(), render::Camera::kMinDistance, render::Camera::kMaxDistance);
-    camera.target.y = std::min(kMiddle * figures.size(), render::Camera::kMaxTargetHeight);
-    return camera;
 }
 
 /// The frame asked for alone, or some over the whole clip, the first and the last among them.
@@ -103,6 +93,13 @@ Expected<void> write_frames(const Path& output,
     return {};
 }
 
+/// Stands at the frame asked for, or plays.
+engine::ClipTransport transport_of(const motion::MotionClip& clip,
+                                   const std::optional<std::size_t>& frame) {
+    return frame ? engine::ClipTransport(clip.frame_count, clip.frames_per_second, *frame)
+                 : engine::ClipTransport(clip.frame_count, clip.frames_per_second);
+}
+
 }  // namespace
 
 ExitCode stick(const StickArguments& arguments) {
@@ -132,17 +129,11 @@ ExitCode stick(const StickArguments& arguments) {
     look->scene.camera = framed(look->scene.camera, *figures);
     Path output = arguments.output;
     if (output.empty()) {
-        auto window = render::Window::create({.title = "Raks: " + name,
-                                              .width = look->size.width,
-                                              .height = look->size.height,
-                                              .max_fps = arguments.settings.fps});
+        auto window = open_stick_window(name, *look, arguments.settings);
         if (window) {
-            engine::ClipTransport transport =
-                arguments.frame ? engine::ClipTransport(
-                                      clip->frame_count, clip->frames_per_second, *arguments.frame)
-                                : engine::ClipTransport(clip->frame_count, clip->frames_per_second);
-            if (auto played = play_clip(*window, *look, *figures, transport); !played) {
-                return fail(played.error());
+            ClipContent content(*figures, transport_of(*clip, arguments.frame));
+            if (auto shown = show_in_window(std::move(*window), *look, content); !shown) {
+                return fail(shown.error());
             }
             return kExitDone;
         }

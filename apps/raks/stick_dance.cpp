@@ -2,20 +2,14 @@
 #include <cstdio>
 #include <optional>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "apps/raks/commands.hpp"
 #include "apps/raks/sheet_file.hpp"
+#include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
-#include "base/time.hpp"
-#include "engine/show/camera_moves.hpp"
 #include "engine/show/dance_preview.hpp"
-#include "engine/show/show.hpp"
-#include "render/gl/window.hpp"
-#include "render/overlay/key_bindings.hpp"
-#include "render/overlay/overlay.hpp"
 
 #include <fmt/format.h>
 
@@ -57,68 +51,46 @@ Expected<void> write_figures(engine::DancePreview& preview,
     return {};
 }
 
-/// What is not the preview's means the same as in every window.
-void act_on(const render::WindowEvent& event,
-            const render::Camera& first,
-            engine::DancePreview& preview,
-            render::Window& window,
-            render::Scene& scene) {
-    if (const auto* key = std::get_if<render::KeyEvent>(&event)) {
-        if (preview.handle(*key)) {
-            return;
+/// The dance in a window, and its newer text as soon as it is saved; the camera follows the body.
+class PreviewContent final : public engine::WindowContent {
+ public:
+    /// `preview` must outlive this.
+    explicit PreviewContent(engine::DancePreview& preview) : preview_(preview) {}
+
+    bool handle(const KeyEvent& key) override { return preview_.handle(key); }
+    [[nodiscard]] std::vector<render::HelpRow> own_keys() const override {
+        return {{"DANCE", {"Left", "Right"}, "figure before, after"},
+                {"DANCE", {"Up", "Down"}, "faster, slower"},
+                {"DANCE", {"Space"}, "pause, go on"}};
+    }
+    void advance(double seconds) override;
+    void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
+    [[nodiscard]] bool is_finished() const override { return false; }
+
+ private:
+    engine::DancePreview& preview_;
+    double since_look_ = 0.0;  // seconds
+    std::string status_;
+};
+
+void PreviewContent::advance(double seconds) {
+    constexpr double kLookEvery = 0.25;  // seconds: was the file saved?
+    preview_.advance(seconds);
+    since_look_ += seconds;
+    if (since_look_ > kLookEvery) {
+        since_look_ = 0.0;
+        if (preview_.refresh() && !preview_.fault().empty()) {
+            say(preview_.fault());
         }
-        const auto action = render::action_of(*key);
-        if (action == render::Action::quit) {
-            window.request_close();
-        } else if (action == render::Action::reset_camera) {
-            scene.camera = first;
-        } else if (action == render::Action::toggle_fullscreen) {
-            window.toggle_fullscreen();
-        }
-    } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
-        engine::move_camera(scene.camera, *drag);
-    } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
-        engine::move_camera(scene.camera, *scroll);
     }
 }
 
-Expected<void> play_preview(render::Window& window,
-                            const engine::Look& look,
-                            engine::DancePreview& preview) {
-    auto drawing = engine::create_drawing(look);
-    if (!drawing) {
-        return fail(drawing.error());
-    }
-    constexpr double kLookEvery = 0.25;  // seconds: was the file saved?
-    render::Scene scene = look.scene;
-    HostTime last = HostClock::now();
-    double since_look = 0.0;
-    while (!window.should_close() && !stop_signal()) {
-        for (const render::WindowEvent& event : window.poll_events()) {
-            act_on(event, look.scene.camera, preview, window, scene);
-        }
-        const HostTime now = HostClock::now();
-        const double seconds = to_seconds(now - last);
-        last = now;
-        preview.advance(seconds);
-        since_look += seconds;
-        if (since_look > kLookEvery) {
-            since_look = 0.0;
-            if (preview.refresh() && !preview.fault().empty()) {
-                say(preview.fault());
-            }
-        }
-        const motion::Pose pose = preview.pose();
-        scene.camera.pan_to(pose.hips_position);
-        drawing->renderer.draw(scene, pose, window.frame());
-        const std::string status = preview.status();
-        render::OverlayState line;
-        line.message = status;
-        drawing->overlay.draw(
-            line, render::OverlayView::hidden, window.frame(), window.content_scale());
-        window.present();
-    }
-    return {};
+void PreviewContent::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
+    const motion::Pose pose = preview_.pose();
+    picture.scene.camera.pan_to(pose.hips_position);
+    picture.renderer.draw(picture.scene, pose, picture.target);
+    status_ = preview_.status();
+    overlay.message = status_;
 }
 
 }  // namespace
@@ -137,13 +109,11 @@ ExitCode stick_dance(const StickArguments& arguments) {
     }
     Path output = arguments.output;
     if (output.empty()) {
-        auto window = render::Window::create({.title = "Raks: " + arguments.input.string(),
-                                              .width = look->size.width,
-                                              .height = look->size.height,
-                                              .max_fps = arguments.settings.fps});
+        auto window = open_stick_window(arguments.input.string(), *look, arguments.settings);
         if (window) {
-            if (auto played = play_preview(*window, *look, *preview); !played) {
-                return fail(played.error());
+            PreviewContent content(*preview);
+            if (auto shown = show_in_window(std::move(*window), *look, content); !shown) {
+                return fail(shown.error());
             }
             return kExitDone;
         }

@@ -1,70 +1,66 @@
 #include "apps/raks/stick_window.hpp"
 
-#include <variant>
+#include <algorithm>
+#include <utility>
 
+#include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
-#include "base/time.hpp"
-#include "engine/show/camera_moves.hpp"
-#include "engine/show/show.hpp"
-#include "render/overlay/key_bindings.hpp"
-#include "render/overlay/overlay.hpp"
 
 namespace raks::apps {
-namespace {
 
-/// What is not the transport's means the same as in every window.
-void act_on(const render::KeyEvent& key,
-            const render::Camera& first,
-            render::Window& window,
-            render::Scene& scene) {
-    const auto action = render::action_of(key);
-    if (action == render::Action::quit) {
-        window.request_close();
-    } else if (action == render::Action::reset_camera) {
-        scene.camera = first;
-    } else if (action == render::Action::toggle_fullscreen) {
-        window.toggle_fullscreen();
-    }
+Expected<render::Window> open_stick_window(const std::string& name,
+                                           const engine::Look& look,
+                                           const engine::Settings& settings) {
+    return render::Window::create({.title = "Raks: " + name,
+                                   .width = look.size.width,
+                                   .height = look.size.height,
+                                   .max_fps = settings.fps});
 }
 
-}  // namespace
-
-Expected<void> play_clip(render::Window& window,
-                         const engine::Look& look,
-                         const render::ClipFigures& figures,
-                         engine::ClipTransport& transport) {
-    auto drawing = engine::create_drawing(look);
-    if (!drawing) {
-        return fail(drawing.error());
+Expected<void> show_in_window(render::Window window,
+                              const engine::Look& look,
+                              engine::WindowContent& content) {
+    auto loop = engine::WindowLoop::create(
+        std::move(window),
+        look,
+        {.cards = engine::Cards::none, .say = say, .is_stop_requested = [] {
+             return stop_signal().has_value();
+         }});
+    if (!loop) {
+        return fail(loop.error());
     }
-    render::Scene scene = look.scene;
-    HostTime last = HostClock::now();
-    while (!window.should_close() && !stop_signal()) {
-        for (const render::WindowEvent& event : window.poll_events()) {
-            if (const auto* key = std::get_if<render::KeyEvent>(&event)) {
-                if (!transport.handle(*key)) {
-                    act_on(*key, look.scene.camera, window, scene);
-                }
-            } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
-                engine::move_camera(scene.camera, *drag);
-            } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
-                engine::move_camera(scene.camera, *scroll);
-            }
-        }
-        const HostTime now = HostClock::now();
-        transport.advance(to_seconds(now - last));
-        last = now;
-        const render::ClipFigure figure = figures.at(transport.frame());
-        scene.camera.pan_to(figure.landmarks.position(motion::Bone::hips));
-        drawing->renderer.draw(scene, figure, window.frame());
-        const std::string status = transport.status();
-        render::OverlayState line;
-        line.message = status;
-        drawing->overlay.draw(
-            line, render::OverlayView::hidden, window.frame(), window.content_scale());
-        window.present();
-    }
+    engine::ActionDispatcher actions([&](const std::string& line) { loop->say(line); });
+    static_cast<void>(loop->run(content, actions));
     return {};
+}
+
+render::Camera framed(render::Camera camera, const render::ClipFigures& figures) {
+    constexpr float kDistance = 4.8F;  // for the mannequin's size; metres
+    constexpr float kMiddle = 1.0F;
+    camera.distance = std::clamp(
+        kDistance * figures.size(), render::Camera::kMinDistance, render::Camera::kMaxDistance);
+    camera.target.y = std::min(kMiddle * figures.size(), render::Camera::kMaxTargetHeight);
+    return camera;
+}
+
+std::vector<render::HelpRow> ClipContent::own_keys() const {
+    return {{"CLIP", {"Space"}, "pause, go on"},
+            {"CLIP", {"Left", "Right"}, "a frame back, on"},
+            {"CLIP", {"Shift+Left", "Shift+Right"}, "ten frames back, on"},
+            {"CLIP", {"Home", "End"}, "first, last frame"},
+            {"CLIP", {"0-9", "Enter"}, "go to this frame"}};
+}
+
+void ClipContent::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
+    const render::ClipFigure figure = figures_.at(transport_.frame());
+    picture.scene.camera.pan_to(figure.landmarks.position(motion::Bone::hips));
+    picture.renderer.draw(picture.scene, figure, picture.target);
+    status_ = transport_.status();
+    overlay.message = status_;
+}
+
+render::Camera ClipContent::framed(render::Camera preset) const {
+    return apps::framed(preset, figures_);
 }
 
 }  // namespace raks::apps

@@ -1,18 +1,52 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "base/expected.hpp"
+#include "engine/setup/settings.hpp"
 #include "engine/show/clip_transport.hpp"
 #include "engine/show/picture.hpp"
+#include "engine/show/window_loop.hpp"
 #include "render/gl/window.hpp"
 #include "render/scene/clip_figure.hpp"
 
 namespace raks::apps {
 
-/// Plays a clip's figures in the window until it is closed, Q or Esc is pressed, or a signal comes.
-/// The camera follows the body and obeys the mouse. Errors: no OpenGL 3.3.
-[[nodiscard]] Expected<void> play_clip(render::Window& window,
-                                       const engine::Look& look,
-                                       const render::ClipFigures& figures,
-                                       engine::ClipTransport& transport);
+/// A window of its own for what `raks stick` shows. Errors: no display, no OpenGL 3.3.
+[[nodiscard]] Expected<render::Window> open_stick_window(const std::string& name,
+                                                         const engine::Look& look,
+                                                         const engine::Settings& settings);
+
+/// Shows `content` in the window until it is closed, Q or Esc is pressed, or a signal comes.
+/// Errors: no OpenGL 3.3.
+[[nodiscard]] Expected<void> show_in_window(render::Window window,
+                                            const engine::Look& look,
+                                            engine::WindowContent& content);
+
+/// The camera moved so that a standing body with its hands up, of whatever size, fills a tile or a
+/// window.
+[[nodiscard]] render::Camera framed(render::Camera camera, const render::ClipFigures& figures);
+
+/// A clip of recorded motion, frame by frame; the camera follows the body.
+class ClipContent final : public engine::WindowContent {
+ public:
+    /// `figures` must outlive this.
+    ClipContent(const render::ClipFigures& figures, engine::ClipTransport transport)
+        : figures_(figures), transport_(std::move(transport)) {}
+
+    bool handle(const KeyEvent& key) override { return transport_.handle(key); }
+    [[nodiscard]] std::vector<render::HelpRow> own_keys() const override;
+    void advance(double seconds) override { transport_.advance(seconds); }
+    void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
+    [[nodiscard]] bool is_finished() const override { return false; }
+    [[nodiscard]] render::Camera framed(render::Camera preset) const override;
+
+ private:
+    const render::ClipFigures& figures_;
+    engine::ClipTransport transport_;
+    std::string status_;
+};
 
 }  // namespace raks::apps

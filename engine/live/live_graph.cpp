@@ -28,7 +28,8 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
         }
         graph->stream_ = std::move(*stream);
         graph->device_name_ = output->name;
-        graph->output_latency_ = graph->stream_->reported_latency() + config.latency_offset;
+        graph->reported_latency_ = graph->stream_->reported_latency();
+        graph->latency_offset_ = config.latency_offset;
     }
     const SampleRate rate = output ? graph->stream_->rate() : kOwnClockRate;
     if (auto prepared = graph->playback_->prepare(rate); !prepared) {
@@ -74,8 +75,10 @@ Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     if (auto ok = dancers.prepare(config.cast.members, config.cast.skeleton); !ok) {
         return ok;
     }
-    motion_ =
-        std::make_unique<MotionThread>(std::move(dancers), analysis_->states(), config.record);
+    for_main_ = std::make_unique<StageChannel>();
+    MotionStage::Wiring wiring{analysis_->states(), config.readers, config.record};
+    wiring.readers.push_back(for_main_.get());
+    motion_ = std::make_unique<MotionThread>(std::move(dancers), std::move(wiring));
     return {};
 }
 
@@ -91,6 +94,8 @@ std::optional<std::string> LiveGraph::watch(HostTime now) {
         return std::nullopt;
     }
     has_lost_device_ = true;
+    reported_latency_ = {};
+    latency_offset_ = {};
     go_on_without_device();
     return device_name_ + ": the device is gone; " +
            (playback_ ? "the dance goes on without sound"
@@ -115,8 +120,7 @@ void LiveGraph::go_on_without_device() {
 }
 
 StreamTime LiveGraph::moment_at(HostTime seen_at) noexcept {
-    const StreamTime moment = analysis_->clock().stream_at(seen_at) + pose_lead_;
-    return has_lost_device_ ? moment : moment - output_latency_;
+    return analysis_->clock().stream_at(seen_at) + pose_lead_ - output_latency();
 }
 
 LiveCounters LiveGraph::counters() const noexcept {
@@ -133,6 +137,17 @@ bool LiveGraph::command(audio::AnalyzerCommand::Kind kind, double value) noexcep
 
 bool LiveGraph::command(motion::DancerCommand::Kind kind, double value) noexcept {
     return motion_->command({kind, moment_at(HostClock::now()), value});
+}
+
+Expected<void> LiveGraph::replace_dancers(const Cast& cast) {
+    motion::Ensemble dancers;
+    if (auto ok = dancers.prepare(cast.members, cast.skeleton); !ok) {
+        return ok;
+    }
+    if (!motion_->replace(std::move(dancers))) {
+        return fail("too many commands at once: the dancers stay");
+    }
+    return {};
 }
 
 }  // namespace raks::engine

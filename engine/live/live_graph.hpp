@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "audio/io/device_stream.hpp"
 #include "audio/io/devices.hpp"
@@ -16,15 +17,19 @@
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "motion/dancer.hpp"
+#include "motion/ensemble.hpp"
 
 namespace raks::engine {
 
 /// What `play` and `live` share.
 struct LiveGraphConfig {
     AnalyzerModels models;
-    Cast cast;
-    Nanos latency_offset{};                   ///< the user's, added to what the device reports
-    Nanos pose_lead{};                        ///< pictures show this much ahead
+    Cast cast;               ///< who dances
+    Nanos latency_offset{};  ///< the user's, added to what the device reports
+    Nanos pose_lead{};       ///< pictures show this much ahead
+    /// Readers of the stage besides the main thread, each on a thread of its own; they must outlive
+    /// the graph.
+    std::vector<StageChannel*> readers = {};
     EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop, if given
 };
 
@@ -63,9 +68,16 @@ class LiveGraph {
     /// loudspeaker then, or with an input what sounds then.
     [[nodiscard]] StreamTime moment_at(HostTime seen_at) noexcept;
 
-    [[nodiscard]] const StageState& stage() noexcept { return motion_->newest(); }
-    /// Latency between our block and the loudspeaker, the user's offset included; 0 with an input.
-    [[nodiscard]] Nanos output_latency() const noexcept { return output_latency_; }
+    /// The newest stage.
+    [[nodiscard]] const StageState& stage() noexcept { return for_main_->read(); }
+    /// Latency between our block and the loudspeaker, the user's offset included.
+    [[nodiscard]] Nanos output_latency() const noexcept {
+        return reported_latency_ + latency_offset_;
+    }
+    /// The user's part of it; the pictures move at once. At the start that of the configuration
+    /// where a device plays, else 0; 0 again when the device has died.
+    [[nodiscard]] Nanos latency_offset() const noexcept { return latency_offset_; }
+    void set_latency_offset(Nanos offset) noexcept { latency_offset_ = offset; }
     [[nodiscard]] LiveCounters counters() const noexcept;
 
     /// The device's stream; null while our own clock drives.
@@ -79,6 +91,10 @@ class LiveGraph {
     bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
     bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
 
+    /// Other dancers take over at once, from standing. Errors: those of Ensemble::prepare; too many
+    /// commands at once.
+    [[nodiscard]] Expected<void> replace_dancers(const Cast& cast);
+
  private:
     LiveGraph() = default;
     [[nodiscard]] Expected<void> start_motion(const LiveGraphConfig& config);
@@ -86,13 +102,15 @@ class LiveGraph {
     void go_on_without_device();
 
     std::string device_name_;
-    Nanos output_latency_{};
+    Nanos reported_latency_{};
+    Nanos latency_offset_{};
     Nanos pose_lead_{};
     bool has_lost_device_ = false;
     // Order matters: what calls is destroyed before what is called.
     std::unique_ptr<Playback> playback_;
     std::unique_ptr<Listening> listening_;
     AnalysisStage* analysis_ = nullptr;  // of playback_ or listening_
+    std::unique_ptr<StageChannel> for_main_;
     std::unique_ptr<MotionThread> motion_;
     std::unique_ptr<PacedClock> paced_clock_;
     std::unique_ptr<audio::DeviceStream> stream_;

@@ -2,33 +2,67 @@
 
 #include <utility>
 
+#include "base/assert.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::engine {
 
-MotionStage::MotionStage(motion::Ensemble dancers,
-                         EventQueue<MusicState>& states,
-                         EventQueue<DancedHop>* record)
-    : dancers_(std::move(dancers)),
-      states_(states),
-      record_(record),
-      commands_(64),
+MotionStage::MotionStage(motion::Ensemble dancers, Wiring wiring)
+    : dancers_(std::make_unique<motion::Ensemble>(std::move(dancers))),
+      wiring_(std::move(wiring)),
       stage_(std::make_unique<StageState>()) {
-    stage_->dancers = dancers_.size();
+    stage_->dancers = dancers_->size();
+}
+
+MotionStage::~MotionStage() {
+    Order order;
+    while (orders_.pop(order)) {  // nobody ticks any more
+        const std::unique_ptr<motion::Ensemble> never_danced(order.dancers);
+    }
+}
+
+bool MotionStage::command(const motion::DancerCommand& command) noexcept {
+    return orders_.push({command, nullptr});
+}
+
+bool MotionStage::replace(motion::Ensemble dancers) {
+    left_.collect();
+    auto next = std::make_unique<motion::Ensemble>(std::move(dancers));
+    if (!orders_.push({{}, next.get()})) {
+        return false;
+    }
+    static_cast<void>(next.release());
+    return true;
+}
+
+void MotionStage::obey(const Order& order) noexcept {
+    if (order.dancers == nullptr) {
+        dancers_->command(order.command);
+        return;
+    }
+    std::unique_ptr<motion::Ensemble> before(order.dancers);
+    before.swap(dancers_);
+    const bool has_room = left_.retire(before);
+    RAKS_ASSERT(has_room);
+    static_cast<void>(has_room);
+    stage_->dancers = dancers_->size();
+    for (motion::PoseTrack& track : stage_->tracks) {
+        track.clear();
+    }
 }
 
 void MotionStage::tick() noexcept {
     const FlushToZeroScope flush_to_zero;
-    motion::DancerCommand command{};
-    while (commands_.pop(command)) {
-        dancers_.command(command);
+    Order order;
+    while (orders_.pop(order)) {
+        obey(order);
     }
     bool has_danced = false;
-    while (states_.pop(stage_->music)) {
-        dancers_.advance(stage_->music, stage_->tracks);
-        stage_->dancer = dancers_.status();
-        if (record_ != nullptr) {
-            record_->push({stage_->music.hop, stage_->track().at_hop(stage_->music.hop)});
+    while (wiring_.states.pop(stage_->music)) {
+        dancers_->advance(stage_->music, stage_->tracks);
+        stage_->dancer = dancers_->status();
+        if (wiring_.record != nullptr) {
+            wiring_.record->push({stage_->music.hop, stage_->track().at_hop(stage_->music.hop)});
         }
         // release: pairs with the acquire in danced_hops(): the record is there when it is counted.
         danced_hops_.fetch_add(1, std::memory_order_release);
@@ -36,7 +70,9 @@ void MotionStage::tick() noexcept {
     }
     if (has_danced) {
         stage_->published_at_ns = HostClock::now().time_since_epoch().count();
-        published_.write(*stage_);
+        for (StageChannel* const reader : wiring_.readers) {
+            reader->write(*stage_);
+        }
     }
 }
 

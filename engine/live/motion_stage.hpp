@@ -4,9 +4,11 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "base/channels/event_queue.hpp"
 #include "base/channels/latest_value.hpp"
+#include "base/channels/retire_queue.hpp"
 #include "base/music_state.hpp"
 #include "motion/ensemble.hpp"
 #include "motion/skeleton/pose_track.hpp"
@@ -25,6 +27,9 @@ struct StageState {
     [[nodiscard]] const motion::PoseTrack& track() const noexcept { return tracks[0]; }
 };
 
+/// How one reader gets the stage: it reads the newest, at its own pace. The motion thread writes.
+using StageChannel = LatestValue<StageState>;
+
 /// One hop as danced by the first, for tests and benchmarks that need every hop and not only the
 /// newest.
 struct DancedHop {
@@ -33,22 +38,33 @@ struct DancedHop {
 };
 
 /// What the motion thread does at each wake-up, without the thread: takes every MusicState in
-/// order, advances the dancer, publishes. Late ticks are caught up in order, never skipped.
+/// order, advances the dancers, publishes. Late ticks are caught up in order, never skipped.
 class MotionStage {
  public:
-    /// `states` must outlive this. `record`, if given, gets every danced hop (drops when full).
-    MotionStage(motion::Ensemble dancers,
-                EventQueue<MusicState>& states,
-                EventQueue<DancedHop>* record = nullptr);
+    /// What a stage works with besides the dancers. All of it must outlive the stage.
+    struct Wiring {
+        EventQueue<MusicState>& states;
+        /// One channel a reader; each reads on a thread of its own and none disturbs another. A
+        /// reader costs the motion thread one copy of the stage (about 280 kB) a wake-up.
+        std::vector<StageChannel*> readers = {};
+        EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop (drops when full)
+    };
 
-    /// Dances what waits. Threads: one, the consumer of `states`. Real-time: yes.
+    MotionStage(motion::Ensemble dancers, Wiring wiring);
+    ~MotionStage();
+    MotionStage(const MotionStage&) = delete;
+    MotionStage& operator=(const MotionStage&) = delete;
+
+    /// Dances what waits. Threads: one, the consumer of the states. Real-time: yes.
     void tick() noexcept;
 
-    /// The newest stage. Threads: one reader (drawing).
-    [[nodiscard]] const StageState& newest() noexcept { return published_.read(); }
-
     /// Queues a command. Threads: main. False when the queue is full.
-    bool command(const motion::DancerCommand& command) noexcept { return commands_.push(command); }
+    bool command(const motion::DancerCommand& command) noexcept;
+
+    /// Queues other dancers: from the next tick on they dance instead, from standing, on tracks
+    /// that begin anew. Commands queued before this are for the dancers of before, later ones for
+    /// these. Threads: main. Real-time: no (frees dancers who left). False when the queue is full.
+    bool replace(motion::Ensemble dancers);
 
     /// Hops danced so far. Threads: any.
     [[nodiscard]] std::int64_t danced_hops() const noexcept {
@@ -56,12 +72,21 @@ class MotionStage {
     }
 
  private:
-    motion::Ensemble dancers_;
-    EventQueue<MusicState>& states_;
-    EventQueue<DancedHop>* record_;
-    EventQueue<motion::DancerCommand> commands_;
+    /// A command to the dancers or, where `dancers` is not null, the dancers who follow them.
+    struct Order {
+        motion::DancerCommand command{};
+        motion::Ensemble* dancers = nullptr;
+    };
+    static constexpr std::size_t kQueuedOrders = 64;
+
+    void obey(const Order& order) noexcept;
+
+    std::unique_ptr<motion::Ensemble> dancers_;
+    Wiring wiring_;
+    EventQueue<Order> orders_{kQueuedOrders};
+    // Never full: replace() empties it before it queues one more.
+    RetireQueue<motion::Ensemble> left_{kQueuedOrders};
     std::unique_ptr<StageState> stage_;  // the ticking thread's own working copy
-    LatestValue<StageState> published_;
     std::atomic<std::int64_t> danced_hops_{0};
 };
 

@@ -23,10 +23,8 @@ void nap() noexcept {
 
 }  // namespace
 
-MotionThread::MotionThread(motion::Ensemble dancers,
-                           EventQueue<MusicState>& states,
-                           EventQueue<DancedHop>* record)
-    : stage_(std::move(dancers), states, record), thread_([this] { run(); }) {}
+MotionThread::MotionThread(motion::Ensemble dancers, MotionStage::Wiring wiring)
+    : stage_(std::move(dancers), std::move(wiring)), thread_([this] { run(); }) {}
 
 MotionThread::~MotionThread() {
     is_stopping_.store(true, std::memory_order_relaxed);  // relaxed: join() orders the rest

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <thread>
+#include <utility>
 
 #include "engine/live/motion_stage.hpp"
 
@@ -13,19 +14,15 @@ namespace raks::engine {
 /// one producer.
 class MotionThread {
  public:
-    /// `states` must outlive this. `record`, if given, gets every danced hop (drops when full).
-    MotionThread(motion::Ensemble dancers,
-                 EventQueue<MusicState>& states,
-                 EventQueue<DancedHop>* record = nullptr);
+    MotionThread(motion::Ensemble dancers, MotionStage::Wiring wiring);
     ~MotionThread();
     MotionThread(const MotionThread&) = delete;
     MotionThread& operator=(const MotionThread&) = delete;
 
-    /// The newest stage. Threads: one reader (drawing).
-    [[nodiscard]] const StageState& newest() noexcept { return stage_.newest(); }
-
     /// Queues a command. Threads: main. False when the queue is full.
     bool command(const motion::DancerCommand& command) noexcept { return stage_.command(command); }
+    /// See MotionStage. Threads: main. False when the queue is full.
+    bool replace(motion::Ensemble dancers) { return stage_.replace(std::move(dancers)); }
 
     /// Hops danced so far. Threads: any.
     [[nodiscard]] std::int64_t danced_hops() const noexcept { return stage_.danced_hops(); }

@@ -177,6 +177,21 @@ const CatalogueEntry* DanceCatalogue::find(std::string_view name) const noexcept
     return found != entries_.end() ? &*found : nullptr;
 }
 
+namespace {
+
+/// The end of a sentence: what a couple can dance.
+std::string couple_dances(const DanceList& dances) {
+    std::string names;
+    for (const DanceInfo& dance : dances.all()) {
+        if (dance.roles == 2) {
+            names += (names.empty() ? "; a couple dances " : ", ") + dance.name;
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
 Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
                                          motion::DanceRole role,
                                          const DanceForm& form) const {
@@ -198,6 +213,9 @@ Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
     for (motion::FigureGrammar::Rule& rule : plan.grammar.rules) {
         rule.aside = form.company == Company::couple ? rule.aside : decltype(rule.aside){};
         fs::path path = find_figure(*entry, rule.figure, role, form.features);
+        if (path.empty() && role == motion::DanceRole::follow && entry->info.roles < 2) {
+            return fail(fmt::format("{} is danced alone{}", name, couple_dances(*list_)));
+        }
         if (path.empty()) {
             return fail(fmt::format(
                 "{}: is not there; train figure {} for the {}, or take it out of the grammar",

@@ -10,8 +10,6 @@
 namespace raks::engine {
 namespace {
 
-using render::Key;
-
 constexpr double kFarStep = 10.0;       // frames
 constexpr std::size_t kMostDigits = 9;  // a clip has at most 10 million frames
 
@@ -68,7 +66,7 @@ bool ClipTransport::type(Key key) {
     return true;
 }
 
-bool ClipTransport::handle(const render::KeyEvent& event) {
+bool ClipTransport::handle(const KeyEvent& event) {
     if (event.has_control) {
         return false;
     }

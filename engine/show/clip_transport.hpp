@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "render/gl/window_event.hpp"
+#include "base/key.hpp"
 
 namespace raks::engine {
 
@@ -20,7 +20,7 @@ class ClipTransport {
     /// Time went by. From the last frame it goes on to the first.
     void advance(double seconds);
     /// False: the key means nothing here (Esc with nothing typed, too).
-    bool handle(const render::KeyEvent& key);
+    bool handle(const KeyEvent& key);
 
     [[nodiscard]] std::size_t frame() const noexcept;
     [[nodiscard]] bool is_paused() const noexcept { return is_paused_; }
@@ -29,7 +29,7 @@ class ClipTransport {
 
  private:
     void stand_at(double frame);
-    bool type(render::Key key);
+    bool type(Key key);
 
     std::size_t frame_count_;
     double frames_per_second_;

@@ -104,23 +104,23 @@ void DancePreview::advance(double seconds) {
     }
 }
 
-bool DancePreview::handle(const render::KeyEvent& key) {
+bool DancePreview::handle(const KeyEvent& key) {
     const std::size_t count = dance_.figures.size();
     const double bpm = tempo_.value_or(dance_.written).bpm();
     switch (key.key) {
-        case render::Key::left:
+        case Key::left:
             show((shown_ + count - 1) % count);
             return true;
-        case render::Key::right:
+        case Key::right:
             show((shown_ + 1) % count);
             return true;
-        case render::Key::up:
-        case render::Key::down:
-            tempo_ = Bpm(std::clamp(
-                bpm + (key.key == render::Key::up ? kTempoStep : -kTempoStep), 30.0, 300.0));
+        case Key::up:
+        case Key::down:
+            tempo_ =
+                Bpm(std::clamp(bpm + (key.key == Key::up ? kTempoStep : -kTempoStep), 30.0, 300.0));
             evaluate();
             return true;
-        case render::Key::space:
+        case Key::space:
             is_paused_ = !is_paused_;
             return true;
         default:

@@ -9,10 +9,10 @@
 
 #include "base/beats.hpp"
 #include "base/expected.hpp"
+#include "base/key.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/choreography/figure_evaluation.hpp"
 #include "motion/skeleton/pose.hpp"
-#include "render/gl/window_event.hpp"
 
 namespace raks::engine {
 
@@ -37,7 +37,7 @@ class DancePreview {
     /// Time went by.
     void advance(double seconds);
     /// False: the key means nothing here.
-    bool handle(const render::KeyEvent& key);
+    bool handle(const KeyEvent& key);
 
     /// As danced now.
     [[nodiscard]] motion::Pose pose() const;

@@ -19,9 +19,8 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(camera.error());
     }
     look.scene.camera = *camera;
-    if (settings.formation != "solo" && settings.formation != "couple") {
-        look.scene.camera.zoom(kWideFormation);
-    }
+    look.scene.camera.zoom(distance_for(settings.formation));
+    look.camera = settings.camera;
     const auto size = parse_size(settings.size);
     if (!size) {
         return fail(size.error());
@@ -34,6 +33,10 @@ Expected<Look> read_look(const Settings& settings) {
                    : settings.quality == "high" ? render::Quality::high
                                                 : render::Quality::automatic;
     return look;
+}
+
+float distance_for(std::string_view formation) noexcept {
+    return formation == "solo" || formation == "couple" ? 1.0F : kWideFormation;
 }
 
 }  // namespace raks::engine

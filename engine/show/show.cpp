@@ -38,36 +38,24 @@ Show::Show(const Look& look,
            std::shared_ptr<const DanceList> dances)
     : dances_(std::move(dances)),
       scene_(look.scene),
-      first_camera_(look.scene.camera),
       renderer_(std::move(drawing.renderer)),
       overlay_(std::move(drawing.overlay)),
       overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {}
 
 void Show::draw(const ShownMoment& shown,
                 render::OverlayState info,
-                const render::FrameTarget& target,
-                float content_scale) {
-    if (target.width <= 0 || target.height <= 0) {
-        return;  // a minimized window
-    }
-    scene_.rings = render::beat_rings(shown.music.grid, shown.moment);
-    renderer_.draw(scene_, shown.poses, target);
+                const render::FrameTarget& target) {
+    draw_moment(shown, renderer_, scene_, target);
     describe_moment(shown, *dances_, info);
-    overlay_.draw(info, overlay_view_, target, content_scale);
+    overlay_.draw(info, overlay_view_, target);
 }
 
-void Show::toggle_view() noexcept {
-    scene_.view = scene_.view == render::View::skin ? render::View::stick : render::View::skin;
-}
-
-void Show::toggle_overlay() noexcept {
-    overlay_view_ = overlay_view_ == render::OverlayView::hidden ? render::OverlayView::shown
-                                                                 : render::OverlayView::hidden;
-}
-
-void Show::toggle_help() noexcept {
-    overlay_view_ = overlay_view_ == render::OverlayView::help ? render::OverlayView::shown
-                                                               : render::OverlayView::help;
+void draw_moment(const ShownMoment& shown,
+                 render::Renderer& renderer,
+                 render::Scene& scene,
+                 const render::FrameTarget& target) {
+    scene.rings = render::beat_rings(shown.music.grid, shown.moment);
+    renderer.draw(scene, shown.poses, target);
 }
 
 void describe_moment(const ShownMoment& shown,

@@ -31,7 +31,13 @@ struct Drawing {
 /// An OpenGL context must be current. Errors: the driver refuses.
 [[nodiscard]] Expected<Drawing> create_drawing(const Look& look);
 
-/// Draws pictures of the dance: stage, dancer and overlay. The same for a window and for a video.
+/// Draws the stage and who dances on it; the floor shows the beat.
+void draw_moment(const ShownMoment& shown,
+                 render::Renderer& renderer,
+                 render::Scene& scene,
+                 const render::FrameTarget& target);
+
+/// Draws pictures of the dance for a film: stage, dancers and overlay, as a window shows them.
 /// Threads: the OpenGL context's. Real-time: no.
 class Show {
  public:
@@ -44,20 +50,10 @@ class Show {
     /// counters; tempo, bar, genre, figure and levels are filled in here.
     void draw(const ShownMoment& shown,
               render::OverlayState info,
-              const render::FrameTarget& target,
-              float content_scale = 1.0F);
-
-    /// For keys and the mouse.
-    [[nodiscard]] render::Scene& scene() noexcept { return scene_; }
-    void reset_camera() noexcept { scene_.camera = first_camera_; }
-    void toggle_view() noexcept;
-    void toggle_overlay() noexcept;
-    void toggle_help() noexcept;
+              const render::FrameTarget& target);
 
     /// Samples a pixel that a target should have.
     [[nodiscard]] int samples() const noexcept { return renderer_.samples(); }
-    /// A line for the user, once, or empty: what the quality became and why.
-    [[nodiscard]] std::string notice() const { return std::string(renderer_.notice()); }
 
  private:
     Show(const Look& look,
@@ -67,7 +63,6 @@ class Show {
 
     std::shared_ptr<const DanceList> dances_;
     render::Scene scene_;
-    render::Camera first_camera_;
     render::Renderer renderer_;
     render::Overlay overlay_;
     render::OverlayView overlay_view_;

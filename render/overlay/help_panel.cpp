@@ -1,48 +1,31 @@
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <string_view>
-#include <vector>
 
-#include "render/overlay/key_bindings.hpp"
 #include "render/overlay/panels.hpp"
 
 namespace raks::render {
 namespace {
 
-constexpr float kColumnWidth = 288.0F;
-constexpr float kRowHeight = 25.0F;
+constexpr float kColumnWidth = 346.0F;
+constexpr float kMostPitch = 25.0F;  // from one line to the next, where there is room
+constexpr float kLeastPitch = 18.0F;
 constexpr float kCapHeight = 20.0F;
-constexpr float kTitleHeight = 30.0F;
+constexpr float kLeastGap = 2.0F;  // between the caps of two lines
+constexpr float kTitleHeight = 22.0F;
 constexpr float kGroupGap = 14.0F;
 constexpr float kEdge = 26.0F;
+constexpr float kHeadHeight = 38.0F;
+constexpr float kLeastMargin = 6.0F;  // above and below the panel
 constexpr float kWidth = 2.0F * kColumnWidth + 2.0F * kEdge;
-constexpr float kKeysWidth = 124.0F;
-
-std::string_view title_of(ActionGroup group) {
-    switch (group) {
-        case ActionGroup::playing:
-            return "PLAYING";
-        case ActionGroup::tempo:
-            return "TEMPO";
-        case ActionGroup::dance:
-            return "DANCE";
-        case ActionGroup::view:
-            return "VIEW";
-        case ActionGroup::window:
-            break;
-    }
-    return "WINDOW";
-}
-
-/// Groups of the left column; the others are on the right.
-constexpr bool is_left(ActionGroup group) {
-    return group == ActionGroup::playing || group == ActionGroup::tempo;
-}
+constexpr float kKeysWidth = 172.0F;
 
 /// A key as a small cap; returns its width.
-float draw_cap(const Pen& pen, std::string_view name, float x, float y) {
+float draw_cap(const Pen& pen, std::string_view name, float x, float y, float height) {
     const ImFont* const font = pen.fonts().small;
     const float width = std::max(pen.width_of(font, name) + 14.0F, 22.0F);
-    const Box cap{x, y, width, kCapHeight};
+    const Box cap{x, y, width, height};
     pen.fill(cap, {0xFFFFFF, 0.10F}, 5.0F);
     pen.outline(cap, {0xFFFFFF, 0.16F}, 5.0F);
     pen.text(font,
@@ -54,46 +37,83 @@ float draw_cap(const Pen& pen, std::string_view name, float x, float y) {
     return width;
 }
 
-void draw_row(const Pen& pen, const ActionHelp& help, float x, float y) {
+void draw_row(const Pen& pen, const HelpRow& row, float x, float y, float pitch) {
+    const float height = std::min(kCapHeight, pitch - kLeastGap);
     float key_x = x;
-    for (const KeyBinding& binding : key_bindings()) {
-        if (binding.action == help.action) {
-            key_x += draw_cap(pen, binding.name, key_x, y) + 6.0F;
-        }
+    for (const std::string& key : row.keys) {
+        key_x += draw_cap(pen, key, key_x, y, height) + 6.0F;
     }
     const OverlayFonts& fonts = pen.fonts();
     pen.text(fonts.body,
              x + kKeysWidth,
-             y + (kCapHeight - pen.height_of(fonts.body)) / 2.0F,
+             y + (height - pen.height_of(fonts.body)) / 2.0F,
              palette::kText,
-             help.text);
+             row.text);
 }
 
-/// Draws (or, without a pen, measures) one column; returns where it ends.
-float draw_column(const Pen* pen, bool (*takes)(ActionGroup), float x, float top) {
-    float y = top;
-    const ActionHelp* last = nullptr;
-    for (const ActionHelp& help : action_help()) {
-        if (!takes(help.group)) {
-            continue;
+bool begins_group(std::span<const HelpRow> rows, std::size_t i) {
+    return i == 0 || rows[i].group != rows[i - 1].group;
+}
+
+/// All of a column but its lines: titles and the gaps between groups.
+float height_of_titles(std::span<const HelpRow> rows) {
+    float height = 0.0F;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (begins_group(rows, i)) {
+            height += kTitleHeight + (i == 0 ? 0.0F : kGroupGap);
         }
-        if (last == nullptr || last->group != help.group) {
-            y += last == nullptr ? 0.0F : kGroupGap;
-            if (pen != nullptr) {
-                pen->text(pen->fonts().small, x, y, palette::kAmber, title_of(help.group));
-            }
-            y += kTitleHeight - 8.0F;
-        }
-        if (pen != nullptr) {
-            draw_row(*pen, help, x, y);
-        }
-        y += kRowHeight;
-        last = &help;
     }
-    return y;
+    return height;
 }
 
-constexpr bool is_right(ActionGroup group) { return !is_left(group); }
+float height_of(std::span<const HelpRow> rows, float pitch) {
+    return height_of_titles(rows) + static_cast<float>(rows.size()) * pitch;
+}
+
+/// Two columns of nearly the same height, and how far apart their lines are.
+struct Layout {
+    std::span<const HelpRow> left;
+    std::span<const HelpRow> right;
+    float pitch = kMostPitch;
+
+    [[nodiscard]] float height() const {
+        return std::max(height_of(left, pitch), height_of(right, pitch));
+    }
+};
+
+/// Lines move together where the picture is low; they never cover one another.
+float pitch_of(const Layout& layout, float room) {
+    float pitch = kMostPitch;
+    for (const std::span<const HelpRow> column : {layout.left, layout.right}) {
+        const float lines = static_cast<float>(std::max<std::size_t>(1, column.size()));
+        pitch = std::min(pitch, (room - height_of_titles(column)) / lines);
+    }
+    return std::max(pitch, kLeastPitch);
+}
+
+Layout layout_of(std::span<const HelpRow> rows, float room) {
+    Layout best{rows, {}};
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const Layout layout{rows.first(i), rows.subspan(i)};
+        if (begins_group(rows, i) && layout.height() < best.height()) {
+            best = layout;
+        }
+    }
+    best.pitch = pitch_of(best, room);
+    return best;
+}
+
+void draw_column(const Pen& pen, std::span<const HelpRow> rows, float pitch, float x, float y) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (begins_group(rows, i)) {
+            y += i == 0 ? 0.0F : kGroupGap;
+            pen.text(pen.fonts().small, x, y, palette::kAmber, rows[i].group);
+            y += kTitleHeight;
+        }
+        draw_row(pen, rows[i], x, y, pitch);
+        y += pitch;
+    }
+}
 
 }  // namespace
 
@@ -101,15 +121,15 @@ bool has_room_beside_help(const Canvas& canvas) noexcept {
     return canvas.width >= kWidth + 2.0F * (kMargin + kCardWidth + kMargin / 2.0F);
 }
 
-void draw_help(const Pen& pen, const Canvas& canvas) {
-    const float rows = std::max(draw_column(nullptr, is_left, 0.0F, 0.0F),
-                                draw_column(nullptr, is_right, 0.0F, 0.0F));
-    const float height = rows + 2.0F * kEdge + 38.0F;
+void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canvas) {
+    const float frame = 2.0F * kEdge + kHeadHeight;
+    const Layout layout = layout_of(rows, canvas.height - frame - 2.0F * kLeastMargin);
+    const float height = layout.height() + frame;
     const Box box{(canvas.width - kWidth) / 2.0F, (canvas.height - height) / 2.0F, kWidth, height};
     pen.fill(box, {0x0C0E1A, 0.93F}, 12.0F);
     pen.outline(box, palette::kEdge, 12.0F);
     const float x = box.x + kEdge;
-    float y = box.y + kEdge - 4.0F;
+    const float y = box.y + kEdge - 4.0F;
     pen.text(pen.fonts().bold, x, y, palette::kText, "Keys");
     pen.text(pen.fonts().small,
              box.right() - kEdge,
@@ -117,9 +137,8 @@ void draw_help(const Pen& pen, const Canvas& canvas) {
              palette::kDim,
              "drag: turn   wheel: zoom   right drag: move",
              Align::right);
-    y += 38.0F;
-    draw_column(&pen, is_left, x, y);
-    draw_column(&pen, is_right, x + kColumnWidth, y);
+    draw_column(pen, layout.left, layout.pitch, x, y + kHeadHeight);
+    draw_column(pen, layout.right, layout.pitch, x + kColumnWidth, y + kHeadHeight);
 }
 
 }  // namespace raks::render

@@ -179,7 +179,8 @@ void Overlay::draw(const OverlayState& given,
                    const FrameTarget& target,
                    float content_scale) {
     const OverlayState state = in_range(given);
-    const bool has_nothing = view == OverlayView::hidden && state.message.empty();
+    const bool has_nothing =
+        view == OverlayView::hidden && state.message.empty() && state.help.empty();
     if (target.width <= 0 || target.height <= 0 || has_nothing) {
         return;
     }
@@ -198,8 +199,8 @@ void Overlay::draw(const OverlayState& given,
         *ImGui::GetBackgroundDrawList(), impl_->fonts, scale, {static_cast<float>(target.x), 0.0F});
     const Canvas canvas{static_cast<float>(target.width) / scale,
                         static_cast<float>(target.height) / scale};
-    const bool is_help = view == OverlayView::help;
-    if (view == OverlayView::shown || (is_help && has_room_beside_help(canvas))) {
+    const bool is_help = !state.help.empty();
+    if (view == OverlayView::shown && (!is_help || has_room_beside_help(canvas))) {
         draw_tempo(pen, state);
         draw_dance(pen, state, canvas);
         draw_source(pen, state, canvas);
@@ -207,7 +208,7 @@ void Overlay::draw(const OverlayState& given,
     }
     draw_message(pen, state.message, canvas);
     if (is_help) {
-        draw_help(pen, canvas);
+        draw_help(pen, state.help, canvas);
     }
 
     ImGui::Render();

@@ -3,12 +3,22 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "render/gl/frame_target.hpp"
 
 namespace raks::render {
+
+/// One line of the list of keys. Lines of one group follow one another.
+struct HelpRow {
+    std::string group;              ///< "PLAYING"
+    std::vector<std::string> keys;  ///< as written on the keys: "Left", "Right"
+    std::string text;               ///< "back, forward 5 s"
+};
 
 /// Everything that the overlay shows, as it is at the moment that the picture is about. Views
 /// need to live until draw() returns; empty text and empty optionals are not shown.
@@ -42,15 +52,16 @@ struct OverlayState {
     std::uint64_t xruns = 0;             ///< blocks that the device lost
     std::uint64_t late = 0;              ///< pictures or figures that came late
     std::string_view message{};          ///< one line, e.g. "screenshot saved: raks-....png"
+    // Above all else.
+    std::span<const HelpRow> help{};  ///< the keys; none: not asked for
 };
 
 /// From this confidence on the tempo counts as found.
 inline constexpr float kLockedConfidence = 0.35F;
 
 enum class OverlayView : std::uint8_t {
-    hidden,  ///< nothing but the message line
+    hidden,  ///< nothing but the message line and the keys
     shown,
-    help,  ///< shown, and the list of keys above it
 };
 
 /// The information over the picture: tempo and bar, genre and figure, level, position, health.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "render/overlay/overlay.hpp"
 #include "render/overlay/pen.hpp"
 
@@ -39,8 +41,8 @@ void draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas
 void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas);
 /// Above the source: one line that comes and goes.
 void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas);
-/// Middle: all keys.
-void draw_help(const Pen& pen, const Canvas& canvas);
+/// Middle: the list of keys in two columns, which break between groups.
+void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canvas);
 /// Whether the cards stay visible beside the keys.
 [[nodiscard]] bool has_room_beside_help(const Canvas& canvas) noexcept;
 

@@ -9,6 +9,7 @@
 #include "base/channels/audio_ring.hpp"
 #include "base/channels/event_queue.hpp"
 #include "base/channels/latest_value.hpp"
+#include "base/channels/retire_queue.hpp"
 #include "base/random.hpp"
 #include "tests/support/realtime_guard.hpp"
 
@@ -157,6 +158,43 @@ TEST(AudioRing, samples_stay_in_order_between_threads) {
         }
     }
     writer.join();
+}
+
+struct Counted {
+    explicit Counted(int& alive) : alive_(alive) { ++alive_; }
+    ~Counted() { --alive_; }
+    Counted(const Counted&) = delete;
+    Counted& operator=(const Counted&) = delete;
+    int& alive_;
+};
+
+TEST(RetireQueue, frees_on_the_collecting_side_only) {
+    int alive = 0;
+    RetireQueue<Counted> queue(2);
+    std::array<std::unique_ptr<Counted>, 3> objects;
+    for (auto& object : objects) {
+        object = std::make_unique<Counted>(alive);
+    }
+    test::RealtimeScope scope;
+    EXPECT_TRUE(queue.retire(objects[0]));
+    EXPECT_TRUE(queue.retire(objects[1]));
+    EXPECT_FALSE(queue.retire(objects[2]));  // full: still ours
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+    EXPECT_EQ(alive, 3);
+    EXPECT_NE(objects[2], nullptr);
+    EXPECT_EQ(queue.collect(), 2U);
+    EXPECT_EQ(alive, 1);
+    EXPECT_TRUE(queue.retire(objects[2]));
+}
+
+TEST(RetireQueue, what_was_not_collected_is_freed_at_the_end) {
+    int alive = 0;
+    {
+        RetireQueue<Counted> queue(2);
+        auto object = std::make_unique<Counted>(alive);
+        ASSERT_TRUE(queue.retire(object));
+    }
+    EXPECT_EQ(alive, 0);
 }
 
 }  // namespace

@@ -71,7 +71,9 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"engine/live",
      {"base", "base/channels", "audio", "audio/**", "motion", "motion/**", "engine/setup"}},
     {"engine/offline", {"base", "audio", "audio/**", "motion", "motion/**", "engine/setup"}},
-    {"engine/show", {"base", "motion", "motion/**", "render", "render/**", "engine/setup"}},
+    {"engine/control", {"base", "audio", "audio/beat", "motion", "engine/live"}},
+    {"engine/show",
+     {"base", "motion", "motion/**", "render", "render/**", "engine/setup", "engine/control"}},
     {"engine/trials",
      {"base",
       "audio",
@@ -275,6 +277,10 @@ TEST(IncludeLines, the_rule_itself_refuses_forbidden_arrows) {
     EXPECT_FALSE(is_allowed("engine/trials/x.cpp", "training/figures/y.hpp"));
     EXPECT_FALSE(is_allowed("training/beat/x.cpp", "engine/setup/y.hpp"));
     EXPECT_FALSE(is_allowed("engine/live/x.cpp", "apps/terminal/say.hpp"));
+    EXPECT_FALSE(is_allowed("engine/live/x.cpp", "engine/control/y.hpp"));
+    EXPECT_FALSE(is_allowed("engine/control/x.cpp", "engine/show/y.hpp"));
+    EXPECT_FALSE(is_allowed("engine/control/x.cpp", "render/gl/window.hpp"));
+    EXPECT_FALSE(is_allowed("render/overlay/x.cpp", "engine/control/y.hpp"));
     EXPECT_FALSE(is_allowed("render/avatar/x.cpp", "render/mannequin/y.hpp"));
 }
 

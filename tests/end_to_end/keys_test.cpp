@@ -1,7 +1,9 @@
 // Each key by itself, by what it alone changes in the picture, the files or the last line.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
+#include <utility>
 
 #include "base/file.hpp"
 #include "tests/end_to_end/window.hpp"
@@ -175,6 +177,108 @@ TEST_F(Keys, d_goes_through_the_dances) {
     EXPECT_TRUE(raks_->wait_for_output("dancing salsa"));
 }
 
+/// Times that `text` was said so far.
+int count_of(const std::string& text, const std::string& said) {
+    int count = 0;
+    for (auto at = said.find(text); at != std::string::npos; at = said.find(text, at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+TEST_F(Keys, b_goes_back_to_the_file_before) {
+    start("--no-overlay");
+    press({"n"});
+    ASSERT_TRUE(raks_->wait_for_output("playing " + path("two.wav")));
+    press({"b"});
+    EXPECT_TRUE(raks_->wait_until([&](const ProcessResult& result) {
+        return count_of("playing " + path("one.wav"), result.err) == 2;
+    }));
+}
+
+TEST_F(Keys, b_goes_to_the_start_of_a_file_that_has_played_for_a_while) {
+    start_and_pause("--overlay");
+    press({"Left", "Left", "Left", "Left", "Left", "Left", "Left", "Left"});
+    const std::string beginning = lower(still_picture());
+    const std::string on = changed_by("shift+Right", beginning);
+    EXPECT_TRUE(changed_by("b", on) == beginning);
+    EXPECT_EQ(count_of("playing ", raks_->output().err), 1);
+}
+
+/// The half above the line that tells what was done.
+std::string upper(const std::string& picture) { return picture.substr(0, picture.size() / 2); }
+
+TEST_F(Keys, page_up_and_down_shift_the_picture_against_the_sound) {
+    const std::string first = upper(start_and_pause("--no-overlay"));
+    press(std::vector<std::string>(20, "Prior"));
+    EXPECT_TRUE(raks_->wait_for_output("latency offset +100 ms"));
+    EXPECT_TRUE(
+        shows([&](const std::string& now) { return difference(upper(now), first) > 0.05; }));
+    press(std::vector<std::string>(20, "Next"));
+    EXPECT_TRUE(raks_->wait_for_output("latency offset +0 ms"));
+    EXPECT_TRUE(shows([&](const std::string& now) { return upper(now) == first; }));
+}
+
+TEST_F(Keys, l_goes_through_the_themes) {
+    const std::string first = upper(start_and_pause("--no-overlay"));
+    press({"l"});
+    EXPECT_TRUE(raks_->wait_for_output("theme workshop_dark"));
+    EXPECT_TRUE(shows([&](const std::string& now) { return difference(upper(now), first) > 3.0; }));
+    press({"l", "l"});
+    EXPECT_TRUE(shows([&](const std::string& now) { return upper(now) == first; }));
+}
+
+TEST_F(Keys, v_goes_through_the_cameras) {
+    const std::string first = upper(start_and_pause("--no-overlay"));
+    press({"v"});
+    EXPECT_TRUE(raks_->wait_for_output("camera portrait"));
+    EXPECT_TRUE(shows([&](const std::string& now) { return difference(upper(now), first) > 1.0; }));
+    press({"v", "v", "v", "v", "v"});
+    EXPECT_TRUE(shows([&](const std::string& now) { return upper(now) == first; }));
+}
+
+/// Points where somebody stands on the left: far from the background at the edge of their row.
+int points_on_the_left(const std::string& picture) {
+    int points = 0;
+    for (std::size_t y = kWindowHeight / 4; y < kWindowHeight / 2; ++y) {
+        const char* const row = picture.data() + 3 * y * kWindowWidth;
+        for (std::size_t x = kWindowWidth / 8; x < 3 * kWindowWidth / 8; ++x) {
+            const int here = static_cast<unsigned char>(row[3 * x]);
+            const int edge = static_cast<unsigned char>(row[0]);
+            points += std::abs(here - edge) > 40 ? 1 : 0;
+        }
+    }
+    return points;
+}
+
+TEST_F(Keys, e_goes_through_the_formations) {
+    const std::string alone = start_and_pause("--no-overlay");
+    EXPECT_LT(points_on_the_left(alone), 20);
+    press({"space", "e"});
+    ASSERT_TRUE(raks_->wait_for_output("dancing: couple"));
+    press({"e"});
+    ASSERT_TRUE(raks_->wait_for_output("dancing: unison"));
+    EXPECT_TRUE(shows([](const std::string& now) { return points_on_the_left(now) > 200; }));
+    press({"e", "e", "e"});
+    ASSERT_TRUE(raks_->wait_for_output("dancing: solo"));
+    EXPECT_TRUE(shows([](const std::string& now) { return points_on_the_left(now) < 20; }));
+}
+
+TEST_F(Keys, beats_are_nudged_counted_and_held) {
+    start("--no-overlay");
+    const std::array effects = {
+        std::pair{"comma", "beats 10 ms earlier (-10 ms in all)"},
+        std::pair{"period", "beats 10 ms later (+0 ms in all)"},
+        std::pair{"Return", "this beat is count 1"},
+        std::pair{"h", "tempo held (R follows the music)"},
+        std::pair{"r", "tempo follows the music"},
+    };
+    for (const auto& [key, said] : effects) {
+        press({key});
+        EXPECT_TRUE(raks_->wait_for_output(said)) << key;
+    }
+}
+
 /// Live in a window, in silence: the tempo is what the keys make of it.
 class TempoKeys : public WindowTest {
  protected:
@@ -193,7 +297,7 @@ class TempoKeys : public WindowTest {
         run_program(command);
         const ProcessResult result = raks.wait();
         EXPECT_EQ(result.exit_code, 0) << result.err;
-        const std::size_t at = result.err.find("tempo ");
+        const std::size_t at = result.err.rfind("tempo ");  // what was said at the end
         return at == std::string::npos ? 0.0 : std::stod(result.err.substr(at + 6));
     }
 };
@@ -202,6 +306,11 @@ TEST_F(TempoKeys, brackets_halve_and_double_the_tempo) {
     EXPECT_NEAR(tempo_after({"Up"}), 120.0, 1.0) << "another key leaves it";
     EXPECT_NEAR(tempo_after({"bracketleft"}), 60.0, 1.0);
     EXPECT_NEAR(tempo_after({"bracketleft", "bracketright"}), 120.0, 1.0);
+}
+
+TEST_F(TempoKeys, plus_and_minus_set_the_tempo_by_1_bpm) {
+    EXPECT_NEAR(tempo_after({"plus", "plus", "equal"}), 123.0, 0.2);
+    EXPECT_NEAR(tempo_after({"minus", "minus", "minus"}), 117.0, 0.2);
 }
 
 TEST_F(TempoKeys, t_taps_the_tempo) {

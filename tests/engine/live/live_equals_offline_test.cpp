@@ -112,7 +112,7 @@ TEST_F(LiveEqualsOffline, hop_by_hop_the_same_poses) {
     {
         const auto loudspeaker = playback(SampleRate(48'000));
         {
-            MotionThread motion(dancer(), loudspeaker->analysis().states(), &record);
+            MotionThread motion(dancer(), {loudspeaker->analysis().states(), {}, &record});
             play_out(*loudspeaker);
             while (motion.danced_hops() < static_cast<std::int64_t>(offline.size())) {
                 std::this_thread::yield();

@@ -89,7 +89,7 @@ TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
     ASSERT_TRUE(playback) << playback.error().message;
     ASSERT_TRUE((*playback)->prepare(SampleRate(48'000)));
     AnalysisStage& analysis = (*playback)->analysis();
-    MotionStage motion(salsa_dancer(), analysis.states());
+    MotionStage motion(salsa_dancer(), {analysis.states()});
     std::vector<float> block(2 * kFrames);
     for (std::int64_t i = 0; !(*playback)->is_finished(); ++i) {
         (*playback)->player().wait_until_ready(4096);
@@ -110,7 +110,7 @@ TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
     auto listening = Listening::create(music.rate, installed::models());
     ASSERT_TRUE(listening) << listening.error().message;
     AnalysisStage& analysis = (*listening)->analysis();
-    MotionStage motion(salsa_dancer(), analysis.states());
+    MotionStage motion(salsa_dancer(), {analysis.states()});
     const std::span<const float> samples = music.samples;
     HostTime clock = HostClock::now();
     for (std::size_t at = 0; at + 2 * kFrames <= samples.size(); at += 2 * kFrames) {

@@ -7,9 +7,6 @@
 namespace raks::engine {
 namespace {
 
-using render::Key;
-using render::KeyEvent;
-
 void type(ClipTransport& transport, const std::string& digits) {
     for (const char digit : digits) {
         EXPECT_TRUE(transport.handle({.key = static_cast<Key>(digit)}));
@@ -75,7 +72,7 @@ TEST(ClipTransport, leaves_other_keys_to_the_window) {
     ClipTransport transport(10, 60.0);
     for (const KeyEvent& key : {KeyEvent{.key = Key::escape},
                                 KeyEvent{.key = Key::enter},
-                                KeyEvent{.key = render::key_of(U'q')},
+                                KeyEvent{.key = key_of(U'q')},
                                 KeyEvent{.key = Key::right, .has_control = true}}) {
         EXPECT_FALSE(transport.handle(key));
     }

@@ -60,14 +60,14 @@ TEST_F(Preview, dances_at_the_written_tempo_round_and_round) {
 
 TEST_F(Preview, keys_change_figure_and_tempo_and_pause) {
     DancePreview dance = preview();
-    EXPECT_TRUE(dance.handle({render::Key::right}));
-    EXPECT_TRUE(dance.handle({render::Key::up}));
-    EXPECT_TRUE(dance.handle({render::Key::space}));
+    EXPECT_TRUE(dance.handle({Key::right}));
+    EXPECT_TRUE(dance.handle({Key::up}));
+    EXPECT_TRUE(dance.handle({Key::space}));
     dance.advance(1.0);
     EXPECT_EQ(dance.status(), "nod   124 BPM   beat 0.0 of 4   paused");
-    EXPECT_TRUE(dance.handle({render::Key::left}));
+    EXPECT_TRUE(dance.handle({Key::left}));
     EXPECT_EQ(dance.figure(), "sway");
-    EXPECT_FALSE(dance.handle({render::Key::escape}));
+    EXPECT_FALSE(dance.handle({Key::escape}));
 }
 
 TEST_F(Preview, shows_what_is_saved_and_keeps_the_last_good_dance) {

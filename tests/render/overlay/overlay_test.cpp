@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/gl/offscreen_context.hpp"
@@ -39,6 +40,21 @@ OverlayState locked_state() {
     state.latency_ms = 42.0;
     state.fps = 60.0;
     return state;
+}
+
+/// As many as the program has.
+std::vector<HelpRow> many_keys() {
+    std::vector<HelpRow> rows;
+    for (const auto& [group, count] : {std::pair{"PLAYING", 7},
+                                       std::pair{"TEMPO", 8},
+                                       std::pair{"DANCE", 5},
+                                       std::pair{"VIEW", 5},
+                                       std::pair{"WINDOW", 4}}) {
+        for (int i = 0; i < count; ++i) {
+            rows.push_back({group, {"Shift+Left", "Shift+Right"}, "hide, show this overlay"});
+        }
+    }
+    return rows;
 }
 
 struct Pixels {
@@ -191,9 +207,27 @@ TEST_F(OverlayTest, a_beat_is_brightest_when_it_sounds) {
 
 TEST_F(OverlayTest, help_lists_keys_in_the_middle) {
     for (const auto& [width, height] : {std::pair{640, 360}, std::pair{1280, 720}}) {
-        const Pixels pixels = draw(locked_state(), OverlayView::help, width, height);
+        const std::vector<HelpRow> rows = many_keys();
+        OverlayState state = locked_state();
+        state.help = rows;
+        const Pixels pixels = draw(state, OverlayView::hidden, width, height);
         EXPECT_GT(pixels.drawn(0.28, 0.25, 0.72, 0.75), 0.99) << width;
+        EXPECT_EQ(pixels.drawn(0.0, 0.0, 1.0, 0.01), 0.0) << width << ": it fits";
+        EXPECT_EQ(pixels.drawn(0.0, 0.99, 1.0, 1.0), 0.0) << width << ": it fits";
     }
+}
+
+TEST_F(OverlayTest, every_part_of_a_line_of_help_is_seen) {
+    const auto picture_of = [&](const HelpRow& row) {
+        const std::vector<HelpRow> rows = {row};
+        OverlayState state;
+        state.help = rows;
+        return draw(state, OverlayView::hidden);
+    };
+    const Pixels usual = picture_of({"VIEW", {"S"}, "stick figure"});
+    EXPECT_NE(picture_of({"TEMPO", {"S"}, "stick figure"}), usual);
+    EXPECT_NE(picture_of({"VIEW", {"S", "T"}, "stick figure"}), usual);
+    EXPECT_NE(picture_of({"VIEW", {"S"}, "avatar"}), usual);
 }
 
 TEST_F(OverlayTest, odd_values_draw_without_harm) {
@@ -220,6 +254,7 @@ TEST_F(OverlayTest, odd_values_draw_without_harm) {
     state.fps = 1e30;
     state.drops = state.xruns = state.late = ~std::uint64_t{0};
     state.message = long_name;
+    const std::vector<HelpRow> rows(100, {"", {long_name, ""}, long_name});
     for (const auto& [width, height] : {std::pair{1, 1},
                                         std::pair{16, 900},
                                         std::pair{900, 16},
@@ -227,10 +262,13 @@ TEST_F(OverlayTest, odd_values_draw_without_harm) {
                                         std::pair{4000, 200}}) {
         for (const float content_scale : {1.0F, 2.0F, 100.0F}) {
             (void)draw(state, OverlayView::shown, width, height, content_scale);
-            (void)draw(state, OverlayView::help, width, height, content_scale);
+            state.help = rows;
+            (void)draw(state, OverlayView::shown, width, height, content_scale);
+            state.help = {};
         }
     }
-    overlay_->draw(state, OverlayView::help, FrameTarget{});  // a minimised window
+    state.help = rows;
+    overlay_->draw(state, OverlayView::shown, FrameTarget{});  // a minimised window
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
@@ -281,7 +319,10 @@ TEST_F(OverlayTest, two_overlays_do_not_disturb_each_other) {
     auto second = Overlay::create();
     ASSERT_TRUE(second);
     auto target = OffscreenTarget::create({.width = 320, .height = 200});
-    second->draw(locked_state(), OverlayView::help, target->frame());
+    const std::vector<HelpRow> rows = many_keys();
+    OverlayState state = locked_state();
+    state.help = rows;
+    second->draw(state, OverlayView::shown, target->frame());
     EXPECT_EQ(draw(locked_state()), first);
     *second = std::move(*overlay_);  // the moved one still draws
     overlay_.emplace(std::move(*second));

@@ -1,0 +1,41 @@
+#include "engine/control/action_dispatcher.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+
+void ActionDispatcher::on(Action action, Handler handler) {
+    handlers_[static_cast<std::size_t>(action)] = std::move(handler);
+}
+
+bool ActionDispatcher::handles(Action action) const noexcept {
+    return static_cast<bool>(handlers_[static_cast<std::size_t>(action)]);
+}
+
+Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
+    const ActionRow& row = row_of(request.action);
+    const auto taken = take_value(row, request.value);
+    if (!taken) {
+        return fail(taken.error());
+    }
+    if (!handles(request.action)) {
+        return fail(fmt::format("action {}: there is nothing here that does it", row.name));
+    }
+    if (!taken->remark.empty()) {
+        say_(taken->remark);
+    }
+    handlers_[static_cast<std::size_t>(request.action)](taken->value);
+    return {};
+}
+
+Expected<void> ActionDispatcher::dispatch(std::string_view name, double value) const {
+    const auto row = find_action(name);
+    if (!row) {
+        return fail(row.error());
+    }
+    return dispatch({(*row)->action, value});
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,288 @@
+#include "engine/control/action_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "base/suggest.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr ActionValue step(ValueUnit unit, double most) {
+    return {ValueKind::step, unit, -most, most};
+}
+constexpr ActionValue choice(double highest) {
+    return {ValueKind::choice, ValueUnit::number, 1.0, highest};
+}
+
+constexpr std::string_view kSeekNear = "back, forward 5 s";
+constexpr std::string_view kSeekFar = "back, forward 30 s";
+
+constexpr std::array<ActionRow, kActionCount> kTable = {{
+    {Action::pause, "pause", ActionGroup::playing, "pause, go on", {}, {{{Key::space, "Space"}}}},
+    {Action::seek,
+     "seek",
+     ActionGroup::playing,
+     "back, forward",
+     step(ValueUnit::seconds, 36'000.0),
+     {{{Key::left, "Left", -5.0, false, kSeekNear},
+       {Key::right, "Right", 5.0, false, kSeekNear},
+       {Key::left, "Shift+Left", -30.0, true, kSeekFar},
+       {Key::right, "Shift+Right", 30.0, true, kSeekFar}}}},
+    {Action::next_file,
+     "next-file",
+     ActionGroup::playing,
+     "next file",
+     {},
+     {{{key_of(U'n'), "N"}}}},
+    {Action::previous_file,
+     "previous-file",
+     ActionGroup::playing,
+     "to the start, file before",
+     {},
+     {{{key_of(U'b'), "B"}}}},
+    {Action::volume,
+     "volume",
+     ActionGroup::playing,
+     "softer, louder",
+     step(ValueUnit::share, 1.0),
+     {{{Key::down, "Down", -0.05}, {Key::up, "Up", 0.05}}}},
+    {Action::latency,
+     "latency",
+     ActionGroup::playing,
+     "picture earlier, later",
+     step(ValueUnit::milliseconds, 500.0),
+     {{{Key::page_down, "PgDn", -5.0}, {Key::page_up, "PgUp", 5.0}}}},
+    {Action::tap_tempo, "tap", ActionGroup::tempo, "tap the tempo", {}, {{{key_of(U't'), "T"}}}},
+    {Action::half_tempo,
+     "half-tempo",
+     ActionGroup::tempo,
+     "half the tempo",
+     {},
+     {{{key_of(U'['), "["}}}},
+    {Action::double_tempo,
+     "double-tempo",
+     ActionGroup::tempo,
+     "double the tempo",
+     {},
+     {{{key_of(U']'), "]"}}}},
+    {Action::change_tempo,
+     "tempo",
+     ActionGroup::tempo,
+     "1 BPM less, more",
+     step(ValueUnit::bpm, 100.0),
+     {{{key_of(U'-'), "-", -1.0}, {key_of(U'+'), "+", 1.0}, {key_of(U'='), "=", 1.0}}}},
+    {Action::hold_tempo,
+     "hold-tempo",
+     ActionGroup::tempo,
+     "hold the tempo",
+     {},
+     {{{key_of(U'h'), "H"}}}},
+    {Action::release_tempo,
+     "release-tempo",
+     ActionGroup::tempo,
+     "follow the music again",
+     {},
+     {{{key_of(U'r'), "R"}}}},
+    {Action::nudge_beats,
+     "nudge",
+     ActionGroup::tempo,
+     "beats earlier, later",
+     step(ValueUnit::milliseconds, 500.0),
+     {{{key_of(U','), ",", -10.0}, {key_of(U'.'), ".", 10.0}}}},
+    {Action::resync_bar,
+     "resync-bar",
+     ActionGroup::tempo,
+     "count 1 is now",
+     {},
+     {{{Key::enter, "Enter"}}}},
+    {Action::next_figure,
+     "next-figure",
+     ActionGroup::dance,
+     "another figure",
+     {},
+     {{{key_of(U'g'), "G"}}}},
+    {Action::select_figure,
+     "select-figure",
+     ActionGroup::dance,
+     "this figure",
+     choice(64.0),
+     {{{key_of(U'1'), "1", 1.0},
+       {key_of(U'2'), "2", 2.0},
+       {key_of(U'3'), "3", 3.0},
+       {key_of(U'4'), "4", 4.0},
+       {key_of(U'5'), "5", 5.0},
+       {key_of(U'6'), "6", 6.0},
+       {key_of(U'7'), "7", 7.0},
+       {key_of(U'8'), "8", 8.0},
+       {key_of(U'9'), "9", 9.0}}}},
+    {Action::keep_figure,
+     "keep-figure",
+     ActionGroup::dance,
+     "keep to the figure",
+     {},
+     {{{key_of(U'k'), "K"}}}},
+    {Action::next_dance,
+     "next-dance",
+     ActionGroup::dance,
+     "another dance",
+     {},
+     {{{key_of(U'd'), "D"}}}},
+    {Action::next_formation,
+     "formation",
+     ActionGroup::dance,
+     "alone, couple, several",
+     {},
+     {{{key_of(U'e'), "E"}}}},
+    {Action::toggle_figure_view,
+     "figure-view",
+     ActionGroup::view,
+     "stick figure, avatar",
+     {},
+     {{{key_of(U's'), "S"}}}},
+    {Action::next_camera,
+     "camera",
+     ActionGroup::view,
+     "another camera",
+     {},
+     {{{key_of(U'v'), "V"}}}},
+    {Action::reset_camera,
+     "reset-camera",
+     ActionGroup::view,
+     "reset the camera",
+     {},
+     {{{key_of(U'c'), "C"}, {Key::home, "Home"}}}},
+    {Action::next_theme, "theme", ActionGroup::view, "another theme", {}, {{{key_of(U'l'), "L"}}}},
+    {Action::toggle_overlay,
+     "overlay",
+     ActionGroup::view,
+     "hide, show this overlay",
+     {},
+     {{{key_of(U'o'), "O"}, {Key::tab, "Tab"}}}},
+    {Action::toggle_fullscreen,
+     "fullscreen",
+     ActionGroup::window,
+     "full screen",
+     {},
+     {{{key_of(U'f'), "F"}, {Key::f11, "F11"}}}},
+    {Action::screenshot,
+     "screenshot",
+     ActionGroup::window,
+     "save a picture",
+     {},
+     {{{key_of(U'p'), "P"}, {Key::f12, "F12"}}}},
+    {Action::toggle_help,
+     "help",
+     ActionGroup::window,
+     "these keys",
+     {},
+     {{{key_of(U'?'), "?"}, {Key::f1, "F1"}}}},
+    {Action::quit,
+     "quit",
+     ActionGroup::window,
+     "quit",
+     {},
+     {{{key_of(U'q'), "Q"}, {Key::escape, "Esc"}}}},
+}};
+
+constexpr bool is_in_order() {
+    for (std::size_t i = 0; i < kTable.size(); ++i) {
+        if (static_cast<std::size_t>(kTable[i].action) != i) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(is_in_order(), "row_of() takes the action's number for the row's");
+
+constexpr std::array<std::string_view, kActionCount> kNames = [] {
+    std::array<std::string_view, kActionCount> names{};
+    std::transform(
+        kTable.begin(), kTable.end(), names.begin(), [](const ActionRow& row) { return row.name; });
+    return names;
+}();
+
+constexpr bool has_character(Key key) { return key > Key::space && key < Key::escape; }
+
+bool is_meant(const ActionKey& key, const KeyEvent& event) {
+    return key.key == event.key && (has_character(event.key) || key.has_shift == event.has_shift);
+}
+
+std::string with_unit(double value, ValueUnit unit) {
+    const std::string_view symbol = symbol_of(unit);
+    return fmt::format("{:g}{}{}", value, symbol.empty() ? "" : " ", symbol);
+}
+
+}  // namespace
+
+std::span<const ActionKey> ActionRow::keys() const noexcept {
+    const auto end = std::find_if(
+        key_slots.begin(), key_slots.end(), [](const ActionKey& key) { return key.key == Key{}; });
+    return std::span(key_slots).first(static_cast<std::size_t>(end - key_slots.begin()));
+}
+
+std::span<const ActionRow> action_table() noexcept { return kTable; }
+
+const ActionRow& row_of(Action action) noexcept { return kTable[static_cast<std::size_t>(action)]; }
+
+Expected<const ActionRow*> find_action(std::string_view name) {
+    const auto at = std::find(kNames.begin(), kNames.end(), name);
+    if (at == kNames.end()) {
+        return fail(unknown_name("action", name, kNames));
+    }
+    return &kTable[static_cast<std::size_t>(at - kNames.begin())];
+}
+
+std::optional<ActionRequest> request_of(const KeyEvent& event) noexcept {
+    if (event.has_control) {
+        return std::nullopt;
+    }
+    for (const ActionRow& row : kTable) {
+        for (const ActionKey& key : row.keys()) {
+            if (is_meant(key, event)) {
+                const bool repeats = row.value && row.value->kind == ValueKind::step;
+                return event.is_repeat && !repeats
+                           ? std::nullopt
+                           : std::optional(ActionRequest{row.action, key.value});
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+Expected<TakenValue> take_value(const ActionRow& row, double value) {
+    if (std::isnan(value)) {
+        return fail(fmt::format("action {}: its value is not a number", row.name));
+    }
+    if (!row.value) {
+        return TakenValue{};
+    }
+    const ActionValue& range = *row.value;
+    const bool is_inside = value >= range.lowest && value <= range.highest;
+    if (range.kind == ValueKind::choice && (!is_inside || value != std::round(value))) {
+        return fail(fmt::format("action {}: {:g} must be a whole number from {:g} to {:g}",
+                                row.name,
+                                value,
+                                range.lowest,
+                                range.highest));
+    }
+    if (is_inside) {
+        return TakenValue{value, {}};
+    }
+    const double nearest = std::clamp(value, range.lowest, range.highest);
+    return TakenValue{nearest,
+                      fmt::format("action {}: {} is too far, {} is taken",
+                                  row.name,
+                                  with_unit(value, range.unit),
+                                  with_unit(nearest, range.unit))};
+}
+
+std::string_view symbol_of(ValueUnit unit) noexcept {
+    constexpr std::array<std::string_view, 5> kSymbols = {"s", "ms", "BPM", "", ""};
+    return kSymbols[static_cast<std::size_t>(unit)];
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,162 @@
+#include "engine/control/live_actions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+namespace {
+
+using AnalyzerKind = audio::AnalyzerCommand::Kind;
+using DancerKind = motion::DancerCommand::Kind;
+
+constexpr Nanos kMostLatency = std::chrono::milliseconds(500);  // as in the settings
+// The tempi that the beat tracker takes, in BPM.
+constexpr double kSlowest = 50.0;
+constexpr double kFastest = 230.0;
+
+}  // namespace
+
+struct LiveActions::Entry {
+    Action action;
+    void (LiveActions::*handle)(double);
+};
+
+std::span<const LiveActions::Entry> LiveActions::entries() noexcept {
+    static constexpr std::array kEntries = {
+        Entry{Action::pause, &LiveActions::pause},
+        Entry{Action::seek, &LiveActions::seek},
+        Entry{Action::volume, &LiveActions::change_volume},
+        Entry{Action::latency, &LiveActions::change_latency},
+        Entry{Action::tap_tempo, &LiveActions::tap_tempo},
+        Entry{Action::half_tempo, &LiveActions::half_tempo},
+        Entry{Action::double_tempo, &LiveActions::double_tempo},
+        Entry{Action::change_tempo, &LiveActions::change_tempo},
+        Entry{Action::hold_tempo, &LiveActions::hold_tempo},
+        Entry{Action::release_tempo, &LiveActions::release_tempo},
+        Entry{Action::nudge_beats, &LiveActions::nudge_beats},
+        Entry{Action::resync_bar, &LiveActions::resync_bar},
+        Entry{Action::next_figure, &LiveActions::next_figure},
+        Entry{Action::select_figure, &LiveActions::select_figure},
+        Entry{Action::keep_figure, &LiveActions::keep_figure},
+    };
+    return kEntries;
+}
+
+void LiveActions::attach(LiveTarget& target) {
+    target_ = &target;
+    wished_tempo_.reset();
+    nudged_milliseconds_ = 0.0;
+    target.set_volume(volume_);
+    if (latency_offset_) {
+        target.set_latency_offset(*latency_offset_);
+    }
+}
+
+void LiveActions::bind(ActionDispatcher& actions) {
+    for (const Entry& entry : entries()) {
+        actions.on(entry.action,
+                   [this, handle = entry.handle](double value) { (this->*handle)(value); });
+    }
+}
+
+void LiveActions::brief_dancers() {
+    if (keeps_figure_) {
+        command(DancerKind::lock_figure, 1.0);
+    }
+}
+
+template <typename Kind>
+bool LiveActions::command(Kind kind, double value) {
+    const bool is_queued = target_->command(kind, value);
+    if (!is_queued) {
+        say_("too many commands at once: this one is left out");
+    }
+    return is_queued;
+}
+
+void LiveActions::pause(double) { target_->toggle_pause(); }
+
+void LiveActions::seek(double seconds) { target_->seek_by(seconds); }
+
+void LiveActions::change_volume(double by) {
+    volume_ = std::clamp(volume_ + static_cast<float>(by), 0.0F, 1.0F);
+    target_->set_volume(volume_);
+}
+
+void LiveActions::change_latency(double milliseconds) {
+    const Nanos wished = target_->latency_offset() + nanos_from_seconds(milliseconds * 1e-3);
+    latency_offset_ = std::clamp(wished, -kMostLatency, kMostLatency);
+    target_->set_latency_offset(*latency_offset_);
+    say_(fmt::format("latency offset {:+g} ms",
+                     std::round(to_seconds(*latency_offset_) * 1e6) * 1e-3));
+}
+
+void LiveActions::tap_tempo(double) {
+    wished_tempo_.reset();
+    command(AnalyzerKind::tap);
+}
+
+void LiveActions::half_tempo(double) {
+    wished_tempo_.reset();
+    command(AnalyzerKind::half_tempo);
+}
+
+void LiveActions::double_tempo(double) {
+    wished_tempo_.reset();
+    command(AnalyzerKind::double_tempo);
+}
+
+void LiveActions::change_tempo(double bpm) {
+    // The stage may not have heard of the last step yet.
+    const Bpm now = wished_tempo_.value_or(target_->tempo());
+    const Bpm wished(std::clamp(now.bpm() + bpm, kSlowest, kFastest));
+    if (command(AnalyzerKind::set_tempo, wished.bpm())) {
+        wished_tempo_ = wished;
+        say_(fmt::format("tempo held at {:.1f} BPM (R follows the music)", wished.bpm()));
+    }
+}
+
+void LiveActions::hold_tempo(double) {
+    if (command(AnalyzerKind::hold_tempo)) {
+        say_("tempo held (R follows the music)");
+    }
+}
+
+void LiveActions::release_tempo(double) {
+    wished_tempo_.reset();
+    if (command(AnalyzerKind::release_tempo)) {
+        say_("tempo follows the music");
+    }
+}
+
+void LiveActions::nudge_beats(double milliseconds) {
+    if (command(AnalyzerKind::nudge, milliseconds * 1e-3)) {
+        nudged_milliseconds_ += milliseconds;
+        say_(fmt::format("beats {:g} ms {} ({:+g} ms in all)",
+                         std::abs(milliseconds),
+                         milliseconds < 0.0 ? "earlier" : "later",
+                         nudged_milliseconds_));
+    }
+}
+
+void LiveActions::resync_bar(double) {
+    if (command(AnalyzerKind::resync_bar)) {
+        say_("this beat is count 1");
+    }
+}
+
+void LiveActions::next_figure(double) { command(DancerKind::next_figure); }
+
+void LiveActions::select_figure(double number) { command(DancerKind::select_figure, number - 1.0); }
+
+void LiveActions::keep_figure(double) {
+    keeps_figure_ = !keeps_figure_;
+    command(DancerKind::lock_figure, keeps_figure_ ? 1.0 : 0.0);
+    say_(keeps_figure_ ? "keeping to this figure (K lets go)" : "figures as they come");
+}
+
+}  // namespace raks::engine

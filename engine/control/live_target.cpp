@@ -1,0 +1,37 @@
+#include "engine/control/live_target.hpp"
+
+namespace raks::engine {
+
+bool GraphTarget::command(audio::AnalyzerCommand::Kind kind, double value) {
+    return graph_.command(kind, value);
+}
+
+bool GraphTarget::command(motion::DancerCommand::Kind kind, double value) {
+    return graph_.command(kind, value);
+}
+
+Bpm GraphTarget::tempo() { return graph_.stage().music.grid.tempo; }
+
+Nanos GraphTarget::latency_offset() { return graph_.latency_offset(); }
+
+void GraphTarget::set_latency_offset(Nanos offset) { graph_.set_latency_offset(offset); }
+
+void GraphTarget::toggle_pause() {
+    if (Playback* const playback = graph_.playback()) {
+        playback->set_paused(!playback->is_paused());
+    }
+}
+
+void GraphTarget::seek_by(double seconds) {
+    if (Playback* const playback = graph_.playback()) {
+        playback->seek(playback->position_seconds() + seconds);
+    }
+}
+
+void GraphTarget::set_volume(float volume) {
+    if (Playback* const playback = graph_.playback()) {
+        playback->set_volume(volume);
+    }
+}
+
+}  // namespace raks::engine

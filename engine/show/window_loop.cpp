@@ -1,0 +1,210 @@
+#include "engine/show/window_loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "engine/control/help_lines.hpp"
+#include "engine/show/camera_moves.hpp"
+#include "engine/show/screenshot.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr Nanos kMessageTime = std::chrono::seconds(4);
+constexpr double kFpsShare = 0.05;
+
+/// The name after this one, round and round.
+std::string_view name_after(std::string_view name, std::span<const std::string_view> names) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    return at == names.end() || at + 1 == names.end() ? names.front() : *(at + 1);
+}
+
+}  // namespace
+
+Expected<WindowLoop> WindowLoop::create(render::Window window,
+                                        const Look& look,
+                                        WindowLoopOptions options) {
+    auto drawing = create_drawing(look);
+    if (!drawing) {
+        return fail(drawing.error());
+    }
+    return WindowLoop(std::move(window), look, std::move(*drawing), std::move(options));
+}
+
+WindowLoop::WindowLoop(render::Window window,
+                       const Look& look,
+                       Drawing drawing,
+                       WindowLoopOptions options)
+    : window_(std::move(window)),
+      drawing_(std::move(drawing)),
+      options_(std::move(options)),
+      scene_(look.scene),
+      camera_name_(look.camera),
+      overlay_view_(options_.cards == Cards::shown ? render::OverlayView::shown
+                                                   : render::OverlayView::hidden) {}
+
+WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
+    bind(content, actions);
+    HostTime last = HostClock::now();
+    for (;;) {
+        handle_events(content, actions);
+        const HostTime now = HostClock::now();
+        content.advance(to_seconds(now - last));
+        last = now;
+        draw(content);
+        if (options_.is_stop_requested() || window_.should_close() || wants_to_quit_) {
+            return WindowEnd::quit;
+        }
+        if (content.is_finished()) {
+            return WindowEnd::finished;
+        }
+    }
+}
+
+void WindowLoop::say(const std::string& line) {
+    options_.say(line);
+    message_ = line;
+    message_until_ = HostClock::now() + kMessageTime;
+}
+
+void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
+    bind_window(actions);
+    actions.on(Action::toggle_help, [&](double) { toggle_help(content, actions); });
+    actions.on(Action::next_camera, [&](double) { go_to_next_camera(content); });
+    actions.on(Action::reset_camera, [&](double) { scene_.camera = preset(content); });
+}
+
+void WindowLoop::bind_window(ActionDispatcher& actions) {
+    actions.on(Action::next_theme, [this](double) { go_to_next_theme(); });
+    actions.on(Action::toggle_fullscreen, [this](double) { window_.toggle_fullscreen(); });
+    actions.on(Action::screenshot, [this](double) { wants_screenshot_ = true; });
+    actions.on(Action::quit, [this](double) { wants_to_quit_ = true; });
+    if (options_.cards != Cards::none) {
+        actions.on(Action::toggle_overlay, [this](double) { toggle_overlay(); });
+    }
+}
+
+void WindowLoop::handle_events(WindowContent& content, const ActionDispatcher& actions) {
+    for (const render::WindowEvent& event : window_.poll_events()) {
+        if (const auto* key = std::get_if<KeyEvent>(&event)) {
+            handle(*key, content, actions);
+        } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
+            move_camera(scene_.camera, *drag);
+        } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
+            move_camera(scene_.camera, *scroll);
+        }
+    }
+}
+
+void WindowLoop::handle(const KeyEvent& key,
+                        WindowContent& content,
+                        const ActionDispatcher& actions) {
+    if (content.handle(key)) {
+        return;
+    }
+    const auto request = request_of(key);
+    if (!request || !actions.handles(request->action)) {
+        return;  // a key that means nothing here
+    }
+    if (const auto done = actions.dispatch(*request); !done) {
+        say(done.error().message);
+    }
+}
+
+void WindowLoop::draw(WindowContent& content) {
+    const render::FrameTarget target = window_.frame();
+    if (target.width > 0 && target.height > 0) {  // else it is minimized
+        const Nanos until_seen = nanos_from_seconds(1.0 / window_.refresh_rate());
+        render::OverlayState overlay;
+        content.draw({drawing_.renderer, scene_, target, HostClock::now() + until_seen}, overlay);
+        draw_overlay(overlay, target);
+    }
+    if (std::exchange(wants_screenshot_, false)) {
+        save_screenshot();
+    }
+    window_.present();
+    count_picture();
+}
+
+void WindowLoop::draw_overlay(render::OverlayState overlay, const render::FrameTarget& target) {
+    overlay.fps = fps_;
+    overlay.help = help_;
+    if (HostClock::now() < message_until_) {
+        overlay.message = message_;
+    }
+    drawing_.overlay.draw(overlay, overlay_view_, target, window_.content_scale());
+}
+
+void WindowLoop::count_picture() {
+    const HostTime now = HostClock::now();
+    const double seconds = to_seconds(now - last_picture_);
+    last_picture_ = now;
+    fps_ += kFpsShare * (1.0 / std::max(seconds, 1e-3) - fps_);
+}
+
+void WindowLoop::save_screenshot() {
+    const std::string name = screenshot_name();
+    const auto done = write_screenshot(name, window_.frame());
+    say(done ? "screenshot saved: " + name : done.error().message);
+}
+
+void WindowLoop::toggle_help(const WindowContent& content, const ActionDispatcher& actions) {
+    if (help_.empty()) {
+        help_ = help_rows(content.own_keys(), actions);
+    } else {
+        help_.clear();
+    }
+    if (options_.cards != Cards::none) {
+        overlay_view_ = render::OverlayView::shown;
+    }
+}
+
+void WindowLoop::toggle_overlay() {
+    const bool is_bare = overlay_view_ == render::OverlayView::hidden;
+    overlay_view_ = is_bare ? render::OverlayView::shown : render::OverlayView::hidden;
+    help_.clear();
+}
+
+void WindowLoop::go_to_next_camera(const WindowContent& content) {
+    camera_name_ = name_after(camera_name_, render::camera_names());
+    scene_.camera = preset(content);
+    say("camera " + camera_name_);
+}
+
+void WindowLoop::go_to_next_theme() {
+    const std::string_view name = name_after(scene_.theme->name, render::theme_names());
+    if (const auto theme = render::find_theme(name)) {
+        scene_.theme = *theme;
+        say("theme " + std::string(name));
+    }
+}
+
+render::Camera WindowLoop::preset(const WindowContent& content) const {
+    const auto camera = render::find_camera(camera_name_);
+    return content.framed(camera ? *camera : render::Camera());
+}
+
+std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,
+                                       const ActionDispatcher& actions) {
+    const auto is_own = [own](const std::string& key) {
+        return std::any_of(own.begin(), own.end(), [&](const render::HelpRow& row) {
+            return std::find(row.keys.begin(), row.keys.end(), key) != row.keys.end();
+        });
+    };
+    std::vector<render::HelpRow> rows = std::move(own);
+    for (HelpLine& line : help_lines([&](Action action) { return actions.handles(action); })) {
+        std::erase_if(line.keys, is_own);
+        if (!line.keys.empty()) {
+            rows.push_back(
+                {std::string(title_of(line.group)), std::move(line.keys), std::string(line.text)});
+        }
+    }
+    return rows;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,90 @@
+// The graph on its own clock, without a device.
+#include "engine/live/live_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "audio/io/audio_file.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "tests/engine/installed.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace raks::engine {
+namespace {
+
+class GraphOnItsOwnClock : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        audio::MusicPlan plan;
+        plan.seconds = 60.0;
+        const auto music = audio::generate(plan);
+        ASSERT_TRUE(music) << music.error().message;
+        const auto path = folder_ / "music.wav";
+        ASSERT_TRUE(audio::write_wav(path, music->samples, music->channels, music->rate));
+        repertoire_ = motion::Repertoire::of_one(installed::library_of("salsa"));
+        auto player = audio::FilePlayer::start({path});
+        ASSERT_TRUE(player) << player.error().message;
+        auto graph = LiveGraph::play(std::move(*player),
+                                     std::nullopt,
+                                     {.models = installed::models(),
+                                      .cast = cast(motion::Formation::solo),
+                                      .latency_offset = std::chrono::milliseconds(70),
+                                      .readers = {reader_.get()}});
+        ASSERT_TRUE(graph) << graph.error().message;
+        graph_ = std::move(*graph);
+    }
+    [[nodiscard]] Cast cast(motion::Formation formation) const {
+        return {motion::members_of(formation, repertoire_, repertoire_, 1),
+                motion::mannequin_skeleton()};
+    }
+    static void wait_until(const std::function<bool()>& is_so) {
+        while (!is_so()) {
+            std::this_thread::yield();
+        }
+    }
+
+    test::TemporaryFolder folder_;
+    std::shared_ptr<const motion::Repertoire> repertoire_;
+    std::unique_ptr<StageChannel> reader_ = std::make_unique<StageChannel>();
+    std::unique_ptr<LiveGraph> graph_;
+};
+
+TEST_F(GraphOnItsOwnClock, a_registered_reader_sees_what_the_main_thread_sees) {
+    wait_until([&] { return graph_->stage().music.hop >= 20; });
+    wait_until([&] { return reader_->read().music.hop >= 20; });
+    EXPECT_EQ(reader_->read().dancers, 1U);
+}
+
+TEST_F(GraphOnItsOwnClock, other_dancers_take_over_while_it_plays) {
+    wait_until([&] { return graph_->stage().music.hop >= 20; });
+    ASSERT_TRUE(graph_->replace_dancers(cast(motion::Formation::unison)));
+    wait_until([&] { return graph_->stage().dancers == 3; });
+    const StageState& stage = graph_->stage();
+    EXPECT_GE(stage.tracks[2].oldest_final(), 20);
+    const auto refused = graph_->replace_dancers(Cast{});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "an ensemble has 1 to 4 dancers");
+}
+
+TEST_F(GraphOnItsOwnClock, the_latency_offset_shifts_what_is_shown_at_once) {
+    using std::chrono::milliseconds;
+    EXPECT_EQ(graph_->latency_offset(), Nanos(0)) << "there is no device to be late";
+    wait_until([&] { return graph_->analysis().clock().is_running; });
+    graph_->playback()->set_paused(true);
+    wait_until([&] { return !graph_->analysis().clock().is_running; });
+    const HostTime seen = HostClock::now();
+    const StreamTime before = graph_->moment_at(seen);
+    graph_->set_latency_offset(milliseconds(25));
+    EXPECT_EQ(graph_->moment_at(seen), before - milliseconds(25));
+    EXPECT_EQ(graph_->output_latency(), milliseconds(25));
+    graph_->set_latency_offset(milliseconds(-5));
+    EXPECT_EQ(graph_->moment_at(seen), before + milliseconds(5));
+}
+
+}  // namespace
+}  // namespace raks::engine
