@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
@@ -34,6 +35,17 @@ fs::path find_figure(const CatalogueEntry& entry,
         }
     }
     return {};
+}
+
+/// The end of a sentence: what a couple can dance.
+std::string couple_dances(const DanceList& dances) {
+    std::string names;
+    for (const DanceInfo& dance : dances.all()) {
+        if (dance.roles == 2) {
+            names += (names.empty() ? "; a couple dances " : ", ") + dance.name;
+        }
+    }
+    return names;
 }
 
 }  // namespace
@@ -85,7 +97,8 @@ Expected<DanceCatalogue> DanceCatalogue::load(const fs::path& given) {
 }
 
 void DanceCatalogue::add_folder(const fs::path& folder, DanceOrigin origin) {
-    auto file = load_dances(dances_path(folder));
+    const auto styles = audio::style_names();
+    auto file = load_dances(dances_path(folder), {styles.begin(), styles.end()});
     if (!file) {
         notes_.push_back(is_there(dances_path(folder))
                              ? file.error().message
@@ -176,21 +189,6 @@ const CatalogueEntry* DanceCatalogue::find(std::string_view name) const noexcept
     });
     return found != entries_.end() ? &*found : nullptr;
 }
-
-namespace {
-
-/// The end of a sentence: what a couple can dance.
-std::string couple_dances(const DanceList& dances) {
-    std::string names;
-    for (const DanceInfo& dance : dances.all()) {
-        if (dance.roles == 2) {
-            names += (names.empty() ? "; a couple dances " : ", ") + dance.name;
-        }
-    }
-    return names;
-}
-
-}  // namespace
 
 Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
                                          motion::DanceRole role,

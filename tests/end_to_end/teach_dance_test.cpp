@@ -208,6 +208,10 @@ TEST_F(TeachDance, a_broken_dance_is_named_and_the_show_goes_on) {
     fs::create_directories(dances / "half");
     ASSERT_TRUE(write_file(dances / "half/dances.toml",
                            "format = \"raks-dances\"\nversion = 1\n[[dance]]\nname = \"half\"\n"));
+    fs::create_directories(dances / "style");
+    ASSERT_TRUE(write_file(dances / "style/dances.toml",
+                           "format = \"raks-dances\"\nversion = 1\n[[dance]]\nname = \"style\"\n"
+                           "style = \"drum\"\n"));
 
     const ProcessResult result = run_here({"dance", "song.mp3", "-o", "x.bvh"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -215,6 +219,7 @@ TEST_F(TeachDance, a_broken_dance_is_named_and_the_show_goes_on) {
          {"empty: holds no dances.toml; `raks train figure` writes one",
           "odd/dances.toml: version must be a number up to 1; is Raks older than the file?",
           "half: half.toml is not there, so that half cannot be danced",
+          "style/dances.toml: line 5: style \"drum\" is unknown; did you mean \"drums\"?",
           "raks: tango is left out: "}) {
         EXPECT_NE(result.err.find(line), std::string::npos) << line << "\n" << result.err;
     }
