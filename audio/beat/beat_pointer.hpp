@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/network/beat_network.hpp"
 #include "base/realtime.hpp"
 
@@ -9,8 +10,8 @@ namespace raks::audio {
 
 /// Options of the pointer; each default was chosen on classes of music, not on pieces.
 struct BeatPointerConfig {
-    double lowest_bpm = 50.0;
-    double highest_bpm = 230.0;
+    double lowest_bpm = kSlowestTempo.bpm();
+    double highest_bpm = kFastestTempo.bpm();
     int tempi = 76;             ///< log-spaced between the two
     double stiffness = 100.0;   ///< a beat's tempo change by ratio r costs exp(-stiffness |r - 1|)
     double trust = 0.7;         ///< exponent of one hop's onset strength, alone

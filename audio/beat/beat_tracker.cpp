@@ -332,7 +332,7 @@ void BeatTracker::run_commands(StreamTime now) noexcept {
 void BeatTracker::set_position(double phase) noexcept { position_ += wrapped(phase - position_); }
 
 void BeatTracker::change_tempo(double bpm) noexcept {
-    const double in_range = std::clamp(bpm, 50.0, 230.0);
+    const double in_range = std::clamp(bpm, kSlowestTempo.bpm(), kFastestTempo.bpm());
     beats_per_hop_ = in_range / (60.0 * kHopsPerSecond);
     begin_tempo();
     pointer_.expect_tempo(in_range);

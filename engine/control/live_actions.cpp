@@ -14,9 +14,6 @@ using AnalyzerKind = audio::AnalyzerCommand::Kind;
 using DancerKind = motion::DancerCommand::Kind;
 
 constexpr Nanos kMostLatency = std::chrono::milliseconds(500);  // as in the settings
-// The tempi that the beat tracker takes, in BPM.
-constexpr double kSlowest = 50.0;
-constexpr double kFastest = 230.0;
 
 }  // namespace
 
@@ -83,7 +80,9 @@ void LiveActions::pause(double) { target_->toggle_pause(); }
 void LiveActions::seek(double seconds) { target_->seek_by(seconds); }
 
 void LiveActions::change_volume(double by) {
-    volume_ = std::clamp(volume_ + static_cast<float>(by), 0.0F, 1.0F);
+    // More than the file's own loudness comes from the settings alone.
+    const float loudest = std::max(volume_, 1.0F);
+    volume_ = std::clamp(volume_ + static_cast<float>(by), 0.0F, loudest);
     target_->set_volume(volume_);
 }
 
@@ -113,7 +112,7 @@ void LiveActions::double_tempo(double) {
 void LiveActions::change_tempo(double bpm) {
     // The stage may not have heard of the last step yet.
     const Bpm now = wished_tempo_.value_or(target_->tempo());
-    const Bpm wished(std::clamp(now.bpm() + bpm, kSlowest, kFastest));
+    const Bpm wished = std::clamp(Bpm(now.bpm() + bpm), audio::kSlowestTempo, audio::kFastestTempo);
     if (command(AnalyzerKind::set_tempo, wished.bpm())) {
         wished_tempo_ = wished;
         say_(fmt::format("tempo held at {:.1f} BPM (R follows the music)", wished.bpm()));

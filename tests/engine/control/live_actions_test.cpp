@@ -166,6 +166,18 @@ TEST_F(Live, the_latency_offset_moves_by_steps_and_stops_at_half_a_second) {
     EXPECT_EQ(last_said(), "latency offset -500 ms");
 }
 
+TEST(LiveVolume, above_the_files_own_stays_when_louder_is_asked_for) {
+    Recorder target;
+    LiveActions live(1.5F, [](const std::string&) {});
+    live.attach(target);
+    ActionDispatcher actions([](const std::string&) {});
+    live.bind(actions);
+    ASSERT_TRUE(actions.dispatch({Action::volume, 0.05}));
+    EXPECT_EQ(live.volume(), 1.5F);
+    ASSERT_TRUE(actions.dispatch({Action::volume, -0.25}));
+    EXPECT_EQ(live.volume(), 1.25F);
+}
+
 TEST_F(Live, the_next_file_gets_the_volume_and_the_latency_that_were_set) {
     Recorder untouched;
     untouched.latency = milliseconds(7);
