@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "audio/beat/beat_detector.hpp"
 #include "audio/beat/beat_tracker.hpp"
 #include "audio/beat/paper_beat.hpp"
-#include "audio/beat/song_listener.hpp"
 #include "audio/features/cepstral_mean.hpp"
 #include "audio/features/loudness.hpp"
 #include "audio/features/mfcc_hops.hpp"
@@ -60,7 +60,7 @@ struct MusicAnalyzer::State {
     PaperTracker paper;
     BeatMethod beat_method = BeatMethod::pointer;
     NetworkInput network_input;
-    std::optional<SongListener> listener;
+    std::optional<BeatDetector> beat_detector;
     int lookahead = 0;  // hops
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
@@ -88,7 +88,7 @@ struct MusicAnalyzer::State {
     void take(std::span<const float> rhythm, Sink& sink) noexcept;
     void finish_hop(Sink& sink) noexcept;
     void track(const Onset& onset, MusicState& state) noexcept;
-    void hear_mfcc(const MusicState& state) noexcept;
+    void score_mfcc(const MusicState& state) noexcept;
     void recognize(MusicState& state) noexcept;
     void hint_tempo(DanceId genre) noexcept;
     void jump_gap(Sink& sink) noexcept;
@@ -101,8 +101,8 @@ void MusicAnalyzer::State::reset() noexcept {
     tracker.reset();
     paper.reset();
     network_input.reset();
-    if (listener) {
-        listener->reset();
+    if (beat_detector) {
+        beat_detector->reset();
     }
     mfcc_hops.reset();
     cepstral_mean.reset();
@@ -151,7 +151,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     MusicState state;
     state.hop = next_hop++;
     state.time = time_of_hop(state.hop);
-    state.heard_until =
+    state.audio_end =
         state.time + kRhythmRate.time_of(OnsetDetector::kWindow / 2).time_since_epoch();
     // The level of the hop itself: the samples around the window's middle.
     state.level_dbfs = level_of(std::span(window).subspan(
@@ -169,7 +169,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     } else {
         track(onset, state);
     }
-    hear_mfcc(state);
+    score_mfcc(state);
     recognize(state);
     sink.on_state(state);
 }
@@ -178,20 +178,20 @@ void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept
     TrackedHop tracked;
     tracked.hop = state.hop;
     tracked.mel_magnitudes = onsets.mel_magnitudes();
-    tracked.heard_until = state.heard_until;
+    tracked.audio_end = state.audio_end;
     tracked.onset_strength = onset.strength;
     tracked.quiet_hops = quiet_hops;
     tracked.is_silent = state.is_silent;
-    if (listener) {
+    if (beat_detector) {
         tracked.has_evidence = true;
         tracked.evidence_lag = lookahead;
-        tracked.evidence = listener->next(network_input.next(onsets.mel_magnitudes()));
+        tracked.evidence = beat_detector->next(network_input.next(onsets.mel_magnitudes()));
     }
     tracker.advance(tracked, state);
 }
 
 /// The vector is some hops old: whether it is silence is said by the level of then.
-void MusicAnalyzer::State::hear_mfcc(const MusicState& state) noexcept {
+void MusicAnalyzer::State::score_mfcc(const MusicState& state) noexcept {
     const auto place = [](HopIndex hop) { return static_cast<std::size_t>(hop) % kLevelsKept; };
     level_dbfs[place(state.hop)] = state.level_dbfs;
     const MfccVector* vector = mfcc_hops.next();
@@ -243,7 +243,7 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
             MusicState state;
             state.hop = next_hop++;
             state.time = time_of_hop(state.hop);
-            state.heard_until = state.time;
+            state.audio_end = state.time;
             state.is_silent = is_silent();
             if (recognizer) {
                 recognizer->advance_blind(state);
@@ -298,11 +298,11 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     }
     state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
-    state_->listener.reset();
+    state_->beat_detector.reset();
     state_->tracker.expect_dances(config.dances);
-    state_->tracker.hear_bars_with(config.beat_network ? config.beat_network->bars() : nullptr);
+    state_->tracker.set_bar_network(config.beat_network ? config.beat_network->bars() : nullptr);
     if (config.beat_network) {
-        state_->listener.emplace(config.beat_network);
+        state_->beat_detector.emplace(config.beat_network);
         state_->lookahead = config.beat_network->lookahead();
     }
     state_->reset();

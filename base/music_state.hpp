@@ -26,9 +26,9 @@ struct BeatEvent {
 /// What the analyzer knows at one hop (10 ms): the only thing that passes from audio to motion.
 /// States come in order, one for every hop, none left out.
 struct MusicState {
-    HopIndex hop = 0;          ///< sequence number; this state is about time_of_hop(hop)
-    StreamTime time{};         ///< == time_of_hop(hop)
-    StreamTime heard_until{};  ///< end of the audio that was used (>= time): causality in figures
+    HopIndex hop = 0;        ///< sequence number; this state is about time_of_hop(hop)
+    StreamTime time{};       ///< == time_of_hop(hop)
+    StreamTime audio_end{};  ///< end of the audio that was used (>= time): causality in figures
     BeatGrid grid;
 
     bool has_beat = false;  ///< `beat` was announced since the last hop

@@ -107,13 +107,13 @@ void SlidingScore::reset() noexcept {
     std::fill(scores_.begin(), scores_.end(), kImpossible);
 }
 
-int SlidingScore::blocks_heard() const noexcept {
+int SlidingScore::blocks_scored() const noexcept {
     return static_cast<int>(std::min<std::int64_t>(scored_blocks_, blocks_));
 }
 
 double SlidingScore::score(int blocks) const noexcept {
-    return blocks >= 1 && blocks <= blocks_heard() ? scores_[static_cast<std::size_t>(blocks - 1)]
-                                                   : kImpossible;
+    return blocks >= 1 && blocks <= blocks_scored() ? scores_[static_cast<std::size_t>(blocks - 1)]
+                                                    : kImpossible;
 }
 
 const SlidingScore::Scaled& SlidingScore::block_at(std::int64_t number) const noexcept {

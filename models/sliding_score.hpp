@@ -47,7 +47,7 @@ class SlidingScore {
     /// Frames from the start of the stream to the end of those windows.
     [[nodiscard]] std::int64_t frames_scored() const noexcept { return scored_blocks_ * block_; }
     /// Blocks that score() can look back to.
-    [[nodiscard]] int blocks_heard() const noexcept;
+    [[nodiscard]] int blocks_scored() const noexcept;
 
  private:
     /// A vector or matrix and what it was divided by (forward; for Viterbi the scale stays 0).

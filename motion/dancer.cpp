@@ -103,7 +103,7 @@ struct Dancer::State {
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
     void start_on_downbeat(const MusicState& music) noexcept;
-    [[nodiscard]] DanceId wanted(DanceId heard) const noexcept;
+    [[nodiscard]] DanceId wanted(DanceId recognized) const noexcept;
     [[nodiscard]] bool leaves(const MusicState& music) const noexcept;
     void settle(StreamTime now) noexcept;
     void change(StreamTime now) noexcept;
@@ -211,18 +211,18 @@ void Dancer::State::change(StreamTime now) noexcept {
 }
 
 /// The dance for this music, as selected or as heard; unknown: none.
-DanceId Dancer::State::wanted(DanceId heard) const noexcept {
-    for (const DanceId one : {selected, heard}) {
+DanceId Dancer::State::wanted(DanceId recognized) const noexcept {
+    for (const DanceId one : {selected, recognized}) {
         if (one != DanceId::none && repertoire->of(one) != nullptr) {
             return one;
         }
     }
     switch (repertoire->otherwise()) {
-        case Repertoire::Otherwise::first:
+        case Repertoire::Fallback::first:
             return repertoire->first();
-        case Repertoire::Otherwise::keep:
+        case Repertoire::Fallback::keep:
             return genre;
-        case Repertoire::Otherwise::stand:
+        case Repertoire::Fallback::stand:
             break;
     }
     return DanceId::none;

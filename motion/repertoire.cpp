@@ -8,8 +8,8 @@ namespace raks::motion {
 
 Repertoire::Repertoire(DanceId first,
                        std::shared_ptr<const DanceLibrary> library,
-                       Otherwise otherwise)
-    : first_(first), otherwise_(otherwise) {
+                       Fallback otherwise)
+    : first_(first), fallback_(otherwise) {
     add(first, std::move(library));
 }
 

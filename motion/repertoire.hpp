@@ -15,7 +15,7 @@ namespace raks::motion {
 class Repertoire {
  public:
     /// What is danced while the genre is unknown, or its dance is not known.
-    enum class Otherwise {
+    enum class Fallback {
         first,  ///< the first dance
         keep,   ///< what is danced already
         stand,  ///< nothing
@@ -24,7 +24,7 @@ class Repertoire {
     /// Errors are the caller's: `library` must be there. Threads: any. Real-time: no.
     Repertoire(DanceId first,
                std::shared_ptr<const DanceLibrary> library,
-               Otherwise otherwise = Otherwise::first);
+               Fallback otherwise = Fallback::first);
 
     /// One dance to any music. Null stays null.
     [[nodiscard]] static std::shared_ptr<const Repertoire> of_one(
@@ -37,11 +37,11 @@ class Repertoire {
     /// Null: not known (yet). Threads: any. Real-time: yes.
     [[nodiscard]] const DanceLibrary* of(DanceId id) const noexcept;
     [[nodiscard]] DanceId first() const noexcept { return first_; }
-    [[nodiscard]] Otherwise otherwise() const noexcept { return otherwise_; }
+    [[nodiscard]] Fallback otherwise() const noexcept { return fallback_; }
 
  private:
     DanceId first_;
-    Otherwise otherwise_;
+    Fallback fallback_;
     std::array<std::shared_ptr<const DanceLibrary>, kMostDances> owned_;
     std::array<std::atomic<const DanceLibrary*>, kMostDances> dances_{};
 };

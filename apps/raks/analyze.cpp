@@ -50,7 +50,7 @@ audio::BeatMethod streaming_method(FileBeatMethod method) {
 }
 
 /// Everything that listens to the file.
-struct Listeners {
+struct Analyses {
     audio::MusicAnalyzer analyzer;
     std::optional<audio::PaperFile> whole;  // --beat paper-whole
     std::optional<PlotData> plot;           // --plot
@@ -62,7 +62,7 @@ struct Listeners {
 Expected<void> prepare(const AnalyzeArguments& arguments,
                        SampleRate rate,
                        const engine::AnalyzerModels& models,
-                       Listeners& to) {
+                       Analyses& to) {
     if (!arguments.plot.empty()) {
         if (arguments.plot.extension() != ".svg") {
             return fail(arguments.plot.string() + ": a plot is written as .svg");
@@ -102,15 +102,15 @@ Expected<void> prepare(const AnalyzeArguments& arguments,
 
 /// All of the file, and the silence after it that brings the last hops out; what is said beyond the
 /// file's end is not told.
-void hear(engine::MusicSource& source, Listeners& listeners, Collect& collect) {
+void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& collect) {
     ProgressLine progress("analyzing");
     for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
-        listeners.analyzer.process(block.mono, collect);
-        if (listeners.whole) {
-            listeners.whole->add(block.mono);
+        analyses.analyzer.process(block.mono, collect);
+        if (analyses.whole) {
+            analyses.whole->add(block.mono);
         }
-        if (listeners.plot) {
-            listeners.plot->hear(block.mono);
+        if (analyses.plot) {
+            analyses.plot->add(block.mono);
         }
         if (const auto share = source.progress()) {
             progress.show(*share);
@@ -119,9 +119,9 @@ void hear(engine::MusicSource& source, Listeners& listeners, Collect& collect) {
     collect.end = StreamTime(source.given());
     const std::array<float, 256> silence{};
     for (Nanos fed{};
-         fed <= listeners.analyzer.delay() + kHop && collect.newest + kHop < collect.end;
+         fed <= analyses.analyzer.delay() + kHop && collect.newest + kHop < collect.end;
          fed += source.rate().time_of(silence.size()).time_since_epoch()) {
-        listeners.analyzer.process(silence, collect);
+        analyses.analyzer.process(silence, collect);
     }
 }
 
@@ -137,19 +137,19 @@ const char* name_of(FileBeatMethod method) {
     return "";
 }
 
-Expected<void> write_plot(const AnalyzeArguments& arguments, Listeners& listeners, Nanos duration) {
-    listeners.plot->finish(duration);
-    const auto svg = draw_plot(*listeners.plot,
+Expected<void> write_plot(const AnalyzeArguments& arguments, Analyses& analyses, Nanos duration) {
+    analyses.plot->finish(duration);
+    const auto svg = draw_plot(*analyses.plot,
                                {.title = printable(arguments.input.filename().string(), 200),
                                 .method = name_of(arguments.beat),
-                                .reference = std::move(listeners.reference)});
+                                .reference = std::move(analyses.reference)});
     if (!svg) {
         return fail(svg.error());
     }
-    if (std::ofstream out(listeners.plot_file->part(), std::ios::binary); !(out << *svg).flush()) {
+    if (std::ofstream out(analyses.plot_file->part(), std::ios::binary); !(out << *svg).flush()) {
         return fail(arguments.plot.string() + ": cannot be written; is the disk full?");
     }
-    return listeners.plot_file->commit();
+    return analyses.plot_file->commit();
 }
 
 }  // namespace
@@ -167,27 +167,27 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
     if (!models) {
         return fail(models.error());
     }
-    Listeners listeners;
-    if (auto prepared = prepare(arguments, source->rate(), *models, listeners); !prepared) {
+    Analyses analyses;
+    if (auto prepared = prepare(arguments, source->rate(), *models, analyses); !prepared) {
         return fail(std::move(prepared.error()));
     }
     std::vector<std::string> genres = models->genres->genres;
     genres.emplace_back("unknown");
     AnalysisDocument document(arguments.input.string(), source->rate(), std::move(genres));
-    Collect collect(document, listeners.plot ? &*listeners.plot : nullptr);
-    hear(*source, listeners, collect);
-    if (listeners.whole) {
-        auto beats = listeners.whole->finish(source->given());
-        if (listeners.plot) {
-            listeners.plot->replace_beats(beats);
+    Collect collect(document, analyses.plot ? &*analyses.plot : nullptr);
+    analyze_source(*source, analyses, collect);
+    if (analyses.whole) {
+        auto beats = analyses.whole->finish(source->given());
+        if (analyses.plot) {
+            analyses.plot->replace_beats(beats);
         }
         document.replace_beats(std::move(beats));
     }
     if (!source->warning().empty()) {
         say(source->warning());
     }
-    if (listeners.plot) {
-        if (auto written = write_plot(arguments, listeners, source->given()); !written) {
+    if (analyses.plot) {
+        if (auto written = write_plot(arguments, analyses, source->given()); !written) {
             return fail(std::move(written.error()));
         }
     }

@@ -164,15 +164,15 @@ void add_loop(const Watched& watched,
         not_measured(recording.error().message);
         return;
     }
-    const std::vector<engine::HeardBeat> heard = engine::heard_beats(*recording, music);
-    if (heard.size() < kLeastBeats) {
-        not_measured(fmt::format("only {} beats came back", heard.size()));
+    const std::vector<engine::AudibleBeat> audible = engine::audible_beats(*recording, music);
+    if (audible.size() < kLeastBeats) {
+        not_measured(fmt::format("only {} beats came back", audible.size()));
         return;
     }
     report.notes.emplace_back("loop", "JACK, our output ports to our input ports");
-    const engine::SoundLine sound(heard, music);
-    const Spread latency = spread_of(engine::loop_latencies_ms(heard, music, watched.pictures));
-    report.values.emplace_back("beats_back", static_cast<double>(heard.size()));
+    const engine::SoundLine sound(audible, music);
+    const Spread latency = spread_of(engine::loop_latencies_ms(audible, music, watched.pictures));
+    report.values.emplace_back("beats_back", static_cast<double>(audible.size()));
     report.values.emplace_back("loop_latency_ms", latency.p50);
     report.values.emplace_back("loop_minus_reported_ms",
                                latency.p50 - 1e3 * to_seconds(reported_latency));

@@ -166,16 +166,16 @@ Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
                                                  const Networks& networks,
                                                  const std::string& name,
                                                  const std::optional<Path>& folder) {
-    const auto heard = hear_beats_of(excerpts, method, networks, name);
-    if (!heard) {
-        return fail(heard.error());
+    const auto analyzed = analyze_excerpts(excerpts, method, networks, name);
+    if (!analyzed) {
+        return fail(analyzed.error());
     }
     ScoredTracker tracker{name, {}};
     for (std::size_t i = 0; i < excerpts.size(); ++i) {
-        if (!(*heard)[i]) {
+        if (!(*analyzed)[i]) {
             continue;
         }
-        const auto& [estimate, warning] = *(*heard)[i];
+        const auto& [estimate, warning] = *(*analyzed)[i];
         if (!warning.empty()) {
             say(warning);
         }

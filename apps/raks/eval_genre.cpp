@@ -87,14 +87,14 @@ class WatchDecision final : public audio::MusicAnalyzer::Sink {
     int right_ = 0;
 };
 
-struct HeardFile {
-    audio::HeardPiece piece;
+struct AnalyzedFile {
+    audio::PieceFeatures piece;
     Shown shown;
 };
 
-Expected<HeardFile> hear(const audio::MusicFile& file,
-                         audio::Damage damage,
-                         const engine::AnalyzerModels& models) {
+Expected<AnalyzedFile> analyze_file(const audio::MusicFile& file,
+                                    audio::Damage damage,
+                                    const engine::AnalyzerModels& models) {
     auto music = audio::read_all_mono(file.path);
     if (!music) {
         return fail(music.error());
@@ -102,18 +102,18 @@ Expected<HeardFile> hear(const audio::MusicFile& file,
     if (auto done = audio::damage(damage, music->rate.hertz(), music->samples); !done) {
         return fail(done.error());
     }
-    HeardFile heard;
-    heard.piece.name = file.name;
-    heard.piece.group = file.group;
-    heard.piece.genre = file.genre;
-    if (auto done = audio::hear_piece(music->samples,
-                                      music->rate,
-                                      {models.beats, models.genres->features.cepstral_mean},
-                                      heard.piece);
+    AnalyzedFile analyzed;
+    analyzed.piece.name = file.name;
+    analyzed.piece.group = file.group;
+    analyzed.piece.genre = file.genre;
+    if (auto done = audio::extract_features(music->samples,
+                                            music->rate,
+                                            {models.beats, models.genres->features.cepstral_mean},
+                                            analyzed.piece);
         !done) {
         return fail(file.path.string() + ": " + done.error().message);
     }
-    if (heard.piece.windows.empty()) {
+    if (analyzed.piece.windows.empty()) {
         return fail(file.path.string() + ": is silent or shorter than 1 s");
     }
     auto analyzer = engine::make_analyzer(music->rate, models);
@@ -123,8 +123,8 @@ Expected<HeardFile> hear(const audio::MusicFile& file,
     const std::vector<std::string>& genres = models.genres->genres;
     WatchDecision watch(audio::class_of(file.genre, genres), genres.size());
     analyzer->process(music->samples, watch);
-    heard.shown = watch.result(file);
-    return heard;
+    analyzed.shown = watch.result(file);
+    return analyzed;
 }
 
 constexpr std::array kEvidence = {std::pair{GenreEvidence::mfcc, "mfcc"},
@@ -207,26 +207,26 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     evaluation.asked = asked_genres(*files, evaluation.genres, kEnoughFiles);
     const std::size_t damages = arguments.with_damage ? std::size(audio::kDamageNames) : 1;
     for (std::size_t damage = 0; damage < damages; ++damage) {
-        std::vector<Expected<HeardFile>> heard(files->size(), fail("not heard"));
+        std::vector<Expected<AnalyzedFile>> analyzed(files->size(), fail("not heard"));
         run_parallel(files->size(), arguments.threads, [&](std::size_t i) {
-            heard[i] = hear((*files)[i], static_cast<audio::Damage>(damage), models);
+            analyzed[i] = analyze_file((*files)[i], static_cast<audio::Damage>(damage), models);
         });
         std::vector<audio::WindowScore> scores;
-        for (std::size_t i = 0; i < heard.size(); ++i) {
-            if (!heard[i]) {
+        for (std::size_t i = 0; i < analyzed.size(); ++i) {
+            if (!analyzed[i]) {
                 if (damage == 0) {
-                    evaluation.skipped.push_back(heard[i].error().message);
+                    evaluation.skipped.push_back(analyzed[i].error().message);
                 }
                 continue;
             }
-            auto part = audio::score_piece(**model, heard[i]->piece, i);
+            auto part = audio::score_piece(**model, analyzed[i]->piece, i);
             std::move(part.begin(), part.end(), std::back_inserter(scores));
             if (damage == 0) {
-                evaluation.shown.push_back(std::move(heard[i]->shown));
+                evaluation.shown.push_back(std::move(analyzed[i]->shown));
             }
         }
-        if (damage > 0 && scores.empty() && !heard.empty() && !heard.front()) {
-            evaluation.skipped.push_back(heard.front().error().message);
+        if (damage > 0 && scores.empty() && !analyzed.empty() && !analyzed.front()) {
+            evaluation.skipped.push_back(analyzed.front().error().message);
         }
         add_rows(**model, scores, std::string(audio::kDamageNames[damage]), evaluation);
     }

@@ -57,9 +57,9 @@ audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
     return list;
 }
 
-Expected<audio::BeatEstimate> hear_streaming(engine::MusicSource& source,
-                                             audio::BeatMethod method,
-                                             std::shared_ptr<const audio::BeatNetwork> network) {
+Expected<audio::BeatEstimate> analyze_streaming(engine::MusicSource& source,
+                                                audio::BeatMethod method,
+                                                std::shared_ptr<const audio::BeatNetwork> network) {
     auto analyzer =
         engine::make_analyzer(source.rate(), {std::move(network), nullptr, nullptr}, method);
     if (!analyzer) {
@@ -80,7 +80,7 @@ Expected<audio::BeatEstimate> hear_streaming(engine::MusicSource& source,
     return audio::BeatEstimate{list_of(notes.beats, bars), std::move(notes.predicted)};
 }
 
-Expected<audio::BeatEstimate> hear_whole(engine::MusicSource& source) {
+Expected<audio::BeatEstimate> analyze_whole(engine::MusicSource& source) {
     audio::PaperFile paper;
     if (auto prepared = paper.prepare(source.rate()); !prepared) {
         return fail(std::move(prepared.error()));
@@ -93,40 +93,41 @@ Expected<audio::BeatEstimate> hear_whole(engine::MusicSource& source) {
 
 }  // namespace
 
-Expected<HeardBeats> hear_beats(const Path& audio,
-                                FileBeatMethod method,
-                                std::shared_ptr<const audio::BeatNetwork> network) {
+Expected<ExcerptBeats> analyze_excerpt(const Path& audio,
+                                       FileBeatMethod method,
+                                       std::shared_ptr<const audio::BeatNetwork> network) {
     auto source = engine::MusicSource::open(audio);
     if (!source) {
         return fail(std::move(source.error()));
     }
-    auto estimate = method == FileBeatMethod::paper_whole ? hear_whole(*source)
-                    : method == FileBeatMethod::paper
-                        ? hear_streaming(*source, audio::BeatMethod::paper, nullptr)
-                        : hear_streaming(*source, audio::BeatMethod::pointer, std::move(network));
+    auto estimate =
+        method == FileBeatMethod::paper_whole ? analyze_whole(*source)
+        : method == FileBeatMethod::paper
+            ? analyze_streaming(*source, audio::BeatMethod::paper, nullptr)
+            : analyze_streaming(*source, audio::BeatMethod::pointer, std::move(network));
     if (!estimate) {
         return fail(std::move(estimate.error()).in(audio.string()));
     }
-    return HeardBeats{std::move(*estimate), source->warning()};
+    return ExcerptBeats{std::move(*estimate), source->warning()};
 }
 
-Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
+Expected<std::vector<std::optional<ExcerptBeats>>> analyze_excerpts(
     std::span<const audio::BeatExcerpt> excerpts,
     FileBeatMethod method,
     const std::vector<std::shared_ptr<const audio::BeatNetwork>>& networks,
     const std::string& what) {
-    std::vector<std::optional<Expected<HeardBeats>>> heard(excerpts.size());
+    std::vector<std::optional<Expected<ExcerptBeats>>> analyzed(excerpts.size());
     std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> done{0};
     // Each excerpt has its own slot. Relaxed: the futures' get() orders the slots before reading.
     const auto work = [&] {
         for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed); i < excerpts.size();
              i = next.fetch_add(1, std::memory_order_relaxed)) {
-            auto result = hear_beats(excerpts[i].audio, method, networks[i]);
+            auto result = analyze_excerpt(excerpts[i].audio, method, networks[i]);
             if (stop_signal()) {
                 return;  // this one may have been broken off
             }
-            heard[i] = std::move(result);
+            analyzed[i] = std::move(result);
             done.fetch_add(1, std::memory_order_relaxed);
         }
     };
@@ -140,8 +141,8 @@ Expected<std::vector<std::optional<HeardBeats>>> hear_beats_of(
         }
         worker.get();
     }
-    std::vector<std::optional<HeardBeats>> results;
-    for (auto& result : heard) {
+    std::vector<std::optional<ExcerptBeats>> results;
+    for (auto& result : analyzed) {
         if (result && !*result) {
             return fail(std::move(result->error()));
         }

@@ -159,8 +159,8 @@ bool StageLoop::is_finished() const {
         return true;
     }
     // To the end of what is heard, not of what was handed over.
-    const StreamTime heard = graph_->moment_at(HostClock::now());
-    if (options_.seconds && to_seconds(heard) >= *options_.seconds) {
+    const StreamTime audible = graph_->moment_at(HostClock::now());
+    if (options_.seconds && to_seconds(audible) >= *options_.seconds) {
         return true;
     }
     const engine::Playback* const playback = graph_->playback();
@@ -191,8 +191,8 @@ void StageLoop::select_next_dance(engine::LiveGraph& graph) {
         say(fmt::format("keeping to {}: start without --dance for the others", settings_.dance));
         return;
     }
-    const bool is_heard = selected_dance_ == DanceId::none;
-    const std::size_t next = is_heard ? 0 : index_of(selected_dance_) + 1;
+    const bool is_recognized = selected_dance_ == DanceId::none;
+    const std::size_t next = is_recognized ? 0 : index_of(selected_dance_) + 1;
     selected_dance_ = next < dances_->size() ? static_cast<DanceId>(next) : DanceId::none;
     graph.command(DancerKind::select_dance, static_cast<double>(selected_dance_));
     say(selected_dance_ == DanceId::none

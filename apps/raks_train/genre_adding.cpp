@@ -11,8 +11,8 @@
 namespace raks::apps {
 namespace {
 
-std::string text_of(const audio::HearingPlan& hearing, const audio::GenreFeatures& features) {
-    return fmt::format("{:016x}", name_of_hearing(hearing, features));
+std::string text_of(const audio::FeaturePlan& feature_plan, const audio::GenreFeatures& features) {
+    return fmt::format("{:016x}", feature_key(feature_plan, features));
 }
 
 }  // namespace
@@ -43,10 +43,10 @@ Expected<GenreBase> load_base(const std::filesystem::path& model) {
     return GenreBase{std::move(*loaded), std::move(*samples)};
 }
 
-Expected<void> check_hearing(const GenreBase& base,
-                             const std::filesystem::path& model,
-                             const audio::HearingPlan& hearing) {
-    if (base.samples.hearing != text_of(hearing, base.model->features)) {
+Expected<void> check_features(const GenreBase& base,
+                              const std::filesystem::path& model,
+                              const audio::FeaturePlan& feature_plan) {
+    if (base.samples.feature_key != text_of(feature_plan, base.model->features)) {
         return fail(audio::samples_path(model).string() +
                     ": was heard with other features or another beat network than this program "
                     "has; train the model again");
@@ -67,14 +67,14 @@ void keep_known(const GenreBase& base,
 }
 
 Expected<void> keep_samples(const GenreOptions& options,
-                            const audio::HearingPlan& hearing,
+                            const audio::FeaturePlan& feature_plan,
                             std::span<const std::string> genres,
-                            std::span<const audio::HeardPiece* const> pieces) {
+                            std::span<const audio::PieceFeatures* const> pieces) {
     if (options.sample_kilobytes == 0 || options.output.empty()) {
         return {};
     }
     const auto bytes = static_cast<std::size_t>(options.sample_kilobytes) * 1'000;
-    const audio::GenreSamples samples{text_of(hearing, options.plan.features),
+    const audio::GenreSamples samples{text_of(feature_plan, options.plan.features),
                                       {genres.begin(), genres.end()},
                                       options.plan.written_networks,
                                       audio::sample_pieces(pieces, genres, bytes, options.seed)};

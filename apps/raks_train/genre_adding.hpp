@@ -26,9 +26,9 @@ struct GenreBase {
 [[nodiscard]] Expected<GenreBase> load_base(const std::filesystem::path& model);
 
 /// Errors: the sample was heard with other features, or another beat network, than this program's.
-[[nodiscard]] Expected<void> check_hearing(const GenreBase& base,
-                                           const std::filesystem::path& model,
-                                           const audio::HearingPlan& hearing);
+[[nodiscard]] Expected<void> check_features(const GenreBase& base,
+                                            const std::filesystem::path& model,
+                                            const audio::FeaturePlan& feature_plan);
 
 /// Puts back the HMMs of genres without new music: they knew all of it. `renewed`: those with.
 void keep_known(const GenreBase& base,
@@ -37,8 +37,8 @@ void keep_known(const GenreBase& base,
 
 /// Keeps a sample of these pieces beside the model. Nothing, where the options want none.
 [[nodiscard]] Expected<void> keep_samples(const GenreOptions& options,
-                                          const audio::HearingPlan& hearing,
+                                          const audio::FeaturePlan& feature_plan,
                                           std::span<const std::string> genres,
-                                          std::span<const audio::HeardPiece* const> pieces);
+                                          std::span<const audio::PieceFeatures* const> pieces);
 
 }  // namespace raks::apps

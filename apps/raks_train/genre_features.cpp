@@ -39,15 +39,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 /// What hearing a recording took, in seconds.
 struct Cost {
-    double music = 0.0;           // its length
-    double hearing = 0.0;         // computed: reading and hearing it as it is
-    double altering = 0.0;        // computed: making the altered copies
-    double hearing_copies = 0.0;  // computed
+    double music = 0.0;              // its length
+    double feature_plan = 0.0;       // computed: reading and hearing it as it is
+    double altering = 0.0;           // computed: making the altered copies
+    double extracting_copies = 0.0;  // computed
     Cost& operator+=(const Cost& other) {
         music += other.music;
-        hearing += other.hearing;
+        feature_plan += other.feature_plan;
         altering += other.altering;
-        hearing_copies += other.hearing_copies;
+        extracting_copies += other.extracting_copies;
         return *this;
     }
 };
@@ -56,11 +56,11 @@ std::string hex(std::uint64_t number) { return fmt::format("{:016x}", number); }
 
 /// One recording, clean and then its altered copies (a copy depends on the file's name and the
 /// seed), or damaged.
-Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
-                                                   const GenreOptions& options,
-                                                   const audio::HearingPlan& hearing,
-                                                   audio::Damage damage,
-                                                   Cost& cost) {
+Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile& file,
+                                                         const GenreOptions& options,
+                                                         const audio::FeaturePlan& feature_plan,
+                                                         audio::Damage damage,
+                                                         Cost& cost) {
     double start = thread_seconds();
     const auto lap = [&start] {
         const double before = std::exchange(start, thread_seconds());
@@ -71,17 +71,17 @@ Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
         return fail(music.error());
     }
     cost.music = static_cast<double>(music->samples.size()) / music->rate.hertz();
-    std::vector<audio::HeardPiece> pieces;
+    std::vector<audio::PieceFeatures> pieces;
     const int copies = damage == audio::Damage::none ? options.altered : 0;
     for (int copy = 0; copy <= copies; ++copy) {
         std::vector<float> samples = music->samples;
-        audio::HeardPiece& piece = pieces.emplace_back();
+        audio::PieceFeatures& piece = pieces.emplace_back();
         if (auto damaged = audio::damage(damage, music->rate.hertz(), samples); !damaged) {
             return fail(file.path.string() + ": " + damaged.error().message);
         }
         if (copy > 0) {
             Dice dice(options.seed + 1000, hash_of(file.name) + static_cast<std::uint64_t>(copy));
-            piece.kind = audio::HeardPiece::Kind::altered;
+            piece.kind = audio::PieceFeatures::Kind::altered;
             const auto altered =
                 audio::alter_recording(music->rate.hertz(), copy, samples, dice, options.effects);
             if (!altered) {
@@ -89,10 +89,11 @@ Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
             }
             cost.altering += lap();
         }
-        if (auto heard = audio::hear_piece(samples, music->rate, hearing, piece); !heard) {
-            return fail(file.path.string() + ": " + heard.error().message);
+        if (auto extracted = audio::extract_features(samples, music->rate, feature_plan, piece);
+            !extracted) {
+            return fail(file.path.string() + ": " + extracted.error().message);
         }
-        (copy == 0 ? cost.hearing : cost.hearing_copies) += lap();
+        (copy == 0 ? cost.feature_plan : cost.extracting_copies) += lap();
         if (copy == 0 && piece.windows.empty()) {
             return fail(file.path.string() + ": is silent or shorter than 1 s");
         }
@@ -102,9 +103,9 @@ Expected<std::vector<audio::HeardPiece>> hear_file(const audio::MusicFile& file,
 
 /// What was kept under this name, or what `make` gives, which is then kept.
 template <class Make>
-Expected<std::vector<audio::HeardPiece>> cached(const GenreOptions& options,
-                                                const std::string& name,
-                                                const Make& make) {
+Expected<std::vector<audio::PieceFeatures>> cached(const GenreOptions& options,
+                                                   const std::string& name,
+                                                   const Make& make) {
     const fs::path path = options.cache / (name + ".pieces");
     std::error_code ignored;
     if (!options.cache.empty() && fs::exists(path, ignored)) {
@@ -122,7 +123,7 @@ Expected<std::vector<audio::HeardPiece>> cached(const GenreOptions& options,
 /// Under which name the cache keeps a recording: another as soon as the file or its hearing is.
 std::string name_in_cache(const audio::MusicFile& file,
                           const GenreOptions& options,
-                          std::uint64_t hearing,
+                          std::uint64_t feature_plan,
                           audio::Damage damage) {
     std::error_code error;
     const auto size = fs::file_size(file.path, error);
@@ -138,7 +139,7 @@ std::string name_in_cache(const audio::MusicFile& file,
                                                   options.seed,
                                                   options.altered,
                                                   audio::kRoomEvery,
-                                                  hearing,
+                                                  feature_plan,
                                                   without(options.effects),
                                                   damaged)));
 }
@@ -150,13 +151,13 @@ void print_cost(const Cost& cost, const GenreOptions& options) {
     std::fprintf(stderr,
                  "raks: %.1f min of recordings heard in %.1f s of computing",
                  cost.music / 60.0,
-                 cost.hearing);
+                 cost.feature_plan);
     if (options.altered > 0) {
         std::fprintf(stderr,
                      "; %d altered copies made in %.1f s, heard in %.1f s",
                      options.altered,
                      cost.altering,
-                     cost.hearing_copies);
+                     cost.extracting_copies);
     }
     std::fputc('\n', stderr);
 }
@@ -173,20 +174,20 @@ std::string without(const audio::SoundEffects& effects) {
     return suffix;
 }
 
-std::uint64_t name_of_hearing(const audio::HearingPlan& hearing,
-                              const audio::GenreFeatures& features) {
-    const auto weights = hearing.beat_network->parameters();
+std::uint64_t feature_key(const audio::FeaturePlan& feature_plan,
+                          const audio::GenreFeatures& features) {
+    const auto weights = feature_plan.beat_network->parameters();
     const std::uint64_t network =
         hash_of({reinterpret_cast<const char*>(weights.data()), weights.size_bytes()});
     return hash_of(audio::features_text(features), network);
 }
 
-std::vector<audio::HeardUnit> hear_recordings(const std::vector<audio::MusicFile>& files,
-                                              const GenreOptions& options,
-                                              const audio::HearingPlan& hearing,
-                                              audio::Damage damage) {
-    const std::uint64_t way = name_of_hearing(hearing, options.plan.features);
-    std::vector<audio::HeardUnit> units(files.size());
+std::vector<audio::FeatureUnit> extract_recordings(const std::vector<audio::MusicFile>& files,
+                                                   const GenreOptions& options,
+                                                   const audio::FeaturePlan& feature_plan,
+                                                   audio::Damage damage) {
+    const std::uint64_t way = feature_key(feature_plan, options.plan.features);
+    std::vector<audio::FeatureUnit> units(files.size());
     std::vector<Cost> costs(files.size());
     std::vector<std::size_t> own;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -198,16 +199,16 @@ std::vector<audio::HeardUnit> hear_recordings(const std::vector<audio::MusicFile
     std::atomic<std::size_t> done{0};
     run_parallel(own.size(), options.threads, [&](std::size_t turn) {
         const audio::MusicFile& file = files[own[turn]];
-        audio::HeardUnit& unit = units[own[turn]];
+        audio::FeatureUnit& unit = units[own[turn]];
         auto pieces = cached(options, name_in_cache(file, options, way, damage), [&] {
-            return hear_file(file, options, hearing, damage, costs[own[turn]]);
+            return extract_file(file, options, feature_plan, damage, costs[own[turn]]);
         });
         if (pieces) {
             unit.pieces = std::move(*pieces);
         } else {
             unit.fault = pieces.error().message;
         }
-        for (audio::HeardPiece& piece : unit.pieces) {
+        for (audio::PieceFeatures& piece : unit.pieces) {
             piece.name = file.name;
             piece.group = file.group;
             piece.genre = file.genre;
@@ -232,11 +233,11 @@ std::vector<audio::HeardUnit> hear_recordings(const std::vector<audio::MusicFile
 }
 
 std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
-                                    const audio::HearingPlan& hearing,
+                                    const audio::FeaturePlan& feature_plan,
                                     const std::string& name,
                                     audio::WrittenCorpusPlan plan) {
     const int all = plan.pieces;
-    plan.hearing = hearing;
+    plan.feature_plan = feature_plan;
     plan.styles = &options.styles;
     plan.threads = options.threads;
     plan.effects = options.effects;
@@ -261,8 +262,8 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
     return chunks;
 }
 
-Expected<std::vector<audio::HeardPiece>> hear_chunk(const GenreOptions& options,
-                                                    const WrittenChunk& chunk) {
+Expected<std::vector<audio::PieceFeatures>> extract_chunk(const GenreOptions& options,
+                                                          const WrittenChunk& chunk) {
     return cached(options, chunk.name, [&] { return audio::write_corpus(chunk.plan); });
 }
 

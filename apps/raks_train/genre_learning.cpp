@@ -25,7 +25,7 @@ namespace raks::apps {
 namespace {
 
 std::vector<audio::WindowScore> scores_of(const audio::GenreModel& model,
-                                          std::span<const audio::HeardPiece> pieces,
+                                          std::span<const audio::PieceFeatures> pieces,
                                           int threads) {
     std::vector<std::vector<audio::WindowScore>> parts(pieces.size());
     run_parallel(pieces.size(), threads, [&](std::size_t i) {
@@ -93,13 +93,13 @@ std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
     const GenreOptions& options,
     const GenreMaterial& material,
     const std::vector<std::string>& genres) {
-    std::vector<const audio::HeardPiece*> pieces;
+    std::vector<const audio::PieceFeatures*> pieces;
     std::vector<std::size_t> classes;
     const auto hash_with = [](std::span<const float> values, std::uint64_t hash) {
         return hash_of({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, hash);
     };
     std::uint64_t music = hash_of("");
-    for (const audio::HeardPiece& piece : material.pieces) {
+    for (const audio::PieceFeatures& piece : material.pieces) {
         pieces.push_back(&piece);
         classes.push_back(audio::class_of(piece.genre, genres));
         if (!piece.is_recorded()) {
@@ -139,16 +139,16 @@ namespace {
 
 /// Recordings as they are heard after each damage, one after the other.
 struct DamagedMusic {
-    std::vector<audio::HeardPiece> pieces;
+    std::vector<audio::PieceFeatures> pieces;
     std::vector<audio::Damage> damages;  // of each piece
 };
 
 /// Of the recordings in the material.
-DamagedMusic hear_damaged(const GenreOptions& options,
-                          const GenreMaterial& material,
-                          const audio::HearingPlan& hearing) {
+DamagedMusic extract_damaged(const GenreOptions& options,
+                             const GenreMaterial& material,
+                             const audio::FeaturePlan& feature_plan) {
     std::set<std::string> known;
-    for (const audio::HeardPiece& piece : material.pieces) {
+    for (const audio::PieceFeatures& piece : material.pieces) {
         if (piece.is_recorded()) {
             known.insert(piece.name);
         }
@@ -156,11 +156,12 @@ DamagedMusic hear_damaged(const GenreOptions& options,
     DamagedMusic music;
     for (std::size_t number = 1; number < std::size(audio::kDamageNames); ++number) {
         const auto damage = static_cast<audio::Damage>(number);
-        for (audio::HeardUnit& unit : hear_recordings(material.files, options, hearing, damage)) {
+        for (audio::FeatureUnit& unit :
+             extract_recordings(material.files, options, feature_plan, damage)) {
             if (!unit.fault.empty()) {
                 say(fmt::format("not judged with {}: {}", audio::kDamageNames[number], unit.fault));
             }
-            for (audio::HeardPiece& piece : unit.pieces) {
+            for (audio::PieceFeatures& piece : unit.pieces) {
                 if (known.contains(piece.name)) {
                     music.pieces.push_back(std::move(piece));
                     music.damages.push_back(damage);
@@ -188,11 +189,11 @@ std::set<std::string> unjudged(const GenreOptions& options, const GenreMaterial&
 Expected<std::vector<audio::WindowScore>> validate_by_group(
     const GenreOptions& options,
     const GenreMaterial& material,
-    const audio::HearingPlan& hearing,
+    const audio::FeaturePlan& feature_plan,
     const std::vector<std::string>& genres) {
-    const std::vector<audio::HeardPiece>& pieces = material.pieces;
+    const std::vector<audio::PieceFeatures>& pieces = material.pieces;
     const DamagedMusic damaged =
-        options.judges_damage ? hear_damaged(options, material, hearing) : DamagedMusic{};
+        options.judges_damage ? extract_damaged(options, material, feature_plan) : DamagedMusic{};
     const auto scores =
         audio::cross_validate(pieces, damaged.pieces, genres, options.plan, [](int done, int all) {
             std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
@@ -206,11 +207,11 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
     for (const audio::WindowScore& score : *scores) {
         const bool is_damaged = score.piece >= pieces.size();
         const std::size_t number = is_damaged ? score.piece - pieces.size() : score.piece;
-        const audio::HeardPiece& piece = is_damaged ? damaged.pieces[number] : pieces[number];
+        const audio::PieceFeatures& piece = is_damaged ? damaged.pieces[number] : pieces[number];
         if (!is_damaged) {
             undamaged.push_back(score);
         }
-        if (piece.kind == audio::HeardPiece::Kind::recorded && !left_out.contains(piece.name)) {
+        if (piece.kind == audio::PieceFeatures::Kind::recorded && !left_out.contains(piece.name)) {
             recorded[is_damaged ? damaged.damages[number] : audio::Damage::none].push_back(score);
         }
     }
@@ -241,7 +242,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
 }
 
 Expected<void> test_on_written(const GenreOptions& options,
-                               const audio::HearingPlan& hearing,
+                               const audio::FeaturePlan& feature_plan,
                                const audio::GenreModel& model) {
     using Families = audio::WrittenCorpusPlan::Families;
     const auto test = [&](const std::string& name,
@@ -249,14 +250,14 @@ Expected<void> test_on_written(const GenreOptions& options,
                           Families families,
                           std::uint64_t seed) -> Expected<void> {
         auto pieces = written(options,
-                              hearing,
+                              feature_plan,
                               name,
                               {.soundfonts = soundfonts,
                                .families = families,
                                .pieces = options.test_pieces,
                                .seed = seed,
                                .augmentation = audio::WrittenCorpusPlan::Augmentation::off,
-                               .hearing = {}});
+                               .feature_plan = {}});
         if (!pieces) {
             return fail(pieces.error());
         }

@@ -23,13 +23,13 @@ namespace raks::apps {
 [[nodiscard]] Expected<std::vector<audio::WindowScore>> validate_by_group(
     const GenreOptions& options,
     const GenreMaterial& material,
-    const audio::HearingPlan& hearing,
+    const audio::FeaturePlan& feature_plan,
     const std::vector<std::string>& genres);
 
 /// Prints how the finished model hears written music that it never heard.
 /// Errors: a soundfont cannot be read.
 [[nodiscard]] Expected<void> test_on_written(const GenreOptions& options,
-                                             const audio::HearingPlan& hearing,
+                                             const audio::FeaturePlan& feature_plan,
                                              const audio::GenreModel& model);
 
 }  // namespace raks::apps

@@ -23,16 +23,16 @@ constexpr int kSynthesizedShare = 2;  // ... a piece with sounds drawn for it
 
 /// Hears chunks; those that `is_wanted(i)` refuses stay empty.
 template <class IsWanted>
-Expected<std::vector<audio::HeardUnit>> hear_chunks(const GenreOptions& options,
-                                                    const std::vector<WrittenChunk>& chunks,
-                                                    const IsWanted& is_wanted) {
+Expected<std::vector<audio::FeatureUnit>> extract_chunks(const GenreOptions& options,
+                                                         const std::vector<WrittenChunk>& chunks,
+                                                         const IsWanted& is_wanted) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t computed = std::clock();
-    std::vector<audio::HeardUnit> units(chunks.size());
+    std::vector<audio::FeatureUnit> units(chunks.size());
     std::size_t done = 0;
     for (std::size_t i = 0; i < chunks.size(); ++i) {
         if (is_wanted(i)) {
-            auto pieces = hear_chunk(options, chunks[i]);
+            auto pieces = extract_chunk(options, chunks[i]);
             if (!pieces) {
                 return fail(pieces.error());
             }
@@ -56,18 +56,18 @@ Expected<std::vector<audio::HeardUnit>> hear_chunks(const GenreOptions& options,
 /// The music asked for, to be written. What may be left out is written apart, so that a model
 /// without it learns the same music else.
 std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
-                                     const audio::HearingPlan& hearing) {
+                                     const audio::FeaturePlan& feature_plan) {
     using Families = audio::WrittenCorpusPlan::Families;
     audio::WrittenCorpusPlan plan{.soundfonts = options.soundfonts,
                                   .families = Families::always,
                                   .pieces = options.synthesize,
                                   .seed = options.seed,
-                                  .hearing = {}};
-    std::vector<WrittenChunk> chunks = chunks_of(options, hearing, "written", plan);
+                                  .feature_plan = {}};
+    std::vector<WrittenChunk> chunks = chunks_of(options, feature_plan, "written", plan);
     if (!options.leaves_out_families) {
         plan.families = Families::held_out;
         plan.pieces = options.synthesize / kRestShare;
-        auto rest = chunks_of(options, hearing, "written-rest", plan);
+        auto rest = chunks_of(options, feature_plan, "written-rest", plan);
         std::move(rest.begin(), rest.end(), std::back_inserter(chunks));
     }
     if (options.edition >= 3) {
@@ -76,7 +76,7 @@ std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
         const auto add = [&](Music music, const char* name, int pieces) {
             plan.music = music;
             plan.pieces = pieces;
-            auto more = chunks_of(options, hearing, name, plan);
+            auto more = chunks_of(options, feature_plan, name, plan);
             std::move(more.begin(), more.end(), std::back_inserter(chunks));
         };
         add(Music::undanceable, "written-undanceable", options.synthesize / kFurtherShare);
@@ -100,9 +100,9 @@ std::string credit_of_written(const GenreOptions& options) {
 }
 
 /// All units of this machine's share; recordings first.
-Expected<audio::HeardMaterial> hear_all(const GenreOptions& options,
-                                        const audio::HearingPlan& hearing) {
-    audio::HeardMaterial material;
+Expected<audio::FeatureMaterial> extract_all(const GenreOptions& options,
+                                             const audio::FeaturePlan& feature_plan) {
+    audio::FeatureMaterial material;
     material.written_with = credit_of_written(options);
     if (!options.folder.empty()) {
         auto listed = options.index.empty()
@@ -115,14 +115,14 @@ Expected<audio::HeardMaterial> hear_all(const GenreOptions& options,
         if (auto distinct = audio::check_distinct(material.files); !distinct) {
             return fail(distinct.error());
         }
-        material.units = hear_recordings(material.files, options, hearing);
+        material.units = extract_recordings(material.files, options, feature_plan);
     }
     if (options.synthesize > 0) {
         if (options.soundfonts.empty()) {
             return fail("--synthesize needs --soundfont X.sf2: what the music is played with");
         }
         const std::size_t first = material.units.size();
-        auto more = hear_chunks(options, all_chunks(options, hearing), [&](std::size_t i) {
+        auto more = extract_chunks(options, all_chunks(options, feature_plan), [&](std::size_t i) {
             return options.share.has(first + i);
         });
         if (!more) {
@@ -134,10 +134,10 @@ Expected<audio::HeardMaterial> hear_all(const GenreOptions& options,
 }
 
 /// Says which recordings were left out.
-Expected<void> report_faults(const GenreOptions& options, const audio::HeardMaterial& material) {
+Expected<void> report_faults(const GenreOptions& options, const audio::FeatureMaterial& material) {
     std::size_t skipped = 0;
     const std::string* first = nullptr;
-    for (const audio::HeardUnit& unit : material.units) {
+    for (const audio::FeatureUnit& unit : material.units) {
         if (!unit.fault.empty()) {
             say("skipped " + unit.fault);
             first = first == nullptr ? &unit.fault : first;
@@ -158,8 +158,8 @@ Expected<void> report_faults(const GenreOptions& options, const audio::HeardMate
 
 /// All that shapes what is heard, in one line.
 std::string plan_text(const GenreOptions& options,
-                      const audio::HearingPlan& hearing,
-                      const audio::HeardMaterial& material) {
+                      const audio::FeaturePlan& feature_plan,
+                      const audio::FeatureMaterial& material) {
     std::uint64_t files = hash_of("");
     for (const audio::MusicFile& file : material.files) {
         files = hash_of(
@@ -168,7 +168,7 @@ std::string plan_text(const GenreOptions& options,
     }
     return fmt::format(
         "hearing {:x} files {:x} altered {} seed {} edition {} styles {:x} written {} {} {}{}",
-        name_of_hearing(hearing, options.plan.features),
+        feature_key(feature_plan, options.plan.features),
         files,
         options.altered,
         options.seed,
@@ -182,49 +182,50 @@ std::string plan_text(const GenreOptions& options,
 
 }  // namespace
 
-Expected<std::vector<audio::HeardPiece>> written(const GenreOptions& options,
-                                                 const audio::HearingPlan& hearing,
-                                                 const std::string& name,
-                                                 const audio::WrittenCorpusPlan& plan) {
-    auto units =
-        hear_chunks(options, chunks_of(options, hearing, name, plan), [](auto) { return true; });
+Expected<std::vector<audio::PieceFeatures>> written(const GenreOptions& options,
+                                                    const audio::FeaturePlan& feature_plan,
+                                                    const std::string& name,
+                                                    const audio::WrittenCorpusPlan& plan) {
+    auto units = extract_chunks(
+        options, chunks_of(options, feature_plan, name, plan), [](auto) { return true; });
     if (!units) {
         return fail(units.error());
     }
-    std::vector<audio::HeardPiece> pieces;
-    for (audio::HeardUnit& unit : *units) {
+    std::vector<audio::PieceFeatures> pieces;
+    for (audio::FeatureUnit& unit : *units) {
         std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(pieces));
     }
     return pieces;
 }
 
 Expected<void> write_shard(const GenreOptions& options,
-                           const audio::HearingPlan& hearing,
+                           const audio::FeaturePlan& feature_plan,
                            const std::string& command) {
-    auto material = hear_all(options, hearing);
+    auto material = extract_all(options, feature_plan);
     if (!material) {
         return fail(material.error());
     }
     if (auto reported = report_faults(options, *material); !reported) {
         return reported;
     }
-    const std::string plan = plan_text(options, hearing, *material);
+    const std::string plan = plan_text(options, feature_plan, *material);
     return audio::save_shard({options.share, plan, command, std::move(*material)}, options.output);
 }
 
-Expected<GenreMaterial> gather(const GenreOptions& options, const audio::HearingPlan& hearing) {
-    auto heard =
-        options.shards.empty() ? hear_all(options, hearing) : audio::merge_shards(options.shards);
-    if (!heard) {
-        return fail(heard.error());
+Expected<GenreMaterial> gather(const GenreOptions& options,
+                               const audio::FeaturePlan& feature_plan) {
+    auto extracted = options.shards.empty() ? extract_all(options, feature_plan)
+                                            : audio::merge_shards(options.shards);
+    if (!extracted) {
+        return fail(extracted.error());
     }
-    if (auto reported = report_faults(options, *heard); !reported) {
+    if (auto reported = report_faults(options, *extracted); !reported) {
         return fail(reported.error());
     }
     GenreMaterial material;
-    material.files = std::move(heard->files);
-    material.written_with = std::move(heard->written_with);
-    for (audio::HeardUnit& unit : heard->units) {
+    material.files = std::move(extracted->files);
+    material.written_with = std::move(extracted->written_with);
+    for (audio::FeatureUnit& unit : extracted->units) {
         std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(material.pieces));
     }
     if (!options.beats_corpus.empty()) {
@@ -238,7 +239,7 @@ Expected<GenreMaterial> gather(const GenreOptions& options, const audio::Hearing
         }
         std::move(more->begin(), more->end(), std::back_inserter(material.pieces));
     }
-    std::erase_if(material.pieces, [&](const audio::HeardPiece& piece) {
+    std::erase_if(material.pieces, [&](const audio::PieceFeatures& piece) {
         const auto& left_out = options.left_out;
         return std::find(left_out.begin(), left_out.end(), audio::shown_genre(piece.genre)) !=
                left_out.end();

@@ -16,7 +16,7 @@ namespace raks::apps {
 struct GenreMaterial {
     std::vector<audio::MusicFile> files;
     std::string written_with;  ///< credit of the written music, or empty
-    std::vector<audio::HeardPiece> pieces;
+    std::vector<audio::PieceFeatures> pieces;
 };
 
 /// Reads and hears the folder's music, clean and damaged, and writes what is asked for; or merges
@@ -24,18 +24,18 @@ struct GenreMaterial {
 /// Errors: no music at all, two genres with the same files, with --strict the first file that
 /// cannot be read; of shards: as merge_shards.
 [[nodiscard]] Expected<GenreMaterial> gather(const GenreOptions& options,
-                                             const audio::HearingPlan& hearing);
+                                             const audio::FeaturePlan& feature_plan);
 
 /// Hears this machine's share of all that into a file. `command`: is kept in it.
 /// Errors: as gather; the file cannot be written.
 [[nodiscard]] Expected<void> write_shard(const GenreOptions& options,
-                                         const audio::HearingPlan& hearing,
+                                         const audio::FeaturePlan& feature_plan,
                                          const std::string& command);
 
 /// Written music, chunk by chunk: what a stopped run has finished is found again by the next.
-[[nodiscard]] Expected<std::vector<audio::HeardPiece>> written(
+[[nodiscard]] Expected<std::vector<audio::PieceFeatures>> written(
     const GenreOptions& options,
-    const audio::HearingPlan& hearing,
+    const audio::FeaturePlan& feature_plan,
     const std::string& name,
     const audio::WrittenCorpusPlan& plan);
 

@@ -53,11 +53,12 @@ std::vector<motion::MusicBeat> carried_back(const std::vector<motion::MusicBeat>
     return before;
 }
 
-std::vector<motion::MusicBeat> sure_beats(const std::vector<BeatEvent>& heard, double duration) {
-    const auto first = std::find_if(
-        heard.begin(), heard.end(), [](const BeatEvent& beat) { return beat.confidence >= kSure; });
+std::vector<motion::MusicBeat> sure_beats(const std::vector<BeatEvent>& tracked, double duration) {
+    const auto first = std::find_if(tracked.begin(), tracked.end(), [](const BeatEvent& beat) {
+        return beat.confidence >= kSure;
+    });
     std::vector<motion::MusicBeat> beats;
-    for (auto beat = first; beat != heard.end(); ++beat) {
+    for (auto beat = first; beat != tracked.end(); ++beat) {
         const double seconds = to_seconds(beat->time);
         const bool is_later = beats.empty() || seconds > beats.back().seconds;
         if (is_later && seconds <= duration) {
@@ -98,12 +99,12 @@ Expected<TrackedCounts> track_counts(const std::filesystem::path& file) {
          fed += source->rate().time_of(silence.size()).time_since_epoch()) {
         analyzer->process(silence, collect);
     }
-    TrackedCounts heard;
-    heard.music.name = file.filename().string();
-    heard.music.duration = to_seconds(end);
-    heard.music.beats = sure_beats(collect.beats, heard.music.duration);
-    heard.warning = source->warning();
-    return heard;
+    TrackedCounts tracked;
+    tracked.music.name = file.filename().string();
+    tracked.music.duration = to_seconds(end);
+    tracked.music.beats = sure_beats(collect.beats, tracked.music.duration);
+    tracked.warning = source->warning();
+    return tracked;
 }
 
 }  // namespace raks::apps

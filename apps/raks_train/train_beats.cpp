@@ -39,7 +39,7 @@ struct Options {
     std::vector<std::string> left_out;
     std::filesystem::path start;
     std::vector<std::filesystem::path> averaged;
-    std::vector<std::filesystem::path> heard_together;
+    std::vector<std::filesystem::path> ensembled;
     float trust = 1.0F;
     audio::NetworkPlan network;
     int bar_steps = 0;  // 0: learns beats
@@ -52,7 +52,7 @@ std::function<void()> add_options(CLI::App& app, Options& options) {
     auto* average = app.add_option(
         "--average", options.averaged, "no training: the mean of these networks' weights");
     auto* together = app.add_option(
-        "--together", options.heard_together, "no training: these networks, to be heard together");
+        "--together", options.ensembled, "no training: these networks, to be heard together");
     app.add_option("--trust", options.trust, "in what they say; below 1: less sure")
         ->check(in_range(0.1, 10.0))
         ->needs(together);
@@ -211,7 +211,7 @@ Expected<void> learn_bars(const Options& options,
 }
 
 Expected<void> run(Options& options, const std::string& command) {
-    const bool needs_music = options.averaged.empty() && options.heard_together.empty();
+    const bool needs_music = options.averaged.empty() && options.ensembled.empty();
     if (needs_music) {
         auto styles = load_installed_styles();
         if (!styles) {
@@ -233,11 +233,11 @@ Expected<void> run(Options& options, const std::string& command) {
     if (!options.averaged.empty()) {
         return write_made_of(options.averaged, audio::average, options, notes);
     }
-    if (!options.heard_together.empty()) {
+    if (!options.ensembled.empty()) {
         const auto make = [&](const auto& networks) {
             return audio::together(networks, options.trust);
         };
-        return write_made_of(options.heard_together, make, options, notes);
+        return write_made_of(options.ensembled, make, options, notes);
     }
     if (!options.start.empty()) {
         auto start = audio::load_network(options.start);

@@ -20,7 +20,7 @@
 #include "apps/terminal/say.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
-#include "audio/genre/genre_listener.hpp"
+#include "audio/genre/genre_scorer.hpp"
 #include "audio/io/lossy_codec.hpp"
 #include "base/file.hpp"
 #include "engine/setup/analyzer_setup.hpp"
@@ -111,7 +111,7 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option("--networks",
                    options.plan.network.networks,
                    "recurrent networks that learn each by itself and are heard together")
-        ->check(in_range(1, static_cast<int>(audio::GenreListener::kMostNetworks)));
+        ->check(in_range(1, static_cast<int>(audio::GenreScorer::kMostNetworks)));
     app.add_option(
            "--network-units", options.plan.network.units, "of each layer of the recurrent network")
         ->check(in_range(4, 128));
@@ -158,16 +158,16 @@ std::string attribution_of(const GenreMaterial& material, const GenreOptions& op
 }
 
 /// Pieces that the final model may learn from.
-std::vector<const audio::HeardPiece*> free_pieces(const GenreOptions& options,
-                                                  const GenreMaterial& material) {
+std::vector<const audio::PieceFeatures*> free_pieces(const GenreOptions& options,
+                                                     const GenreMaterial& material) {
     std::set<std::string> barred;
     for (const audio::MusicFile& file : material.files) {
         if (!file.may_train && options.trains_on_free_alone) {
             barred.insert(file.name);
         }
     }
-    std::vector<const audio::HeardPiece*> free;
-    for (const audio::HeardPiece& piece : material.pieces) {
+    std::vector<const audio::PieceFeatures*> free;
+    for (const audio::PieceFeatures& piece : material.pieces) {
         if (!barred.contains(piece.name)) {
             free.push_back(&piece);
         }
@@ -236,15 +236,15 @@ Expected<void> check_options(GenreOptions& options) {
 
 /// Learns, and keeps the model and its sample. `base`: what is added to, or none.
 Expected<void> learn(GenreOptions& options,
-                     const audio::HearingPlan& hearing,
+                     const audio::FeaturePlan& feature_plan,
                      const GenreBase* base,
                      const std::string& command) {
-    auto material = gather(options, hearing);
+    auto material = gather(options, feature_plan);
     if (!material) {
         return fail(material.error());
     }
     std::set<std::string> renewed;
-    for (const audio::HeardPiece& piece : material->pieces) {
+    for (const audio::PieceFeatures& piece : material->pieces) {
         renewed.insert(piece.genre);
     }
     if (base != nullptr) {
@@ -260,7 +260,7 @@ Expected<void> learn(GenreOptions& options,
             : written_networks(options, *material, genres);
     std::vector<audio::WindowScore> held_out;
     if (!options.skips_validation) {
-        auto scores = validate_by_group(options, *material, hearing, genres);
+        auto scores = validate_by_group(options, *material, feature_plan, genres);
         if (!scores) {
             return fail(scores.error());
         }
@@ -292,12 +292,12 @@ Expected<void> learn(GenreOptions& options,
         if (auto saved = audio::save_genre(*model, options.output); !saved) {
             return saved;
         }
-        if (auto saved = keep_samples(options, hearing, genres, pieces); !saved) {
+        if (auto saved = keep_samples(options, feature_plan, genres, pieces); !saved) {
             return saved;
         }
     }
     const bool is_tested = options.synthesize > 0 && options.test_pieces > 0;
-    return is_tested ? test_on_written(options, hearing, *model) : Expected<void>{};
+    return is_tested ? test_on_written(options, feature_plan, *model) : Expected<void>{};
 }
 
 Expected<void> run(GenreOptions& options, const std::string& command) {
@@ -334,16 +334,16 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
         }
         options.styles = std::move(*styles);
     }
-    const audio::HearingPlan hearing{*network, options.plan.features.cepstral_mean};
+    const audio::FeaturePlan feature_plan{*network, options.plan.features.cepstral_mean};
     if (!options.share_text.empty()) {
-        return write_shard(options, hearing, command);
+        return write_shard(options, feature_plan, command);
     }
     if (base) {
-        if (auto fits = check_hearing(*base, options.add_to, hearing); !fits) {
+        if (auto fits = check_features(*base, options.add_to, feature_plan); !fits) {
             return fits;
         }
     }
-    return learn(options, hearing, base ? &*base : nullptr, command);
+    return learn(options, feature_plan, base ? &*base : nullptr, command);
 }
 
 /// What several stages share of what was asked for.

@@ -138,7 +138,7 @@ void print_page(const GenrePage& page, std::span<const std::size_t> asked) {
     std::fflush(stdout);
 }
 
-std::vector<GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
+std::vector<GenrePage::File> judged_files(std::span<const audio::PieceFeatures> pieces,
                                           const JudgedScores& judged,
                                           std::span<const std::string> genres,
                                           std::span<const std::size_t> asked) {
@@ -176,12 +176,12 @@ std::vector<std::size_t> all_genres(std::size_t count) {
     return classes;
 }
 
-std::vector<std::size_t> enough_recordings(std::span<const audio::HeardPiece> pieces,
+std::vector<std::size_t> enough_recordings(std::span<const audio::PieceFeatures> pieces,
                                            std::span<const std::string> genres) {
     std::vector<std::size_t> classes;
     for (std::size_t c = 0; c < genres.size(); ++c) {
         const auto count = std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) {
-            return piece.genre == genres[c] && piece.kind == audio::HeardPiece::Kind::recorded;
+            return piece.genre == genres[c] && piece.kind == audio::PieceFeatures::Kind::recorded;
         });
         if (count >= 5) {
             classes.push_back(c);

@@ -45,15 +45,16 @@ struct JudgedScores {
 void print_page(const GenrePage& page, std::span<const std::size_t> asked);
 
 /// How often each recorded file's windows of 5 s were taken for what they are, among the asked.
-[[nodiscard]] std::vector<GenrePage::File> judged_files(std::span<const audio::HeardPiece> pieces,
-                                                        const JudgedScores& judged,
-                                                        std::span<const std::string> genres,
-                                                        std::span<const std::size_t> asked);
+[[nodiscard]] std::vector<GenrePage::File> judged_files(
+    std::span<const audio::PieceFeatures> pieces,
+    const JudgedScores& judged,
+    std::span<const std::string> genres,
+    std::span<const std::size_t> asked);
 
 [[nodiscard]] std::vector<std::size_t> all_genres(std::size_t count);
 
 /// Genres with recordings of at least five pieces.
-[[nodiscard]] std::vector<std::size_t> enough_recordings(std::span<const audio::HeardPiece> pieces,
-                                                         std::span<const std::string> genres);
+[[nodiscard]] std::vector<std::size_t> enough_recordings(
+    std::span<const audio::PieceFeatures> pieces, std::span<const std::string> genres);
 
 }  // namespace raks::apps

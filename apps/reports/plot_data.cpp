@@ -103,7 +103,7 @@ PlotColumn& PlotData::column_of(HopIndex hop) {
     return columns_[index];
 }
 
-void PlotData::hear(std::span<const float> mono) {
+void PlotData::add(std::span<const float> mono) {
     windows_.process(mono, [this](std::span<const float> window) { take(window); });
 }
 
@@ -173,7 +173,7 @@ void PlotData::finish(Nanos duration) {
     const HopIndex hops = (duration + kHop - Nanos(1)) / kHop;
     const std::array<float, 256> silence{};
     while (next_window_ < hops + audio::PaperFlux::kDelay) {
-        hear(silence);
+        add(silence);
     }
     const auto used = static_cast<std::size_t>((hops + hops_per_column_ - 1) / hops_per_column_);
     columns_.resize(std::min(columns_.size(), used));

@@ -38,7 +38,7 @@ class PlotData {
     /// Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate);
     /// The file's next samples, mono, in [-1, 1].
-    void hear(std::span<const float> mono);
+    void add(std::span<const float> mono);
     /// The analyzer's next state.
     void add(const MusicState& state);
     /// Beats in place of those of the states, after all of them; tempo and confidence become

@@ -21,7 +21,7 @@ void BeatChange::reset() noexcept RAKS_NONBLOCKING {
     mean_ = variance_ = 0.0F;
 }
 
-void BeatChange::hear(std::span<const float, OnsetDetector::kMelBands> magnitudes) noexcept
+void BeatChange::add(std::span<const float, OnsetDetector::kMelBands> magnitudes) noexcept
     RAKS_NONBLOCKING {
     for (std::size_t i = 0; i < sum_.size(); ++i) {
         sum_[i] += magnitudes[i];

@@ -20,8 +20,7 @@ class BeatChange {
     BeatChange() noexcept { reset(); }
 
     /// The bands' magnitudes of one more hop.
-    void hear(std::span<const float, OnsetDetector::kMelBands> magnitudes) noexcept
-        RAKS_NONBLOCKING;
+    void add(std::span<const float, OnsetDetector::kMelBands> magnitudes) noexcept RAKS_NONBLOCKING;
 
     /// A beat comes. Gives how much the sound changed at the beat before this one, in standard
     /// deviations from the mean of the last beats, [-3, 3]; 0 while little was heard.

@@ -232,10 +232,10 @@ void BeatPointer::advance(float onset_strength) noexcept RAKS_NONBLOCKING {
 }
 
 void BeatPointer::advance(float onset_strength,
-                          const BeatEvidence& heard) noexcept RAKS_NONBLOCKING {
+                          const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING {
     move_and_weigh(static_cast<float>(config_.trust_beside) * onset_strength);
     const auto trust = static_cast<float>(config_.network_trust);
-    const float neither = std::max(0.02F, 1.0F - heard.beat - heard.half);
+    const float neither = std::max(0.02F, 1.0F - evidence.beat - evidence.half);
     const float other = std::pow(neither / (1.0F - 2.0F * kMeanEvidence), trust);
     const auto above_other = [other, trust](float probability) {
         return std::pow(std::max(probability, kLeastEvidence) / kMeanEvidence, trust) - other;
@@ -245,8 +245,8 @@ void BeatPointer::advance(float onset_strength,
                    on_half_.data(),
                    moved_.size(),
                    other,
-                   above_other(heard.beat),
-                   above_other(heard.half));
+                   above_other(evidence.beat),
+                   above_other(evidence.half));
     normalize();
 }
 

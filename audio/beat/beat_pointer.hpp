@@ -44,7 +44,7 @@ class BeatPointer {
     /// One hop with this onset strength.
     void advance(float onset_strength) noexcept RAKS_NONBLOCKING;
     /// One hop with what the network says, too.
-    void advance(float onset_strength, const BeatEvidence& heard) noexcept RAKS_NONBLOCKING;
+    void advance(float onset_strength, const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING;
     /// One hop of which nothing is known.
     void advance_blind() noexcept RAKS_NONBLOCKING;
 

@@ -60,8 +60,8 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     hint_ = DanceId::none;
     begin_tempo();
     hops_without_ = 0;
-    hops_apart_ = hops_heard_ = 0;
-    heard_ = {};
+    hops_apart_ = hops_with_evidence_ = 0;
+    recent_ = {};
     rated_beat_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
@@ -70,45 +70,45 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     command_count_ = 0;
 }
 
-void BeatTracker::hear_bars_with(std::shared_ptr<const BarNetwork> network) {
-    bar_listener_.reset();
+void BeatTracker::set_bar_network(std::shared_ptr<const BarNetwork> network) {
+    bar_stream_.reset();
     if (network) {
-        bar_listener_.emplace(std::move(network));
+        bar_stream_.emplace(std::move(network));
     }
 }
 
 /// What was heard of bars belongs to other music, or to beats that were counted otherwise.
 void BeatTracker::forget_bars() noexcept {
     bar_input_.reset();
-    bar_heard_.reset();
-    if (bar_listener_) {
-        bar_listener_->reset();
+    bar_evidence_.reset();
+    if (bar_stream_) {
+        bar_stream_->reset();
     }
 }
 
 void BeatTracker::jump() noexcept RAKS_NONBLOCKING {
     pointer_.open_positions();
     forget_bars();
-    hops_heard_ = 0;
+    hops_with_evidence_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
 }
 
-BeatTracker::Heard& BeatTracker::heard(HopIndex hop) noexcept {
+BeatTracker::HopEvidence& BeatTracker::evidence_at(HopIndex hop) noexcept {
     constexpr auto kCount = static_cast<HopIndex>(kRecent);
-    return heard_[static_cast<std::size_t>((hop % kCount + kCount) % kCount)];
+    return recent_[static_cast<std::size_t>((hop % kCount + kCount) % kCount)];
 }
 
 void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING {
     position_ += beats_per_hop_;
     run_commands(time_of_hop(hop.hop));
-    heard(hop.hop) = {hop.onset_strength, {}};
+    evidence_at(hop.hop) = {hop.onset_strength, {}};
     if (hop.is_silent) {
         pointer_.advance_blind();
         confidence_ *= kSilentDecay;
     } else {
-        listen(hop);
-        hear_bars(hop);
+        track_tempo(hop);
+        track_bars(hop);
         rate_beat(hop);
         rate_confidence(hop);
     }
@@ -118,19 +118,19 @@ void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAK
 
 void BeatTracker::advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_NONBLOCKING {
     position_ += beats_per_hop_;
-    heard(hop) = {};
+    evidence_at(hop) = {};
     run_commands(time_of_hop(hop));
     publish(hop, state);
 }
 
-void BeatTracker::listen(const TrackedHop& hop) noexcept {
+void BeatTracker::track_tempo(const TrackedHop& hop) noexcept {
     if (hop.quiet_hops * beats_per_hop_ > kLongestWithout) {
         pointer_.advance_blind();
         run_alone();
         return;
     }
     if (hop.has_evidence) {
-        Heard& then = heard(hop.hop - hop.evidence_lag);
+        HopEvidence& then = evidence_at(hop.hop - hop.evidence_lag);
         then.evidence = hop.evidence;
         pointer_.advance(then.strength, hop.evidence);
         hops_without_ = hop.evidence.beat > kLeastEvidence ? 0 : hops_without_ + 1;
@@ -138,8 +138,8 @@ void BeatTracker::listen(const TrackedHop& hop) noexcept {
         pointer_.advance(hop.onset_strength);
         hops_without_ = 0;
     }
-    ++hops_heard_;
-    if (hops_heard_ >= kFirstHops && hops_without_ * beats_per_hop_ > kLongestWithout) {
+    ++hops_with_evidence_;
+    if (hops_with_evidence_ >= kFirstHops && hops_without_ * beats_per_hop_ > kLongestWithout) {
         run_alone();
         return;
     }
@@ -150,9 +150,9 @@ void BeatTracker::listen(const TrackedHop& hop) noexcept {
 
 /// The tempo to run on with is this one, whatever was averaged before.
 void BeatTracker::begin_tempo() noexcept {
-    steady_rate_ = told_rate_ = beats_per_hop_;
+    steady_rate_ = followed_rate_ = beats_per_hop_;
     steady_beats_ = kFirstSteady;
-    strayed_ = 0.0;
+    drift_ = 0.0;
 }
 
 /// Averages the tempo, of which `moved` are this hop's beats, and keeps what the last beats told.
@@ -163,20 +163,20 @@ void BeatTracker::keep_tempo(double moved) noexcept {
     }
     steady_beats_ = std::min(kSteadyBeats, steady_beats_ + beats_per_hop_);
     steady_rate_ += beats_per_hop_ / steady_beats_ * (moved - steady_rate_);
-    strayed_ += moved - told_rate_;
+    drift_ += moved - followed_rate_;
     if (hops_without_ == 0) {
-        told_rate_ = steady_rate_;
-        strayed_ = 0.0;
+        followed_rate_ = steady_rate_;
+        drift_ = 0.0;
     }
 }
 
 /// No beat is heard: on as the last beats told, without what the belief made of their absence until
 /// it was noticed.
 void BeatTracker::run_alone() noexcept {
-    const bool is_steady = std::abs(told_rate_ / beats_per_hop_ - 1.0) < kSteadyReach;
+    const bool is_steady = std::abs(followed_rate_ / beats_per_hop_ - 1.0) < kSteadyReach;
     if (is_steady && !is_tempo_held_) {
-        beats_per_hop_ = told_rate_;
-        position_ -= std::exchange(strayed_, 0.0);
+        beats_per_hop_ = followed_rate_;
+        position_ -= std::exchange(drift_, 0.0);
     }
 }
 
@@ -189,7 +189,7 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
         !is_tempo_held_ && std::abs(beats_per_hop_ / believed_rate - 1.0) > kApartTempo;
     const bool is_apart = is_tempo_apart || std::abs(error) > kApartPhase;
     hops_apart_ = is_apart ? hops_apart_ + 1 : 0;
-    if (hops_heard_ < kFirstHops || hops_apart_ > kApartHops) {
+    if (hops_with_evidence_ < kFirstHops || hops_apart_ > kApartHops) {
         hops_apart_ = 0;
         position_ += error;
         mass_ *= 0.5F;  // it was of another belief
@@ -209,7 +209,7 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
 }
 
 /// What a beat sounded like is known when the next one comes.
-void BeatTracker::hear_bars(const TrackedHop& hop) noexcept {
+void BeatTracker::track_bars(const TrackedHop& hop) noexcept {
     if (hop.mel_magnitudes.size() != OnsetDetector::kMelBands) {
         return;
     }
@@ -218,13 +218,13 @@ void BeatTracker::hear_bars(const TrackedHop& hop) noexcept {
     if (std::lround(beat) != sounding_beat_) {
         sounding_beat_ = std::lround(beat);
         change_ = changes_.next_beat();
-        if (bar_listener_ && hop.has_evidence) {
-            bar_heard_ = bar_listener_->next(bar_input_.next_beat());
+        if (bar_stream_ && hop.has_evidence) {
+            bar_evidence_ = bar_stream_->next(bar_input_.next_beat());
         }
     }
-    changes_.hear(hop.mel_magnitudes.first<OnsetDetector::kMelBands>());
-    if (bar_listener_ && hop.has_evidence) {
-        bar_input_.hear(hop.mel_magnitudes, position - beat, hop.evidence);
+    changes_.add(hop.mel_magnitudes.first<OnsetDetector::kMelBands>());
+    if (bar_stream_ && hop.has_evidence) {
+        bar_input_.add_hop(hop.mel_magnitudes, position - beat, hop.evidence);
     }
 }
 
@@ -242,7 +242,7 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     float strength = 0.0F;
     BeatEvidence most;
     for (HopIndex at = centre - kAround; at <= centre + kAround; ++at) {
-        const Heard& then = heard(at);
+        const HopEvidence& then = evidence_at(at);
         strength += then.strength / (2 * kAround + 1);
         most.beat = std::max(most.beat, then.evidence.beat);
         most.downbeat = std::max(most.downbeat, then.evidence.downbeat);
@@ -251,8 +251,8 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     const float contrast = hop.has_evidence ? most.beat : strength;
     contrast_ += (contrast - contrast_) / static_cast<float>(beats_rated_);
     bars_.observe_change(std::exchange(change_, 0.0F));
-    if (bar_heard_) {
-        bars_.observe_bar(*std::exchange(bar_heard_, std::nullopt));
+    if (bar_evidence_) {
+        bars_.observe_bar(*std::exchange(bar_evidence_, std::nullopt));
     }
     bars_.next_beat(beat);
     // A beat that was hardly heard says nothing of the bar.
@@ -287,7 +287,7 @@ void BeatTracker::announce(const TrackedHop& hop, MusicState& state) noexcept {
     next_predicted_ = std::clamp(next_predicted_, at_least, at_least + 3);
     const bool is_told = confidence_ > kAnnounceConfidence && !hop.is_silent;
     const StreamTime beat = state.grid.time_of(Beats(static_cast<double>(next_beat_)));
-    if (beat <= hop.heard_until + kAnnounceLead) {
+    if (beat <= hop.audio_end + kAnnounceLead) {
         if (is_told && beat - last_beat_time_ > least_gap) {
             last_beat_time_ = beat;
             const int in_bar = static_cast<int>(
@@ -298,7 +298,7 @@ void BeatTracker::announce(const TrackedHop& hop, MusicState& state) noexcept {
         ++next_beat_;
     }
     const StreamTime predicted = state.grid.time_of(Beats(static_cast<double>(next_predicted_)));
-    if (predicted <= hop.heard_until + kPredictedLead) {
+    if (predicted <= hop.audio_end + kPredictedLead) {
         if (is_told && predicted - last_predicted_time_ > least_gap) {
             last_predicted_time_ = predicted;
             state.has_predicted = true;

@@ -22,7 +22,7 @@ namespace raks::audio {
 /// What the tracker gets to know of one hop.
 struct TrackedHop {
     HopIndex hop = 0;
-    StreamTime heard_until{};  ///< end of the audio behind this hop
+    StreamTime audio_end{};  ///< end of the audio behind this hop
     float onset_strength = 0.0F;
     /// Of the hop's mel bands (OnsetDetector::kMelBands of them, or none: changes of the sound are
     /// not heard); valid during advance() alone.
@@ -45,7 +45,7 @@ class BeatTracker {
 
     /// Hears bars with this network from the next reset() on; none: by downbeats and changes alone.
     /// Real-time: no.
-    void hear_bars_with(std::shared_ptr<const BarNetwork> network);
+    void set_bar_network(std::shared_ptr<const BarNetwork> network);
 
     /// The dances whose numbers hint_genre gives, and their tempi; none: hints tell nothing.
     /// Real-time: no.
@@ -70,7 +70,7 @@ class BeatTracker {
     static constexpr std::size_t kRecent = 64;  // hops kept
 
     /// What was heard of one hop.
-    struct Heard {
+    struct HopEvidence {
         float strength = 0.0F;
         BeatEvidence evidence;
     };
@@ -81,18 +81,18 @@ class BeatTracker {
     void release_tempo() noexcept;
     void change_octave(double factor) noexcept;
     void set_position(double phase) noexcept;
-    void listen(const TrackedHop& hop) noexcept;
+    void track_tempo(const TrackedHop& hop) noexcept;
     void begin_tempo() noexcept;
     void keep_tempo(double moved) noexcept;
     void run_alone() noexcept;
     void follow(const PointerEstimate& estimate, int lag_hops) noexcept;
-    void hear_bars(const TrackedHop& hop) noexcept;
+    void track_bars(const TrackedHop& hop) noexcept;
     void forget_bars() noexcept;
     void rate_beat(const TrackedHop& hop) noexcept;
     void rate_confidence(const TrackedHop& hop) noexcept;
     void publish(HopIndex hop, MusicState& state) const noexcept;
     void announce(const TrackedHop& hop, MusicState& state) noexcept;
-    [[nodiscard]] Heard& heard(HopIndex hop) noexcept;
+    [[nodiscard]] HopEvidence& evidence_at(HopIndex hop) noexcept;
 
     BeatPointer pointer_;
     BarBelief bars_;
@@ -105,25 +105,25 @@ class BeatTracker {
     bool is_tempo_held_ = false;
     std::shared_ptr<const DanceList> dances_;
     DanceId hint_ = DanceId::none;
-    double steady_rate_ = 1.0 / 50;  // beats a hop over the last beats, corrections included
-    double steady_beats_ = 1.0;      // over which it is averaged
-    double told_rate_ = 1.0 / 50;    // the same when a network last heard anything like a beat
-    double strayed_ = 0.0;           // beats from where the grid would be, had it gone on so
-    int hops_without_ = 0;           // hops since a network last heard anything like a beat
-    int hops_apart_ = 0;             // hops in a row in which belief and grid disagreed
-    int hops_heard_ = 0;             // hops with evidence since reset or jump
+    double steady_rate_ = 1.0 / 50;    // beats a hop over the last beats, corrections included
+    double steady_beats_ = 1.0;        // over which it is averaged
+    double followed_rate_ = 1.0 / 50;  // the same when a network last heard anything like a beat
+    double drift_ = 0.0;               // beats from where the grid would be, had it gone on so
+    int hops_without_ = 0;             // hops since a network last heard anything like a beat
+    int hops_apart_ = 0;               // hops in a row in which belief and grid disagreed
+    int hops_with_evidence_ = 0;       // hops with evidence since reset or jump
 
     // What is heard of bars over a beat's time, told when the next one comes.
     BeatChange changes_;
     BarInput bar_input_;
-    std::optional<BarListener> bar_listener_;
-    long sounding_beat_ = 0;                // that goes on
-    float change_ = 0.0F;                   // at the beat before it
-    std::optional<BarEvidence> bar_heard_;  // of the beat before it
+    std::optional<BarNetworkStream> bar_stream_;
+    long sounding_beat_ = 0;                   // that goes on
+    float change_ = 0.0F;                      // at the beat before it
+    std::optional<BarEvidence> bar_evidence_;  // of the beat before it
 
     // Confidence.
-    std::array<Heard, kRecent> heard_{};  // by hop, ring
-    long rated_beat_ = 0;                 // last beat that was rated
+    std::array<HopEvidence, kRecent> recent_{};  // by hop, ring
+    long rated_beat_ = 0;                        // last beat that was rated
     int beats_rated_ = 0;
     float contrast_ = 0.0F;  // evidence on the beats, running mean
     float mass_ = 0.0F;      // the pointer's, smoothed

@@ -140,18 +140,18 @@ void PaperTracker::jump() noexcept RAKS_NONBLOCKING {
     while (!window_.is_done()) {
         window_.step();
     }
-    heard_ = 0;
+    hops_ = 0;
     confidence_ = 0.0F;
 }
 
 void PaperTracker::advance(std::span<const float> window,
                            MusicState& state) noexcept RAKS_NONBLOCKING {
-    onsets_[heard_ % onsets_.size()] = flux_.add(window).onset();
-    ++heard_;
-    if (heard_ >= kLeast && heard_ % kEvery == 0) {
-        const std::size_t count = std::min(heard_, onsets_.size());
+    onsets_[hops_ % onsets_.size()] = flux_.add(window).onset();
+    ++hops_;
+    if (hops_ >= kLeast && hops_ % kEvery == 0) {
+        const std::size_t count = std::min(hops_, onsets_.size());
         for (std::size_t i = 0; i < count; ++i) {
-            ordered_[i] = onsets_[(heard_ - count + i) % onsets_.size()];
+            ordered_[i] = onsets_[(hops_ - count + i) % onsets_.size()];
         }
         window_.begin(std::span(ordered_).first(count));
         window_start_ =
@@ -175,7 +175,7 @@ void PaperTracker::adopt(const PaperEstimate& estimate) noexcept {
         return;
     }
     // The estimate's beat that lies nearest to now: the newest onset, PaperFlux::kDelay ago.
-    const double newest = window_start_ + static_cast<double>(std::min(heard_, onsets_.size()));
+    const double newest = window_start_ + static_cast<double>(std::min(hops_, onsets_.size()));
     const double last = window_start_ + estimate.last_beat + kPaperLagHops;
     const double later = std::round((newest + PaperFlux::kDelay - last) / estimate.period_hops);
     const double beat_hop = last + later * estimate.period_hops;
@@ -197,7 +197,7 @@ void PaperTracker::announce(MusicState& state) noexcept {
     if (state.grid.confidence <= 0.0F) {
         return;
     }
-    const double heard = to_seconds(state.heard_until) * kHopsPerSecond;
+    const double audio_end_hops = to_seconds(state.audio_end) * kHopsPerSecond;
     // The last beat of the grid that lies before `horizon`; none when it is old news.
     const auto due = [&](double horizon, double told) -> std::optional<double> {
         const double beat =
@@ -205,12 +205,12 @@ void PaperTracker::announce(MusicState& state) noexcept {
         const bool is_news = beat > horizon - kOldestNews && beat > told + kLeastGap * period_hops_;
         return is_news ? std::optional(beat) : std::nullopt;
     };
-    if (const auto beat = due(heard + kAnnounceLeadHops, last_told_)) {
+    if (const auto beat = due(audio_end_hops + kAnnounceLeadHops, last_told_)) {
         last_told_ = *beat;
         state.has_beat = true;
         state.beat = {stream_time_from_seconds(*beat / kHopsPerSecond), 0, state.grid.confidence};
     }
-    if (const auto beat = due(heard + kPredictedLeadHops, last_predicted_)) {
+    if (const auto beat = due(audio_end_hops + kPredictedLeadHops, last_predicted_)) {
         last_predicted_ = *beat;
         state.has_predicted = true;
         state.predicted = stream_time_from_seconds(*beat / kHopsPerSecond);

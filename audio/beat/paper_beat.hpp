@@ -127,7 +127,7 @@ class PaperTracker {
     PaperWindow window_;
     std::array<float, PaperWindow::kHops> onsets_{};  // p, ring by hop
     std::array<float, PaperWindow::kHops> ordered_{};
-    std::size_t heard_ = 0;      // hops since reset or jump
+    std::size_t hops_ = 0;       // hops since reset or jump
     double window_start_ = 0.0;  // hop number of the analysed window's first onset
     double beat_hop_ = 0.0;      // where beat number `beat_` lies
     double period_hops_ = 50.0;

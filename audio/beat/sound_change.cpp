@@ -50,7 +50,7 @@ bool SoundChange::is_another() const noexcept {
     return louder + softer > kChanged && std::min(louder, softer) > kEachWay;
 }
 
-bool SoundChange::hear(std::span<const float, kBands> loudness) noexcept RAKS_NONBLOCKING {
+bool SoundChange::add(std::span<const float, kBands> loudness) noexcept RAKS_NONBLOCKING {
     slide(loudness);
     if (hops_ < static_cast<int>(kKept)) {
         return false;

@@ -22,7 +22,7 @@ class SoundChange {
 
     /// The loudness of one more hop, see NetworkInput. True once for each change; none is told
     /// within 2 s of the start or of another.
-    bool hear(std::span<const float, kBands> loudness) noexcept RAKS_NONBLOCKING;
+    bool add(std::span<const float, kBands> loudness) noexcept RAKS_NONBLOCKING;
 
     void reset() noexcept RAKS_NONBLOCKING { *this = SoundChange(); }
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "audio/genre/genre_listener.hpp"
 #include "audio/genre/genre_recognizer.hpp"
+#include "audio/genre/genre_scorer.hpp"
 #include "models/hmm_scorer.hpp"
 #include "models/sliding_score.hpp"
 
@@ -114,21 +114,21 @@ std::vector<double> balanced_weights(std::span<const WindowScore* const> scores)
 
 namespace {
 
-void hear_with_network(const GenreModel& model,
-                       const HeardPiece& piece,
-                       std::span<WindowScore> scores) {
-    static_assert(GenreListener::kBlockHops == kBlock);
-    GenreListener listener;
+void score_with_networks(const GenreModel& model,
+                         const PieceFeatures& piece,
+                         std::span<WindowScore> scores) {
+    static_assert(GenreScorer::kBlockHops == kBlock);
+    GenreScorer scorer;
     std::size_t next = 0;  // window; they ascend by their ends
     for (std::size_t frame = 0; frame < piece.frames.size(); ++frame) {
         const std::span<const float> mel(piece.mel);
-        listener.next(model.networks,
-                      mel.subspan(frame * BarPatterns::kMelBands)
-                          .first<static_cast<std::size_t>(BarPatterns::kMelBands)>());
+        scorer.next(model.networks,
+                    mel.subspan(frame * BarPatterns::kMelBands)
+                        .first<static_cast<std::size_t>(BarPatterns::kMelBands)>());
         const auto end = static_cast<int>(frame) + 1;
         for (; next < scores.size() && piece.windows[next].end_frame == end; ++next) {
-            listener.log_chances(piece.windows[next].segments * kBlocksASegment,
-                                 std::span(scores[next].network).first(model.classes()));
+            scorer.log_chances(piece.windows[next].segments * kBlocksASegment,
+                               std::span(scores[next].network).first(model.classes()));
         }
     }
 }
@@ -136,7 +136,7 @@ void hear_with_network(const GenreModel& model,
 }  // namespace
 
 std::vector<WindowScore> score_piece(const GenreModel& model,
-                                     const HeardPiece& piece,
+                                     const PieceFeatures& piece,
                                      std::size_t piece_index) {
     const std::size_t truth = class_of(piece.genre, model.genres);
     std::vector<WindowScore> scores;
@@ -144,7 +144,7 @@ std::vector<WindowScore> score_piece(const GenreModel& model,
         return scores;  // silence, or too short
     }
     scores.reserve(piece.windows.size());
-    for (const HeardWindow& window : piece.windows) {
+    for (const WindowFeatures& window : piece.windows) {
         WindowScore& score = scores.emplace_back();
         score.piece = piece_index;
         score.truth = truth;
@@ -158,7 +158,7 @@ std::vector<WindowScore> score_piece(const GenreModel& model,
         model.sound.standardize(window.features, window.segments, inputs);
         model.sound.log_chances(inputs, std::span(score.sound).first(model.classes()));
     }
-    hear_with_network(model, piece, scores);
+    score_with_networks(model, piece, scores);
     Streams streams(model);
     std::size_t next = 0;  // window; they ascend by their ends
     // The scores of a window are known one block after its end: the last frame is held that long.

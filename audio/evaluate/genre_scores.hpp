@@ -27,7 +27,7 @@ struct WindowScore : GenreScores {
 
 /// Scores all windows of one piece by streaming it, as the recognizer does.
 [[nodiscard]] std::vector<WindowScore> score_piece(const GenreModel& model,
-                                                   const HeardPiece& piece,
+                                                   const PieceFeatures& piece,
                                                    std::size_t piece_index);
 
 /// How heavy each window is: classes alike, in each recordings and written music alike, in each of

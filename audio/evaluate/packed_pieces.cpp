@@ -18,18 +18,18 @@ bool are_sound(const Numbers& numbers) {
 }
 
 /// Whether all numbers are what hearing gives: not huge, magnitudes not negative.
-bool is_heard(const HeardPiece& piece) {
+bool is_whole(const PieceFeatures& piece) {
     return std::all_of(piece.frames.begin(), piece.frames.end(), are_sound<MfccVector>) &&
            are_sound(piece.mel) &&
            std::all_of(piece.mel.begin(), piece.mel.end(), [](float mel) { return mel >= 0.0F; }) &&
-           std::all_of(piece.windows.begin(), piece.windows.end(), [](const HeardWindow& window) {
-               return are_sound(window.features);
-           });
+           std::all_of(piece.windows.begin(),
+                       piece.windows.end(),
+                       [](const WindowFeatures& window) { return are_sound(window.features); });
 }
 
 }  // namespace
 
-void pack_piece(const HeardPiece& piece, Packer& packer) {
+void pack_piece(const PieceFeatures& piece, Packer& packer) {
     packer.put_list(piece.name);
     packer.put_list(piece.group);
     packer.put_list(piece.genre);
@@ -39,26 +39,26 @@ void pack_piece(const HeardPiece& piece, Packer& packer) {
     packer.put_list(piece.windows);
 }
 
-Expected<HeardPiece> unpack_piece(Unpacker& unpacker) {
-    HeardPiece piece;
+Expected<PieceFeatures> unpack_piece(Unpacker& unpacker) {
+    PieceFeatures piece;
     piece.name = unpacker.take_list<std::string>();
     piece.group = unpacker.take_list<std::string>();
     piece.genre = unpacker.take_list<std::string>();
-    piece.kind = unpacker.take<HeardPiece::Kind>();
+    piece.kind = unpacker.take<PieceFeatures::Kind>();
     piece.frames = unpacker.take_list<std::vector<MfccVector>>();
     piece.mel = unpacker.take_list<std::vector<float>>();
-    piece.windows = unpacker.take_list<std::vector<HeardWindow>>();
+    piece.windows = unpacker.take_list<std::vector<WindowFeatures>>();
     if (!unpacker.is_good()) {
         return fail("is cut short");
     }
-    if (!is_heard(piece)) {
+    if (!is_whole(piece)) {
         return fail("holds numbers that no sound gives");
     }
     if (piece.mel.size() != piece.frames.size() * BarPatterns::kMelBands) {
         return fail("frames of two kinds differ in number");
     }
     const bool fit =
-        std::all_of(piece.windows.begin(), piece.windows.end(), [&](const HeardWindow& window) {
+        std::all_of(piece.windows.begin(), piece.windows.end(), [&](const WindowFeatures& window) {
             return window.segments >= 1 && window.segments <= BarPatterns::kSegments &&
                    window.end_frame >= window.segments * BarPatterns::kSegmentHops &&
                    window.end_frame <= static_cast<int>(piece.frames.size());
@@ -67,7 +67,7 @@ Expected<HeardPiece> unpack_piece(Unpacker& unpacker) {
         return fail("a window lies outside its piece");
     }
     if ((!piece.genre.empty() && !is_dance_name(piece.genre)) ||
-        piece.kind > HeardPiece::Kind::written_held_out) {
+        piece.kind > PieceFeatures::Kind::written_held_out) {
         return fail("is damaged");
     }
     return piece;

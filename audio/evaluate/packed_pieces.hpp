@@ -6,8 +6,8 @@
 
 namespace raks::audio {
 
-void pack_piece(const HeardPiece& piece, Packer& packer);
+void pack_piece(const PieceFeatures& piece, Packer& packer);
 /// Errors: cut short, sizes that do not fit together, a window outside its piece.
-[[nodiscard]] Expected<HeardPiece> unpack_piece(Unpacker& unpacker);
+[[nodiscard]] Expected<PieceFeatures> unpack_piece(Unpacker& unpacker);
 
 }  // namespace raks::audio

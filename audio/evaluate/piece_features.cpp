@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view kMagic = "raks-genre-pieces-5\n";
 constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
 
-class Listener final : public MusicAnalyzer::Sink {
+class FeatureSink final : public MusicAnalyzer::Sink {
  public:
-    Listener(const MusicAnalyzer& analyzer, HeardPiece& piece)
+    FeatureSink(const MusicAnalyzer& analyzer, PieceFeatures& piece)
         : analyzer_(analyzer), piece_(piece) {}
 
     void on_state(const MusicState& state) noexcept override {
@@ -39,7 +39,7 @@ class Listener final : public MusicAnalyzer::Sink {
     void keep_windows() {
         for (const int segments : kGenreWindows) {
             if (segments <= patterns_.segments()) {
-                HeardWindow& window = piece_.windows.emplace_back();
+                WindowFeatures& window = piece_.windows.emplace_back();
                 window.segments = segments;
                 window.end_frame = static_cast<int>(piece_.frames.size());
                 patterns_.features(segments, window.features);
@@ -48,7 +48,7 @@ class Listener final : public MusicAnalyzer::Sink {
     }
 
     const MusicAnalyzer& analyzer_;
-    HeardPiece& piece_;
+    PieceFeatures& piece_;
     NoiseFloor noise_;
     BarPatterns patterns_;
     int closed_ = 0;
@@ -56,10 +56,10 @@ class Listener final : public MusicAnalyzer::Sink {
 
 }  // namespace
 
-Expected<void> hear_piece(std::span<const float> samples,
-                          SampleRate rate,
-                          const HearingPlan& plan,
-                          HeardPiece& piece) {
+Expected<void> extract_features(std::span<const float> samples,
+                                SampleRate rate,
+                                const FeaturePlan& plan,
+                                PieceFeatures& piece) {
     MusicAnalyzer analyzer;
     AnalyzerConfig config;
     config.sample_rate = rate;
@@ -68,20 +68,21 @@ Expected<void> hear_piece(std::span<const float> samples,
     if (auto prepared = analyzer.prepare(config); !prepared) {
         return prepared;
     }
-    Listener listener(analyzer, piece);
-    analyzer.process(samples, listener);
+    FeatureSink sink(analyzer, piece);
+    analyzer.process(samples, sink);
     return {};
 }
 
-Expected<void> save_pieces(std::span<const HeardPiece> pieces, const std::filesystem::path& path) {
+Expected<void> save_pieces(std::span<const PieceFeatures> pieces,
+                           const std::filesystem::path& path) {
     Packer packer(kMagic);
-    for (const HeardPiece& piece : pieces) {
+    for (const PieceFeatures& piece : pieces) {
         pack_piece(piece, packer);
     }
     return write_file(path, packer.take());
 }
 
-Expected<std::vector<HeardPiece>> load_pieces(const std::filesystem::path& path) {
+Expected<std::vector<PieceFeatures>> load_pieces(const std::filesystem::path& path) {
     const auto start = read_file_start(path, kMagic.size());
     if (!start) {
         return fail(start.error());
@@ -94,7 +95,7 @@ Expected<std::vector<HeardPiece>> load_pieces(const std::filesystem::path& path)
         return fail(bytes.error());
     }
     Unpacker unpacker(std::string_view(*bytes).substr(std::min(start->size(), bytes->size())));
-    std::vector<HeardPiece> pieces;
+    std::vector<PieceFeatures> pieces;
     while (!unpacker.at_end()) {
         auto piece = unpack_piece(unpacker);
         if (!piece) {

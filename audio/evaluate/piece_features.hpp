@@ -25,14 +25,14 @@ class BeatNetwork;
 }
 
 /// Bar patterns of one window of a piece.
-struct HeardWindow {
+struct WindowFeatures {
     int segments = 1;   ///< its length: one of kGenreWindows
     int end_frame = 0;  ///< frames of the piece before its end
     std::array<float, BarPatterns::kFeatures> features{};
 };
 
 /// One piece as the analyzer hears it, silence left out: what genre models are learnt from.
-struct HeardPiece {
+struct PieceFeatures {
     std::string name;
     std::string group;  ///< artist; of written music: its style and soundfont
     std::string genre;  ///< name of a dance; empty: none of the dances
@@ -44,8 +44,8 @@ struct HeardPiece {
     };
     Kind kind = Kind::recorded;
     std::vector<MfccVector> frames;
-    std::vector<float> mel;            ///< of each frame NoiseFloor::kBands magnitudes, no hiss
-    std::vector<HeardWindow> windows;  ///< every second, of each length that was full
+    std::vector<float> mel;               ///< of each frame NoiseFloor::kBands magnitudes, no hiss
+    std::vector<WindowFeatures> windows;  ///< every second, of each length that was full
 
     [[nodiscard]] std::size_t hops() const noexcept {
         return mel.size() / static_cast<std::size_t>(BarPatterns::kMelBands);
@@ -56,22 +56,22 @@ struct HeardPiece {
 };
 
 /// What the sound is heard with.
-struct HearingPlan {
+struct FeaturePlan {
     std::shared_ptr<const BeatNetwork> beat_network;
     CepstralMeanConfig cepstral_mean;
 };
 
 /// Adds frames and windows of these samples (mono) to `piece`.
 /// Errors: a rate that is not supported.
-[[nodiscard]] Expected<void> hear_piece(std::span<const float> samples,
-                                        SampleRate rate,
-                                        const HearingPlan& plan,
-                                        HeardPiece& piece);
+[[nodiscard]] Expected<void> extract_features(std::span<const float> samples,
+                                              SampleRate rate,
+                                              const FeaturePlan& plan,
+                                              PieceFeatures& piece);
 
 /// Pieces kept between runs; numbers as this machine stores them.
 /// Errors of reading: not such a file, cut short, sizes that do not fit together.
-[[nodiscard]] Expected<void> save_pieces(std::span<const HeardPiece> pieces,
+[[nodiscard]] Expected<void> save_pieces(std::span<const PieceFeatures> pieces,
                                          const std::filesystem::path& path);
-[[nodiscard]] Expected<std::vector<HeardPiece>> load_pieces(const std::filesystem::path& path);
+[[nodiscard]] Expected<std::vector<PieceFeatures>> load_pieces(const std::filesystem::path& path);
 
 }  // namespace raks::audio

@@ -12,15 +12,15 @@ CepstralMean::CepstralMean(const CepstralMeanConfig& config) noexcept
 }
 
 void CepstralMean::reset() noexcept RAKS_NONBLOCKING {
-    heard_ = std::max(1.0, config_.start_weight * kHopsPerSecond);
+    frames_ = std::max(1.0, config_.start_weight * kHopsPerSecond);
     std::copy(config_.start.begin(), config_.start.end(), mean_.begin());
 }
 
 void CepstralMean::normalize(Frame frame, MfccVector& vector) noexcept RAKS_NONBLOCKING {
     if (frame == Frame::music) {
         // A plain mean until the time constant is reached, then an exponential one.
-        heard_ = std::min(heard_ + 1.0, longest_);
-        const double share = 1.0 / heard_;
+        frames_ = std::min(frames_ + 1.0, longest_);
+        const double share = 1.0 / frames_;
         for (std::size_t i = 0; i < mean_.size(); ++i) {
             mean_[i] += share * (static_cast<double>(vector[i]) - mean_[i]);
         }

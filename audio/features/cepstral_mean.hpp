@@ -37,7 +37,7 @@ class CepstralMean {
  private:
     CepstralMeanConfig config_;
     double longest_ = 0.0;  // frames that the mean remembers
-    double heard_ = 0.0;    // frames that it knows, the start's among them
+    double frames_ = 0.0;   // frames that it knows, the start's among them
     std::array<double, kMfccStatic> mean_{};
 };
 

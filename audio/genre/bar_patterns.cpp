@@ -165,7 +165,7 @@ void BarPatterns::reset() noexcept RAKS_NONBLOCKING {
     band_levels_ = {};
     hops_ = 0;
     open_ = {};
-    heard_ = 0;
+    segments_ = 0;
     next_ = 0;
 }
 
@@ -282,7 +282,7 @@ bool BarPatterns::add(std::span<const float, kMelBands> mel,
     }
     closed_[static_cast<std::size_t>(next_)] = open_;
     next_ = (next_ + 1) % kSegments;
-    heard_ = std::min(heard_ + 1, kSegments);
+    segments_ = std::min(segments_ + 1, kSegments);
     open_ = {};
     return true;
 }

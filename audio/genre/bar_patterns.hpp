@@ -72,7 +72,9 @@ class BarPatterns {
              StreamTime time) noexcept RAKS_NONBLOCKING;
 
     /// Segments that features() can look back to.
-    [[nodiscard]] int segments() const noexcept { return heard_ < kSegments ? heard_ : kSegments; }
+    [[nodiscard]] int segments() const noexcept {
+        return segments_ < kSegments ? segments_ : kSegments;
+    }
     /// Features of the newest `count` closed segments, 1 <= count <= segments().
     void features(int count, std::span<float, kFeatures> out) const noexcept RAKS_NONBLOCKING;
     void reset() noexcept RAKS_NONBLOCKING;
@@ -108,7 +110,7 @@ class BarPatterns {
     std::int64_t hops_ = 0;  // since reset
     Sums open_;
     std::array<Sums, kSegments> closed_{};  // ring
-    int heard_ = 0;
+    int segments_ = 0;
     int next_ = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "audio/genre/genre_listener.hpp"
+#include "audio/genre/genre_scorer.hpp"
 #include "base/file.hpp"
 #include "models/hmm_json.hpp"
 #include "models/json_fields.hpp"
@@ -182,7 +182,7 @@ std::vector<models::RecurrentNetwork> read_networks(const Field& root,
     }
     const Field networks = root["networks"];
     std::vector<models::RecurrentNetwork> read;
-    for (std::size_t i = 0; i < networks.size() && i <= GenreListener::kMostNetworks; ++i) {
+    for (std::size_t i = 0; i < networks.size() && i <= GenreScorer::kMostNetworks; ++i) {
         read.push_back(read_recurrent(networks[i], outputs));
     }
     return read;

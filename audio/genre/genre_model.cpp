@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "audio/genre/genre_listener.hpp"
+#include "audio/genre/genre_scorer.hpp"
 
 #include <fmt/format.h>
 
@@ -170,10 +170,10 @@ Expected<void> validate(const GenreModel& model) {
     if (auto ok = check_network(model.sound, model.classes(), "sound"); !ok) {
         return ok;
     }
-    if (model.networks.empty() || model.networks.size() > GenreListener::kMostNetworks) {
+    if (model.networks.empty() || model.networks.size() > GenreScorer::kMostNetworks) {
         return fail(fmt::format("networks has {} entries, must have 1 to {}",
                                 model.networks.size(),
-                                GenreListener::kMostNetworks));
+                                GenreScorer::kMostNetworks));
     }
     for (std::size_t i = 0; i < model.networks.size(); ++i) {
         if (auto ok =

@@ -55,8 +55,8 @@ struct GenreModel {
     std::optional<models::GaussianHmm> similarity;
     PatternNetwork rhythm;  ///< of the patterns over bar and beat; classes: genres, then none
     PatternNetwork sound;   ///< of the spectrum's shape, the bands' onsets and the swing; the same
-    /// Hear every hop together (genre_listener.hpp), 1 to
-    /// GenreListener::kMostNetworks: inputs NetworkInput::kSize; outputs: genres, then none.
+    /// Hear every hop together (genre_scorer.hpp), 1 to
+    /// GenreScorer::kMostNetworks: inputs NetworkInput::kSize; outputs: genres, then none.
     std::vector<models::RecurrentNetwork> networks;
     std::array<GenreFusion, kGenreWindows.size()> fusion;
     std::string made_with;    ///< the command

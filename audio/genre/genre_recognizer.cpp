@@ -79,10 +79,10 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     }
     noise_.reset();
     patterns_.reset();
-    listener_.reset();
+    network_scorer_.reset();
     next_pattern_ = kGenreWindows.size();
     judged_ = {};
-    heard_ = 0;
+    counted_hops_ = 0;
     log_chances_.fill(kImprobable);
     log_chances_[model_->genres.size()] = 0.0F;
     decision_ = challenger_ = model_->genres.size();
@@ -95,13 +95,13 @@ void GenreRecognizer::advance(const MfccVector& mfcc,
     if (is_genre_evidence(state)) {
         score_frame(mfcc);
         const NoiseFloor::Bands& music = noise_.subtract(mel);
-        listener_.next(model_->networks, music);
+        network_scorer_.next(model_->networks, music);
         if (patterns_.add(music, state.grid, state.time)) {
             next_pattern_ = 0;
         }
         score_patterns();
-        ++heard_;
-        if (heard_ % kBlock == kBlock / 2) {  // not in the hop that closes blocks
+        ++counted_hops_;
+        if (counted_hops_ % kBlock == kBlock / 2) {  // not in the hop that closes blocks
             decide(state);
         }
     }
@@ -152,7 +152,7 @@ void GenreRecognizer::score_patterns() noexcept {
     model_->rhythm.log_chances(inputs, std::span(judged.rhythm).first(classes));
     model_->sound.standardize(features, kGenreWindows[window], inputs);
     model_->sound.log_chances(inputs, std::span(judged.sound).first(classes));
-    judged.is_heard = true;
+    judged.is_scored = true;
 }
 
 GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noexcept
@@ -160,8 +160,8 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     Judgement judgement;
     const int segments = kGenreWindows[window];
     const int blocks = segments * kBlocksASegment;
-    const bool has_mfcc = sliding_.front().blocks_heard() >= blocks;
-    judgement.is_full = judged_[window].is_heard && has_mfcc && listener_.blocks() >= blocks;
+    const bool has_mfcc = sliding_.front().blocks_scored() >= blocks;
+    judgement.is_full = judged_[window].is_scored && has_mfcc && network_scorer_.blocks() >= blocks;
     if (!judgement.is_full) {
         return judgement;
     }
@@ -174,7 +174,7 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     scores.similarity = scores.mfcc;
     scores.rhythm = judged_[window].rhythm;
     scores.sound = judged_[window].sound;
-    listener_.log_chances(blocks, std::span(scores.network).first(classes));
+    network_scorer_.log_chances(blocks, std::span(scores.network).first(classes));
     judgement.log_chances = fuse(scores, model_->fusion[window], settings_.evidence, classes);
     return judgement;
 }

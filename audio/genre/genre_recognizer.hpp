@@ -9,8 +9,8 @@
 
 #include "audio/features/noise_floor.hpp"
 #include "audio/genre/bar_patterns.hpp"
-#include "audio/genre/genre_listener.hpp"
 #include "audio/genre/genre_model.hpp"
+#include "audio/genre/genre_scorer.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
@@ -91,16 +91,16 @@ class GenreRecognizer {
     std::vector<double> similarity_work_;
     NoiseFloor noise_;
     BarPatterns patterns_;
-    GenreListener listener_;
+    GenreScorer network_scorer_;
     /// By window: ln chances by rhythm and by sound alone.
     struct Patterns {
-        bool is_heard = false;
+        bool is_scored = false;
         GenreScores::Values rhythm{};
         GenreScores::Values sound{};
     };
     std::array<Patterns, kGenreWindows.size()> judged_{};
     std::size_t next_pattern_ = kGenreWindows.size();  // window whose turn it is
-    std::int64_t heard_ = 0;                           // hops that counted
+    std::int64_t counted_hops_ = 0;                    // hops that counted
     GenreScores::Values log_chances_{};
     std::size_t decision_ = 0;  // class
     std::size_t challenger_ = 0;

@@ -317,9 +317,9 @@ std::uint64_t DeviceStream::xruns() const noexcept {
 
 bool DeviceStream::is_alive(HostTime now) const noexcept {
     const std::int64_t last = impl_->last_callback_ns.load(std::memory_order_relaxed);
-    const bool is_heard = last == 0 ? now - impl_->started <= kFirstCallbackWithin
-                                    : now - HostTime(Nanos(last)) <= impl_->dead_after;
-    return is_heard && !impl_->is_abandoned && Pa_IsStreamActive(impl_->stream) == 1;
+    const bool is_calling_back = last == 0 ? now - impl_->started <= kFirstCallbackWithin
+                                           : now - HostTime(Nanos(last)) <= impl_->dead_after;
+    return is_calling_back && !impl_->is_abandoned && Pa_IsStreamActive(impl_->stream) == 1;
 }
 
 void DeviceStream::abandon() noexcept {

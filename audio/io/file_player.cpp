@@ -71,7 +71,7 @@ struct FilePlayer::Impl {
     AudioRing ring;  // stereo
     EventQueue<Segment> segments;
     std::atomic<std::uint64_t> wanted_generation{1};
-    std::atomic<std::uint64_t> heard_generation{0};
+    std::atomic<std::uint64_t> played_generation{0};
     std::atomic<std::uint64_t> underruns{0};
 
     std::mutex mutex;
@@ -287,7 +287,7 @@ PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
         me.is_jump = false;
     }
     if (frames > 0 || pulled.is_ended) {
-        me.heard_generation.store(wanted, std::memory_order_relaxed);  // relaxed: a statistic
+        me.played_generation.store(wanted, std::memory_order_relaxed);  // relaxed: a statistic
     }
     if (frames < room && !is_stale && !pulled.is_ended && !stops_here) {
         me.underruns.fetch_add(1, std::memory_order_relaxed);  // relaxed: a statistic
@@ -342,7 +342,7 @@ const std::filesystem::path& FilePlayer::path_of(int track) const {
 const AudioFileInfo& FilePlayer::first_info() const noexcept { return impl_->first_info; }
 
 bool FilePlayer::is_seeking() const noexcept {
-    return impl_->heard_generation.load(std::memory_order_relaxed) !=
+    return impl_->played_generation.load(std::memory_order_relaxed) !=
            impl_->wanted_generation.load(std::memory_order_relaxed);
 }
 

@@ -56,16 +56,16 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice&
     }
     graph->stream_ = std::move(*stream);
     graph->device_name_ = input.name;
-    auto listening = Listening::create(graph->stream_->rate(), config.models);
-    if (!listening) {
-        return fail(input.name + ": " + listening.error().message);
+    auto live_input = LiveInput::create(graph->stream_->rate(), config.models);
+    if (!live_input) {
+        return fail(input.name + ": " + live_input.error().message);
     }
-    graph->listening_ = std::move(*listening);
-    graph->analysis_ = &graph->listening_->analysis();
+    graph->live_input_ = std::move(*live_input);
+    graph->analysis_ = &graph->live_input_->analysis();
     if (auto started = graph->start_motion(config); !started) {
         return fail(started.error());
     }
-    graph->stream_->connect(*graph->listening_);
+    graph->stream_->connect(*graph->live_input_);
     return graph;
 }
 
@@ -86,7 +86,7 @@ audio::StreamCallback& LiveGraph::callback() noexcept {
     if (playback_) {
         return *playback_;
     }
-    return *listening_;
+    return *live_input_;
 }
 
 std::optional<std::string> LiveGraph::watch(HostTime now) {

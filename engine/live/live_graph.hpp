@@ -108,8 +108,8 @@ class LiveGraph {
     bool has_lost_device_ = false;
     // Order matters: what calls is destroyed before what is called.
     std::unique_ptr<Playback> playback_;
-    std::unique_ptr<Listening> listening_;
-    AnalysisStage* analysis_ = nullptr;  // of playback_ or listening_
+    std::unique_ptr<LiveInput> live_input_;
+    AnalysisStage* analysis_ = nullptr;  // of playback_ or live_input_
     std::unique_ptr<StageChannel> for_main_;
     std::unique_ptr<MotionThread> motion_;
     std::unique_ptr<PacedClock> paced_clock_;

@@ -15,20 +15,20 @@ constexpr Nanos kMostLoss = std::chrono::seconds(5);
 
 }  // namespace
 
-Expected<std::unique_ptr<Listening>> Listening::create(SampleRate device_rate,
+Expected<std::unique_ptr<LiveInput>> LiveInput::create(SampleRate device_rate,
                                                        const AnalyzerModels& models) {
     auto analysis = AnalysisStage::create(device_rate, models);
     if (!analysis) {
         return fail(analysis.error());
     }
-    return std::unique_ptr<Listening>(new Listening(device_rate, std::move(*analysis)));
+    return std::unique_ptr<LiveInput>(new LiveInput(device_rate, std::move(*analysis)));
 }
 
-Listening::Listening(SampleRate rate, std::unique_ptr<AnalysisStage> analysis)
+LiveInput::LiveInput(SampleRate rate, std::unique_ptr<AnalysisStage> analysis)
     : rate_(rate), analysis_(std::move(analysis)), mono_(kMixFrames) {}
 
 /// The device says that audio was lost; how much, only the clock knows.
-void Listening::skip_lost(const audio::BlockTime& time) noexcept {
+void LiveInput::skip_lost(const audio::BlockTime& time) noexcept {
     const Nanos block = rate_.time_of(last_frames_).time_since_epoch();
     const Nanos gap = std::min(time.entered - last_entered_ - block, kMostLoss);
     if (gap > kLeastLoss) {
@@ -38,7 +38,7 @@ void Listening::skip_lost(const audio::BlockTime& time) noexcept {
     }
 }
 
-void Listening::on_input(std::span<const float> interleaved,
+void LiveInput::on_input(std::span<const float> interleaved,
                          int channels,
                          const audio::BlockTime& time) noexcept {
     const HostTime start = HostClock::now();
@@ -63,7 +63,7 @@ void Listening::on_input(std::span<const float> interleaved,
     analysis_->add_callback_time(HostClock::now() - start);
 }
 
-std::int64_t Listening::lost_frames() const noexcept {
+std::int64_t LiveInput::lost_frames() const noexcept {
     return lost_frames_.load(std::memory_order_relaxed);  // relaxed: a statistic
 }
 

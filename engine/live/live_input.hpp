@@ -12,10 +12,10 @@ namespace raks::engine {
 
 /// The microphone's side of `live`: what the input callback does.
 /// Threads: on_input from the device (or PacedClock after the device died), the rest from main.
-class Listening final : public audio::StreamCallback {
+class LiveInput final : public audio::StreamCallback {
  public:
     /// Errors: a rate that the analyzer refuses.
-    [[nodiscard]] static Expected<std::unique_ptr<Listening>> create(SampleRate device_rate,
+    [[nodiscard]] static Expected<std::unique_ptr<LiveInput>> create(SampleRate device_rate,
                                                                      const AnalyzerModels& models);
 
     void on_input(std::span<const float> interleaved,
@@ -27,7 +27,7 @@ class Listening final : public audio::StreamCallback {
     [[nodiscard]] std::int64_t lost_frames() const noexcept;
 
  private:
-    Listening(SampleRate rate, std::unique_ptr<AnalysisStage> analysis);
+    LiveInput(SampleRate rate, std::unique_ptr<AnalysisStage> analysis);
     void skip_lost(const audio::BlockTime& time) noexcept;
 
     SampleRate rate_;

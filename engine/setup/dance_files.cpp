@@ -31,10 +31,10 @@ Expected<void> check_name(const std::string& dance,
     return {};
 }
 
-Repertoire::Otherwise otherwise_of(const Settings& settings) {
-    return settings.fallback_dance == kKeep    ? Repertoire::Otherwise::keep
-           : settings.fallback_dance == kStand ? Repertoire::Otherwise::stand
-                                               : Repertoire::Otherwise::first;
+Repertoire::Fallback fallback_of(const Settings& settings) {
+    return settings.fallback_dance == kKeep    ? Repertoire::Fallback::keep
+           : settings.fallback_dance == kStand ? Repertoire::Fallback::stand
+                                               : Repertoire::Fallback::first;
 }
 
 /// What dances are made with, and the repertoires that they go to: the lead's and, for couples, the
@@ -59,7 +59,7 @@ struct DanceLoader {
             return fail(std::move(first.error()));
         }
         return std::make_shared<Repertoire>(
-            catalogue.list()->id_of(dance), std::move(*first), otherwise_of(settings));
+            catalogue.list()->id_of(dance), std::move(*first), fallback_of(settings));
     }
 
     /// Nothing is added where a part is missing.

@@ -144,8 +144,8 @@ TrialResult result_of(const DanceTrial& trial,
     const std::vector<DancedFigure> figures = danced_figures(record.hops, music.beats, models);
     const motion::BodyTrack track = motion::body_track(skeleton, record.poses(), kPosesPerSecond);
     TrialResult result;
-    const std::vector<motion::HeardCount> counts =
-        heard_counts(figures, {.from = trial.judged_from, .to = trial.judged_to});
+    const std::vector<motion::AudibleCount> counts =
+        audible_counts(figures, {.from = trial.judged_from, .to = trial.judged_to});
     result.landing = motion::landing_errors(track, counts);
     motion::DanceSubject subject;
     subject.frames = frames_of(record, figures);

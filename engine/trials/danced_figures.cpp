@@ -85,7 +85,7 @@ void add_counts(std::span<const audio::ReferenceBeat> beats, double offset, Danc
         const double length = beat_seconds(beats, before + 1) - beat_seconds(beats, before);
         figure.count_times.push_back(beat_seconds(beats, before) + share * length);
         const std::size_t nearest = share < 0.5 ? before : before + 1;
-        figure.is_count_heard.push_back(beat >= 0.0 && beat <= last && beats[nearest].is_audible);
+        figure.is_count_audible.push_back(beat >= 0.0 && beat <= last && beats[nearest].is_audible);
     }
 }
 
@@ -140,9 +140,9 @@ std::vector<DancedFigure> danced_figures(std::span<const DancerStatus> hops,
     return figures;
 }
 
-std::vector<motion::HeardCount> heard_counts(std::span<const DancedFigure> figures,
-                                             const CountWindow& window) {
-    std::vector<motion::HeardCount> counts;
+std::vector<motion::AudibleCount> audible_counts(std::span<const DancedFigure> figures,
+                                                 const CountWindow& window) {
+    std::vector<motion::AudibleCount> counts;
     for (const DancedFigure& figure : figures) {
         for (std::size_t k = 0; k + 1 < figure.count_times.size(); ++k) {
             const double time = figure.count_times[k];
@@ -150,7 +150,7 @@ std::vector<motion::HeardCount> heard_counts(std::span<const DancedFigure> figur
             const bool is_danced = figure.is_whole || (time >= figure.from && time < figure.to);
             const bool is_settled = time >= figure.dance_from + window.blend_in &&
                                     time + kWindowEnd * beat < figure.dance_to;
-            if (is_danced && is_settled && figure.is_count_heard[k] && time >= window.from &&
+            if (is_danced && is_settled && figure.is_count_audible[k] && time >= window.from &&
                 time < window.to) {
                 counts.push_back({figure.model, k, time, beat});
             }

@@ -27,7 +27,7 @@ struct DancedFigure {
     /// dancer's phase says only which beat is count 1 (the nearest, by the middle over the
     /// figure): never when it is.
     std::vector<double> count_times;
-    std::vector<bool> is_count_heard;  ///< count lies inside the music, in no silence; same size
+    std::vector<bool> is_count_audible;  ///< count lies inside the music, in no silence; same size
 };
 
 /// `hops`: the dancer's status of every hop from the stream's start. Figures that `models` does not
@@ -44,7 +44,7 @@ struct CountWindow {
     double to = 1e9;
     double blend_in = 4.0;
 };
-[[nodiscard]] std::vector<motion::HeardCount> heard_counts(std::span<const DancedFigure> figures,
-                                                           const CountWindow& window = {});
+[[nodiscard]] std::vector<motion::AudibleCount> audible_counts(
+    std::span<const DancedFigure> figures, const CountWindow& window = {});
 
 }  // namespace raks::engine

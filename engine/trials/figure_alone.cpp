@@ -24,7 +24,7 @@ constexpr double kMargin = 0.5;  // beats before the first and after the last re
 MusicState steady_music(HopIndex hop, const FigureOnBeat& on) {
     MusicState state;
     state.hop = hop;
-    state.time = state.heard_until = time_of_hop(hop);
+    state.time = state.audio_end = time_of_hop(hop);
     state.grid.tempo = on.tempo;
     state.grid.beats_per_bar = on.beats_per_bar;
     state.grid.confidence = 1.0F;

@@ -195,12 +195,12 @@ std::vector<float> left_channel(const audio::GeneratedMusic& music) {
 
 }  // namespace
 
-std::vector<HeardBeat> heard_beats(const LoopRecording& recording,
-                                   const audio::GeneratedMusic& music) {
-    std::vector<HeardBeat> heard;
+std::vector<AudibleBeat> audible_beats(const LoopRecording& recording,
+                                       const audio::GeneratedMusic& music) {
+    std::vector<AudibleBeat> audible;
     const SampleRate rate = music.rate;
     if (recording.rate() != rate) {
-        return heard;
+        return audible;
     }
     const std::vector<float> sent = left_channel(music);
     const std::span<const float> samples = recording.samples();
@@ -217,10 +217,10 @@ std::vector<HeardBeat> heard_beats(const LoopRecording& recording,
         const auto place = best_place(samples, wanted, at + delay - reach, at + delay + reach + 1);
         if (place) {
             delay = *place - at;
-            heard.push_back({beat, recording.heard_at(*place)});
+            audible.push_back({beat, recording.heard_at(*place)});
         }
     }
-    return heard;
+    return audible;
 }
 
 }  // namespace raks::engine

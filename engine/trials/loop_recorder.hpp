@@ -82,7 +82,7 @@ class LoopRecorder {
 };
 
 /// A beat of the generated music that came back.
-struct HeardBeat {
+struct AudibleBeat {
     std::size_t beat = 0;  ///< index in GeneratedMusic::beats
     HostTime heard{};      ///< when its sound was out
 };
@@ -90,7 +90,7 @@ struct HeardBeat {
 /// Finds every beat's own attack (its first 20 ms, left channel) in the recording, to the sample,
 /// by normalized cross-correlation; beats whose best place correlates less than 0.9 are left out.
 /// The music must begin with silence. Empty when the recording has another rate than the music.
-[[nodiscard]] std::vector<HeardBeat> heard_beats(const LoopRecording& recording,
-                                                 const audio::GeneratedMusic& music);
+[[nodiscard]] std::vector<AudibleBeat> audible_beats(const LoopRecording& recording,
+                                                     const audio::GeneratedMusic& music);
 
 }  // namespace raks::engine

@@ -23,9 +23,9 @@ double interpolated(std::span<const double> xs, std::span<const double> ys, doub
 
 }  // namespace
 
-SoundLine::SoundLine(std::span<const HeardBeat> heard, const audio::GeneratedMusic& music)
+SoundLine::SoundLine(std::span<const AudibleBeat> heard, const audio::GeneratedMusic& music)
     : origin_(heard.front().heard) {
-    for (const HeardBeat& beat : heard) {
+    for (const AudibleBeat& beat : heard) {
         host_.push_back(to_seconds(beat.heard - origin_));
         stream_.push_back(to_seconds(music.beats[beat.beat].time));
     }
@@ -44,11 +44,11 @@ bool SoundLine::covers(HostTime host) const {
     return at >= host_.front() && at <= host_.back();
 }
 
-std::vector<double> loop_latencies_ms(std::span<const HeardBeat> heard,
+std::vector<double> loop_latencies_ms(std::span<const AudibleBeat> heard,
                                       const audio::GeneratedMusic& music,
                                       std::span<const ShownPicture> pictures) {
     std::vector<double> latencies;
-    for (const HeardBeat& beat : heard) {
+    for (const AudibleBeat& beat : heard) {
         const auto next = std::lower_bound(
             pictures.begin(), pictures.end(), beat.heard, [](const auto& picture, HostTime time) {
                 return picture.at < time;
@@ -98,11 +98,11 @@ std::vector<motion::Pose> on_regular_grid(std::span<const ShownPicture> pictures
 
 /// Seconds after `start` at which the beats were out, from the first downbeat after `from` on, or
 /// from the one a bar later.
-std::vector<double> counts_heard(const audio::GeneratedMusic& music,
-                                 const SoundLine& sound,
-                                 HostTime start,
-                                 double from,
-                                 std::size_t bars_later) {
+std::vector<double> counts_in_sound(const audio::GeneratedMusic& music,
+                                    const SoundLine& sound,
+                                    HostTime start,
+                                    double from,
+                                    std::size_t bars_later) {
     std::vector<double> counts;
     std::size_t downbeats = 0;
     for (const audio::ReferenceBeat& beat : music.beats) {
@@ -137,7 +137,7 @@ std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures
         motion::body_track(skeleton, on_regular_grid(danced), kShownPosesPerSecond);
     const auto landing = [&](std::size_t bars_later) {
         return motion::landing_errors(
-            track, figure, counts_heard(music, sound, first->at, kBlendIn, bars_later));
+            track, figure, counts_in_sound(music, sound, first->at, kBlendIn, bars_later));
     };
     ShownLanding shown{landing(0), landing(1)};
     if (shown.other_half.missing < shown.report.missing) {

@@ -28,7 +28,7 @@ struct ShownPicture {
 class SoundLine {
  public:
     /// `heard`: two or more, ascending.
-    SoundLine(std::span<const HeardBeat> heard, const audio::GeneratedMusic& music);
+    SoundLine(std::span<const AudibleBeat> heard, const audio::GeneratedMusic& music);
 
     /// Place in the music (seconds of the stream) of what was out at `host`; beyond the ends the
     /// nearest line goes on.
@@ -43,7 +43,7 @@ class SoundLine {
 };
 
 /// How long after its hand-over (by the graph's clock) each heard beat was out; ms.
-[[nodiscard]] std::vector<double> loop_latencies_ms(std::span<const HeardBeat> heard,
+[[nodiscard]] std::vector<double> loop_latencies_ms(std::span<const AudibleBeat> heard,
                                                     const audio::GeneratedMusic& music,
                                                     std::span<const ShownPicture> pictures);
 

@@ -23,7 +23,8 @@ constexpr std::size_t kWorkers = 2;
 constexpr std::uint64_t kPassageStream = 100;
 constexpr std::uint64_t kDetailStream = 1000;
 constexpr std::uint64_t kWaysStream = 2;
-constexpr int kAims = 2;  // looks at each passage, until its steps come down when people's did
+constexpr int kLandingIterations =
+    2;  // looks at each passage, until its steps come down when people's did
 // Of the learnt tempo, at which steps that are means of people's are looked at. Such a step slows
 // before it rests, and lands the earlier the slower the dance is (0.30 m/s at any pace): halfway to
 // the slowest that is danced the errors at both ends are smallest.
@@ -39,14 +40,14 @@ constexpr double kStepDetail = 0.4;
 /// Ways that close: figures that end turned by an odd number of half turns all turn about one
 /// point, so that two of them lead back; the others come back by themselves. The point is the
 /// grammar's, or the mean of the figures' own.
-std::vector<FigureWay> closed_ways(std::span<const FigureModel> figures,
-                                   const Skeleton& skeleton,
-                                   const FigureGrammar* grammar) {
-    std::vector<FigureWay> ways;
+std::vector<FigurePath> closed_paths(std::span<const FigureModel> figures,
+                                     const Skeleton& skeleton,
+                                     const FigureGrammar* grammar) {
+    std::vector<FigurePath> ways;
     glm::dvec2 sum{0.0, 0.0};
     double odd = 0.0;
     for (const FigureModel& model : figures) {
-        FigureWay way;
+        FigurePath way;
         way.half_turns = static_cast<int>(std::lround(model.net_turn / M_PI));
         if (way.half_turns % 2 != 0) {
             const double scale =
@@ -62,7 +63,7 @@ std::vector<FigureWay> closed_ways(std::span<const FigureModel> figures,
     const FigureGrammar::Place* const place =
         grammar != nullptr ? grammar->place_of(figures.front().role) : nullptr;
     const glm::dvec2 point = place != nullptr ? place->turn_point : sum / std::max(1.0, odd);
-    for (FigureWay& way : ways) {
+    for (FigurePath& way : ways) {
         if (way.half_turns % 2 != 0) {
             way.move = {M_PI, 2.0 * point};
         }
@@ -100,7 +101,7 @@ void share_places(std::vector<StartPlaces>& places) {
 /// Where the feet stand as each figure starts.
 std::vector<StartPlaces> start_places(std::span<const FigureModel> figures,
                                       const std::vector<FigureTracks>& tracks,
-                                      const std::vector<FigureWay>& ways,
+                                      const std::vector<FigurePath>& ways,
                                       const Skeleton& skeleton,
                                       FigureGrammar::Starts starts) {
     std::vector<StartPlaces> places;
@@ -177,7 +178,7 @@ double detail_of(const PartModel& part) {
 struct Baking {
     std::span<const FigureModel> figures;
     const std::vector<FigureTracks>& tracks;
-    const std::vector<FigureWay>& ways;
+    const std::vector<FigurePath>& ways;
     const std::vector<Footing>& footings;
     double lost = 0.0;  // detail.hpp
     const Skeleton& skeleton;
@@ -226,7 +227,7 @@ struct Baking {
         Footing footing = footings[figure];
         FigurePassage passage(model, steps, body, ways[figure], footing, random, skeleton);
         const double pace = footing.is_mean ? kMeanAimPace : 1.0;
-        for (int i = 0; i < kAims; ++i) {
+        for (int i = 0; i < kLandingIterations; ++i) {
             aim_landings(model, passage, skeleton, pace, footing.landings);
             passage = FigurePassage(model, steps, body, ways[figure], footing, random, skeleton);
         }
@@ -286,9 +287,9 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
             grammar->rules.begin(), grammar->rules.end(), names.begin(), names.end(), is_of)) {
         return fail("the grammar has other figures than the dance, or in another order");
     }
-    const std::vector<FigureWay> ways = closed_ways(figures, skeleton, grammar);
+    const std::vector<FigurePath> ways = closed_paths(figures, skeleton, grammar);
     std::vector<bool> turns_half;
-    for (const FigureWay& way : ways) {
+    for (const FigurePath& way : ways) {
         turns_half.push_back(way.half_turns % 2 != 0);
     }
     content.chooser =

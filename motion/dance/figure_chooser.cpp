@@ -28,8 +28,8 @@ void MusicEnergy::advance(const MusicState& music) noexcept {
     if (music.is_silent || loudness < kQuietest) {
         return;
     }
-    if (!has_heard_) {
-        has_heard_ = true;
+    if (!is_started_) {
+        is_started_ = true;
         now_ = usual_ = loudness;
     }
     now_ += (loudness - now_) / kNowHops;

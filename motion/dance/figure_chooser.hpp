@@ -23,7 +23,7 @@ class MusicEnergy {
  private:
     double now_ = 0.0;    // LUFS, smoothed
     double usual_ = 0.0;  // LUFS, of the last half minute
-    bool has_heard_ = false;
+    bool is_started_ = false;
 };
 
 /// What the user wants of the next figure.

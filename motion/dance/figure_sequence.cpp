@@ -25,10 +25,10 @@ constexpr double kCreeps = 0.2;        // before the margin's end, that it may s
 constexpr float kCreepsUnder = 0.05F;  // metres: ... and have landed; higher it hangs in the air
 constexpr double kStepNearest = 0.1;
 constexpr double kStepFarthest = 0.7;
-constexpr double kLongestStep = 0.8;  // a longer one is as slow before its end as one that landed
-constexpr float kStepLift = 0.05F;    // metres, at the middle of the step
-constexpr int kLooks = 16;            // at both figures, over the time of the join
-constexpr float kRests = 0.012F;      // metres that a foot moves between two looks, at most
+constexpr double kLongestStep = 0.8;    // a longer one is as slow before its end as one that landed
+constexpr float kStepLift = 0.05F;      // metres, at the middle of the step
+constexpr int kFootSamples = 16;        // at both figures, over the time of the join
+constexpr float kStillMetres = 0.012F;  // metres that a foot moves between two looks, at most
 
 /// Where a foot turns, and how it is turned, world.
 struct FootPlace {
@@ -145,10 +145,10 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
         const std::size_t figure = content_->chooser.next(
             {current_.choice.figure, energy, audience}, wish, part_.seed, number_ + 1);
         next_ = {choose(figure, number_ + 1), end, is_turned, {}};
-        const std::array<FootLook, 2> looks = look_at_feet(current_, *next_);
+        const std::array<FootState, 2> feet = states_of_feet(current_, *next_);
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);
-            next_->feet[s] = foot_join(current_, *next_, side, looks[s]);
+            next_->feet[s] = foot_join(current_, *next_, side, feet[s]);
         }
         wish.is_another = false;
         wish.figure.reset();
@@ -218,8 +218,8 @@ std::optional<double> FigureSequence::standing_from(const Danced& danced,
                                                     double margin) const noexcept {
     const double latest = std::min(
         kLatestSwing, content_->figures[danced.choice.figure].beats - FigurePassage::kMargin);
-    const double look = 2.0 * margin / kLooks;
-    for (double beat = margin; beat <= latest; beat += look) {
+    const double sample = 2.0 * margin / kFootSamples;
+    for (double beat = margin; beat <= latest; beat += sample) {
         const Pose pose = pose_of(danced, danced.start + beat);
         if (pose.foot_contact[static_cast<std::size_t>(side)]) {
             return beat > margin ? std::optional(beat) : std::nullopt;
@@ -228,26 +228,26 @@ std::optional<double> FigureSequence::standing_from(const Danced& danced,
     return std::nullopt;
 }
 
-std::array<FigureSequence::FootLook, 2> FigureSequence::look_at_feet(
+std::array<FigureSequence::FootState, 2> FigureSequence::states_of_feet(
     const Danced& before, const Danced& after) const noexcept {
     const double margin = margin_between(before, after);
-    std::array<FootLook, 2> looks{};
+    std::array<FootState, 2> feet{};
     std::array<std::array<glm::vec3, 2>, 2> last{};  // by figure, foot
-    for (int look = 0; look <= kLooks; ++look) {
-        const double beat = margin * (2.0 * look / kLooks - 1.0);
+    for (int sample = 0; sample <= kFootSamples; ++sample) {
+        const double beat = margin * (2.0 * sample / kFootSamples - 1.0);
         const std::array<WorldPose, 2> poses = {
             world_pose(content_->skeleton, pose_of(before, after.start + beat)),
             world_pose(content_->skeleton, pose_of(after, after.start + beat))};
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);
-            FootLook& foot = looks[s];
-            bool rests = look > 0;
+            FootState& foot = feet[s];
+            bool rests = sample > 0;
             for (std::size_t figure = 0; figure < poses.size(); ++figure) {
                 const glm::vec3 place = pivot_of(content_->skeleton, poses[figure], side);
-                const bool is_still = glm::distance(place, last[figure][s]) < kRests;
+                const bool is_still = glm::distance(place, last[figure][s]) < kStillMetres;
                 last[figure][s] = place;
                 rests = rests && is_still;
-                if (look == 0 || is_still) {
+                if (sample == 0 || is_still) {
                     foot.since[figure] = beat;
                 } else if (beat - foot.since[figure] > foot.swings[figure].lasts()) {
                     foot.swings[figure] = {foot.since[figure], beat};
@@ -258,13 +258,13 @@ std::array<FigureSequence::FootLook, 2> FigureSequence::look_at_feet(
             }
         }
     }
-    return looks;
+    return feet;
 }
 
 FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
                                                    const Danced& after,
                                                    Side side,
-                                                   const FootLook& foot) const noexcept {
+                                                   const FootState& foot) const noexcept {
     const double margin = margin_between(before, after);
     const double least = kLeastSwing * content_->metre.learnt_tempo.beats_per_second();
     const std::optional<double> stands = standing_from(after, side, margin);

@@ -63,7 +63,7 @@ class FigureSequence {
         [[nodiscard]] double lasts() const noexcept { return to - from; }
     };
     /// What a foot does in two figures about the change from one to the other.
-    struct FootLook {
+    struct FootState {
         float apart = 0.0F;                ///< while it rests in both, at most; metres
         std::array<FootJoin, 2> swings{};  ///< by figure: the longest
         std::array<double, 2> since{};  ///< by figure: when it last rested; beats from the change
@@ -75,12 +75,12 @@ class FigureSequence {
         std::array<FootJoin, 2> feet{};  // from the figure before
     };
     [[nodiscard]] FigureChoice choose(std::size_t figure, std::uint64_t number) const noexcept;
-    [[nodiscard]] std::array<FootLook, 2> look_at_feet(const Danced& before,
-                                                       const Danced& after) const noexcept;
+    [[nodiscard]] std::array<FootState, 2> states_of_feet(const Danced& before,
+                                                          const Danced& after) const noexcept;
     [[nodiscard]] FootJoin foot_join(const Danced& before,
                                      const Danced& after,
                                      Side side,
-                                     const FootLook& foot) const noexcept;
+                                     const FootState& foot) const noexcept;
     /// When the figure plants a foot that is under way at `margin`; beats after its start. None: it
     /// stands there then, or later than a join may last.
     [[nodiscard]] std::optional<double> standing_from(const Danced& danced,

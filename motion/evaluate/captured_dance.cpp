@@ -135,7 +135,7 @@ std::vector<double> count_times(const FigureLabel& label,
 void add_counts(const FigureLabel& label,
                 const std::vector<double>& times,
                 std::span<const FigureModel> models,
-                std::vector<HeardCount>& counts) {
+                std::vector<AudibleCount>& counts) {
     for (const FigureModel& model : models) {
         if (model.name == label.figure && model.beats == label.beats && label.start_count == 1) {
             for (std::size_t k = 0; k + 1 < times.size(); ++k) {
@@ -159,18 +159,18 @@ CapturedDance measured(const BodyTrack& track,
             subject.beat_times.push_back(count.frame / track.frames_per_second);
         }
     }
-    std::vector<HeardCount> heard;
+    std::vector<AudibleCount> counts;
     for (const FigureLabel& label : labels) {
         if (label.figure != kIdle && label.figure != kOther &&
             label.confidence >= plan.min_confidence) {
             auto times = count_times(label, tables.counts, track.frames_per_second);
-            add_counts(label, times, models, heard);
+            add_counts(label, times, models, counts);
             subject.repeats.push_back({label.figure, std::move(times)});
         }
     }
     return {take,
             measure_dance(track, subject),
-            landing_errors(track, heard),
+            landing_errors(track, counts),
             jerk_by_pace(track, subject.frames)};
 }
 

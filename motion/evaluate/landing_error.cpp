@@ -23,7 +23,7 @@ double beat_at(std::span<const double> count_times, std::size_t k) {
 
 /// A landing that people make at a count, and when it is due.
 struct DueLanding {
-    const HeardCount* heard = nullptr;
+    const AudibleCount* audible = nullptr;
     double time = 0.0;             // seconds
     std::optional<double> landed;  // of the landing that lies nearest, seconds
 };
@@ -32,7 +32,7 @@ struct DueLanding {
 void give_landings(std::span<const double> times, std::vector<DueLanding>& due) {
     for (const double time : times) {
         const auto away = [&](const DueLanding& one) {
-            return std::abs(time - one.time) / one.heard->beat;
+            return std::abs(time - one.time) / one.audible->beat;
         };
         const auto nearest =
             std::min_element(due.begin(), due.end(), [&](const auto& a, const auto& b) {
@@ -48,22 +48,25 @@ void give_landings(std::span<const double> times, std::vector<DueLanding>& due) 
 }
 
 /// Landings in the time of the counts.
-std::size_t landings_within(std::span<const double> times, std::span<const HeardCount> counts) {
+std::size_t landings_within(std::span<const double> times, std::span<const AudibleCount> counts) {
     return static_cast<std::size_t>(std::count_if(times.begin(), times.end(), [&](double time) {
-        return std::any_of(counts.begin(), counts.end(), [&](const HeardCount& heard) {
-            const double from = heard.time + kEarliest * heard.beat;
-            return time >= from && time < from + heard.beat;
+        return std::any_of(counts.begin(), counts.end(), [&](const AudibleCount& audible) {
+            const double from = audible.time + kEarliest * audible.beat;
+            return time >= from && time < from + audible.beat;
         });
     }));
 }
 
 /// Counts that are not so near the track's ends that the low-pass has no future there.
-std::vector<HeardCount> judged_counts(const BodyTrack& track, std::span<const HeardCount> counts) {
+std::vector<AudibleCount> judged_counts(const BodyTrack& track,
+                                        std::span<const AudibleCount> counts) {
     const double end = static_cast<double>(track.frames() - 1) / track.frames_per_second;
-    std::vector<HeardCount> judged;
-    std::copy_if(counts.begin(), counts.end(), std::back_inserter(judged), [&](const auto& heard) {
-        return heard.time + kEarliest * heard.beat >= kNearEnd && heard.time <= end - kNearEnd;
-    });
+    std::vector<AudibleCount> judged;
+    std::copy_if(
+        counts.begin(), counts.end(), std::back_inserter(judged), [&](const auto& audible) {
+            return audible.time + kEarliest * audible.beat >= kNearEnd &&
+                   audible.time <= end - kNearEnd;
+        });
     return judged;
 }
 
@@ -94,7 +97,7 @@ LandingReport landing_errors(const BodyTrack& track,
     if (count_times.size() < 2) {
         return {};
     }
-    std::vector<HeardCount> counts;
+    std::vector<AudibleCount> counts;
     for (std::size_t k = 0; k < count_times.size(); ++k) {
         const std::size_t count = k % static_cast<std::size_t>(figure.beats);
         counts.push_back({&figure, count, count_times[k], beat_at(count_times, k)});
@@ -103,25 +106,25 @@ LandingReport landing_errors(const BodyTrack& track,
 }
 
 LandingReport landing_errors(const BodyTrack& track,
-                             std::span<const HeardCount> counts,
+                             std::span<const AudibleCount> counts,
                              int least_repeats) {
     LandingReport report;
     if (track.frames() < 2) {
         return report;
     }
-    const std::vector<HeardCount> judged = judged_counts(track, counts);
+    const std::vector<AudibleCount> judged = judged_counts(track, counts);
     for (const Side side : kSides) {
         std::vector<double> times = landings(track.feet, side, track.frames_per_second);
         for (double& time : times) {
             time /= track.frames_per_second;
         }
         std::vector<DueLanding> due;
-        for (const HeardCount& heard : judged) {
+        for (const AudibleCount& audible : judged) {
             const LandingOffset& offset =
-                heard.figure->landings[static_cast<std::size_t>(side)][heard.count];
-            if (offset.is_one(least_repeats, heard.figure->repeats)) {
+                audible.figure->landings[static_cast<std::size_t>(side)][audible.count];
+            if (offset.is_one(least_repeats, audible.figure->repeats)) {
                 due.push_back(
-                    {&heard, heard.time + offset.median.count() * heard.beat, std::nullopt});
+                    {&audible, audible.time + offset.median.count() * audible.beat, std::nullopt});
             }
         }
         give_landings(times, due);
@@ -133,10 +136,10 @@ LandingReport landing_errors(const BodyTrack& track,
             }
             ++expected;
             report.landings.push_back({side,
-                                       static_cast<int>(one.heard->count) + 1,
+                                       static_cast<int>(one.audible->count) + 1,
                                        *one.landed,
                                        *one.landed - one.time,
-                                       one.heard->figure});
+                                       one.audible->figure});
         }
         const std::size_t all = landings_within(times, judged);
         report.unexpected += all - std::min(all, expected);

@@ -32,7 +32,7 @@ struct LandingReport {
 void summarize(LandingReport& report);
 
 /// One count of a figure as it sounded.
-struct HeardCount {
+struct AudibleCount {
     const FigureModel* figure = nullptr;  ///< danced then; never null
     std::size_t count = 0;                ///< from 0, < figure->beats
     double time = 0.0;                    ///< seconds from the track's first frame
@@ -55,7 +55,7 @@ struct HeardCount {
 
 /// The same where the figure, or the tempo, changes on the way: each count with its own figure.
 [[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
-                                           std::span<const HeardCount> counts,
+                                           std::span<const AudibleCount> counts,
                                            int least_repeats = 3);
 
 }  // namespace raks::motion

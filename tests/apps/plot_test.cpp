@@ -96,7 +96,7 @@ TEST(PlotData, memory_is_bounded_and_nothing_is_lost_by_merging) {
     std::vector<float> second(32'000, 0.0F);
     for (int i = 0; i < 100; ++i) {
         second[160] = i == 61 ? 0.75F : 0.0F;
-        data.hear(second);
+        data.add(second);
     }
     for (HopIndex hop = 0; hop < 10'000; ++hop) {
         MusicState state;
@@ -124,7 +124,7 @@ TEST(PlotData, a_sine_lights_its_band_at_its_level) {
         // Bin 32 of 1024: 1 kHz. -20 dBFS.
         sine[i] = static_cast<float>(0.1 * std::sin(2.0 * M_PI * static_cast<double>(i) / 32.0));
     }
-    data.hear(sine);
+    data.add(sine);
     data.finish(std::chrono::seconds(1));
     const auto& level = data.columns()[50].level;
     const auto loudest = std::max_element(level.begin(), level.end());

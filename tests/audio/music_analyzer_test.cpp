@@ -22,7 +22,7 @@ using test::music;
 void expect_same(const MusicState& a, const MusicState& b) {
     ASSERT_EQ(a.hop, b.hop);
     ASSERT_EQ(a.time, b.time);
-    ASSERT_EQ(a.heard_until, b.heard_until);
+    ASSERT_EQ(a.audio_end, b.audio_end);
     ASSERT_EQ(a.grid.anchor_time, b.grid.anchor_time);
     ASSERT_EQ(a.grid.anchor_beat, b.grid.anchor_beat);
     ASSERT_EQ(a.grid.tempo, b.grid.tempo);

@@ -113,7 +113,7 @@ class LiveOnJack : public Live {
 
     /// What `live` says after listening to a player for so many seconds. (Every JACK client is an
     /// input of the others: the player's own name is listened to.)
-    std::string heard_of_the_player(const std::string& seconds) {
+    std::string recording_of_the_player(const std::string& seconds) {
         const ProcessResult heard = run_process(
             with_jack({"live", "--headless", "--device", "raks", "--duration", seconds}));
         EXPECT_NE(heard.err.find("listening to"), std::string::npos)
@@ -131,7 +131,7 @@ class LiveOnJack : public Live {
 TEST_F(LiveOnJack, hears_the_tempo_that_play_plays) {
     CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
     ASSERT_TRUE(player.wait_for_output("playing"));
-    expect_tempo_of_the_drums([&] { return heard_of_the_player("14"); });
+    expect_tempo_of_the_drums([&] { return recording_of_the_player("14"); });
     player.send(SIGINT);
     EXPECT_EQ(player.wait().exit_code, 130);
 }
@@ -250,7 +250,7 @@ TEST_F(LiveOnJack, works_at_every_rate_that_a_server_has) {
         CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
         ASSERT_TRUE(player.wait_for_output("playing")) << rate;
         SCOPED_TRACE(rate);
-        expect_tempo_of_the_drums([&] { return heard_of_the_player("7"); });
+        expect_tempo_of_the_drums([&] { return recording_of_the_player("7"); });
     }
 }
 

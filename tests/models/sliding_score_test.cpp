@@ -84,7 +84,7 @@ TEST(SlidingScore, equals_every_path_enumerated_on_tiny_models) {
             for (Eigen::Index t = 0; t < emissions.rows(); ++t) {
                 forward.process(row_of(emissions, t));
                 viterbi.process(row_of(emissions, t));
-                for (int blocks = 1; blocks <= forward.blocks_heard(); ++blocks) {
+                for (int blocks = 1; blocks <= forward.blocks_scored(); ++blocks) {
                     const auto to = static_cast<Eigen::Index>(forward.frames_scored());
                     const auto [sum, best] = enumerate(model, emissions, to - 2 * blocks, to);
                     ASSERT_NEAR(forward.score(blocks), sum, 1e-9) << states << " states, " << t;

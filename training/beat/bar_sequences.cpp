@@ -19,12 +19,13 @@ constexpr float kFirstWeight = 0.3F;
 
 /// When each beat is heard, in hops.
 std::vector<double> moments_of(const std::vector<PlayedBeat>& beats,
-                               const MelHearing& hearing,
+                               const MelAugmentation& augmentation,
                                Dice* dice) {
     const double error = dice == nullptr ? 0.0 : dice->chance(0.5) ? kSteadyError : kLooseError;
     std::vector<double> moments;
     for (const PlayedBeat& beat : beats) {
-        const double moment = (beat.time * kHopsPerSecond - hearing.first_hop) / hearing.stretch;
+        const double moment =
+            (beat.time * kHopsPerSecond - augmentation.first_hop) / augmentation.stretch;
         moments.push_back(moment + (dice != nullptr ? dice->normal(error) : 0.0));
     }
     std::sort(moments.begin(), moments.end());
@@ -59,13 +60,13 @@ std::size_t put_sequence(const BarSequence& sequence,
                          Dice& dice) {
     const auto count = sequence.frames.size();
     const double latest = kLatestStart * static_cast<double>(count);
-    std::size_t heard = 0;
+    std::size_t beats_since_gap = 0;
     for (auto i = static_cast<std::size_t>(dice.uniform(0.0, latest));
          i < count && t < batch.steps;) {
         const double draw = dice.uniform();
         if (draw < kLeftOut) {
             ++i;
-            heard = 0;
+            beats_since_gap = 0;
             continue;
         }
         const std::size_t frame = t * batch.chunks + chunk;
@@ -73,12 +74,13 @@ std::size_t put_sequence(const BarSequence& sequence,
         for (std::size_t k = 0; k < BarInput::kSize; ++k) {
             inputs[k] = dice.chance(kDropped) ? 0.0F : sequence.frames[i][k];
         }
-        put_target(batch, frame, sequence.places[i], heard < kFirstBeats ? kFirstWeight : 1.0F);
+        put_target(
+            batch, frame, sequence.places[i], beats_since_gap < kFirstBeats ? kFirstWeight : 1.0F);
         ++t;
         if (draw > 1.0 - kTwice) {
-            heard = 0;
+            beats_since_gap = 0;
         } else {
-            ++heard;
+            ++beats_since_gap;
             ++i;
         }
     }
@@ -109,20 +111,21 @@ std::vector<BarPlace> places_of(const std::vector<PlayedBeat>& beats) {
     return places;
 }
 
-BarSequence hear_bars(const TrainingExcerpt& excerpt,
-                      const std::shared_ptr<const BeatNetwork>& network,
-                      const MelHearing& hearing,
-                      Dice* dice) {
-    const std::vector<double> moments = moments_of(excerpt.beats, hearing, dice);
+BarSequence make_bar_sequence(const TrainingExcerpt& excerpt,
+                              const std::shared_ptr<const BeatNetwork>& network,
+                              const MelAugmentation& augmentation,
+                              Dice* dice) {
+    const std::vector<double> moments = moments_of(excerpt.beats, augmentation, dice);
     const std::vector<BarPlace> places = places_of(excerpt.beats);
-    const double hops = (static_cast<double>(excerpt.hops()) - hearing.first_hop) / hearing.stretch;
+    const double hops =
+        (static_cast<double>(excerpt.hops()) - augmentation.first_hop) / augmentation.stretch;
     NetworkInput network_input;
-    BeatListener listener(network);
+    BeatNetworkStream stream(network);
     BarInput bar_input;
     BarSequence sequence;
     std::size_t next = 0;  // beat
-    const auto hear = [&](std::size_t t, const auto& bands) {
-        const BeatEvidence evidence = listener.next(network_input.next(bands));
+    const auto take_hop = [&](std::size_t t, const auto& bands) {
+        const BeatEvidence evidence = stream.next(network_input.next(bands));
         const double now = static_cast<double>(t) + BarInput::kAheadHops;
         for (; next < moments.size() && now >= moments[next]; ++next) {
             if (next == 0 || t == 0) {
@@ -136,10 +139,11 @@ BarSequence hear_bars(const TrainingExcerpt& excerpt,
         }
         if (next > 0 && next < moments.size()) {
             const double length = moments[next] - moments[next - 1];
-            bar_input.hear(bands, (now - moments[next - 1]) / length, evidence);
+            bar_input.add_hop(bands, (now - moments[next - 1]) / length, evidence);
         }
     };
-    hear_bands(excerpt.mel, hearing, static_cast<std::size_t>(std::max(0.0, hops)), dice, hear);
+    augment_bands(
+        excerpt.mel, augmentation, static_cast<std::size_t>(std::max(0.0, hops)), dice, take_hop);
     return sequence;
 }
 
@@ -150,8 +154,8 @@ TrainingBatch draw_bar_batch(const std::vector<std::vector<BarSequence>>& from,
     TrainingBatch batch = empty_batch(beats, chunks);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         for (std::size_t t = 0; t < beats;) {
-            const auto& hearings = dice.pick(std::span(from));
-            t = put_sequence(dice.pick(std::span(hearings)), chunk, t, batch, dice);
+            const auto& copies = dice.pick(std::span(from));
+            t = put_sequence(dice.pick(std::span(copies)), chunk, t, batch, dice);
         }
     }
     return batch;

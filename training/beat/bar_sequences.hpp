@@ -26,10 +26,10 @@ struct BarSequence {
 
 /// What is heard of the excerpt from `hearing.first_hop` on, cut into beats where they were played,
 /// give or take what a tracker errs. `dice`: draws that and the noise; null: neither.
-[[nodiscard]] BarSequence hear_bars(const TrainingExcerpt& excerpt,
-                                    const std::shared_ptr<const BeatNetwork>& network,
-                                    const MelHearing& hearing,
-                                    Dice* dice);
+[[nodiscard]] BarSequence make_bar_sequence(const TrainingExcerpt& excerpt,
+                                            const std::shared_ptr<const BeatNetwork>& network,
+                                            const MelAugmentation& augmentation,
+                                            Dice* dice);
 
 /// `chunks` stretches of `beats` beats from pieces drawn from `from`, one piece after another as on
 /// a stage: each piece is one of its hearings. Beats are sometimes left out or counted twice, as a

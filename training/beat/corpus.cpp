@@ -62,7 +62,7 @@ void widen_tempi(double chance, Score& score, Dice& dice) {
 }
 
 /// The magnitudes that the analyzer would hear.
-std::vector<float> listen(std::span<const float> samples, int rate) {
+std::vector<float> mel_magnitudes_of(std::span<const float> samples, int rate) {
     static_assert(RhythmFrames::kSampleRate == OnsetDetector::kSampleRate);
     static_assert(RhythmFrames::kWindow == OnsetDetector::kWindow);
     static_assert(RhythmFrames::kHop == OnsetDetector::kHop);
@@ -315,14 +315,15 @@ Expected<void> make_pieces(const CorpusPlan& plan,
 
 Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan) {
     std::vector<TrainingExcerpt> corpus(static_cast<std::size_t>(plan.excerpts));
-    const auto hear = [&corpus](int number, CorpusPiece piece) -> Expected<void> {
-        corpus[static_cast<std::size_t>(number)] = {std::move(piece.family),
-                                                    std::move(piece.style),
-                                                    listen(piece.samples, SoundfontPlayer::kRate),
-                                                    std::move(piece.beats)};
+    const auto add = [&corpus](int number, CorpusPiece piece) -> Expected<void> {
+        corpus[static_cast<std::size_t>(number)] = {
+            std::move(piece.family),
+            std::move(piece.style),
+            mel_magnitudes_of(piece.samples, SoundfontPlayer::kRate),
+            std::move(piece.beats)};
         return {};
     };
-    if (auto made = make_pieces(plan, hear); !made) {
+    if (auto made = make_pieces(plan, add); !made) {
         return fail(made.error());
     }
     return corpus;

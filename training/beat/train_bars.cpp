@@ -16,7 +16,7 @@ constexpr std::size_t kChunks = 48;
 constexpr std::size_t kBeats = 96;
 constexpr std::size_t kFewestBeats = 8;  // of a piece, to tell bars from
 constexpr double kMostBarStretch = 0.1;  // ln of the ratio
-constexpr double kHeardShare = 0.75;     // of a piece that fits whatever the stretch
+constexpr double kCopyShare = 0.75;      // of a piece that fits whatever the stretch
 
 bool has_bars(const TrainingExcerpt& excerpt) {
     const bool is_told = std::any_of(excerpt.beats.begin(),
@@ -27,16 +27,16 @@ bool has_bars(const TrainingExcerpt& excerpt) {
 
 /// Several hearings of each excerpt, none of those that are left out; of those kept for validation
 /// the plain one.
-class HeardCorpus {
+class SplitCorpus {
  public:
-    HeardCorpus(const std::vector<TrainingExcerpt>& corpus,
+    SplitCorpus(const std::vector<TrainingExcerpt>& corpus,
                 const std::shared_ptr<const BeatNetwork>& beats,
                 const BarPlan& plan) {
-        std::vector<std::vector<BarSequence>> heard(corpus.size());
+        std::vector<std::vector<BarSequence>> sequences(corpus.size());
         const auto work = [&](std::size_t first) {
             for (std::size_t i = first; i < corpus.size();
                  i += static_cast<std::size_t>(plan.threads)) {
-                heard[i] = hearings_of(corpus[i], i, beats, plan);
+                sequences[i] = sequences_of(corpus[i], i, beats, plan);
             }
         };
         {
@@ -47,14 +47,14 @@ class HeardCorpus {
             }
         }
         std::vector<BarSequence> kept;
-        for (std::size_t i = 0; i < heard.size(); ++i) {
-            if (heard[i].empty()) {
+        for (std::size_t i = 0; i < sequences.size(); ++i) {
+            if (sequences[i].empty()) {
                 continue;
             }
             if (i % kKeepBarsEvery == 0) {
-                kept.push_back(std::move(heard[i].front()));
+                kept.push_back(std::move(sequences[i].front()));
             } else {
-                training.push_back(std::move(heard[i]));
+                training.push_back(std::move(sequences[i]));
             }
         }
         validation.push_back(plain_bar_batch(kept, kBeats));
@@ -64,27 +64,28 @@ class HeardCorpus {
     std::vector<TrainingBatch> validation;
 
  private:
-    static std::vector<BarSequence> hearings_of(const TrainingExcerpt& excerpt,
-                                                std::size_t number,
-                                                const std::shared_ptr<const BeatNetwork>& beats,
-                                                const BarPlan& plan) {
-        std::vector<BarSequence> hearings;
-        const int count = number % kKeepBarsEvery == 0 ? 1 : plan.hearings;
+    static std::vector<BarSequence> sequences_of(const TrainingExcerpt& excerpt,
+                                                 std::size_t number,
+                                                 const std::shared_ptr<const BeatNetwork>& beats,
+                                                 const BarPlan& plan) {
+        std::vector<BarSequence> copies;
+        const int count = number % kKeepBarsEvery == 0 ? 1 : plan.copies;
         Dice dice(plan.seed, 500'000 + number);
         const auto hops = static_cast<double>(excerpt.hops());
         for (int n = 0; n < count && has_bars(excerpt); ++n) {
-            const auto share = static_cast<std::size_t>(kHeardShare * hops);
+            const auto share = static_cast<std::size_t>(kCopyShare * hops);
             BarSequence sequence =
-                n == 0 ? hear_bars(excerpt, beats, MelHearing::plain(), nullptr)
-                       : hear_bars(excerpt,
-                                   beats,
-                                   MelHearing::draw(excerpt.hops(), share, kMostBarStretch, dice),
-                                   &dice);
+                n == 0 ? make_bar_sequence(excerpt, beats, MelAugmentation::plain(), nullptr)
+                       : make_bar_sequence(
+                             excerpt,
+                             beats,
+                             MelAugmentation::draw(excerpt.hops(), share, kMostBarStretch, dice),
+                             &dice);
             if (!sequence.frames.empty()) {
-                hearings.push_back(std::move(sequence));
+                copies.push_back(std::move(sequence));
             }
         }
-        return hearings;
+        return copies;
     }
 };
 
@@ -106,9 +107,9 @@ BarNetwork train_bars(
     const std::shared_ptr<const BeatNetwork>& beats,
     const BarPlan& plan,
     const std::function<void(const NetworkProgress&, const BarNetwork&)>& report) {
-    const HeardCorpus heard(corpus, beats, plan);
+    const SplitCorpus sequences(corpus, beats, plan);
     BarNetwork network = fresh_network(plan);
-    if (heard.training.empty()) {
+    if (sequences.training.empty()) {
         return network;
     }
     NetworkDescent descent(network, plan.threads);
@@ -118,11 +119,11 @@ BarNetwork train_bars(
         constexpr std::size_t kShards = NetworkDescent::kShards;
         loss += descent.step(rate_at(plan.rate, step, plan.steps), [&](std::size_t shard) {
             Dice dice(plan.seed, 1000 + static_cast<std::uint64_t>(step) * kShards + shard);
-            return draw_bar_batch(heard.training, kChunks / kShards, kBeats, dice);
+            return draw_bar_batch(sequences.training, kChunks / kShards, kBeats, dice);
         });
         ++since;
         if ((step + 1) % kReportBarsEvery == 0 || step + 1 == plan.steps) {
-            report({step + 1, plan.steps, loss / since, descent.loss_of(heard.validation)},
+            report({step + 1, plan.steps, loss / since, descent.loss_of(sequences.validation)},
                    network);
             loss = 0.0;
             since = 0;

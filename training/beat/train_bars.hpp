@@ -13,7 +13,7 @@ namespace raks::audio {
 struct BarPlan {
     std::size_t units = 48;
     std::size_t layers = 1;
-    int hearings = 2;    ///< of each piece, each through other rooms and noise; the first is plain
+    int copies = 2;      ///< of each piece, each through other rooms and noise; the first is plain
     int steps = 1200;    ///< of batches of 48 chunks of 96 beats
     double rate = 6e-3;  ///< of Adam at its highest; warm-up of 30 steps, then a cosine to 0
     std::uint64_t seed = 1;

@@ -42,7 +42,7 @@ class BatchWriter {
     void write(std::size_t chunk,
                const Span& span,
                const TrainingExcerpt& excerpt,
-               const MelHearing& hearing,
+               const MelAugmentation& augmentation,
                NetworkInput& input,
                Dice* dice) {
         const auto put = [&](std::size_t t, const NetworkInput::Frame& frame) {
@@ -51,8 +51,8 @@ class BatchWriter {
                       frame.end(),
                       batch_.inputs.begin() + static_cast<std::ptrdiff_t>(row * frame.size()));
         };
-        hear_mel(excerpt.mel, hearing, span.end - span.begin, input, dice, put);
-        write_targets(chunk, span, excerpt, hearing);
+        augment_mel(excerpt.mel, augmentation, span.end - span.begin, input, dice, put);
+        write_targets(chunk, span, excerpt, augmentation);
     }
     TrainingBatch finish() { return std::move(batch_); }
 
@@ -60,10 +60,10 @@ class BatchWriter {
     void write_targets(std::size_t chunk,
                        const Span& span,
                        const TrainingExcerpt& excerpt,
-                       const MelHearing& hearing) {
+                       const MelAugmentation& augmentation) {
         const auto hop_of = [&](double seconds) {
             return static_cast<double>(span.begin) + lookahead_ +
-                   (seconds * kHopsPerSecond - hearing.first_hop) / hearing.stretch;
+                   (seconds * kHopsPerSecond - augmentation.first_hop) / augmentation.stretch;
         };
         const std::vector<PlayedBeat>& beats = excerpt.beats;
         double known_until = 0.0;
@@ -81,9 +81,10 @@ class BatchWriter {
         }
         for (std::size_t t = span.begin; t < span.end; ++t) {
             const std::size_t since = t - span.begin;
-            const bool is_known = (beats.empty() || static_cast<double>(t) < known_until) &&
-                                  hearing.first_hop + static_cast<double>(since) * hearing.stretch <
-                                      static_cast<double>(excerpt.hops());
+            const bool is_known =
+                (beats.empty() || static_cast<double>(t) < known_until) &&
+                augmentation.first_hop + static_cast<double>(since) * augmentation.stretch <
+                    static_cast<double>(excerpt.hops());
             const float weight = !is_known ? 0.0F : since < kWarmUpHops ? kWarmUpWeight : 1.0F;
             float* const weights = &batch_.weights[(t * batch_.chunks + chunk) * kOutputs];
             weights[0] = weight;
@@ -134,9 +135,9 @@ TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
         for (const Span& span : spans) {
             const TrainingExcerpt& excerpt =
                 *dice.pick(std::span<const TrainingExcerpt* const>(from));
-            const MelHearing hearing =
-                MelHearing::draw(excerpt.hops(), span.end - span.begin, kMostStretch, dice);
-            writer.write(chunk, span, excerpt, hearing, input, &dice);
+            const MelAugmentation augmentation =
+                MelAugmentation::draw(excerpt.hops(), span.end - span.begin, kMostStretch, dice);
+            writer.write(chunk, span, excerpt, augmentation, input, &dice);
         }
     }
     return writer.finish();
@@ -146,10 +147,10 @@ TrainingBatch plain_batch(const std::vector<const TrainingExcerpt*>& excerpts,
                           std::size_t hops,
                           int lookahead) {
     BatchWriter writer(excerpts.size(), hops, lookahead);
-    const MelHearing hearing = MelHearing::plain();
+    const MelAugmentation augmentation = MelAugmentation::plain();
     for (std::size_t chunk = 0; chunk < excerpts.size(); ++chunk) {
         NetworkInput input;
-        writer.write(chunk, {0, hops}, *excerpts[chunk], hearing, input, nullptr);
+        writer.write(chunk, {0, hops}, *excerpts[chunk], augmentation, input, nullptr);
     }
     return writer.finish();
 }

@@ -83,22 +83,22 @@ std::size_t first_beat(const std::vector<MusicBeat>& beats,
 }
 
 /// `heard` as `wanted` beats, an octave apart at most; empty when they are neither.
-Seconds at_octave(const Seconds& heard, std::size_t wanted) {
-    const std::size_t count = heard.size() - 1;
+Seconds at_octave(const Seconds& tracked, std::size_t wanted) {
+    const std::size_t count = tracked.size() - 1;
     Seconds beats;
     if (count == wanted) {
-        return heard;
+        return tracked;
     }
     if (count == 2 * wanted) {
-        for (std::size_t i = 0; i < heard.size(); i += 2) {
-            beats.push_back(heard[i]);
+        for (std::size_t i = 0; i < tracked.size(); i += 2) {
+            beats.push_back(tracked[i]);
         }
     } else if (2 * count == wanted) {
         for (std::size_t i = 0; i < count; ++i) {
-            beats.push_back(heard[i]);
-            beats.push_back(0.5 * (heard[i] + heard[i + 1]));
+            beats.push_back(tracked[i]);
+            beats.push_back(0.5 * (tracked[i] + tracked[i + 1]));
         }
-        beats.push_back(heard.back());
+        beats.push_back(tracked.back());
     }
     return beats;
 }
@@ -141,19 +141,19 @@ Expected<LabelCounts> counts_of(const FigureLabel& label,
                         from,
                         to));
     }
-    Seconds heard;
+    Seconds tracked;
     for (std::size_t i = first; i <= last; ++i) {
-        heard.push_back(beats[i].seconds);
+        tracked.push_back(beats[i].seconds);
     }
     LabelCounts counts;
     const std::size_t wanted =
-        label.beats == 0 ? heard.size() - 1 : static_cast<std::size_t>(label.beats);
-    for (const double seconds : at_octave(heard, wanted)) {
+        label.beats == 0 ? tracked.size() - 1 : static_cast<std::size_t>(label.beats);
+    for (const double seconds : at_octave(tracked, wanted)) {
         counts.frames.push_back((seconds - music.offset) * frames_per_second);
     }
     if (counts.frames.empty()) {
         counts.left_out = fmt::format(
-            "{} beats were heard in it, the label says {}", heard.size() - 1, label.beats);
+            "{} beats were heard in it, the label says {}", tracked.size() - 1, label.beats);
     }
     return counts;
 }

@@ -42,8 +42,8 @@ MusicFile unpack_file(Unpacker& unpacker) {
     return file;
 }
 
-Expected<HeardUnit> unpack_unit(Unpacker& unpacker) {
-    HeardUnit unit;
+Expected<FeatureUnit> unpack_unit(Unpacker& unpacker) {
+    FeatureUnit unit;
     unit.fault = unpacker.take_list<std::string>();
     const auto pieces = unpacker.take<std::uint32_t>();
     for (std::uint32_t i = 0; i < pieces; ++i) {
@@ -56,9 +56,9 @@ Expected<HeardUnit> unpack_unit(Unpacker& unpacker) {
     return unit;
 }
 
-Expected<HeardShard> unpack_shard(std::string_view bytes) {
+Expected<FeatureShard> unpack_shard(std::string_view bytes) {
     Unpacker unpacker(bytes);
-    HeardShard shard;
+    FeatureShard shard;
     shard.share.number = unpacker.take<std::uint32_t>();
     shard.share.count = unpacker.take<std::uint32_t>();
     shard.plan = unpacker.take_list<std::string>();
@@ -76,13 +76,13 @@ Expected<HeardShard> unpack_shard(std::string_view bytes) {
         shard.material.files.push_back(unpack_file(unpacker));
     }
     for (std::uint32_t i = 0; i < units && unpacker.is_good(); ++i) {
-        HeardUnit& unit = shard.material.units.emplace_back();
+        FeatureUnit& unit = shard.material.units.emplace_back();
         if (share.has(i)) {
-            auto heard = unpack_unit(unpacker);
-            if (!heard) {
-                return fail(heard.error());
+            auto unpacked = unpack_unit(unpacker);
+            if (!unpacked) {
+                return fail(unpacked.error());
             }
-            unit = std::move(*heard);
+            unit = std::move(*unpacked);
         }
     }
     if (!unpacker.is_good() || !unpacker.at_end()) {
@@ -106,13 +106,13 @@ Expected<ShardNumber> parse_shard_number(const std::string& text) {
     return share;
 }
 
-Expected<void> save_shard(const HeardShard& shard, const fs::path& path) {
+Expected<void> save_shard(const FeatureShard& shard, const fs::path& path) {
     Packer packer(kShardMagic);
     packer.put(shard.share.number);
     packer.put(shard.share.count);
     packer.put_list(shard.plan);
     packer.put_list(shard.command);
-    const HeardMaterial& material = shard.material;
+    const FeatureMaterial& material = shard.material;
     packer.put_list(material.written_with);
     packer.put(static_cast<std::uint32_t>(material.files.size()));
     packer.put(static_cast<std::uint32_t>(material.units.size()));
@@ -123,7 +123,7 @@ Expected<void> save_shard(const HeardShard& shard, const fs::path& path) {
         if (shard.share.has(i)) {
             packer.put_list(material.units[i].fault);
             packer.put(static_cast<std::uint32_t>(material.units[i].pieces.size()));
-            for (const HeardPiece& piece : material.units[i].pieces) {
+            for (const PieceFeatures& piece : material.units[i].pieces) {
                 pack_piece(piece, packer);
             }
         }
@@ -131,7 +131,7 @@ Expected<void> save_shard(const HeardShard& shard, const fs::path& path) {
     return write_file(path, packer.take());
 }
 
-Expected<HeardShard> load_shard(const fs::path& path) {
+Expected<FeatureShard> load_shard(const fs::path& path) {
     const auto start = read_file_start(path, kShardMagic.size());
     if (!start) {
         return fail(start.error());
@@ -153,8 +153,8 @@ Expected<HeardShard> load_shard(const fs::path& path) {
     return shard;
 }
 
-Expected<HeardMaterial> merge_shards(std::span<const fs::path> paths) {
-    HeardMaterial material;
+Expected<FeatureMaterial> merge_shards(std::span<const fs::path> paths) {
+    FeatureMaterial material;
     ShardNumber first;
     std::string plan;
     std::vector<std::uint32_t> missing;

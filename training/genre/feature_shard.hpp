@@ -13,16 +13,16 @@
 namespace raks::audio {
 
 /// What is heard in one go: a recording with its altered copies, or written pieces made together.
-struct HeardUnit {
+struct FeatureUnit {
     std::string fault;  ///< why a recording is left out; empty: it is not
-    std::vector<HeardPiece> pieces;
+    std::vector<PieceFeatures> pieces;
 };
 
 /// Material to learn from: files, and all units, recordings first.
-struct HeardMaterial {
+struct FeatureMaterial {
     std::vector<MusicFile> files;
     std::string written_with;  ///< credit of the written music, or empty
-    std::vector<HeardUnit> units;
+    std::vector<FeatureUnit> units;
 };
 
 /// Which units one machine hears: number, number + count, ... of all, counted from 1.
@@ -36,21 +36,22 @@ struct ShardNumber {
 [[nodiscard]] Expected<ShardNumber> parse_shard_number(const std::string& text);
 
 /// One machine's share: units that are not its own are empty.
-struct HeardShard {
+struct FeatureShard {
     ShardNumber share;
     std::string plan;     ///< all that shapes what is heard: shards of different plans do not fit
     std::string command;  ///< that made it
-    HeardMaterial material;
+    FeatureMaterial material;
 };
 
 /// Numbers as the machine stores them. Errors of reading, one line with the file: no shard, one of
 /// another version, cut short or damaged; at most 4 GiB.
-[[nodiscard]] Expected<void> save_shard(const HeardShard& shard, const std::filesystem::path& path);
-[[nodiscard]] Expected<HeardShard> load_shard(const std::filesystem::path& path);
+[[nodiscard]] Expected<void> save_shard(const FeatureShard& shard,
+                                        const std::filesystem::path& path);
+[[nodiscard]] Expected<FeatureShard> load_shard(const std::filesystem::path& path);
 
 /// All shards as if one machine had heard all, in the same order.
 /// Errors, with the file: of another plan or another count than the first, a share twice; and the
 /// shares that are missing.
-[[nodiscard]] Expected<HeardMaterial> merge_shards(std::span<const std::filesystem::path> paths);
+[[nodiscard]] Expected<FeatureMaterial> merge_shards(std::span<const std::filesystem::path> paths);
 
 }  // namespace raks::audio

@@ -10,7 +10,7 @@
 
 #include "audio/evaluate/genre_scores.hpp"
 #include "audio/evaluate/packed_pieces.hpp"
-#include "audio/genre/genre_listener.hpp"
+#include "audio/genre/genre_scorer.hpp"
 #include "base/dice.hpp"
 #include "base/file.hpp"
 
@@ -92,7 +92,7 @@ Expected<Table> unpack_table(std::size_t rows, std::size_t columns, Unpacker& un
     return table;
 }
 
-void pack_stretch(const HeardPiece& piece, Packer& packer) {
+void pack_stretch(const PieceFeatures& piece, Packer& packer) {
     packer.put_list(piece.name);
     packer.put_list(piece.group);
     packer.put_list(piece.genre);
@@ -110,7 +110,7 @@ void pack_stretch(const HeardPiece& piece, Packer& packer) {
                         }),
                packer);
     packer.put(static_cast<std::uint32_t>(piece.windows.size()));
-    for (const HeardWindow& window : piece.windows) {
+    for (const WindowFeatures& window : piece.windows) {
         packer.put(static_cast<std::uint16_t>(window.segments));
         packer.put(static_cast<std::uint16_t>(window.end_frame));
     }
@@ -120,13 +120,13 @@ void pack_stretch(const HeardPiece& piece, Packer& packer) {
                packer);
 }
 
-Expected<void> unpack_windows(HeardPiece& piece, Unpacker& unpacker) {
+Expected<void> unpack_windows(PieceFeatures& piece, Unpacker& unpacker) {
     const std::size_t count = unpacker.take<std::uint32_t>();
     if (count > kStretch) {
         return fail("is damaged");
     }
     piece.windows.resize(count);
-    for (HeardWindow& window : piece.windows) {
+    for (WindowFeatures& window : piece.windows) {
         window.segments = unpacker.take<std::uint16_t>();
         window.end_frame = unpacker.take<std::uint16_t>();
         if (window.segments < 1 || window.segments > BarPatterns::kSegments ||
@@ -147,15 +147,15 @@ Expected<void> unpack_windows(HeardPiece& piece, Unpacker& unpacker) {
     return {};
 }
 
-Expected<HeardPiece> unpack_stretch(Unpacker& unpacker) {
-    HeardPiece piece;
+Expected<PieceFeatures> unpack_stretch(Unpacker& unpacker) {
+    PieceFeatures piece;
     piece.name = unpacker.take_list<std::string>();
     piece.group = unpacker.take_list<std::string>();
     piece.genre = unpacker.take_list<std::string>();
-    piece.kind = unpacker.take<HeardPiece::Kind>();
+    piece.kind = unpacker.take<PieceFeatures::Kind>();
     const std::size_t hops = unpacker.take<std::uint32_t>();
     if (hops > kStretch || (!piece.genre.empty() && !is_dance_name(piece.genre)) ||
-        piece.kind > HeardPiece::Kind::written_held_out) {
+        piece.kind > PieceFeatures::Kind::written_held_out) {
         return fail("is damaged");
     }
     const auto frames = unpack_table(hops, kMfccFeatures, unpacker);
@@ -180,17 +180,17 @@ Expected<HeardPiece> unpack_stretch(Unpacker& unpacker) {
 }
 
 /// Hops [from, from + kStretch) of a piece, and the windows that lie in them.
-HeardPiece stretch_of(const HeardPiece& piece, std::size_t from) {
+PieceFeatures stretch_of(const PieceFeatures& piece, std::size_t from) {
     const std::size_t until = std::min(from + kStretch, piece.frames.size());
     const auto at = [](std::size_t index) { return static_cast<std::ptrdiff_t>(index); };
-    HeardPiece stretch;
+    PieceFeatures stretch;
     stretch.name = piece.name;
     stretch.group = piece.group;
     stretch.genre = piece.genre;
     stretch.kind = piece.kind;
     stretch.frames.assign(piece.frames.begin() + at(from), piece.frames.begin() + at(until));
     stretch.mel.assign(piece.mel.begin() + at(from * kMel), piece.mel.begin() + at(until * kMel));
-    for (HeardWindow window : piece.windows) {
+    for (WindowFeatures window : piece.windows) {
         window.end_frame -= static_cast<int>(from);
         if (window.end_frame >= window.segments * BarPatterns::kSegmentHops &&
             window.end_frame <= static_cast<int>(until - from)) {
@@ -201,7 +201,7 @@ HeardPiece stretch_of(const HeardPiece& piece, std::size_t from) {
 }
 
 struct Place {
-    const HeardPiece* piece;
+    const PieceFeatures* piece;
     std::size_t from;
 };
 
@@ -232,9 +232,9 @@ std::vector<Place> groups_in_turn(std::map<std::string, std::vector<Place>>& gro
 
 /// All places of one genre, in the order in which they are taken: groups in turn, recordings and
 /// written music by turns.
-std::vector<Place> order_of(const std::vector<const HeardPiece*>& pieces, Dice& dice) {
+std::vector<Place> order_of(const std::vector<const PieceFeatures*>& pieces, Dice& dice) {
     std::array<std::map<std::string, std::vector<Place>>, 2> groups;
-    for (const HeardPiece* piece : pieces) {
+    for (const PieceFeatures* piece : pieces) {
         for (std::size_t from = 0; from == 0 || from + kShortestStretch <= piece->frames.size();
              from += kStretch) {
             groups.at(piece->is_recorded() ? 0 : 1)[piece->group].push_back({piece, from});
@@ -278,7 +278,7 @@ Expected<std::shared_ptr<const models::RecurrentNetwork>> unpack_network(Unpacke
 
 Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
     GenreSamples samples;
-    samples.hearing = unpacker.take_list<std::string>();
+    samples.feature_key = unpacker.take_list<std::string>();
     const std::size_t genres = unpacker.take<std::uint32_t>();
     if (!unpacker.is_good() || genres < 1 || genres > kMostGenres) {
         return fail("is cut short or damaged");
@@ -290,7 +290,7 @@ Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
         }
     }
     const std::size_t networks = unpacker.take<std::uint32_t>();
-    if (networks < 1 || networks > GenreListener::kMostNetworks) {
+    if (networks < 1 || networks > GenreScorer::kMostNetworks) {
         return fail("is cut short or damaged");
     }
     for (std::size_t i = 0; i < networks; ++i) {
@@ -317,22 +317,22 @@ Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
 
 }  // namespace
 
-std::vector<HeardPiece> sample_pieces(std::span<const HeardPiece* const> pieces,
-                                      std::span<const std::string> genres,
-                                      std::size_t bytes,
-                                      std::uint64_t seed) {
-    std::map<std::size_t, std::vector<const HeardPiece*>> of_class;
-    for (const HeardPiece* piece : pieces) {
+std::vector<PieceFeatures> sample_pieces(std::span<const PieceFeatures* const> pieces,
+                                         std::span<const std::string> genres,
+                                         std::size_t bytes,
+                                         std::uint64_t seed) {
+    std::map<std::size_t, std::vector<const PieceFeatures*>> of_class;
+    for (const PieceFeatures* piece : pieces) {
         if (piece->frames.size() >= static_cast<std::size_t>(BarPatterns::kSegmentHops)) {
             of_class[class_of(piece->genre, genres)].push_back(piece);
         }
     }
-    std::vector<HeardPiece> sample;
+    std::vector<PieceFeatures> sample;
     for (const auto& [genre, own] : of_class) {
         Dice dice(seed, 700 + static_cast<std::uint64_t>(genre));
         std::size_t left = bytes;
         for (const Place& place : order_of(own, dice)) {
-            HeardPiece stretch = stretch_of(*place.piece, place.from);
+            PieceFeatures stretch = stretch_of(*place.piece, place.from);
             Packer packer("");
             pack_stretch(stretch, packer);
             const std::size_t size = packer.take().size();
@@ -352,7 +352,7 @@ fs::path samples_path(const fs::path& model) {
 
 Expected<void> save_samples(const GenreSamples& samples, const fs::path& path) {
     Packer packer(kMagic);
-    packer.put_list(samples.hearing);
+    packer.put_list(samples.feature_key);
     packer.put(static_cast<std::uint32_t>(samples.genres.size()));
     for (const std::string& genre : samples.genres) {
         packer.put_list(genre);
@@ -366,7 +366,7 @@ Expected<void> save_samples(const GenreSamples& samples, const fs::path& path) {
         packer.put_list(network->parameters());
     }
     packer.put(static_cast<std::uint32_t>(samples.pieces.size()));
-    for (const HeardPiece& piece : samples.pieces) {
+    for (const PieceFeatures& piece : samples.pieces) {
         pack_stretch(piece, packer);
     }
     return write_file(path, packer.take());

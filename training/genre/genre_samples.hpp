@@ -22,22 +22,22 @@ inline constexpr std::size_t kMostSampleBytes = 2'000'000;
 /// genres share, its networks and its fusion again when a genre is added, without the others'
 /// music.
 struct GenreSamples {
-    std::string hearing;  ///< names the features and the beat network that it was heard with
+    std::string feature_key;  ///< names the features and the beat network that it was heard with
     std::vector<std::string> genres;  ///< of the model
     /// What the model's recurrent networks were before they heard recordings, 1 to
-    /// GenreListener::kMostNetworks; outputs: genres, none.
+    /// GenreScorer::kMostNetworks; outputs: genres, none.
     std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks;
-    std::vector<HeardPiece> pieces;  ///< stretches of up to 12 s
+    std::vector<PieceFeatures> pieces;  ///< stretches of up to 12 s
 };
 
 /// Stretches of these pieces, as many as `bytes` of each genre hold in a file: groups in turn,
 /// recordings and written music by turns. Pieces without frames are passed over. `genres`: of
 /// the model. Same pieces, same
 /// seed: same sample.
-[[nodiscard]] std::vector<HeardPiece> sample_pieces(std::span<const HeardPiece* const> pieces,
-                                                    std::span<const std::string> genres,
-                                                    std::size_t bytes,
-                                                    std::uint64_t seed);
+[[nodiscard]] std::vector<PieceFeatures> sample_pieces(std::span<const PieceFeatures* const> pieces,
+                                                       std::span<const std::string> genres,
+                                                       std::size_t bytes,
+                                                       std::uint64_t seed);
 
 /// The side file of a model: "genres.json" has "genres.samples".
 [[nodiscard]] std::filesystem::path samples_path(const std::filesystem::path& model);

@@ -14,11 +14,11 @@ namespace {
 
 /// Deals groups to folds: in each genre the largest first, each to the fold that has least of the
 /// genre so far. A group of several genres stays together.
-std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces,
+std::map<std::string, int> deal_groups(std::span<const PieceFeatures> pieces,
                                        std::span<const std::string> genres,
                                        int folds) {
     std::map<std::size_t, std::map<std::string, int>> sizes;  // by class
-    for (const HeardPiece& piece : pieces) {
+    for (const PieceFeatures& piece : pieces) {
         // Recordings and written music are dealt apart, so that each fold has its share of both.
         sizes[class_of(piece.genre, genres)][(piece.is_recorded() ? "r " : "w ") + piece.group] +=
             1;
@@ -46,16 +46,16 @@ std::map<std::string, int> deal_groups(std::span<const HeardPiece> pieces,
 
 /// What one model of a validation learns from, and what it is asked about.
 struct Fold {
-    std::vector<const HeardPiece*> training;
+    std::vector<const PieceFeatures*> training;
     std::vector<std::size_t> held_out;  // numbers: damaged recordings count on from the pieces
 };
 
-std::vector<Fold> deal_folds(std::span<const HeardPiece> pieces,
-                             std::span<const HeardPiece> damaged,
+std::vector<Fold> deal_folds(std::span<const PieceFeatures> pieces,
+                             std::span<const PieceFeatures> damaged,
                              std::span<const std::string> genres,
                              int count) {
     const std::map<std::string, int> folds = deal_groups(pieces, genres, count);
-    const auto fold_of = [&](const HeardPiece& piece) {
+    const auto fold_of = [&](const PieceFeatures& piece) {
         return static_cast<std::size_t>(
             folds.at((piece.is_recorded() ? "r " : "w ") + piece.group));
     };
@@ -78,10 +78,10 @@ std::vector<Fold> deal_folds(std::span<const HeardPiece> pieces,
 }
 
 /// Whether something of each genre is left to learn from while something is held out.
-Expected<void> check_groups(std::span<const HeardPiece> pieces,
+Expected<void> check_groups(std::span<const PieceFeatures> pieces,
                             std::span<const std::string> genres) {
     std::map<std::string, std::set<std::string>> groups;
-    for (const HeardPiece& piece : pieces) {
+    for (const PieceFeatures& piece : pieces) {
         groups[piece.genre].insert((piece.is_recorded() ? "r " : "w ") + piece.group);
     }
     for (const std::string& genre : genres) {
@@ -96,10 +96,10 @@ Expected<void> check_groups(std::span<const HeardPiece> pieces,
 
 }  // namespace
 
-std::vector<std::string> genres_of(std::span<const HeardPiece> pieces,
+std::vector<std::string> genres_of(std::span<const PieceFeatures> pieces,
                                    std::span<const std::string_view> order) {
     std::set<std::string> left;
-    for (const HeardPiece& piece : pieces) {
+    for (const PieceFeatures& piece : pieces) {
         left.insert(piece.genre);
     }
     left.erase("");
@@ -113,14 +113,14 @@ std::vector<std::string> genres_of(std::span<const HeardPiece> pieces,
     return genres;
 }
 
-Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
+Expected<GenreModel> train_genres(std::span<const PieceFeatures* const> pieces,
                                   std::span<const std::string> genres,
                                   const GenreTrainingPlan& plan) {
     if (genres.empty()) {
         return fail("no piece is of a dance: nothing to learn");
     }
     std::vector<std::size_t> classes;
-    for (const HeardPiece* piece : pieces) {
+    for (const PieceFeatures* piece : pieces) {
         classes.push_back(class_of(piece->genre, genres));
     }
     GenreModel model;
@@ -152,8 +152,8 @@ Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
     return model;
 }
 
-Expected<std::vector<WindowScore>> cross_validate(std::span<const HeardPiece> pieces,
-                                                  std::span<const HeardPiece> damaged,
+Expected<std::vector<WindowScore>> cross_validate(std::span<const PieceFeatures> pieces,
+                                                  std::span<const PieceFeatures> damaged,
                                                   std::span<const std::string> genres,
                                                   const GenreTrainingPlan& plan,
                                                   const std::function<void(int, int)>& on_fold) {

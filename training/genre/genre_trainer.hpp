@@ -30,12 +30,12 @@ struct GenreTrainingPlan {
 };
 
 /// Genres that occur among the pieces: those in `order` first, then the others by name.
-[[nodiscard]] std::vector<std::string> genres_of(std::span<const HeardPiece> pieces,
+[[nodiscard]] std::vector<std::string> genres_of(std::span<const PieceFeatures> pieces,
                                                  std::span<const std::string_view> order);
 
 /// A model of all these pieces; its fusion is the default until calibrate().
 /// Errors: no genre, or one with too little sound for its model.
-[[nodiscard]] Expected<GenreModel> train_genres(std::span<const HeardPiece* const> pieces,
+[[nodiscard]] Expected<GenreModel> train_genres(std::span<const PieceFeatures* const> pieces,
                                                 std::span<const std::string> genres,
                                                 const GenreTrainingPlan& plan);
 
@@ -46,8 +46,8 @@ struct GenreTrainingPlan {
 /// pieces'. `on_fold(done, all)` is called after each. Errors: as train_genres; a genre all of
 /// whose pieces are of one group.
 [[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
-    std::span<const HeardPiece> pieces,
-    std::span<const HeardPiece> damaged,
+    std::span<const PieceFeatures> pieces,
+    std::span<const PieceFeatures> damaged,
     std::span<const std::string> genres,
     const GenreTrainingPlan& plan,
     const std::function<void(int, int)>& on_fold);

@@ -19,9 +19,9 @@ using models::GaussianHmm;
 constexpr int kFramesTogether = 50;
 constexpr double kStay = 0.9;
 
-using Pieces = std::vector<const HeardPiece*>;
+using Pieces = std::vector<const PieceFeatures*>;
 
-Frames stretch_of(const HeardPiece& piece, std::size_t from, const GenreFeatures& features) {
+Frames stretch_of(const PieceFeatures& piece, std::size_t from, const GenreFeatures& features) {
     const std::size_t count = std::min<std::size_t>(kFramesTogether, piece.frames.size() - from);
     Frames frames(static_cast<Eigen::Index>(count), features.dimension());
     for (std::size_t i = 0; i < count; ++i) {
@@ -39,7 +39,7 @@ std::vector<Frames> draw_stretches(const Pieces& pieces,
                                    std::uint64_t stream) {
     Pieces recorded;
     Pieces written;
-    for (const HeardPiece* piece : pieces) {
+    for (const PieceFeatures* piece : pieces) {
         if (piece->frames.size() >= static_cast<std::size_t>(kFramesTogether)) {
             (piece->is_recorded() ? recorded : written).push_back(piece);
         }
@@ -52,7 +52,8 @@ std::vector<Frames> draw_stretches(const Pieces& pieces,
     for (int i = 0; i < plan.frames / kFramesTogether; ++i) {
         const bool is_recorded =
             written.empty() || (!recorded.empty() && dice.chance(plan.recorded_share));
-        const HeardPiece& piece = *dice.pick<const HeardPiece*>(is_recorded ? recorded : written);
+        const PieceFeatures& piece =
+            *dice.pick<const PieceFeatures*>(is_recorded ? recorded : written);
         const int last = static_cast<int>(piece.frames.size()) - kFramesTogether;
         stretches.push_back(
             stretch_of(piece, static_cast<std::size_t>(dice.whole(0, last)), features));
@@ -93,7 +94,7 @@ GaussianHmm ergodic_start(const models::TrainingSet& set, int states, Dice& dice
 /// Frames that the stretches of these pieces are drawn from.
 Eigen::Index frames_of(const Pieces& pieces) {
     Eigen::Index frames = 0;
-    for (const HeardPiece* piece : pieces) {
+    for (const PieceFeatures* piece : pieces) {
         const auto own = static_cast<Eigen::Index>(piece->frames.size());
         frames += own >= kFramesTogether ? own : 0;
     }
@@ -111,10 +112,10 @@ Eigen::Index frames_of(const models::TrainingSet& set) {
 /// Doubles mixtures until there are enough, with some iterations after each step. `heard`: frames
 /// that there are, of which the set's are drawn (some of them more than once).
 Expected<GaussianHmm> train_model(models::TrainingSet set,
-                                  Eigen::Index heard,
+                                  Eigen::Index scored,
                                   const MfccTrainingPlan& plan,
                                   const std::string& name) {
-    const Eigen::Index frames = std::min(heard, frames_of(set));
+    const Eigen::Index frames = std::min(scored, frames_of(set));
     const Eigen::Index dimension = set.sequences.empty() ? 0 : set.sequences.front().cols();
     const Eigen::Index parameters = 2 * dimension * plan.states * plan.mixtures;
     if (frames == 0) {
@@ -208,7 +209,7 @@ Expected<Sorted> sort_frames(const std::vector<models::TrainingSet>& sets,
 
 }  // namespace
 
-Expected<MfccModels> train_mfcc(std::span<const HeardPiece* const> pieces,
+Expected<MfccModels> train_mfcc(std::span<const PieceFeatures* const> pieces,
                                 std::span<const std::size_t> classes,
                                 std::span<const std::string> genres,
                                 const GenreFeatures& features,

@@ -34,7 +34,7 @@ struct MfccModels {
 /// (Bagci, Erzin 2007.) `classes[i]`: genre number of pieces[i]; beyond the genres: only for the
 /// background.
 /// Errors: a genre with fewer frames than its model has parameters (names it).
-[[nodiscard]] Expected<MfccModels> train_mfcc(std::span<const HeardPiece* const> pieces,
+[[nodiscard]] Expected<MfccModels> train_mfcc(std::span<const PieceFeatures* const> pieces,
                                               std::span<const std::size_t> classes,
                                               std::span<const std::string> genres,
                                               const GenreFeatures& features,

@@ -29,7 +29,7 @@ constexpr std::size_t kFewestHops = 200;  // of a piece
 
 /// One piece of a class.
 struct Drawn {
-    const HeardPiece* piece;
+    const PieceFeatures* piece;
     std::size_t class_number;
 };
 
@@ -39,7 +39,7 @@ class PieceDraw {
     PieceDraw(std::size_t class_count, double recorded_share)
         : recorded_(class_count), written_(class_count), recorded_share_(recorded_share) {}
 
-    void add(const HeardPiece& piece, std::size_t class_number) {
+    void add(const PieceFeatures& piece, std::size_t class_number) {
         if (piece.hops() >= kFewestHops) {
             auto& of_class = piece.is_recorded() ? recorded_ : written_;
             of_class[class_number].push_back(&piece);
@@ -55,12 +55,12 @@ class PieceDraw {
             std::min(1.0, static_cast<double>(recorded_[c].size()) / kEnoughRecordings);
         const bool is_recorded =
             written_[c].empty() || (!recorded_[c].empty() && dice.chance(enough * recorded_share_));
-        return {dice.pick<const HeardPiece*>(is_recorded ? recorded_[c] : written_[c]), c};
+        return {dice.pick<const PieceFeatures*>(is_recorded ? recorded_[c] : written_[c]), c};
     }
 
  private:
-    std::vector<std::vector<const HeardPiece*>> recorded_;
-    std::vector<std::vector<const HeardPiece*>> written_;
+    std::vector<std::vector<const PieceFeatures*>> recorded_;
+    std::vector<std::vector<const PieceFeatures*>> written_;
     std::vector<std::size_t> learnt_;
     double recorded_share_;
 };
@@ -81,7 +81,7 @@ class BatchWriter {
                std::size_t begin,
                std::size_t end,
                const Drawn& drawn,
-               const MelHearing& hearing,
+               const MelAugmentation& augmentation,
                NetworkInput& input,
                Dice* dice) {
         const double piece_hops = static_cast<double>(drawn.piece->hops());
@@ -92,14 +92,15 @@ class BatchWriter {
                       batch_.inputs.begin() + static_cast<std::ptrdiff_t>(row * frame.size()));
             batch_.targets[row * outputs_ + drawn.class_number] += 1.0F - kSmoothing;
             const bool is_over =
-                hearing.first_hop + static_cast<double>(t) * hearing.stretch >= piece_hops;
+                augmentation.first_hop + static_cast<double>(t) * augmentation.stretch >=
+                piece_hops;
             const float known =
                 std::min(1.0F, static_cast<float>(t) / static_cast<float>(kKnownHops));
             std::fill_n(batch_.weights.begin() + static_cast<std::ptrdiff_t>(row * outputs_),
                         outputs_,
                         is_over ? 0.0F : kFirstWeight + (1.0F - kFirstWeight) * known);
         };
-        hear_mel(drawn.piece->mel, hearing, end - begin, input, dice, put);
+        augment_mel(drawn.piece->mel, augmentation, end - begin, input, dice, put);
     }
     TrainingBatch finish() { return std::move(batch_); }
 
@@ -124,15 +125,15 @@ TrainingBatch draw_batch(const PieceDraw& from,
         for (const auto& [begin, end] : {std::pair{std::size_t{0}, cut}, std::pair{cut, kHops}}) {
             if (begin < end) {
                 const Drawn drawn = from.draw(dice);
-                MelHearing hearing =
-                    MelHearing::draw(drawn.piece->hops(), end - begin, kMostStretch, dice);
+                MelAugmentation augmentation =
+                    MelAugmentation::draw(drawn.piece->hops(), end - begin, kMostStretch, dice);
                 if (dice.chance(plan.room_chance)) {
-                    hearing.enter_room(dice);
+                    augmentation.enter_room(dice);
                 }
                 if (dice.chance(plan.muffled_chance)) {
-                    hearing.muffle(dice);
+                    augmentation.muffle(dice);
                 }
-                writer.write(chunk, begin, end, drawn, hearing, input, &dice);
+                writer.write(chunk, begin, end, drawn, augmentation, input, &dice);
             }
         }
     }
@@ -147,7 +148,7 @@ std::vector<TrainingBatch> plain_batches(const std::vector<Drawn>& pieces, std::
         BatchWriter writer(count, outputs);
         for (std::size_t i = 0; i < count; ++i) {
             NetworkInput input;
-            writer.write(i, 0, kHops, pieces[first + i], MelHearing::plain(), input, nullptr);
+            writer.write(i, 0, kHops, pieces[first + i], MelAugmentation::plain(), input, nullptr);
         }
         batches.push_back(writer.finish());
     }
@@ -159,7 +160,7 @@ struct WrittenMusic {
     PieceDraw from;
     std::vector<TrainingBatch> validation;
 
-    WrittenMusic(std::span<const HeardPiece* const> pieces,
+    WrittenMusic(std::span<const PieceFeatures* const> pieces,
                  std::span<const std::size_t> classes,
                  std::size_t class_count)
         : from(class_count, 0.0) {
@@ -249,7 +250,7 @@ NetworkTrainingPlan NetworkTrainingPlan::of_network(std::size_t number) const {
     return own;
 }
 
-models::RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pieces,
+models::RecurrentNetwork train_on_written(std::span<const PieceFeatures* const> pieces,
                                           std::span<const std::size_t> classes,
                                           std::size_t class_count,
                                           const NetworkTrainingPlan& plan,
@@ -262,7 +263,7 @@ models::RecurrentNetwork train_on_written(std::span<const HeardPiece* const> pie
 }
 
 models::RecurrentNetwork average_branches(const models::RecurrentNetwork& start,
-                                          std::span<const HeardPiece* const> pieces,
+                                          std::span<const PieceFeatures* const> pieces,
                                           std::span<const std::size_t> classes,
                                           const NetworkTrainingPlan& plan,
                                           const ReportNetwork& report) {
@@ -282,7 +283,7 @@ models::RecurrentNetwork average_branches(const models::RecurrentNetwork& start,
 }
 
 models::RecurrentNetwork tune_network(const models::RecurrentNetwork& start,
-                                      std::span<const HeardPiece* const> pieces,
+                                      std::span<const PieceFeatures* const> pieces,
                                       std::span<const std::size_t> classes,
                                       const NetworkTrainingPlan& plan) {
     models::RecurrentNetwork network = start;

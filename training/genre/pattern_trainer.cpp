@@ -17,12 +17,12 @@ constexpr double kInputNoise = 0.25;  // at most, in standard deviations
 constexpr double kLeastDeviation = 1e-3;
 
 /// Mean and deviation of all features over all windows, each piece counting alike.
-void measure_inputs(std::span<const HeardPiece* const> pieces, PatternNetwork& network) {
+void measure_inputs(std::span<const PieceFeatures* const> pieces, PatternNetwork& network) {
     std::array<double, kInputs> sum{};
     std::array<double, kInputs> squares{};
     double weight = 0.0;
-    for (const HeardPiece* piece : pieces) {
-        for (const HeardWindow& window : piece->windows) {
+    for (const PieceFeatures* piece : pieces) {
+        for (const WindowFeatures& window : piece->windows) {
             const double share = 1.0 / static_cast<double>(piece->windows.size());
             weight += share;
             for (std::size_t i = 0; i < kInputs; ++i) {
@@ -86,10 +86,10 @@ std::array<float, kInputs> mask_of(const std::vector<std::string_view>& parts) {
     mask.back() = 1.0F;
     std::size_t at = 0;
     for (const BarPatterns::Part& part : BarPatterns::kParts) {
-        const bool is_heard =
+        const bool is_used =
             parts.empty() || std::find(parts.begin(), parts.end(), part.name) != parts.end();
         for (int i = 0; i < part.size; ++i) {
-            mask[at++] = is_heard ? 1.0F : 0.0F;
+            mask[at++] = is_used ? 1.0F : 0.0F;
         }
     }
     return mask;
@@ -98,7 +98,7 @@ std::array<float, kInputs> mask_of(const std::vector<std::string_view>& parts) {
 /// Draws windows: a class, whether recorded, a piece, a window.
 class WindowDraw {
  public:
-    WindowDraw(std::span<const HeardPiece* const> pieces,
+    WindowDraw(std::span<const PieceFeatures* const> pieces,
                std::span<const std::size_t> classes,
                std::size_t class_count,
                double recorded_share)
@@ -117,7 +117,7 @@ class WindowDraw {
     [[nodiscard]] bool is_empty() const { return learnt_.empty(); }
 
     struct Drawn {
-        const HeardWindow* window;
+        const WindowFeatures* window;
         std::size_t class_number;
     };
     Drawn draw(Dice& dice) const {
@@ -125,13 +125,13 @@ class WindowDraw {
         const bool is_recorded =
             written_[c].empty() || (!recorded_[c].empty() && dice.chance(recorded_share_));
         const auto& from = is_recorded ? recorded_[c] : written_[c];
-        const HeardPiece* piece = dice.pick<const HeardPiece*>(from);
-        return {&dice.pick<HeardWindow>(piece->windows), c};
+        const PieceFeatures* piece = dice.pick<const PieceFeatures*>(from);
+        return {&dice.pick<WindowFeatures>(piece->windows), c};
     }
 
  private:
-    std::vector<std::vector<const HeardPiece*>> recorded_;
-    std::vector<std::vector<const HeardPiece*>> written_;
+    std::vector<std::vector<const PieceFeatures*>> recorded_;
+    std::vector<std::vector<const PieceFeatures*>> written_;
     std::vector<std::size_t> learnt_;
     double recorded_share_;
 };
@@ -277,7 +277,7 @@ PatternTrainingPlan sound_training() {
     return plan;
 }
 
-PatternNetwork train_patterns(std::span<const HeardPiece* const> pieces,
+PatternNetwork train_patterns(std::span<const PieceFeatures* const> pieces,
                               std::span<const std::size_t> classes,
                               std::size_t class_count,
                               const PatternTrainingPlan& plan) {

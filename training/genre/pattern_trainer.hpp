@@ -31,7 +31,7 @@ struct PatternTrainingPlan {
 /// Trains the network that tells classes by bar patterns: every class is drawn alike often, every
 /// piece of a class alike often. `classes[i]`: of pieces[i], below `class_count`. Same plan, same
 /// pieces: same bits. Classes without pieces are never learnt.
-[[nodiscard]] PatternNetwork train_patterns(std::span<const HeardPiece* const> pieces,
+[[nodiscard]] PatternNetwork train_patterns(std::span<const PieceFeatures* const> pieces,
                                             std::span<const std::size_t> classes,
                                             std::size_t class_count,
                                             const PatternTrainingPlan& plan);

@@ -226,7 +226,7 @@ std::string dance_of_number(const WrittenCorpusPlan& plan, int number) {
     return place < dances.size() ? dances[place] : std::string();
 }
 
-Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
+Expected<PieceFeatures> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
     const std::string dance = dance_of_number(plan, number);
     WrittenPiece piece = draw_piece(plan, dance, dice);
@@ -256,27 +256,27 @@ Expected<HeardPiece> make_piece(const WrittenCorpusPlan& plan, int number) {
             return fail(done.error());
         }
     }
-    HeardPiece heard;
-    heard.name = piece.name + " " + std::to_string(number);
-    heard.group =
+    PieceFeatures features;
+    features.name = piece.name + " " + std::to_string(number);
+    features.group =
         piece.name + "/" + (soundfonts.size() > 1 ? "band" : soundfonts.front().stem().string());
-    heard.genre = piece.dance;
-    heard.kind = plan.families == WrittenCorpusPlan::Families::held_out
-                     ? HeardPiece::Kind::written_held_out
-                     : HeardPiece::Kind::written;
-    if (auto done =
-            hear_piece(piece.samples, SampleRate(SoundfontPlayer::kRate), plan.hearing, heard);
+    features.genre = piece.dance;
+    features.kind = plan.families == WrittenCorpusPlan::Families::held_out
+                        ? PieceFeatures::Kind::written_held_out
+                        : PieceFeatures::Kind::written;
+    if (auto done = extract_features(
+            piece.samples, SampleRate(SoundfontPlayer::kRate), plan.feature_plan, features);
         !done) {
         return fail(done.error());
     }
-    return heard;
+    return features;
 }
 
 }  // namespace
 
-Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path& file,
-                                                    const StyleBook& styles,
-                                                    WrittenCorpusPlan::Families families) {
+Expected<std::vector<PieceFeatures>> read_beats_corpus(const std::filesystem::path& file,
+                                                       const StyleBook& styles,
+                                                       WrittenCorpusPlan::Families families) {
     auto corpus = load_corpus(file);
     if (!corpus) {
         return fail(corpus.error());
@@ -286,7 +286,7 @@ Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path&
             return beat.bar_position <= 3;
         });
     };
-    std::vector<HeardPiece> pieces;
+    std::vector<PieceFeatures> pieces;
     for (TrainingExcerpt& excerpt : *corpus) {
         const auto label = styles.label_of(excerpt.style);
         const bool is_kept = label && is_among(*label, families) &&
@@ -294,27 +294,27 @@ Expected<std::vector<HeardPiece>> read_beats_corpus(const std::filesystem::path&
         if (!is_kept) {
             continue;
         }
-        HeardPiece& piece = pieces.emplace_back();
+        PieceFeatures& piece = pieces.emplace_back();
         piece.name = excerpt.style + " of the beat tracker's";
         piece.group = excerpt.style + "/beats";
         piece.genre = label->dance;
-        piece.kind = HeardPiece::Kind::written;
+        piece.kind = PieceFeatures::Kind::written;
         piece.mel = std::move(excerpt.mel);
     }
     return pieces;
 }
 
-Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan) {
+Expected<std::vector<PieceFeatures>> write_corpus(const WrittenCorpusPlan& plan) {
     if (auto enough = check_styles(plan); !enough) {
         return fail(enough.error());
     }
     const auto count = static_cast<std::size_t>(plan.pieces);
-    std::vector<Expected<HeardPiece>> made(count, fail("not made"));
+    std::vector<Expected<PieceFeatures>> made(count, fail("not made"));
     run_parallel(count, plan.threads, [&](std::size_t number) {
         made[number] = make_piece(plan, plan.first + static_cast<int>(number));
     });
-    std::vector<HeardPiece> pieces;
-    for (Expected<HeardPiece>& piece : made) {
+    std::vector<PieceFeatures> pieces;
+    for (Expected<PieceFeatures>& piece : made) {
         if (!piece) {
             return fail(piece.error());
         }

@@ -35,19 +35,19 @@ struct WrittenCorpusPlan {
     /// is played with one soundfont as it is. Third: no synthesized music.
     enum class Edition : std::uint8_t { first = 1, second, third, fourth };
     Edition edition = Edition::fourth;
-    HearingPlan hearing;
+    FeaturePlan feature_plan;
 };
 
 /// Piece n depends on the plan and n alone: any number of threads gives the same corpus. About 0.5
 /// s of CPU each. Groups are "style/soundfont".
 /// Errors: a soundfont cannot be read; the styles have no rhythm for a dance, or none for no dance.
-[[nodiscard]] Expected<std::vector<HeardPiece>> write_corpus(const WrittenCorpusPlan& plan);
+[[nodiscard]] Expected<std::vector<PieceFeatures>> write_corpus(const WrittenCorpusPlan& plan);
 
 /// What the beat tracker's training has played (`raks train beats --corpus FILE`), as far as it is
 /// by the styles clearly music for a dance or clearly for none; pieces without frames and windows,
 /// for the recurrent network alone. Bars of three on a piano are left out: some are waltzes.
 /// Errors: as load_corpus.
-[[nodiscard]] Expected<std::vector<HeardPiece>> read_beats_corpus(
+[[nodiscard]] Expected<std::vector<PieceFeatures>> read_beats_corpus(
     const std::filesystem::path& file,
     const StyleBook& styles,
     WrittenCorpusPlan::Families families);

@@ -11,21 +11,22 @@ constexpr std::size_t kBands = NetworkInput::kBands;
 
 }  // namespace
 
-MelHearing MelHearing::plain() {
-    MelHearing hearing;
-    hearing.gain.fill(1.0F);
-    return hearing;
+MelAugmentation MelAugmentation::plain() {
+    MelAugmentation augmentation;
+    augmentation.gain.fill(1.0F);
+    return augmentation;
 }
 
-MelHearing MelHearing::draw(std::size_t piece_hops,
-                            std::size_t hops,
-                            double most_stretch,
-                            Dice& dice) {
-    MelHearing hearing;
-    hearing.stretch = dice.chance(0.7) ? std::exp(dice.uniform(-most_stretch, most_stretch)) : 1.0;
-    const double span = static_cast<double>(hops) * hearing.stretch;
+MelAugmentation MelAugmentation::draw(std::size_t piece_hops,
+                                      std::size_t hops,
+                                      double most_stretch,
+                                      Dice& dice) {
+    MelAugmentation augmentation;
+    augmentation.stretch =
+        dice.chance(0.7) ? std::exp(dice.uniform(-most_stretch, most_stretch)) : 1.0;
+    const double span = static_cast<double>(hops) * augmentation.stretch;
     const double room = static_cast<double>(piece_hops) - span;
-    hearing.first_hop = dice.uniform(0.0, std::max(0.0, room));
+    augmentation.first_hop = dice.uniform(0.0, std::max(0.0, room));
     // A smooth curve over the bands, sd 0.45 in the logarithm.
     std::array<double, 4> waves{};
     for (double& wave : waves) {
@@ -38,31 +39,31 @@ MelHearing MelHearing::draw(std::size_t piece_hops,
             const double angle = std::numbers::pi * static_cast<double>((wave + 1) * band) / kBands;
             log_gain += waves[wave] * std::cos(angle);
         }
-        hearing.gain[band] = static_cast<float>(std::exp(log_gain));
+        augmentation.gain[band] = static_cast<float>(std::exp(log_gain));
     }
     if (dice.chance(0.3)) {
         const auto first = static_cast<std::size_t>(dice.whole(0, kBands - 1));
         const auto end = std::min(kBands, first + static_cast<std::size_t>(dice.whole(3, 14)));
         const auto damping = static_cast<float>(dice.uniform(0.02, 0.5));
         for (std::size_t band = first; band < end; ++band) {
-            hearing.gain[band] *= damping;
+            augmentation.gain[band] *= damping;
         }
     }
-    for (float& gain : hearing.gain) {
+    for (float& gain : augmentation.gain) {
         gain = dice.chance(0.03) ? 0.0F : gain;
     }
-    hearing.noise = dice.chance(0.3) ? static_cast<float>(dice.log_uniform(0.01, 0.4)) : 0.0F;
-    return hearing;
+    augmentation.noise = dice.chance(0.3) ? static_cast<float>(dice.log_uniform(0.01, 0.4)) : 0.0F;
+    return augmentation;
 }
 
-void MelHearing::enter_room(Dice& dice) {
+void MelAugmentation::enter_room(Dice& dice) {
     constexpr double kHopSeconds = 0.01;
     const double seconds = dice.log_uniform(0.15, 1.0);  // to -60 dB
     decay = static_cast<float>(std::pow(10.0, -6.0 * kHopSeconds / seconds));
     reverberation = static_cast<float>(dice.log_uniform(0.05, 5.0));
 }
 
-void MelHearing::muffle(Dice& dice) {
+void MelAugmentation::muffle(Dice& dice) {
     const auto first = static_cast<std::size_t>(dice.whole(14, 34));
     const double slope = dice.uniform(0.2, 2.0);
     for (std::size_t band = first; band < kBands; ++band) {
@@ -70,11 +71,11 @@ void MelHearing::muffle(Dice& dice) {
     }
 }
 
-void RoomEcho::add(const MelHearing& hearing, Bands& bands) {
+void RoomEcho::add(const MelAugmentation& augmentation, Bands& bands) {
     for (std::size_t band = 0; band < kBands; ++band) {
         const float direct = bands[band] * bands[band];
-        energy_[band] = hearing.decay * energy_[band] + (1.0F - hearing.decay) * direct;
-        bands[band] = std::sqrt(direct + hearing.reverberation * energy_[band]);
+        energy_[band] = augmentation.decay * energy_[band] + (1.0F - augmentation.decay) * direct;
+        bands[band] = std::sqrt(direct + augmentation.reverberation * energy_[band]);
     }
 }
 

@@ -13,7 +13,7 @@ namespace raks::audio {
 /// How a stretch of music is heard while a network learns: slower or faster, through other rooms
 /// and loudspeakers, in noise. Works on the mel magnitudes that the front end gives (hops x
 /// NetworkInput::kBands), so that each piece is played once and heard many times.
-struct MelHearing {
+struct MelAugmentation {
     double first_hop = 0.0;  ///< in the piece
     double stretch = 1.0;    ///< hops of the piece a hop that is heard
     std::array<float, NetworkInput::kBands> gain{};
@@ -22,13 +22,13 @@ struct MelHearing {
     float decay = 0.0F;          ///< of the echo's energy, what is left a hop later
 
     /// From the piece's begin, unchanged.
-    [[nodiscard]] static MelHearing plain();
+    [[nodiscard]] static MelAugmentation plain();
     /// Drawn so that `hops` hops fit if the piece is long enough: time stretched by up to
     /// exp(+-most_stretch), a smooth curve over the bands, some of them damped, noise.
-    [[nodiscard]] static MelHearing draw(std::size_t piece_hops,
-                                         std::size_t hops,
-                                         double most_stretch,
-                                         Dice& dice);
+    [[nodiscard]] static MelAugmentation draw(std::size_t piece_hops,
+                                              std::size_t hops,
+                                              double most_stretch,
+                                              Dice& dice);
     /// A drawn room: 0.15 to 1 s to -60 dB, with a twentieth to five times the direct energy.
     void enter_room(Dice& dice);
     /// Treble that falls off from a drawn band (1.9 to 13 kHz) on.
@@ -43,7 +43,7 @@ class RoomEcho {
     using Bands = std::array<float, NetworkInput::kBands>;
 
     /// Turns a hop's magnitudes into what is heard of it in the hearing's room.
-    void add(const MelHearing& hearing, Bands& bands);
+    void add(const MelAugmentation& augmentation, Bands& bands);
 
  private:
     Bands energy_{};
@@ -52,21 +52,22 @@ class RoomEcho {
 /// Calls put(t, bands) for `hops` hops: magnitudes as they are heard. `dice`: draws the noise;
 /// null: none. Behind the piece's end its last hop is held.
 template <class Put>
-void hear_bands(std::span<const float> mel,
-                const MelHearing& hearing,
-                std::size_t hops,
-                Dice* dice,
-                const Put& put);
+void augment_bands(std::span<const float> mel,
+                   const MelAugmentation& augmentation,
+                   std::size_t hops,
+                   Dice* dice,
+                   const Put& put);
 
-/// Calls put(t, frame) for `hops` hops as hear_bands does, `input` going on from what it has heard.
+/// Calls put(t, frame) for `hops` hops as augment_bands does, `input` going on from what it has
+/// heard.
 template <class Put>
-void hear_mel(std::span<const float> mel,
-              const MelHearing& hearing,
-              std::size_t hops,
-              NetworkInput& input,
-              Dice* dice,
-              const Put& put) {
-    hear_bands(mel, hearing, hops, dice, [&](std::size_t t, const auto& bands) {
+void augment_mel(std::span<const float> mel,
+                 const MelAugmentation& augmentation,
+                 std::size_t hops,
+                 NetworkInput& input,
+                 Dice* dice,
+                 const Put& put) {
+    augment_bands(mel, augmentation, hops, dice, [&](std::size_t t, const auto& bands) {
         put(t, input.next(bands));
     });
 }
@@ -77,24 +78,24 @@ void hear_mel(std::span<const float> mel,
 [[nodiscard]] float mean_magnitude(std::span<const float> mel);
 
 template <class Put>
-void hear_bands(std::span<const float> mel,
-                const MelHearing& hearing,
-                std::size_t hops,
-                Dice* dice,
-                const Put& put) {
-    const float floor = hearing.noise > 0.0F ? hearing.noise * mean_magnitude(mel) : 0.0F;
+void augment_bands(std::span<const float> mel,
+                   const MelAugmentation& augmentation,
+                   std::size_t hops,
+                   Dice* dice,
+                   const Put& put) {
+    const float floor = augmentation.noise > 0.0F ? augmentation.noise * mean_magnitude(mel) : 0.0F;
     RoomEcho echo;
     for (std::size_t t = 0; t < hops; ++t) {
-        auto bands =
-            magnitudes_at(mel, hearing.first_hop + static_cast<double>(t) * hearing.stretch);
-        if (hearing.reverberation > 0.0F) {
-            echo.add(hearing, bands);
+        auto bands = magnitudes_at(
+            mel, augmentation.first_hop + static_cast<double>(t) * augmentation.stretch);
+        if (augmentation.reverberation > 0.0F) {
+            echo.add(augmentation, bands);
         }
         for (std::size_t band = 0; band < bands.size(); ++band) {
             const float hiss = floor > 0.0F && dice != nullptr
                                    ? floor * static_cast<float>(dice->uniform(0.5, 1.5))
                                    : 0.0F;
-            bands[band] = bands[band] * hearing.gain[band] + hiss;
+            bands[band] = bands[band] * augmentation.gain[band] + hiss;
         }
         put(t, bands);
     }

@@ -20,9 +20,9 @@ constexpr float kHalfScale = 2.0F;
 
 }  // namespace
 
-void BarInput::hear(std::span<const float> mel_magnitudes,
-                    double phase,
-                    const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING {
+void BarInput::add_hop(std::span<const float> mel_magnitudes,
+                       double phase,
+                       const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING {
     const auto quarter =
         std::min(kQuarters - 1, static_cast<std::size_t>(std::max(0.0, phase) * double{kQuarters}));
     for (std::size_t band = 0; band < kBands; ++band) {

@@ -29,9 +29,9 @@ class BarInput {
 
     /// One hop within the beat: its mel magnitudes (kBands), how much of the beat has passed,
     /// [0, 1), and the evidence that came with it.
-    void hear(std::span<const float> mel_magnitudes,
-              double phase,
-              const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING;
+    void add_hop(std::span<const float> mel_magnitudes,
+                 double phase,
+                 const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING;
 
     /// The beat is over: what it sounded like.
     Frame next_beat() noexcept RAKS_NONBLOCKING;

@@ -31,6 +31,6 @@ class BarNetwork : public models::RecurrentNetwork {
 };
 
 /// Beat by beat.
-using BarListener = models::NetworkStream<BarNetwork>;
+using BarNetworkStream = models::NetworkStream<BarNetwork>;
 
 }  // namespace raks::audio

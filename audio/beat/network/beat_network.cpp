@@ -69,7 +69,7 @@ Expected<BeatNetwork> together(std::span<const std::shared_ptr<const BeatNetwork
     return first;
 }
 
-BeatEvidence BeatListener::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
+BeatEvidence BeatNetworkStream::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
     models::RecurrentStream::Logits sum = streams_[0].next(*network_, frame);
     for (std::size_t i = 1; i < streams_.size(); ++i) {
         const auto more = streams_[i].next(*network_->others()[i - 1], frame);
@@ -83,7 +83,7 @@ BeatEvidence BeatListener::next(const NetworkInput::Frame& frame) noexcept RAKS_
     return BeatNetwork::evidence_of(sum);
 }
 
-void BeatListener::reset() noexcept RAKS_NONBLOCKING {
+void BeatNetworkStream::reset() noexcept RAKS_NONBLOCKING {
     for (models::RecurrentStream& stream : streams_) {
         stream.reset();
     }

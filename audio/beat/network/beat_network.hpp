@@ -79,10 +79,10 @@ constexpr std::size_t kMostTogether = 8;
 
 /// Listens with a network and those beside it, hop by hop. Cost: a step of each.
 /// Threads: one. Real-time: next, reset yes.
-class BeatListener {
+class BeatNetworkStream {
  public:
     /// `network`: not null.
-    explicit BeatListener(std::shared_ptr<const BeatNetwork> network)
+    explicit BeatNetworkStream(std::shared_ptr<const BeatNetwork> network)
         : network_(std::move(network)), streams_(1 + network_->others().size()) {}
 
     /// About what lies the network's look-ahead before the frame.

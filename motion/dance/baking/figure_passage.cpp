@@ -43,7 +43,7 @@ std::size_t contact_at_start(const std::vector<ContactWindow>& windows,
 /// The figure's contacts, also those of the beats around it.
 std::vector<PlannedContact> contacts_of(const FigureModel& model,
                                         Side side,
-                                        const FigureWay& way,
+                                        const FigurePath& way,
                                         const Footing& footing,
                                         int samples_per_beat) {
     const auto s = static_cast<std::size_t>(side);
@@ -137,7 +137,7 @@ void find_steps(const std::vector<double>& speed,
 /// The contacts of both feet.
 std::array<std::vector<PlannedContact>, 2> contacts_of(const FigureModel& model,
                                                        const FreeFigure& steps,
-                                                       const FigureWay& way,
+                                                       const FigurePath& way,
                                                        const Footing& footing) {
     std::array<std::vector<PlannedContact>, 2> contacts;
     for (const Side side : kSides) {
@@ -167,7 +167,7 @@ void step_aside(const CounterRandom& random, Side side, std::vector<PlannedConta
 
 StartPlaces learnt_places(const FigureModel& model,
                           const FigureTracks& tracks,
-                          const FigureWay& way,
+                          const FigurePath& way,
                           const Skeleton& skeleton) {
     const FreeFigure figure = free_figure(model, tracks, way, skeleton);
     const auto contacts = contacts_of(model, figure, way, {{}, model.landings, false});
@@ -207,7 +207,7 @@ StartPlaces learnt_places(const FigureModel& model,
 FigurePassage::FigurePassage(const FigureModel& model,
                              const FreeFigure& steps,
                              std::vector<Pose> body,
-                             const FigureWay& way,
+                             const FigurePath& way,
                              const Footing& footing,
                              const CounterRandom* random,
                              const Skeleton& skeleton) {

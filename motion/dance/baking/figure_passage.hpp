@@ -39,7 +39,7 @@ class FigurePassage {
     FigurePassage(const FigureModel& model,
                   const FreeFigure& steps,
                   std::vector<Pose> body,
-                  const FigureWay& way,
+                  const FigurePath& way,
                   const Footing& footing,
                   const CounterRandom* random,
                   const Skeleton& skeleton);
@@ -111,7 +111,7 @@ class FigurePassage {
 /// Where the balls rest around the start of this figure when it is danced as learnt.
 [[nodiscard]] StartPlaces learnt_places(const FigureModel& model,
                                         const FigureTracks& tracks,
-                                        const FigureWay& way,
+                                        const FigurePath& way,
                                         const Skeleton& skeleton);
 
 }  // namespace raks::motion

@@ -48,7 +48,7 @@ double rate_of(const FigureModel& model) {
 double peak_toe_speed(const FigureModel& model,
                       const FigureTracks& tracks,
                       const Skeleton& skeleton) {
-    const FigureWay way{0, {0.0, model.net_displacement}};
+    const FigurePath way{0, {0.0, model.net_displacement}};
     const std::vector<Pose> poses = free_poses(model, tracks, way, skeleton);
     const double samples_per_beat = static_cast<double>(model.samples_per_beat) * kFiner;
     const FeetByFrame feet = feet_of(poses, skeleton);
@@ -68,7 +68,7 @@ double peak_toe_speed(const FigureModel& model,
 
 std::vector<Pose> free_poses(const FigureModel& model,
                              const FigureTracks& tracks,
-                             const FigureWay& way,
+                             const FigurePath& way,
                              const Skeleton& skeleton) {
     const double scale = static_cast<double>(skeleton.hips_height()) / model.source_hips_height;
     const int samples_per_beat = model.samples_per_beat * kFiner;
@@ -151,7 +151,7 @@ void steady_body(const FigureModel& model, std::vector<Pose>& poses) {
 
 FreeFigure free_figure(const FigureModel& model,
                        const FigureTracks& tracks,
-                       const FigureWay& way,
+                       const FigurePath& way,
                        const Skeleton& skeleton) {
     FreeFigure figure;
     figure.samples_per_beat = model.samples_per_beat * kFiner;

@@ -15,7 +15,7 @@ namespace raks::motion {
 /// Where a figure leads on the floor, seen from where its count 1 began (hips at the origin,
 /// heading 0). A dance closes when its figures either come back or end half a turn about one common
 /// point.
-struct FigureWay {
+struct FigurePath {
     int half_turns = 0;  ///< of the hips over the figure
     FloorMove move;      ///< from its start to its end; identity, or half a turn
     /// In the middle of the figure, besides what was learnt; left, forward of its start; metres.
@@ -33,7 +33,7 @@ inline constexpr int kBeatsAround = 2;
 /// its way; no foot is planted.
 [[nodiscard]] std::vector<Pose> free_poses(const FigureModel& model,
                                            const FigureTracks& tracks,
-                                           const FigureWay& way,
+                                           const FigurePath& way,
                                            const Skeleton& skeleton);
 
 /// Of a figure of positions: arms of places drawn from Gaussians point here and there where they
@@ -51,7 +51,7 @@ struct FreeFigure {
 /// Threads: workers. Real-time: no (some ms).
 [[nodiscard]] FreeFigure free_figure(const FigureModel& model,
                                      const FigureTracks& tracks,
-                                     const FigureWay& way,
+                                     const FigurePath& way,
                                      const Skeleton& skeleton);
 
 }  // namespace raks::motion

@@ -26,7 +26,7 @@ BarInput::Frame beat(BarInput& input, float level, const Bands& bands, float gai
         for (float& value : heard) {
             value *= gain;
         }
-        input.hear(heard, hop / static_cast<double>(kHops), {0.5F, 0.25F, 0.1F});
+        input.add_hop(heard, hop / static_cast<double>(kHops), {0.5F, 0.25F, 0.1F});
     }
     return input.next_beat();
 }
@@ -95,13 +95,13 @@ TEST(BarInput, tells_evidence_and_tempo) {
 
 TEST(BarInput, silence_missing_hops_and_reset_stay_finite_without_allocation) {
     auto network = std::make_shared<BarNetwork>(8, 1);
-    BarListener listener(network);
+    BarNetworkStream listener(network);
     BarInput input;
     const Bands silence{};
     test::RealtimeScope scope;
     for (int n = 0; n < 20; ++n) {
         if (n % 3 != 0) {
-            input.hear(silence, 1.5, {});
+            input.add_hop(silence, 1.5, {});
         }
         for (const float value : input.next_beat()) {
             EXPECT_TRUE(std::isfinite(value));

@@ -29,7 +29,7 @@ std::vector<float> changes(int beats, int beats_per_chord, float level) {
                 const auto noise = static_cast<float>(0.2 * random.uniform(draw++));
                 bands[i] = level * ((sounds ? 2.0F : 0.5F) + noise);
             }
-            meter.hear(bands);
+            meter.add(bands);
         }
     }
     return told;
@@ -58,7 +58,7 @@ TEST(BeatChange, tells_nothing_of_what_was_not_heard) {
     }
     const Bands silence{};
     for (int beat = 0; beat < 32; ++beat) {
-        meter.hear(silence);
+        meter.add(silence);
         EXPECT_EQ(meter.next_beat(), 0.0F);
     }
 }

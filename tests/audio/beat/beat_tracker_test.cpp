@@ -120,7 +120,7 @@ TEST(BeatTracker, predicted_beats_come_100_ms_ahead_and_are_right) {
             continue;
         }
         ++predicted;
-        EXPECT_NEAR(to_seconds(state.predicted - state.heard_until), 0.095, 0.006);
+        EXPECT_NEAR(to_seconds(state.predicted - state.audio_end), 0.095, 0.006);
         for (const ReferenceBeat& beat : piece.beats) {
             hits += std::abs(to_seconds(beat.time) - time) < 0.035 ? 1 : 0;
         }

@@ -212,8 +212,8 @@ TEST(NetworksTogether, say_the_mean_of_what_each_says_times_the_trust) {
     const auto both = together(networks, 0.5F);
     ASSERT_TRUE(both) << both.error().message;
     const auto alone = saying({1.5F, -1.0F, -0.5F});
-    BeatListener listener(std::make_shared<const BeatNetwork>(*both));
-    BeatListener expected(alone);
+    BeatNetworkStream listener(std::make_shared<const BeatNetwork>(*both));
+    BeatNetworkStream expected(alone);
     const BeatEvidence heard = listener.next({});
     const BeatEvidence mean = expected.next({});
     EXPECT_FLOAT_EQ(heard.beat, mean.beat);
@@ -228,8 +228,8 @@ TEST(NetworksTogether, of_one_kind_are_that_one) {
         network->parameters()[i] = static_cast<float>(random.normal(i));
     }
     const std::vector<std::shared_ptr<const BeatNetwork>> twice{network, network};
-    BeatListener listener(std::make_shared<const BeatNetwork>(together(twice, 1.0F).value()));
-    BeatListener alone(network);
+    BeatNetworkStream listener(std::make_shared<const BeatNetwork>(together(twice, 1.0F).value()));
+    BeatNetworkStream alone(network);
     for (int round = 0; round < 2; ++round) {
         for (std::uint64_t hop = 0; hop < 50; ++hop) {
             NetworkInput::Frame frame{};

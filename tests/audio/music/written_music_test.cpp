@@ -71,7 +71,8 @@ TEST(WrittenMusic, what_cannot_be_danced_to_is_playable_repeatable_and_of_many_k
 
 TEST(WrittenMusic, needs_rhythms_for_each_dance_and_for_none) {
     StyleBook book = shipped_styles();
-    WrittenCorpusPlan plan{.styles = &book, .soundfonts = {"none.sf2"}, .pieces = 1, .hearing = {}};
+    WrittenCorpusPlan plan{
+        .styles = &book, .soundfonts = {"none.sf2"}, .pieces = 1, .feature_plan = {}};
     const auto without = [&](const char* dance, DanceLabel::Use use) {
         book = shipped_styles();
         std::erase_if(book.rhythms, [&](const RhythmStyle& style) {

@@ -181,8 +181,8 @@ TEST_F(LiveEqualsOffline, a_pause_is_silent_and_stream_time_stands_still) {
     EXPECT_GT(loudspeaker->analysis().taken_until(), stopped);
 }
 
-TEST(Listening, the_inputs_callback_keeps_the_real_time_rules) {
-    auto listening = Listening::create(SampleRate(48'000), installed::models());
+TEST(LiveInput, the_inputs_callback_keeps_the_real_time_rules) {
+    auto listening = LiveInput::create(SampleRate(48'000), installed::models());
     ASSERT_TRUE(listening) << listening.error().message;
     const CounterRandom random(8);
     for (const int channels : {1, 2, 8}) {

@@ -107,7 +107,7 @@ TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
 
 TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
     const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
-    auto listening = Listening::create(music.rate, installed::models());
+    auto listening = LiveInput::create(music.rate, installed::models());
     ASSERT_TRUE(listening) << listening.error().message;
     AnalysisStage& analysis = (*listening)->analysis();
     MotionStage motion(salsa_dancer(), {analysis.states()});

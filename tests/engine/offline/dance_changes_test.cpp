@@ -70,7 +70,7 @@ class PerfectMusic {
         grid_.confidence = 1.0F;
         MusicState state;
         state.hop = hop;
-        state.time = state.heard_until = now;
+        state.time = state.audio_end = now;
         state.grid = grid_;
         state.genre = dance.genre;
         state.is_silent = false;

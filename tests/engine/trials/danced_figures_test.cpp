@@ -109,13 +109,13 @@ TEST(DancedFigures, of_a_name_that_no_model_has_are_left_out) {
     EXPECT_TRUE(danced_figures(dancing(1000, 0.0), {}, models()).empty());
 }
 
-TEST(HeardCounts, are_those_danced_to_and_sounding) {
+TEST(AudibleCounts, are_those_danced_to_and_sounding) {
     auto beats = steady_beats(60);
     for (std::size_t i = 20; i < 24; ++i) {
         beats[i].is_audible = false;  // 10 s to 12 s
     }
     const auto figures = danced_figures(dancing(2000, 0.0), beats, models());
-    const auto counts = heard_counts(figures);
+    const auto counts = audible_counts(figures);
     ASSERT_FALSE(counts.empty());
     EXPECT_NEAR(counts.front().time, 6.0, 1e-6) << "4 s after the start";
     EXPECT_EQ(counts.front().count, 0U);
@@ -128,7 +128,7 @@ TEST(HeardCounts, are_those_danced_to_and_sounding) {
                     1e-6);
         EXPECT_TRUE(i == 0 || counts[i].time > counts[i - 1].time + 0.4) << "each once";
     }
-    for (const motion::HeardCount& count : heard_counts(figures, {.from = 7.0, .to = 9.0})) {
+    for (const motion::AudibleCount& count : audible_counts(figures, {.from = 7.0, .to = 9.0})) {
         EXPECT_TRUE(count.time >= 7.0 && count.time < 9.0);
     }
 }

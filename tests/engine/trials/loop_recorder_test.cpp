@@ -54,45 +54,45 @@ HostTime truth(const audio::GeneratedMusic& piece, std::size_t beat, std::int64_
     return kStart + kRate.time_of(frame).time_since_epoch() - kInputLatency;
 }
 
-TEST(HeardBeats, are_found_to_the_sample_and_dated_by_the_blocks_that_were_not_late) {
+TEST(ExcerptBeats, are_found_to_the_sample_and_dated_by_the_blocks_that_were_not_late) {
     const auto piece = music();
     for (const std::int64_t delay : {0, 1, 256, 12'345}) {
-        const auto heard = heard_beats(looped(piece, delay, 0.3F), piece);
+        const auto heard = audible_beats(looped(piece, delay, 0.3F), piece);
         ASSERT_GE(heard.size(), piece.beats.size() - 1) << delay;
-        for (const HeardBeat& beat : heard) {
+        for (const AudibleBeat& beat : heard) {
             // The median of lateness within 50 us; one sample is 21 us.
             EXPECT_NEAR(to_seconds(beat.heard - truth(piece, beat.beat, delay)), 5e-5, 6e-5);
         }
     }
 }
 
-TEST(HeardBeats, follow_a_device_that_stood_still_for_30_ms) {
+TEST(ExcerptBeats, follow_a_device_that_stood_still_for_30_ms) {
     const auto piece = music();
     constexpr Nanos kLost = std::chrono::milliseconds(30);
-    const auto heard = heard_beats(looped(piece, 256, 1.0F, 6 * 48'000, kLost), piece);
+    const auto heard = audible_beats(looped(piece, 256, 1.0F, 6 * 48'000, kLost), piece);
     ASSERT_GE(heard.size(), piece.beats.size() - 1);
     EXPECT_NEAR(to_seconds(heard.front().heard - truth(piece, heard.front().beat, 256)), 0.0, 1e-4);
     EXPECT_NEAR(
         to_seconds(heard.back().heard - truth(piece, heard.back().beat, 256) - kLost), 0.0, 1e-4);
 }
 
-TEST(HeardBeats, are_none_in_silence_in_noise_and_at_another_rate) {
+TEST(ExcerptBeats, are_none_in_silence_in_noise_and_at_another_rate) {
     const auto piece = music();
-    EXPECT_TRUE(heard_beats(looped(piece, 256, 0.0F), piece).empty());
+    EXPECT_TRUE(audible_beats(looped(piece, 256, 0.0F), piece).empty());
 
     constexpr CounterRandom kNoise(5);
     std::vector<float> noise(10 * 48'000);
     for (std::size_t i = 0; i < noise.size(); ++i) {
         noise[i] = static_cast<float>(kNoise.uniform(i) - 0.5);
     }
-    EXPECT_TRUE(heard_beats(LoopRecording(kRate, {}, noise, {{0, kStart}}), piece).empty());
+    EXPECT_TRUE(audible_beats(LoopRecording(kRate, {}, noise, {{0, kStart}}), piece).empty());
     EXPECT_TRUE(
-        heard_beats(LoopRecording(SampleRate(44'100), {}, noise, {{0, kStart}}), piece).empty());
+        audible_beats(LoopRecording(SampleRate(44'100), {}, noise, {{0, kStart}}), piece).empty());
 }
 
 TEST(SoundLine, turns_host_time_into_music_and_back) {
     const auto piece = music();
-    const auto heard = heard_beats(looped(piece, 256, 1.0F), piece);
+    const auto heard = audible_beats(looped(piece, 256, 1.0F), piece);
     ASSERT_GE(heard.size(), 2U);
     const SoundLine sound(heard, piece);
     for (double seconds = 0.5; seconds < 13.0; seconds += 0.37) {
@@ -104,7 +104,7 @@ TEST(SoundLine, turns_host_time_into_music_and_back) {
 
 TEST(PictureLeads, say_by_how_much_an_assumed_latency_is_wrong) {
     const auto piece = music();
-    const auto heard = heard_beats(looped(piece, 256, 1.0F), piece);
+    const auto heard = audible_beats(looped(piece, 256, 1.0F), piece);
     ASSERT_GE(heard.size(), 2U);
     const SoundLine sound(heard, piece);
     // The graph's clock: handed over at kStart; 20 ms are assumed, the truth is 256 frames - 2 ms.

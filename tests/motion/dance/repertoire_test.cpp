@@ -21,7 +21,7 @@ using test::sure_state;
 constexpr double kTempoBpm = 168.0;
 
 /// Salsa with all its figures, and a "belly dance" of one salsa step: another library.
-std::shared_ptr<Repertoire> two_dances(Repertoire::Otherwise otherwise) {
+std::shared_ptr<Repertoire> two_dances(Repertoire::Fallback otherwise) {
     auto repertoire =
         std::make_shared<Repertoire>(shipped::salsa, test::salsa_library(), otherwise);
     repertoire->add(shipped::belly, test::library_of(test::basic_step()));
@@ -69,7 +69,7 @@ double largest_step(const std::vector<Hop>& danced) {
 DanceId to_belly(HopIndex hop) { return hop < 1700 ? shipped::salsa : shipped::belly; }
 
 TEST(Repertoire, a_new_dance_begins_on_a_bar_line_from_a_settled_pose) {
-    const auto danced = dance_to(two_dances(Repertoire::Otherwise::first), 3500, to_belly);
+    const auto danced = dance_to(two_dances(Repertoire::Fallback::first), 3500, to_belly);
     std::size_t left = 0;
     std::size_t begun = 0;
     for (std::size_t hop = 1; hop < danced.size(); ++hop) {
@@ -94,7 +94,7 @@ TEST(Repertoire, a_new_dance_begins_on_a_bar_line_from_a_settled_pose) {
 }
 
 TEST(Repertoire, feet_step_to_where_the_dancer_settles_and_do_not_slide) {
-    const auto danced = dance_to(two_dances(Repertoire::Otherwise::first), 3500, to_belly);
+    const auto danced = dance_to(two_dances(Repertoire::Fallback::first), 3500, to_belly);
     const Skeleton& skeleton = mannequin_skeleton();
     for (std::size_t hop = 1701; hop < danced.size(); ++hop) {
         if (danced[hop].status.is_dancing || danced[hop - 1].status.is_dancing) {
@@ -117,15 +117,14 @@ TEST(Repertoire, feet_step_to_where_the_dancer_settles_and_do_not_slide) {
 
 TEST(Repertoire, unknown_music_is_danced_as_the_setting_says) {
     const auto lost = [](HopIndex hop) { return hop < 1700 ? shipped::belly : DanceId::none; };
-    using Otherwise = Repertoire::Otherwise;
-    EXPECT_EQ(dance_to(two_dances(Otherwise::first), 3000, lost).back().status.dance,
+    using Fallback = Repertoire::Fallback;
+    EXPECT_EQ(dance_to(two_dances(Fallback::first), 3000, lost).back().status.dance,
               shipped::salsa);
-    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 3000, lost).back().status.dance,
-              shipped::belly);
-    EXPECT_FALSE(dance_to(two_dances(Otherwise::stand), 3000, lost).back().status.is_dancing);
+    EXPECT_EQ(dance_to(two_dances(Fallback::keep), 3000, lost).back().status.dance, shipped::belly);
+    EXPECT_FALSE(dance_to(two_dances(Fallback::stand), 3000, lost).back().status.is_dancing);
     // A genre whose dance nobody knows is as good as unknown.
     const auto waltz = [](HopIndex) { return shipped::waltz; };
-    EXPECT_EQ(dance_to(two_dances(Otherwise::keep), 1500, waltz).back().status.dance,
+    EXPECT_EQ(dance_to(two_dances(Fallback::keep), 1500, waltz).back().status.dance,
               shipped::salsa);
 }
 
@@ -133,7 +132,7 @@ TEST(Repertoire, a_dance_that_is_selected_is_kept_to_until_it_is_let_go) {
     using Kind = DancerCommand::Kind;
     const auto salsa = [](HopIndex) { return shipped::salsa; };
     const auto danced = dance_to(
-        two_dances(Repertoire::Otherwise::first),
+        two_dances(Repertoire::Fallback::first),
         4000,
         salsa,
         {{Kind::select_dance, stream_time_from_seconds(10.0), 1.0},
@@ -160,7 +159,7 @@ TEST(Repertoire, a_dance_added_later_is_danced_from_then_on) {
 TEST(Repertoire, changes_of_dance_keep_the_real_time_rules) {
     Dancer dancer;
     ASSERT_TRUE(dancer.prepare(
-        two_dances(Repertoire::Otherwise::first), mannequin_skeleton(), DancerPart{}));
+        two_dances(Repertoire::Fallback::first), mannequin_skeleton(), DancerPart{}));
     const auto track = std::make_unique<PoseTrack>();
     raks::test::RealtimeScope scope;
     for (HopIndex hop = 0; hop < 4000; ++hop) {

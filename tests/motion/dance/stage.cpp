@@ -125,7 +125,7 @@ std::shared_ptr<const DanceLibrary> library_of(const FigureModel& model) {
 MusicState sure_state(HopIndex hop, const BeatGrid& grid) {
     MusicState state;
     state.hop = hop;
-    state.time = state.heard_until = time_of_hop(hop);
+    state.time = state.audio_end = time_of_hop(hop);
     state.grid = grid;
     state.grid.confidence = 1.0F;
     state.is_silent = false;

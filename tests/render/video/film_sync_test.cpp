@@ -124,9 +124,9 @@ TEST_P(FilmSync, a_flash_is_seen_when_its_click_is_heard) {
     }
     const std::vector<float> sound = decoded_sound(path);
     // Decoders hand out the last AAC frame whole; that the track ends before is in the container.
-    const double heard_length = static_cast<double>(sound.size()) / c.audio_rate;
-    EXPECT_GE(heard_length, seconds - 1.0 / c.audio_rate);
-    EXPECT_LE(heard_length, seconds + (is_mp4 ? kAacFrame / c.audio_rate : 0.0));
+    const double audible_length = static_cast<double>(sound.size()) / c.audio_rate;
+    EXPECT_GE(audible_length, seconds - 1.0 / c.audio_rate);
+    EXPECT_LE(audible_length, seconds + (is_mp4 ? kAacFrame / c.audio_rate : 0.0));
     const std::vector<double> heard = onsets(sound, c.audio_rate);
 
     ASSERT_EQ(flashes.size(), std::size_t{kPictures / kFlashEvery - 1});

@@ -63,7 +63,8 @@ std::shared_ptr<const BeatNetwork> any_network() {
 }
 
 TEST(BarSequences, each_whole_beat_is_a_frame_with_its_place) {
-    const BarSequence heard = hear_bars(accented(3), any_network(), MelHearing::plain(), nullptr);
+    const BarSequence heard =
+        make_bar_sequence(accented(3), any_network(), MelAugmentation::plain(), nullptr);
     ASSERT_EQ(heard.frames.size(), 31U);  // the last has no end
     for (std::size_t i = 1; i < heard.frames.size(); ++i) {
         EXPECT_EQ(heard.places[i] == BarPlace::first, i % 4 == 2) << i;
@@ -72,10 +73,10 @@ TEST(BarSequences, each_whole_beat_is_a_frame_with_its_place) {
 }
 
 TEST(BarSequences, a_later_start_and_another_speed_move_the_beats_with_the_music) {
-    MelHearing hearing = MelHearing::plain();
-    hearing.first_hop = 110.0;
-    hearing.stretch = 1.25;
-    const BarSequence heard = hear_bars(accented(1), any_network(), hearing, nullptr);
+    MelAugmentation augmentation = MelAugmentation::plain();
+    augmentation.first_hop = 110.0;
+    augmentation.stretch = 1.25;
+    const BarSequence heard = make_bar_sequence(accented(1), any_network(), augmentation, nullptr);
     ASSERT_EQ(heard.frames.size(), 29U);  // from the third on, but for the last
     EXPECT_EQ(heard.places[2], BarPlace::first);
     EXPECT_GT(heard.frames[2][0], 0.3F);

@@ -78,7 +78,7 @@ TEST(NetworkTraining, listener_hears_what_the_trainer_computes) {
     TrainingBatch batch = random_batch(20, 1);
     std::fill(batch.targets.begin(), batch.targets.end(), 0.0F);
     std::fill(batch.weights.begin(), batch.weights.end(), 1.0F);
-    BeatListener listener(network);
+    BeatNetworkStream listener(network);
     double expected = 0.0;
     for (std::size_t t = 0; t < batch.steps; ++t) {
         NetworkInput::Frame frame{};

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-HeardPiece small_piece(const std::string& name) {
-    HeardPiece piece;
+PieceFeatures small_piece(const std::string& name) {
+    PieceFeatures piece;
     piece.name = name;
     piece.group = "artist of " + name;
     piece.genre = "salsa";
@@ -26,8 +26,8 @@ HeardPiece small_piece(const std::string& name) {
 }
 
 /// Three recordings, the second cannot be read, and a chunk of written pieces.
-HeardShard shard_of(ShardNumber share) {
-    HeardShard shard{share, "plan", "raks train genre music", {}};
+FeatureShard shard_of(ShardNumber share) {
+    FeatureShard shard{share, "plan", "raks train genre music", {}};
     shard.material.written_with = "written. ";
     for (const char* const name : {"a", "b", "c"}) {
         shard.material.files.push_back(
@@ -46,7 +46,7 @@ HeardShard shard_of(ShardNumber share) {
 
 class GenreShard : public ::testing::Test {
  protected:
-    [[nodiscard]] fs::path save(const HeardShard& shard, const std::string& name) const {
+    [[nodiscard]] fs::path save(const FeatureShard& shard, const std::string& name) const {
         EXPECT_TRUE(save_shard(shard, folder_ / name));
         return folder_ / name;
     }
@@ -59,16 +59,16 @@ TEST_F(GenreShard, shares_come_together_in_the_order_of_the_whole) {
                                          save(shard_of({3, 3}), "third")};
     const auto merged = merge_shards(paths);
     ASSERT_TRUE(merged) << merged.error().message;
-    const HeardShard whole = shard_of({1, 1});
+    const FeatureShard whole = shard_of({1, 1});
     EXPECT_EQ(merged->written_with, "written. ");
     ASSERT_EQ(merged->files.size(), 3U);
     EXPECT_EQ(merged->files[2].credit, "credit of c");
     ASSERT_EQ(merged->units.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
-        const HeardUnit& unit = merged->units[i];
+        const FeatureUnit& unit = merged->units[i];
         EXPECT_EQ(unit.fault, whole.material.units[i].fault) << i;
         ASSERT_EQ(unit.pieces.size(), whole.material.units[i].pieces.size()) << i;
-        for (const HeardPiece& piece : unit.pieces) {
+        for (const PieceFeatures& piece : unit.pieces) {
             EXPECT_EQ(piece.name, "piece " + std::to_string(i));
             EXPECT_EQ(piece.mel.size(), 60U * BarPatterns::kMelBands);
         }
@@ -82,7 +82,7 @@ TEST_F(GenreShard, shards_that_do_not_fit_are_named) {
         const auto merged = merge_shards(paths);
         return merged ? "merged" : merged.error().message;
     };
-    HeardShard other = shard_of({2, 2});
+    FeatureShard other = shard_of({2, 2});
     other.plan = "another plan";
     const fs::path second = save(other, "second");
     EXPECT_EQ(message(second),

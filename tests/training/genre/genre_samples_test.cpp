@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMel = BarPatterns::kMelBands;
 
-HeardPiece made_piece(const std::string& genre,
-                      int number,
-                      HeardPiece::Kind kind,
-                      std::size_t hops = 1'500) {
-    HeardPiece piece;
+PieceFeatures made_piece(const std::string& genre,
+                         int number,
+                         PieceFeatures::Kind kind,
+                         std::size_t hops = 1'500) {
+    PieceFeatures piece;
     piece.name = genre + " " + std::to_string(number);
     piece.group = "artist " + std::to_string(number % 5);
     piece.genre = genre;
@@ -43,7 +43,7 @@ HeardPiece made_piece(const std::string& genre,
     for (int end = 100; end <= static_cast<int>(hops); end += 100) {
         for (const int segments : kGenreWindows) {
             if (segments * BarPatterns::kSegmentHops <= end) {
-                HeardWindow& window = piece.windows.emplace_back();
+                WindowFeatures& window = piece.windows.emplace_back();
                 window.segments = segments;
                 window.end_frame = end;
                 for (float& value : window.features) {
@@ -55,10 +55,10 @@ HeardPiece made_piece(const std::string& genre,
     return piece;
 }
 
-std::vector<const HeardPiece*> pointers(const std::vector<HeardPiece>& pieces) {
-    std::vector<const HeardPiece*> all;
+std::vector<const PieceFeatures*> pointers(const std::vector<PieceFeatures>& pieces) {
+    std::vector<const PieceFeatures*> all;
     all.reserve(pieces.size());
-    for (const HeardPiece& piece : pieces) {
+    for (const PieceFeatures& piece : pieces) {
         all.push_back(&piece);
     }
     return all;
@@ -66,7 +66,7 @@ std::vector<const HeardPiece*> pointers(const std::vector<HeardPiece>& pieces) {
 
 GenreSamples small_samples() {
     GenreSamples samples;
-    samples.hearing = "features";
+    samples.feature_key = "features";
     samples.genres = {"salsa", "rock"};
     models::RecurrentNetwork network({NetworkInput::kSize, 4, 1, 3});
     for (std::size_t i = 0; i < network.parameters().size(); ++i) {
@@ -75,30 +75,30 @@ GenreSamples small_samples() {
     samples.written_networks = {std::make_shared<const models::RecurrentNetwork>(network)};
     network.parameters()[3] = -2.0F;
     samples.written_networks.push_back(std::make_shared<const models::RecurrentNetwork>(network));
-    samples.pieces = {made_piece("salsa", 1, HeardPiece::Kind::recorded, 200),
-                      made_piece("", 2, HeardPiece::Kind::written, 150)};
+    samples.pieces = {made_piece("salsa", 1, PieceFeatures::Kind::recorded, 200),
+                      made_piece("", 2, PieceFeatures::Kind::written, 150)};
     return samples;
 }
 
 TEST(GenreSamples, stay_within_their_bytes_and_take_groups_in_turn) {
-    std::vector<HeardPiece> pieces;
+    std::vector<PieceFeatures> pieces;
     pieces.reserve(32);
     for (int i = 0; i < 30; ++i) {
         pieces.push_back(made_piece(
-            "salsa", i, i < 20 ? HeardPiece::Kind::recorded : HeardPiece::Kind::written));
+            "salsa", i, i < 20 ? PieceFeatures::Kind::recorded : PieceFeatures::Kind::written));
     }
-    pieces.push_back(made_piece("rock", 1, HeardPiece::Kind::recorded));
-    pieces.push_back(HeardPiece{});  // mel alone, as the beat tracker's corpus has: passed over
+    pieces.push_back(made_piece("rock", 1, PieceFeatures::Kind::recorded));
+    pieces.push_back(PieceFeatures{});  // mel alone, as the beat tracker's corpus has: passed over
     constexpr std::size_t kBytes = 1'200'000;
     const auto sample =
         sample_pieces(pointers(pieces), std::vector<std::string>{"salsa", "rock"}, kBytes, 1);
     std::set<std::string> artists;
     int written = 0;
     int salsa = 0;
-    for (const HeardPiece& stretch : sample) {
+    for (const PieceFeatures& stretch : sample) {
         EXPECT_LE(stretch.frames.size(), 1'200U);
         EXPECT_EQ(stretch.mel.size(), stretch.frames.size() * kMel);
-        for (const HeardWindow& window : stretch.windows) {
+        for (const WindowFeatures& window : stretch.windows) {
             EXPECT_GE(window.end_frame, window.segments * BarPatterns::kSegmentHops);
             EXPECT_LE(window.end_frame, static_cast<int>(stretch.frames.size()));
         }
@@ -128,7 +128,7 @@ TEST(GenreSamples, read_back_as_they_were_but_for_8_bits) {
     ASSERT_TRUE(save_samples(samples, file));
     const auto read = load_samples(file);
     ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(read->hearing, samples.hearing);
+    EXPECT_EQ(read->feature_key, samples.feature_key);
     EXPECT_EQ(read->genres, samples.genres);
     ASSERT_EQ(read->written_networks.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -138,8 +138,8 @@ TEST(GenreSamples, read_back_as_they_were_but_for_8_bits) {
     }
     ASSERT_EQ(read->pieces.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
-        const HeardPiece& was = samples.pieces[i];
-        const HeardPiece& is = read->pieces[i];
+        const PieceFeatures& was = samples.pieces[i];
+        const PieceFeatures& is = read->pieces[i];
         EXPECT_EQ(is.name, was.name);
         EXPECT_EQ(is.kind, was.kind);
         ASSERT_EQ(is.frames.size(), was.frames.size());
@@ -182,7 +182,7 @@ TEST(GenreSamples, cut_and_mangled_files_are_refused_or_read_without_harm) {
         ASSERT_TRUE(
             write_file(file, raks::test::mangled(*bytes, {.seed = i, .bytes = 4, .reach = reach})));
         if (const auto read = load_samples(file)) {
-            for (const HeardPiece& piece : read->pieces) {
+            for (const PieceFeatures& piece : read->pieces) {
                 for (const float value : piece.mel) {
                     ASSERT_TRUE(std::isfinite(value));
                 }

@@ -28,8 +28,8 @@ std::uint64_t number_of(const std::string& genre) {
     return genre == "salsa" ? 0 : genre == "belly" ? 1 : genre == "rock" ? 4 : 6;
 }
 
-HeardPiece made_piece(const std::string& genre, int number, double spread = 0.6) {
-    HeardPiece piece;
+PieceFeatures made_piece(const std::string& genre, int number, double spread = 0.6) {
+    PieceFeatures piece;
     piece.name = genre + std::to_string(number);
     piece.group = "artist " + std::to_string(number % 7);
     piece.genre = genre;
@@ -54,7 +54,7 @@ HeardPiece made_piece(const std::string& genre, int number, double spread = 0.6)
             if (segments * BarPatterns::kSegmentHops > end) {
                 continue;
             }
-            HeardWindow& window = piece.windows.emplace_back();
+            WindowFeatures& window = piece.windows.emplace_back();
             window.segments = segments;
             window.end_frame = end;
             for (float& value : window.features) {
@@ -71,8 +71,8 @@ HeardPiece made_piece(const std::string& genre, int number, double spread = 0.6)
 
 constexpr std::array<std::string_view, 3> kOrder = {"salsa", "belly", "rock"};
 
-std::vector<HeardPiece> made_pieces(int each) {
-    std::vector<HeardPiece> pieces;
+std::vector<PieceFeatures> made_pieces(int each) {
+    std::vector<PieceFeatures> pieces;
     for (const char* const genre : {"salsa", "belly", "rock", ""}) {
         for (int i = 0; i < each; ++i) {
             pieces.push_back(made_piece(genre, i));
@@ -100,7 +100,7 @@ GenreTrainingPlan small_plan() {
 }
 
 TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
-    const std::vector<HeardPiece> pieces = made_pieces(7);
+    const std::vector<PieceFeatures> pieces = made_pieces(7);
     const std::vector<std::string> genres = genres_of(pieces, kOrder);
     ASSERT_EQ(genres, (std::vector<std::string>{"salsa", "belly", "rock"}));
     int folds = 0;
@@ -127,7 +127,7 @@ TEST(GenreTraining, tells_made_up_genres_apart_by_artists_never_heard) {
 }
 
 TEST(GenreTraining, damaged_copies_are_judged_by_models_that_heard_neither_them_nor_their_artist) {
-    std::vector<HeardPiece> pieces = made_pieces(3);
+    std::vector<PieceFeatures> pieces = made_pieces(3);
     const std::vector<std::string> genres = genres_of(pieces, kOrder);
     GenreTrainingPlan plan = small_plan();
     plan.rhythm.steps = plan.sound.steps = 5;
@@ -153,10 +153,10 @@ TEST(GenreTraining, damaged_copies_are_judged_by_models_that_heard_neither_them_
 }
 
 TEST(GenreTraining, the_same_plan_gives_the_same_bits_for_any_number_of_threads) {
-    const std::vector<HeardPiece> pieces = made_pieces(3);
-    std::vector<const HeardPiece*> all;
+    const std::vector<PieceFeatures> pieces = made_pieces(3);
+    std::vector<const PieceFeatures*> all;
     all.reserve(pieces.size());
-    for (const HeardPiece& piece : pieces) {
+    for (const PieceFeatures& piece : pieces) {
         all.push_back(&piece);
     }
     GenreTrainingPlan plan = small_plan();
@@ -171,11 +171,11 @@ TEST(GenreTraining, the_same_plan_gives_the_same_bits_for_any_number_of_threads)
 }
 
 TEST(GenreTraining, branches_give_the_mean_of_the_weights_of_their_runs) {
-    std::vector<HeardPiece> made = made_pieces(3);
-    std::vector<const HeardPiece*> pieces;
+    std::vector<PieceFeatures> made = made_pieces(3);
+    std::vector<const PieceFeatures*> pieces;
     std::vector<std::size_t> classes;
     for (std::size_t i = 0; i < made.size(); ++i) {
-        made[i].kind = HeardPiece::Kind::written;
+        made[i].kind = PieceFeatures::Kind::written;
         pieces.push_back(&made[i]);
         classes.push_back(i / 3);
     }
@@ -215,23 +215,23 @@ TEST(GenreTraining, networks_begin_in_turn_with_draws_of_their_own) {
 }
 
 TEST(GenreTraining, a_silent_piece_has_no_scores) {
-    const std::vector<HeardPiece> pieces = made_pieces(2);
-    std::vector<const HeardPiece*> all;
+    const std::vector<PieceFeatures> pieces = made_pieces(2);
+    std::vector<const PieceFeatures*> all;
     all.reserve(pieces.size());
-    for (const HeardPiece& piece : pieces) {
+    for (const PieceFeatures& piece : pieces) {
         all.push_back(&piece);
     }
     GenreTrainingPlan plan = small_plan();
     plan.rhythm.steps = plan.sound.steps = 5;
     const auto model = train_genres(all, genres_of(pieces, kOrder), plan);
     ASSERT_TRUE(model) << model.error().message;
-    EXPECT_TRUE(score_piece(*model, HeardPiece{}, 0).empty());
+    EXPECT_TRUE(score_piece(*model, PieceFeatures{}, 0).empty());
     EXPECT_EQ(score_piece(*model, pieces[0], 0).size(), pieces[0].windows.size());
 }
 
 TEST(GenreTraining, too_little_sound_for_a_model_is_said) {
-    const std::vector<HeardPiece> pieces = made_pieces(1);
-    std::vector<const HeardPiece*> all = {&pieces[0]};
+    const std::vector<PieceFeatures> pieces = made_pieces(1);
+    std::vector<const PieceFeatures*> all = {&pieces[0]};
     GenreTrainingPlan plan = small_plan();
     plan.mfcc.frames = 50;
     const auto model = train_genres(all, genres_of(std::span(pieces).first(1), kOrder), plan);
@@ -243,7 +243,7 @@ TEST(GenreTraining, too_little_sound_for_a_model_is_said) {
 
 TEST(GenreTraining, pieces_read_back_and_cut_ones_are_refused) {
     const raks::test::TemporaryFolder folder;
-    const std::vector<HeardPiece> pieces = {made_piece("belly", 1)};
+    const std::vector<PieceFeatures> pieces = {made_piece("belly", 1)};
     const fs::path file = folder / "a.pieces";
     ASSERT_TRUE(save_pieces(pieces, file));
     const auto read = load_pieces(file);

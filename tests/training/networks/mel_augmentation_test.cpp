@@ -20,13 +20,13 @@ std::vector<float> click(std::size_t hops, std::size_t at) {
     return mel;
 }
 
-std::vector<Bands> heard(const std::vector<float>& mel, const MelHearing& hearing) {
+std::vector<Bands> heard(const std::vector<float>& mel, const MelAugmentation& augmentation) {
     std::vector<Bands> hops;
-    hear_bands(mel,
-               hearing,
-               mel.size() / NetworkInput::kBands,
-               nullptr,
-               [&](std::size_t, const Bands& bands) { hops.push_back(bands); });
+    augment_bands(mel,
+                  augmentation,
+                  mel.size() / NetworkInput::kBands,
+                  nullptr,
+                  [&](std::size_t, const Bands& bands) { hops.push_back(bands); });
     return hops;
 }
 
@@ -40,36 +40,36 @@ double energy_of(const std::vector<Bands>& hops, std::size_t first) {
     return energy / NetworkInput::kBands;
 }
 
-TEST(MelHearing, a_room_gives_back_its_share_of_the_energy_and_dies_away) {
-    MelHearing hearing = MelHearing::plain();
-    hearing.reverberation = 2.0F;
-    hearing.decay = 0.8F;
-    const auto hops = heard(click(200, 10), hearing);
+TEST(MelAugmentation, a_room_gives_back_its_share_of_the_energy_and_dies_away) {
+    MelAugmentation augmentation = MelAugmentation::plain();
+    augmentation.reverberation = 2.0F;
+    augmentation.decay = 0.8F;
+    const auto hops = heard(click(200, 10), augmentation);
     EXPECT_EQ(energy_of({hops.begin(), hops.begin() + 10}, 0), 0.0);
     EXPECT_NEAR(energy_of(hops, 0), 3.0, 1e-3);
     const float magnitude_kept = std::sqrt(0.8F);
     EXPECT_NEAR(hops[60][5] / hops[59][5], magnitude_kept, 1e-4);
 }
 
-TEST(MelHearing, drawn_rooms_die_away_within_a_second) {
+TEST(MelAugmentation, drawn_rooms_die_away_within_a_second) {
     Dice dice(3, 4);
     for (int i = 0; i < 50; ++i) {
-        MelHearing hearing = MelHearing::plain();
-        hearing.enter_room(dice);
-        const auto hops = heard(click(120, 10), hearing);
+        MelAugmentation augmentation = MelAugmentation::plain();
+        augmentation.enter_room(dice);
+        const auto hops = heard(click(120, 10), augmentation);
         EXPECT_GT(hops[11][7], 0.0F);
         EXPECT_LT(hops[111][7], 1.01e-3F * hops[11][7]);
     }
 }
 
-TEST(MelHearing, muffled_music_loses_treble_alone) {
+TEST(MelAugmentation, muffled_music_loses_treble_alone) {
     Dice dice(5, 6);
     for (int i = 0; i < 50; ++i) {
-        MelHearing hearing = MelHearing::plain();
-        hearing.muffle(dice);
-        EXPECT_EQ(hearing.gain[13], 1.0F);
-        EXPECT_LT(hearing.gain[NetworkInput::kBands - 1], 0.9F);
-        EXPECT_TRUE(std::is_sorted(hearing.gain.rbegin(), hearing.gain.rend()));
+        MelAugmentation augmentation = MelAugmentation::plain();
+        augmentation.muffle(dice);
+        EXPECT_EQ(augmentation.gain[13], 1.0F);
+        EXPECT_LT(augmentation.gain[NetworkInput::kBands - 1], 0.9F);
+        EXPECT_TRUE(std::is_sorted(augmentation.gain.rbegin(), augmentation.gain.rend()));
     }
 }
 

@@ -1,4 +1,4 @@
-#include "audio/beat/song_listener.hpp"
+#include "audio/beat/beat_detector.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ std::vector<std::size_t> changes_of(const std::vector<Frame>& frames) {
     std::vector<std::size_t> told;
     for (std::size_t hop = 0; hop < frames.size(); ++hop) {
         const std::span<const float> inputs(frames[hop]);
-        if (change.hear(inputs.last<SoundChange::kBands>())) {
+        if (change.add(inputs.last<SoundChange::kBands>())) {
             told.push_back(hop);
         }
     }
@@ -77,16 +77,16 @@ TEST(SoundChange, players_who_pause_or_come_in_are_no_change) {
     EXPECT_TRUE(changes_of(frames).empty());
 }
 
-TEST(SongListener, goes_on_as_if_the_stream_had_begun_a_window_before_the_change) {
+TEST(BeatDetector, goes_on_as_if_the_stream_had_begun_a_window_before_the_change) {
     constexpr std::size_t kCut = 1'500;
     const auto frames = songs(kCut, 2'200);
     const auto told = changes_of(frames);
     ASSERT_EQ(told.size(), 1U);
     const std::size_t begin = told.front() + 1 - SoundChange::kWindow;
     const auto network = some_network();
-    SongListener songs_heard(network);
-    BeatListener whole(network);
-    BeatListener anew(network);
+    BeatDetector songs_heard(network);
+    BeatNetworkStream whole(network);
+    BeatNetworkStream anew(network);
     for (std::size_t hop = 0; hop < frames.size(); ++hop) {
         const BeatEvidence evidence = songs_heard.next(frames[hop]);
         const BeatEvidence of_whole = whole.next(frames[hop]);
@@ -101,10 +101,10 @@ TEST(SongListener, goes_on_as_if_the_stream_had_begun_a_window_before_the_change
     }
 }
 
-TEST(SongListener, after_reset_it_is_as_new_and_nothing_is_allocated) {
+TEST(BeatDetector, after_reset_it_is_as_new_and_nothing_is_allocated) {
     const auto frames = songs(900, 1'400);
     const auto network = some_network();
-    SongListener listener(network);
+    BeatDetector listener(network);
     std::vector<float> first;
     first.reserve(frames.size());
     int differ = 0;

@@ -21,10 +21,10 @@ namespace raks::audio {
 /// Cost: one step of the network a hop; ten for the 0.1 s after a change, two for the 3 s after
 /// that.
 /// Threads: one. Real-time: next, reset yes.
-class SongListener {
+class BeatDetector {
  public:
     /// `network`: not null.
-    explicit SongListener(const std::shared_ptr<const BeatNetwork>& network);
+    explicit BeatDetector(const std::shared_ptr<const BeatNetwork>& network);
 
     BeatEvidence next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING;
     void reset() noexcept RAKS_NONBLOCKING;
@@ -45,8 +45,8 @@ class SongListener {
     static constexpr std::size_t kKept = SoundChange::kWindow;
 
     SoundChange change_;
-    std::array<BeatListener, 2> streams_;
-    std::size_t heard_ = 0;   // stream that is heard; the other is the younger
+    std::array<BeatNetworkStream, 2> streams_;
+    std::size_t active_ = 0;  // stream that is heard; the other is the younger
     std::size_t behind_ = 0;  // hops that the younger has not heard yet; 0: there is none
     std::array<NetworkInput::Frame, kKept> recent_{};  // ring
     std::size_t newest_ = 0;

@@ -1,4 +1,4 @@
-#include "audio/genre/genre_listener.hpp"
+#include "audio/genre/genre_scorer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,16 +37,16 @@ std::vector<Mel> random_music(std::size_t hops) {
     return music;
 }
 
-std::array<float, kClasses> chances(const GenreListener& listener, int blocks) {
+std::array<float, kClasses> chances(const GenreScorer& listener, int blocks) {
     std::array<float, kClasses> out{};
     listener.log_chances(blocks, out);
     return out;
 }
 
-TEST(GenreListener, a_window_is_the_mean_of_its_hops_and_networks) {
+TEST(GenreScorer, a_window_is_the_mean_of_its_hops_and_networks) {
     const std::vector<models::RecurrentNetwork> networks = random_networks(3);
     const std::vector<Mel> music = random_music(2'345);  // longer than the ring
-    GenreListener listener;
+    GenreScorer listener;
     NetworkInput input;
     std::array<models::RecurrentStream, 3> streams;
     std::vector<std::array<double, kClasses>> hops;
@@ -59,13 +59,13 @@ TEST(GenreListener, a_window_is_the_mean_of_its_hops_and_networks) {
             const std::span<float> logs = std::span(logits).first(kClasses);
             normalize_logs(logs);
             for (std::size_t c = 0; c < kClasses; ++c) {
-                hop[c] += static_cast<double>(std::max(logs[c], GenreListener::kLeastLog)) / 3.0;
+                hop[c] += static_cast<double>(std::max(logs[c], GenreScorer::kLeastLog)) / 3.0;
             }
         }
     }
-    ASSERT_EQ(listener.blocks(), GenreListener::kBlocks);
+    ASSERT_EQ(listener.blocks(), GenreScorer::kBlocks);
     const std::size_t end = hops.size() / 10 * 10;  // whole blocks
-    for (const int blocks : {1, 5, 50, GenreListener::kBlocks}) {
+    for (const int blocks : {1, 5, 50, GenreScorer::kBlocks}) {
         const auto heard = chances(listener, blocks);
         const auto count = static_cast<std::size_t>(10 * blocks);
         for (std::size_t c = 0; c < kClasses; ++c) {
@@ -78,11 +78,11 @@ TEST(GenreListener, a_window_is_the_mean_of_its_hops_and_networks) {
     }
 }
 
-TEST(GenreListener, reset_forgets) {
+TEST(GenreScorer, reset_forgets) {
     const std::vector<models::RecurrentNetwork> networks = random_networks(2);
     const std::vector<Mel> music = random_music(100);
-    GenreListener once;
-    GenreListener twice;
+    GenreScorer once;
+    GenreScorer twice;
     for (const Mel& mel : random_music(300)) {
         twice.next(networks, mel);
     }

@@ -1,4 +1,4 @@
-#include "audio/genre/genre_listener.hpp"
+#include "audio/genre/genre_scorer.hpp"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@
 
 namespace raks::audio {
 
-void GenreListener::next(std::span<const models::RecurrentNetwork> networks,
-                         std::span<const float, BarPatterns::kMelBands> mel) noexcept
+void GenreScorer::next(std::span<const models::RecurrentNetwork> networks,
+                       std::span<const float, BarPatterns::kMelBands> mel) noexcept
     RAKS_NONBLOCKING {
     RAKS_ASSERT(!networks.empty() && networks.size() <= streams_.size());
     const NetworkInput::Frame frame = input_.next(mel);
@@ -30,7 +30,7 @@ void GenreListener::next(std::span<const models::RecurrentNetwork> networks,
     open_hops_ = 0;
 }
 
-void GenreListener::log_chances(int blocks, std::span<float> out) const noexcept RAKS_NONBLOCKING {
+void GenreScorer::log_chances(int blocks, std::span<float> out) const noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(blocks >= 1 && blocks <= this->blocks() && out.size() <= open_.size());
     std::fill(out.begin(), out.end(), 0.0F);
     for (int back = 0; back < blocks; ++back) {

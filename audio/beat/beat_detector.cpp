@@ -1,4 +1,4 @@
-#include "audio/beat/song_listener.hpp"
+#include "audio/beat/beat_detector.hpp"
 
 #include <algorithm>
 #include <span>
@@ -12,32 +12,32 @@ constexpr float kMoreBeats = 1.3F;   // the younger's evidence to the older's
 
 }  // namespace
 
-SongListener::SongListener(const std::shared_ptr<const BeatNetwork>& network)
-    : streams_{BeatListener(network), BeatListener(network)} {
+BeatDetector::BeatDetector(const std::shared_ptr<const BeatNetwork>& network)
+    : streams_{BeatNetworkStream(network), BeatNetworkStream(network)} {
     static_assert(NetworkInput::kSize == NetworkInput::kBands + SoundChange::kBands);
 }
 
-void SongListener::reset() noexcept RAKS_NONBLOCKING {
+void BeatDetector::reset() noexcept RAKS_NONBLOCKING {
     change_.reset();
     streams_[0].reset();
     streams_[1].reset();
-    heard_ = behind_ = newest_ = 0;
+    active_ = behind_ = newest_ = 0;
     trial_ = {};
 }
 
-BeatEvidence SongListener::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
+BeatEvidence BeatDetector::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
     newest_ = (newest_ + 1) % kKept;
     recent_[newest_] = frame;
     const std::span<const float> inputs(frame);
-    BeatListener& younger = streams_[1 - heard_];
-    if (change_.hear(inputs.last<SoundChange::kBands>())) {
+    BeatNetworkStream& younger = streams_[1 - active_];
+    if (change_.add(inputs.last<SoundChange::kBands>())) {
         younger.reset();
         trial_ = {};
         behind_ = SoundChange::kWindow;
     } else if (behind_ > 0) {
         ++behind_;
     }
-    BeatEvidence evidence = streams_[heard_].next(frame);
+    BeatEvidence evidence = streams_[active_].next(frame);
     if (behind_ == 0) {
         if (trial_.hops_left > 0) {
             compare(younger.next(frame).beat, evidence.beat);
@@ -50,7 +50,7 @@ BeatEvidence SongListener::next(const NetworkInput::Frame& frame) noexcept RAKS_
         younger_evidence = younger.next(recent_[(newest_ + kKept - behind_) % kKept]);
     }
     if (behind_ == 0) {
-        heard_ = 1 - heard_;
+        active_ = 1 - active_;
         evidence = younger_evidence;
         trial_ = {.hops_left = kTrial};
     }
@@ -59,14 +59,14 @@ BeatEvidence SongListener::next(const NetworkInput::Frame& frame) noexcept RAKS_
 
 /// Back to the older stream where it was the same song, in which players came in or paused: the
 /// younger hears the same beats and others between them.
-void SongListener::compare(float older, float younger) noexcept {
+void BeatDetector::compare(float older, float younger) noexcept {
     --trial_.hops_left;
     trial_.older += older;
     trial_.younger += younger;
     trial_.both += std::min(older, younger);
     if (kTrial - trial_.hops_left >= kLeastCompared && trial_.both > kSameBeats * trial_.older &&
         trial_.younger > kMoreBeats * trial_.older) {
-        heard_ = 1 - heard_;
+        active_ = 1 - active_;
         trial_ = {};
     }
 }

@@ -20,7 +20,7 @@ namespace raks::audio {
 /// kept by blocks of 100 ms and added anew for each window: nothing drifts.
 ///
 /// Threads: one. Real-time: next, log_chances, reset yes.
-class GenreListener {
+class GenreScorer {
  public:
     static constexpr int kBlockHops = 10;
     static constexpr int kBlocks =
@@ -39,7 +39,7 @@ class GenreListener {
     /// Mean ln of each class' chance over the newest `blocks` closed blocks, 1 to blocks().
     /// `out`: the networks' outputs.
     void log_chances(int blocks, std::span<float> out) const noexcept RAKS_NONBLOCKING;
-    void reset() noexcept RAKS_NONBLOCKING { *this = GenreListener(); }
+    void reset() noexcept RAKS_NONBLOCKING { *this = GenreScorer(); }
 
  private:
     using Sums = std::array<float, PatternNetwork::kMaxClasses>;
