@@ -72,7 +72,7 @@ Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile&
     }
     cost.music = static_cast<double>(music->samples.size()) / music->rate.hertz();
     std::vector<audio::PieceFeatures> pieces;
-    const int copies = damage == audio::Damage::none ? options.altered : 0;
+    const int copies = damage == audio::Damage::none ? options.augmentation.copies : 0;
     for (int copy = 0; copy <= copies; ++copy) {
         std::vector<float> samples = music->samples;
         audio::PieceFeatures& piece = pieces.emplace_back();
@@ -82,8 +82,8 @@ Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile&
         if (copy > 0) {
             Dice dice(options.seed + 1000, hash_of(file.name) + static_cast<std::uint64_t>(copy));
             piece.kind = audio::PieceFeatures::Kind::altered;
-            const auto altered =
-                audio::alter_recording(music->rate.hertz(), copy, samples, dice, options.effects);
+            const auto altered = audio::alter_recording(
+                music->rate.hertz(), copy, samples, dice, options.augmentation.effects);
             if (!altered) {
                 return fail(file.path.string() + ": " + altered.error().message);
             }
@@ -137,10 +137,10 @@ std::string name_in_cache(const audio::MusicFile& file,
                                                   size,
                                                   written,
                                                   options.seed,
-                                                  options.altered,
+                                                  options.augmentation.copies,
                                                   audio::kRoomEvery,
                                                   feature_plan,
-                                                  without(options.effects),
+                                                  without(options.augmentation.effects),
                                                   damaged)));
 }
 
@@ -152,10 +152,10 @@ void print_cost(const Cost& cost, const GenreOptions& options) {
                  "raks: %.1f min of recordings heard in %.1f s of computing",
                  cost.music / 60.0,
                  cost.feature_plan);
-    if (options.altered > 0) {
+    if (options.augmentation.copies > 0) {
         std::fprintf(stderr,
                      "; %d altered copies made in %.1f s, heard in %.1f s",
-                     options.altered,
+                     options.augmentation.copies,
                      cost.altering,
                      cost.extracting_copies);
     }
@@ -191,7 +191,7 @@ std::vector<audio::FeatureUnit> extract_recordings(const std::vector<audio::Musi
     std::vector<Cost> costs(files.size());
     std::vector<std::size_t> own;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (options.share.has(i)) {
+        if (options.shards.share.has(i)) {
             own.push_back(i);
         }
     }
@@ -238,20 +238,21 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
                                     audio::WrittenCorpusPlan plan) {
     const int all = plan.pieces;
     plan.feature_plan = feature_plan;
-    plan.styles = &options.styles;
+    plan.styles = &options.written.styles;
     plan.threads = options.threads;
-    plan.effects = options.effects;
-    plan.edition = static_cast<audio::WrittenCorpusPlan::Edition>(options.edition);
+    plan.effects = options.augmentation.effects;
+    plan.edition = static_cast<audio::WrittenCorpusPlan::Edition>(options.written.edition);
     const bool is_altered = plan.augmentation == audio::WrittenCorpusPlan::Augmentation::on;
     std::uint64_t soundfonts = hash_of("");
     for (const auto& soundfont : plan.soundfonts) {
         soundfonts = hash_of(soundfont.filename().string() + "\n", soundfonts);
     }
-    const std::string variant = fmt::format("-edition{}-styles{}-{}{}",
-                                            options.edition,
-                                            hex(fingerprint(options.styles)),
-                                            hex(soundfonts),
-                                            is_altered ? without(options.effects) : std::string());
+    const std::string variant =
+        fmt::format("-edition{}-styles{}-{}{}",
+                    options.written.edition,
+                    hex(fingerprint(options.written.styles)),
+                    hex(soundfonts),
+                    is_altered ? without(options.augmentation.effects) : std::string());
     std::vector<WrittenChunk> chunks;
     for (plan.first = 0; plan.first < all; plan.first += kChunk) {
         plan.pieces = std::min(kChunk, all - plan.first);

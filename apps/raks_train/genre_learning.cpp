@@ -120,7 +120,7 @@ std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
                                             pieces.size(),
                                             plan.seed,
                                             learnt_from,
-                                            without(options.effects));
+                                            without(options.augmentation.effects));
         auto learnt = learnt_once(options, run, genres.size() + 1, [&](const auto& report) {
             return audio::train_on_written(pieces, classes, genres.size() + 1, plan, report);
         });
@@ -176,7 +176,7 @@ DamagedMusic extract_damaged(const GenreOptions& options,
 std::set<std::string> unjudged(const GenreOptions& options, const GenreMaterial& material) {
     std::set<std::string> names;
     for (const audio::MusicFile& file : material.files) {
-        const std::string& labels = options.judged_labels;
+        const std::string& labels = options.validation.judged_labels;
         if (!labels.empty() && labels.find(file.label) == std::string::npos) {
             names.insert(file.name);
         }
@@ -192,8 +192,9 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
     const audio::FeaturePlan& feature_plan,
     const std::vector<std::string>& genres) {
     const std::vector<audio::PieceFeatures>& pieces = material.pieces;
-    const DamagedMusic damaged =
-        options.judges_damage ? extract_damaged(options, material, feature_plan) : DamagedMusic{};
+    const DamagedMusic damaged = options.validation.judges_damage
+                                     ? extract_damaged(options, material, feature_plan)
+                                     : DamagedMusic{};
     const auto scores =
         audio::cross_validate(pieces, damaged.pieces, genres, options.plan, [](int done, int all) {
             std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
@@ -221,7 +222,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
     const auto asked = enough_recordings(pieces, genres);
     const FoldFusions fusions(undamaged, genres.size() + 1, options.threads);
     for (const auto& [damage, judged_scores] : recorded) {
-        const JudgedScores judged{judged_scores, fusions, nullptr, options.pair};
+        const JudgedScores judged{judged_scores, fusions, nullptr, options.validation.pair};
         const bool is_clean = damage == audio::Damage::none;
         GenrePage page =
             page_of(is_clean ? "recordings, by artist"
@@ -231,9 +232,9 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
                     genres,
                     asked);
         print_page(page, asked);
-        if (is_clean && !options.report.empty()) {
+        if (is_clean && !options.validation.report.empty()) {
             page.files = judged_files(pieces, judged, genres, asked);
-            if (auto saved = write_file(options.report, draw_genre_page(page)); !saved) {
+            if (auto saved = write_file(options.validation.report, draw_genre_page(page)); !saved) {
                 return fail(saved.error());
             }
         }
@@ -254,7 +255,7 @@ Expected<void> test_on_written(const GenreOptions& options,
                               name,
                               {.soundfonts = soundfonts,
                                .families = families,
-                               .pieces = options.test_pieces,
+                               .pieces = options.written_test.pieces,
                                .seed = seed,
                                .augmentation = audio::WrittenCorpusPlan::Augmentation::off,
                                .feature_plan = {}});
@@ -264,25 +265,30 @@ Expected<void> test_on_written(const GenreOptions& options,
         const auto asked = all_genres(model.genres.size());
         const auto scores = scores_of(model, *pieces, options.threads);
         const FoldFusions fusions(scores, model.classes(), options.threads);
-        print_page(page_of(name, {scores, fusions, &model, options.pair}, model.genres, asked),
-                   asked);
+        print_page(
+            page_of(name, {scores, fusions, &model, options.validation.pair}, model.genres, asked),
+            asked);
         return {};
     };
     const std::uint64_t seed = options.seed + 500;
-    const Families known = options.leaves_out_families ? Families::always : Families::all;
-    if (auto ok = test("written, new seeds, soundfonts heard", options.soundfonts, known, seed);
+    const Families known = options.written.leaves_out_families ? Families::always : Families::all;
+    if (auto ok =
+            test("written, new seeds, soundfonts heard", options.written.soundfonts, known, seed);
         !ok) {
         return ok;
     }
-    if (options.leaves_out_families) {
-        if (auto ok = test(
-                "written, rhythms never heard", options.soundfonts, Families::held_out, seed + 1);
+    if (options.written.leaves_out_families) {
+        if (auto ok = test("written, rhythms never heard",
+                           options.written.soundfonts,
+                           Families::held_out,
+                           seed + 1);
             !ok) {
             return ok;
         }
     }
-    if (!options.test_soundfonts.empty()) {
-        return test("written, soundfont never heard", options.test_soundfonts, known, seed + 2);
+    if (!options.written_test.soundfonts.empty()) {
+        return test(
+            "written, soundfont never heard", options.written_test.soundfonts, known, seed + 2);
     }
     return {};
 }

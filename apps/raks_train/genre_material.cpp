@@ -58,19 +58,19 @@ Expected<std::vector<audio::FeatureUnit>> extract_chunks(const GenreOptions& opt
 std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
                                      const audio::FeaturePlan& feature_plan) {
     using Families = audio::WrittenCorpusPlan::Families;
-    audio::WrittenCorpusPlan plan{.soundfonts = options.soundfonts,
+    audio::WrittenCorpusPlan plan{.soundfonts = options.written.soundfonts,
                                   .families = Families::always,
-                                  .pieces = options.synthesize,
+                                  .pieces = options.written.pieces,
                                   .seed = options.seed,
                                   .feature_plan = {}};
     std::vector<WrittenChunk> chunks = chunks_of(options, feature_plan, "written", plan);
-    if (!options.leaves_out_families) {
+    if (!options.written.leaves_out_families) {
         plan.families = Families::held_out;
-        plan.pieces = options.synthesize / kRestShare;
+        plan.pieces = options.written.pieces / kRestShare;
         auto rest = chunks_of(options, feature_plan, "written-rest", plan);
         std::move(rest.begin(), rest.end(), std::back_inserter(chunks));
     }
-    if (options.edition >= 3) {
+    if (options.written.edition >= 3) {
         using Music = audio::WrittenCorpusPlan::Music;
         plan.families = Families::always;
         const auto add = [&](Music music, const char* name, int pieces) {
@@ -79,21 +79,23 @@ std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
             auto more = chunks_of(options, feature_plan, name, plan);
             std::move(more.begin(), more.end(), std::back_inserter(chunks));
         };
-        add(Music::undanceable, "written-undanceable", options.synthesize / kFurtherShare);
-        add(Music::own, "written-own", options.synthesize / kFurtherShare);
-        if (options.edition >= 4) {
-            add(Music::synthesized, "written-synthesized", options.synthesize / kSynthesizedShare);
+        add(Music::undanceable, "written-undanceable", options.written.pieces / kFurtherShare);
+        add(Music::own, "written-own", options.written.pieces / kFurtherShare);
+        if (options.written.edition >= 4) {
+            add(Music::synthesized,
+                "written-synthesized",
+                options.written.pieces / kSynthesizedShare);
         }
     }
     return chunks;
 }
 
 std::string credit_of_written(const GenreOptions& options) {
-    if (options.synthesize == 0) {
+    if (options.written.pieces == 0) {
         return {};
     }
     std::string text = "Music written by this program, played with soundfonts";
-    for (const auto& soundfont : options.soundfonts) {
+    for (const auto& soundfont : options.written.soundfonts) {
         text += " " + soundfont.filename().string();
     }
     return text + ". ";
@@ -104,10 +106,12 @@ Expected<audio::FeatureMaterial> extract_all(const GenreOptions& options,
                                              const audio::FeaturePlan& feature_plan) {
     audio::FeatureMaterial material;
     material.written_with = credit_of_written(options);
-    if (!options.folder.empty()) {
-        auto listed = options.index.empty()
-                          ? audio::list_music(options.folder, *options.dances)
-                          : audio::list_music(options.folder, options.index, *options.dances);
+    if (!options.recordings.folder.empty()) {
+        auto listed =
+            options.recordings.index.empty()
+                ? audio::list_music(options.recordings.folder, *options.dances)
+                : audio::list_music(
+                      options.recordings.folder, options.recordings.index, *options.dances);
         if (!listed) {
             return fail(listed.error());
         }
@@ -117,13 +121,13 @@ Expected<audio::FeatureMaterial> extract_all(const GenreOptions& options,
         }
         material.units = extract_recordings(material.files, options, feature_plan);
     }
-    if (options.synthesize > 0) {
-        if (options.soundfonts.empty()) {
+    if (options.written.pieces > 0) {
+        if (options.written.soundfonts.empty()) {
             return fail("--synthesize needs --soundfont X.sf2: what the music is played with");
         }
         const std::size_t first = material.units.size();
         auto more = extract_chunks(options, all_chunks(options, feature_plan), [&](std::size_t i) {
-            return options.share.has(first + i);
+            return options.shards.share.has(first + i);
         });
         if (!more) {
             return fail(more.error());
@@ -147,7 +151,7 @@ Expected<void> report_faults(const GenreOptions& options, const audio::FeatureMa
     if (skipped > 0) {
         std::fprintf(stderr, "raks: %zu of %zu files skipped\n", skipped, material.files.size());
     }
-    if (options.is_strict && skipped > 0) {
+    if (options.recordings.is_strict && skipped > 0) {
         return fail(fmt::format("{} of {} files cannot be used (--strict): {}",
                                 skipped,
                                 material.files.size(),
@@ -170,14 +174,14 @@ std::string plan_text(const GenreOptions& options,
         "hearing {:x} files {:x} altered {} seed {} edition {} styles {:x} written {} {} {}{}",
         feature_key(feature_plan, options.plan.features),
         files,
-        options.altered,
+        options.augmentation.copies,
         options.seed,
-        options.edition,
-        options.synthesize > 0 ? fingerprint(options.styles) : 0,
-        options.synthesize,
-        options.leaves_out_families ? "always" : "all",
+        options.written.edition,
+        options.written.pieces > 0 ? fingerprint(options.written.styles) : 0,
+        options.written.pieces,
+        options.written.leaves_out_families ? "always" : "all",
         material.written_with,
-        without(options.effects));
+        without(options.augmentation.effects));
 }
 
 }  // namespace
@@ -209,13 +213,14 @@ Expected<void> write_shard(const GenreOptions& options,
         return reported;
     }
     const std::string plan = plan_text(options, feature_plan, *material);
-    return audio::save_shard({options.share, plan, command, std::move(*material)}, options.output);
+    return audio::save_shard({options.shards.share, plan, command, std::move(*material)},
+                             options.output);
 }
 
 Expected<GenreMaterial> gather(const GenreOptions& options,
                                const audio::FeaturePlan& feature_plan) {
-    auto extracted = options.shards.empty() ? extract_all(options, feature_plan)
-                                            : audio::merge_shards(options.shards);
+    auto extracted = options.shards.merged.empty() ? extract_all(options, feature_plan)
+                                                   : audio::merge_shards(options.shards.merged);
     if (!extracted) {
         return fail(extracted.error());
     }
@@ -228,19 +233,19 @@ Expected<GenreMaterial> gather(const GenreOptions& options,
     for (audio::FeatureUnit& unit : extracted->units) {
         std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(material.pieces));
     }
-    if (!options.beats_corpus.empty()) {
+    if (!options.written.beats_corpus.empty()) {
         using Families = audio::WrittenCorpusPlan::Families;
         auto more = audio::read_beats_corpus(
-            options.beats_corpus,
-            options.styles,
-            options.leaves_out_families ? Families::always : Families::all);
+            options.written.beats_corpus,
+            options.written.styles,
+            options.written.leaves_out_families ? Families::always : Families::all);
         if (!more) {
             return fail(more.error());
         }
         std::move(more->begin(), more->end(), std::back_inserter(material.pieces));
     }
     std::erase_if(material.pieces, [&](const audio::PieceFeatures& piece) {
-        const auto& left_out = options.left_out;
+        const auto& left_out = options.recordings.left_out_genres;
         return std::find(left_out.begin(), left_out.end(), audio::shown_genre(piece.genre)) !=
                left_out.end();
     });

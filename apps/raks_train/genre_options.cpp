@@ -1,0 +1,145 @@
+#include "apps/raks_train/genre_options.hpp"
+
+#include <iterator>
+
+#include "apps/terminal/option_checks.hpp"
+#include "audio/genre/genre_scorer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+namespace raks::apps {
+namespace {
+
+void add_options(CLI::App& app, RecordingOptions& recordings) {
+    app.add_option("folder", recordings.folder, "of music: one folder a genre");
+    app.add_option("--groups",
+                   recordings.index,
+                   "table of the folder's clips: clip, genre; artist, label, train_ok if known");
+    app.add_option("--leave-out", recordings.left_out_genres, "genres not to learn");
+    app.add_flag("--free-only",
+                 recordings.trains_on_free_alone,
+                 "learn only from clips whose train_ok is yes (validation uses all)");
+    app.add_flag("--strict", recordings.is_strict, "a file that cannot be read is an error");
+}
+
+void add_options(CLI::App& app, WrittenMusicOptions& written) {
+    app.add_option("--synthesize", written.pieces, "pieces of music to write, play and learn from")
+        ->check(in_range(0, 100'000));
+    app.add_option("--edition",
+                   written.edition,
+                   "of the written music; 1: without quarter tones, oud and lossy codecs; 2: "
+                   "without bands of several soundfonts; 3: without sounds drawn for each piece")
+        ->check(in_range(1, 4));
+    app.add_option(
+        "--soundfont", written.soundfonts, "SF2 or SF3 to play it with; one is drawn a piece");
+    app.add_option("--beats-corpus",
+                   written.beats_corpus,
+                   "music that `raks train beats --corpus` kept: the network learns from it, too");
+    app.add_flag("--leave-out-families",
+                 written.leaves_out_families,
+                 "do not learn from one or two rhythms a genre, but test with them");
+}
+
+void add_options(CLI::App& app, WrittenTestOptions& test) {
+    app.add_option("--test-soundfont",
+                   test.soundfonts,
+                   "report the scores of music played with these; not learnt from");
+    app.add_option("--test-pieces", test.pieces, "of each kind of written test; 0: none")
+        ->check(in_range(0, 10'000));
+}
+
+void add_options(CLI::App& app, AugmentationOptions& augmentation) {
+    app.add_option("--altered",
+                   augmentation.copies,
+                   "damaged copies of each recording to learn from; 0: none")
+        ->check(in_range(0, 50));
+    app.add_option("--without",
+                   augmentation.left_out_effects,
+                   "what is not to happen to music: " +
+                       fmt::format("{}", fmt::join(audio::kSoundEffectNames, ", ")))
+        ->check(one_of({std::begin(audio::kSoundEffectNames), std::end(audio::kSoundEffectNames)}));
+}
+
+void add_options(CLI::App& app, ValidationOptions& validation) {
+    app.add_option(
+        "--report", validation.report, "X.html: how recordings are told apart, by artist");
+    app.add_option("--labels",
+                   validation.judged_labels,
+                   "judge by clips with one of these labels alone (AB: not those whose genre is a "
+                   "guess); learns from all");
+    app.add_flag("--damage",
+                 validation.judges_damage,
+                 "validate with recordings in noise, a room and so on, too: what each costs");
+    app.add_flag("--no-validation", validation.is_skipped, "keep the default fusion");
+}
+
+/// The HMMs on MFCC and the networks on bar patterns.
+void add_options(CLI::App& app, audio::MfccTrainingPlan& mfcc, audio::PatternTrainingPlan& rhythm) {
+    app.add_option("--states", mfcc.states, "of each genre's HMM")->check(in_range(1, 16));
+    app.add_option("--mixtures", mfcc.mixtures, "Gaussians a state")->check(in_range(1, 64));
+    app.add_option("--similarity", mfcc.similarity_rounds, "rounds of inter-genre similarity")
+        ->check(in_range(0, 5));
+    app.add_option("--units", rhythm.units, "of the rhythm network")->check(in_range(2, 128));
+    app.add_option("--steps", rhythm.steps, "of its training")->check(in_range(10, 1'000'000));
+    app.add_option("--recorded-share",
+                   rhythm.recorded_share,
+                   "of what is drawn, where there are recordings and written music")
+        ->check(in_range(0.0, 1.0));
+}
+
+void add_options(CLI::App& app, audio::NetworkTrainingPlan& network) {
+    app.add_option("--networks",
+                   network.networks,
+                   "recurrent networks that learn each by itself; their scores are averaged")
+        ->check(in_range(1, static_cast<int>(audio::GenreScorer::kMostNetworks)));
+    app.add_option("--network-units", network.units, "of each layer of the recurrent network")
+        ->check(in_range(4, 128));
+    app.add_option("--network-steps",
+                   network.written_steps,
+                   "of its training on written music: batches of 24 x 10 s")
+        ->check(in_range(1, 1'000'000));
+    app.add_option("--network-branches",
+                   network.branches,
+                   "runs that go on from there by themselves; the mean of their weights is taken")
+        ->check(in_range(0, 100));
+    app.add_option("--branch-steps", network.branch_steps, "of each of them")
+        ->check(in_range(1, 1'000'000));
+    app.add_option("--tuning-steps", network.tuning_steps, "more of them with recordings among it")
+        ->check(in_range(0, 1'000'000));
+    app.add_option(
+           "--network-recorded-share", network.recorded_share, "of what these are drawn from")
+        ->check(in_range(0.0, 1.0));
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, GenreOptions& options) {
+    add_options(app, options.recordings);
+    app.add_option("-o,--out", options.output, "X.json");
+    add_options(app, options.written);
+    add_options(app, options.written_test);
+    app.add_option("--cache", options.cache, "folder that keeps features between runs");
+    app.add_option("--add-to",
+                   options.add_to,
+                   "MODEL.json: learn the folder's genres beside those it knows, from the sample "
+                   "that was kept of their music");
+    app.add_option("--samples",
+                   options.sample_kilobytes,
+                   "kB a genre that are kept of the music beside the model, for --add-to; 0: none")
+        ->check(in_range(0, static_cast<int>(audio::kMostSampleBytes / 1'000)));
+    app.add_option("--shard",
+                   options.shards.share_text,
+                   "i/n: compute share i of n into -o FILE, for `raks train genre merge`");
+    add_options(app, options.augmentation);
+    add_options(app, options.validation);
+    app.add_flag("--no-energy", options.leaves_out_energy, "without C0 and its derivatives");
+    add_options(app, options.plan.mfcc, options.plan.rhythm);
+    add_options(app, options.plan.network);
+    app.add_option("--folds", options.plan.folds)->check(in_range(2, 20));
+    app.add_option("--seed", options.seed, "same seed, same model");
+    app.add_option("--threads", options.threads)->check(in_range(1, 64));
+}
+
+}  // namespace raks::apps
