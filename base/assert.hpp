@@ -7,8 +7,9 @@ namespace raks {
 
 }  // namespace raks
 
-/// A promise between functions of ours. On in dev, sanitizer and test builds; costs nothing and
-/// does not evaluate its argument elsewhere. Never for input from outside: that is an Error.
+/// Checks a condition that only a mistake in this program can break. On in dev, sanitizer and test
+/// builds; elsewhere it costs nothing and does not evaluate its argument. Not for input from
+/// outside: that is an Error.
 #ifdef RAKS_ASSERTS
 #define RAKS_ASSERT(condition) \
     ((condition) ? static_cast<void>(0) : ::raks::assertion_failed(#condition, __FILE__, __LINE__))

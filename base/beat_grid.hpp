@@ -7,10 +7,10 @@
 
 namespace raks {
 
-/// Where the beats lie, as the tracker believes now: a straight line between stream time and
-/// beats. It is replaced every hop; what was already danced is never rewritten. Beat numbers are
-/// continuous over replacements (the tracker counts on), so Beats(k) stays the same beat while
-/// nothing is re-anchored.
+/// The tracker's present estimate of the beats: a linear map between stream time and beats. It is
+/// replaced every hop; what was already danced is never rewritten. Beat numbers continue over
+/// replacements (the tracker counts on), so Beats(k) stays the same beat while nothing is
+/// re-anchored.
 ///
 ///     const double phase = BeatPhase(grid.beats_at(now)).value();
 ///     const StreamTime next = grid.time_of(Beats(std::ceil(grid.beats_at(now).count())));
@@ -22,8 +22,9 @@ struct BeatGrid {
     Bpm tempo{120.0};          ///< slope of the line, > 0
     int beats_per_bar = 4;     ///< 2, 3, 4 or 6
     Beats bar_origin{};        ///< a beat that is a downbeat ("1"); every beats_per_bar-th is
-    float confidence = 0.0F;   ///< [0, 1]; 0: nothing is known, the line only runs on
+    float confidence = 0.0F;   ///< [0, 1]; 0: no estimate, the line only continues
 
+    /// Position on the beat axis at a time; any time.
     [[nodiscard]] Beats beats_at(StreamTime time) const noexcept {
         return anchor_beat + Beats(to_seconds(time - anchor_time) * tempo.beats_per_second());
     }

@@ -12,11 +12,12 @@
 namespace raks {
 namespace {
 
-constexpr std::size_t kLongestName = 40;
+constexpr std::size_t kLongestName = 40;  // bytes
+// Words that options or reports use for something other than a dance.
 constexpr std::array<std::string_view, 6> kTakenNames = {
     "auto", "keep", "stand", "unknown", "other", "none"};
 
-// Of ASCII alone: names become parts of files' names on any system.
+// ASCII only, because names become parts of file names on any system.
 bool is_letter_or_digit(char c) noexcept {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
@@ -35,6 +36,7 @@ bool is_dance_name(std::string_view name) noexcept {
            !is_taken(name);
 }
 
+// The name may come from a file: it is made printable before it is shown.
 std::string why_no_dance_name(std::string_view name) {
     const std::string shown = printable(name, kLongestName);
     if (is_taken(name)) {
@@ -50,6 +52,7 @@ DanceList::DanceList(std::vector<DanceInfo> dances) : dances_(std::move(dances))
     RAKS_ASSERT(dances_.size() <= kMostDances);
 }
 
+// A linear search: lists are short, and nothing real-time asks by name.
 DanceId DanceList::id_of(std::string_view name) const noexcept {
     const auto found = std::find_if(
         dances_.begin(), dances_.end(), [name](const DanceInfo& d) { return d.name == name; });

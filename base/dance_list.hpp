@@ -12,74 +12,80 @@
 #include "base/beats.hpp"
 #include "base/expected.hpp"
 
+/// The dances that the program knows, and the file that defines them.
 namespace raks {
 
-/// A dance by its place in the DanceList that the program was started with.
+/// A dance by its index in the DanceList that the program was started with.
 enum class DanceId : std::uint8_t {
     none = 255,  ///< none of them, or not known
 };
-inline constexpr std::size_t kMostDances = 250;
+inline constexpr std::size_t kMostDances = 250;  ///< so that ids fit a byte, with room for none
 
+/// Index into DanceList::all(); of none it is beyond every list.
 [[nodiscard]] constexpr std::size_t index_of(DanceId id) noexcept {
     return static_cast<std::size_t>(id);
 }
 
 /// What is known of a dance besides its figures.
 struct DanceInfo {
-    std::string name;   ///< of files and options: is_dance_name
-    std::string title;  ///< for people: "Salsa"
-    int beats_per_bar = 4;
-    Bpm lowest{60.0};  ///< of the music that it is danced to
-    Bpm highest{180.0};
-    Bpm likely{120.0};
+    std::string name;                 ///< in file names and options; passes is_dance_name
+    std::string title;                ///< for people: "Salsa"
+    int beats_per_bar = 4;            ///< of its music, 2 to 12
+    Bpm lowest{60.0};                 ///< slowest music that is danced to
+    Bpm highest{180.0};               ///< fastest music that is danced to
+    Bpm likely{120.0};                ///< typical tempo of its music
     int roles = 1;                    ///< 1, or 2: it has figures for couples
-    std::string style;                ///< of Raks' own music that fits it; empty: none
+    std::string style;                ///< of the built-in music generator that fits it; empty: none
     std::vector<std::string> labels;  ///< other names of its music in tables of clips
-    std::string extends;  ///< the dance that its figures join; empty: it is one of its own
-    /// Jerk of the people that it was learnt from, m/s^3, lead's and follow's: root mean square,
-    /// and what a thousandth exceeds. 0: written, or not known.
+    std::string extends;  ///< the dance that its figures are added to; empty: a dance of its own
+    /// Jerk of the people that it was learnt from, m/s^3, lead's and follow's; 0: a written dance,
+    /// or not known. Here the root mean square, below the 99.9th percentile.
     std::array<double, 2> people_jerk_rms{};
-    std::array<double, 2> people_jerk_p999{};
+    std::array<double, 2> people_jerk_p999{};  ///< 99.9th percentile
+    /// Extent of the trials in `raks eval dance`.
     enum class Trials : std::uint8_t { brief, full };
-    Trials trials = Trials::brief;  ///< how much `raks eval dance` asks of it
+    Trials trials = Trials::brief;  ///< how thoroughly `raks eval dance` tests it
 };
 
-/// Letters, digits, '-' and '_', at most 40, a letter or digit first; all other names could leave a
-/// folder or break a file's name. "auto", "keep", "stand", "unknown", "other" and "none" mean
-/// something else already.
+/// Is this a valid dance name: letters, digits, '-' and '_', at most 40, a letter or digit first?
+/// Other names could leave a folder or break a file name. "auto", "keep", "stand", "unknown",
+/// "other" and "none" are refused, because options use them for something else.
 [[nodiscard]] bool is_dance_name(std::string_view name) noexcept;
-/// "NAME" with the reason why it is none; for errors.
+/// One line that quotes the name and says why it is not valid; for error messages.
 [[nodiscard]] std::string why_no_dance_name(std::string_view name);
 
 /// The dances that a program knows, in the order in which they are listed and chosen. At most
 /// kMostDances. Immutable once it is shared. Threads: any may read. Real-time: find by id yes.
 class DanceList {
  public:
-    DanceList() = default;
+    DanceList() = default;  ///< no dances
+    /// At most kMostDances.
     explicit DanceList(std::vector<DanceInfo> dances);
 
+    /// Number of dances.
     [[nodiscard]] std::size_t size() const noexcept { return dances_.size(); }
+    /// In order.
     [[nodiscard]] const std::vector<DanceInfo>& all() const noexcept { return dances_; }
-    /// Null: `id` is none.
+    /// The dance's entry; null where `id` is none or beyond the list. Real-time: yes.
     [[nodiscard]] const DanceInfo* find(DanceId id) const noexcept {
         return index_of(id) < dances_.size() ? &dances_[index_of(id)] : nullptr;
     }
-    /// none: no such dance.
+    /// Id of the dance with this name; none: there is no such dance.
     [[nodiscard]] DanceId id_of(std::string_view name) const noexcept;
-    /// "unknown" for none.
+    /// Its name; "unknown" for none.
     [[nodiscard]] std::string_view name_of(DanceId id) const noexcept;
-    /// "" for none.
+    /// Its title; "" for none.
     [[nodiscard]] std::string_view title_of(DanceId id) const noexcept;
-    [[nodiscard]] std::vector<std::string_view> names() const;
+    [[nodiscard]] std::vector<std::string_view> names() const;  ///< of all, in order
 
  private:
     std::vector<DanceInfo> dances_;
 };
 
-/// What a `dances.toml` says.
+/// Contents of a `dances.toml`.
 struct DancesFile {
-    std::vector<DanceInfo> dances;
-    /// Two dances that reports of genres compare with one another, as the paper does; empty: none.
+    std::vector<DanceInfo> dances;  ///< in the order of the file
+    /// Two dances that genre reports compare with each other, as the paper does; empty: none.
     std::vector<std::string> pair;
 };
 
@@ -89,15 +95,19 @@ struct DancesFile {
 /// "full"), people_jerk_rms and people_jerk_p999 = [lead, follow]; or with extends = "DANCE".
 /// `styles`: the names that `style` may have; empty: any.
 /// Errors, one line with file and line: not TOML, another format, a newer version, unknown keys, a
-/// bad or doubled name, a metre or tempo out of range, tempi crossed, an unknown style, none there.
+/// bad or repeated name, a metre or tempo out of range, a lowest tempo above the highest, an
+/// unknown style, no dance.
 [[nodiscard]] Expected<DancesFile> parse_dances(std::string_view toml,
                                                 const std::string& file,
                                                 const std::vector<std::string_view>& styles = {});
+/// Reads and parses a file. Errors: as parse_dances and read_text_file.
 [[nodiscard]] Expected<DancesFile> load_dances(const std::filesystem::path& file,
                                                const std::vector<std::string_view>& styles = {});
 
-/// The text of such a file, and of one dance in it.
+/// The text of such a file, to be read by parse_dances; people_jerk_rms and people_jerk_p999 are
+/// not written.
 [[nodiscard]] std::string dances_text(const DancesFile& file);
+/// The text of one [[dance]] table, with an empty line before it.
 [[nodiscard]] std::string dance_text(const DanceInfo& dance);
 
 }  // namespace raks

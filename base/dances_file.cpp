@@ -17,9 +17,10 @@ namespace {
 
 constexpr std::string_view kDancesFormat = "raks-dances";
 constexpr std::int64_t kDancesVersion = 1;
-constexpr std::size_t kMaxDancesBytes = std::size_t{4} << 20U;
-constexpr NumberRange kTempi{20.0, 400.0};
+constexpr std::size_t kMaxDancesBytes = std::size_t{4} << 20U;  // 4 MiB
+constexpr NumberRange kTempi{20.0, 400.0};                      // BPM
 
+// Reads one file. Goes on after a fault with harmless values; `complaints_` keeps the first.
 class DancesReader {
  public:
     DancesReader(std::string file, const std::vector<std::string_view>& styles)
@@ -49,6 +50,7 @@ class DancesReader {
     }
 
  private:
+    // A newer version may mean things that this program would misread, so it is refused.
     void read_head(const toml::table& root) {
         if (root["format"].value<std::string>() != std::string(kDancesFormat)) {
             complaints_.complain(fmt::format("format must be \"{}\"", kDancesFormat));
@@ -60,6 +62,7 @@ class DancesReader {
         }
     }
 
+    // A list of texts; empty where the key is missing.
     std::vector<std::string> texts(const toml::table& table, std::string_view key) {
         std::vector<std::string> texts;
         const toml::node* const node = table.get(key);
@@ -100,11 +103,13 @@ class DancesReader {
                                                             "people_jerk_p999",
                                                             "extends"};
         complaints_.check_keys(*table, kKeys);
+        // A dance that extends another needs no name of its own: it takes the other's.
         dance.extends = complaints_.text(*table, "extends");
         dance.name = table->contains("name") ? complaints_.text(*table, "name") : dance.extends;
         if (!is_dance_name(dance.name)) {
             complaints_.complain(node, "name: " + why_no_dance_name(dance.name));
         }
+        // Names are unique within a file.
         if (!names_.insert(dance.name).second) {
             complaints_.complain(node, fmt::format("dance \"{}\" is there twice", dance.name));
         }
@@ -115,12 +120,14 @@ class DancesReader {
         read_tempi(*table, dance);
         read_jerk(*table, "people_jerk_rms", dance.people_jerk_rms);
         read_jerk(*table, "people_jerk_p999", dance.people_jerk_p999);
+        // Before it is compared, because an empty text stands for a missing key.
         const std::string trials = complaints_.text(*table, "trials");
         if (!trials.empty() && trials != "brief" && trials != "full") {
             complaints_.complain(*table->get("trials"), "trials must be \"brief\" or \"full\"");
         }
         dance.trials = trials == "full" ? DanceInfo::Trials::full : DanceInfo::Trials::brief;
         dance.style = complaints_.text(*table, "style");
+        // Without a list of styles every name passes.
         const bool is_known =
             styles_.empty() || dance.style.empty() ||
             std::find(styles_.begin(), styles_.end(), dance.style) != styles_.end();
@@ -130,12 +137,14 @@ class DancesReader {
         return dance;
     }
 
+    // [lead, follow], m/s^3.
     void read_jerk(const toml::table& table, std::string_view key, std::array<double, 2>& jerk) {
         if (const toml::node* const node = table.get(key)) {
             jerk = complaints_.numbers<2>(*node, key, {0.0, 1e6}, "[lead, follow] in m/s^3");
         }
     }
 
+    // The likely tempo defaults to the middle of the range and must lie within it.
     void read_tempi(const toml::table& table, DanceInfo& dance) {
         if (const toml::node* const tempo = table.get("tempo")) {
             const auto range =
@@ -156,6 +165,7 @@ class DancesReader {
         }
     }
 
+    // Only TOML integers: 4.0 is refused, too.
     int whole(const toml::table& table, std::string_view key, NumberRange range, int otherwise) {
         const toml::node* const node = table.get(key);
         if (node == nullptr) {
@@ -173,7 +183,7 @@ class DancesReader {
     std::set<std::string> names_;
 };
 
-/// A text in TOML's basic quotes.
+/// A text as a basic string of TOML. Control characters become spaces.
 std::string toml_string(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -185,6 +195,7 @@ std::string toml_string(std::string_view text) {
     return out + "\"";
 }
 
+// An array of TOML strings on one line.
 std::string list_text(const std::vector<std::string>& texts) {
     std::string out;
     for (const std::string& text : texts) {
@@ -198,9 +209,11 @@ std::string list_text(const std::vector<std::string>& texts) {
 Expected<DancesFile> parse_dances(std::string_view toml,
                                   const std::string& file,
                                   const std::vector<std::string_view>& styles) {
+    // Checked first, because the parser breaks on such a line.
     if (const std::size_t line = line_of_nameless_header(toml); line > 0) {
         return fail(fmt::format("{}: line {}: [ needs a name behind it", file, line));
     }
+    // toml++ reports faults of syntax by an exception; it ends here.
     try {
         const toml::table root = toml::parse(toml);
         return DancesReader(file, styles).read(root);
@@ -221,6 +234,7 @@ Expected<DancesFile> load_dances(const std::filesystem::path& file,
 
 std::string dance_text(const DanceInfo& dance) {
     std::string text = fmt::format("\n[[dance]]\nname = {}\n", toml_string(dance.name));
+    // A dance that extends another has no data of its own.
     if (!dance.extends.empty()) {
         return text + fmt::format("extends = {}\n", toml_string(dance.extends));
     }
@@ -232,6 +246,7 @@ std::string dance_text(const DanceInfo& dance) {
         dance.highest.bpm(),
         dance.likely.bpm(),
         dance.roles);
+    // The keys below are written only where they differ from their default.
     if (!dance.style.empty()) {
         text += fmt::format("style = {}\n", toml_string(dance.style));
     }

@@ -6,13 +6,13 @@
 
 namespace raks {
 
-/// Why something at an edge (file, device, configuration, model) failed: one line without a
-/// trailing newline that says which thing, what value and what to do. The program prints it
-/// behind "raks: ".
+/// Why something at an edge of the program (file, device, configuration, model) failed: one line
+/// without a trailing newline that says which thing, which value and what to do. The program prints
+/// it after "raks: ".
 struct Error {
-    std::string message;
+    std::string message;  ///< the line
 
-    /// The same error seen from further out: `"salsa.json: " + message`.
+    /// The same error with its context in front: `"salsa.json: " + message`.
     [[nodiscard]] Error in(const std::string& where) && {
         return {where + ": " + std::move(message)};
     }
@@ -27,6 +27,7 @@ using Expected = tl::expected<T, Error>;
     return tl::unexpected<Error>(Error{std::move(message)});
 }
 
+/// Passes an error on.
 [[nodiscard]] inline tl::unexpected<Error> fail(Error error) {
     return tl::unexpected<Error>(std::move(error));
 }

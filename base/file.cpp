@@ -14,15 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Closes on every way out of a function; write_file closes itself, to see the error.
 struct CloseFile {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
 };
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
+// The system's words for an errno.
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
-/// Opens what is there as a plain file. Not to be kept waiting, it is asked what it is first (a
-/// pipe without a writer) and opened without blocking (files of the kernel such as /proc/kmsg).
+/// Opens an existing plain file without ever blocking: checks its type first (a pipe without a
+/// writer would block) and opens it with O_NONBLOCK (files of the kernel such as /proc/kmsg would).
 Expected<FileHandle> open_plain(const fs::path& path) {
     if (path.empty()) {
         return fail("a file name is empty; name a file");
@@ -43,7 +45,7 @@ Expected<FileHandle> open_plain(const fs::path& path) {
     return file;
 }
 
-/// What may be replaced by a file: nothing, or a plain file.
+/// Fails where something exists that must not be replaced by a file: anything but a plain file.
 Expected<void> check_replaceable(const fs::path& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
@@ -69,10 +71,12 @@ Expected<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
         return fail(file.error());
     }
     std::error_code ignored;
+    // The size is only a hint for the allocation: files of the kernel report 0.
     std::string bytes;
     if (const auto size = fs::file_size(path, ignored); !ignored && size <= max_bytes) {
         bytes.reserve(size);
     }
+    // Read in chunks, so that the limit holds even for a file that grows.
     char chunk[1U << 16U];
     for (;;) {
         const std::size_t got = std::fread(chunk, 1, sizeof chunk, file->get());
@@ -81,6 +85,7 @@ Expected<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
                         " MiB, the limit for this kind of file");
         }
         bytes.append(chunk, got);
+        // A short read is the end of the file, or an error.
         if (got < sizeof chunk) {
             break;
         }
@@ -106,6 +111,7 @@ Expected<std::string> read_file_start(const fs::path& path, std::size_t count) {
 
 Expected<void> check_is_no_input(const fs::path& output, const std::vector<fs::path>& inputs) {
     const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
+        // Same file by device and inode, so links and other spellings count.
         std::error_code ignored;
         return fs::equivalent(output, input, ignored);
     });
@@ -119,6 +125,7 @@ Expected<void> check_output(const fs::path& output, const std::vector<fs::path>&
     if (auto checked = check_is_no_input(output, inputs); !checked) {
         return checked;
     }
+    // Tries to create the part; the destructor removes it again.
     const auto probe = PendingFile::create(output);
     return probe ? Expected<void>() : fail(probe.error());
 }
@@ -133,6 +140,7 @@ Expected<std::vector<fs::path>> list_folder(const fs::path& folder, ListingDepth
     std::vector<fs::path> paths;
     std::error_code error;
     const auto list = [&](auto iterator) {
+        // A loop that serves both kinds of iterators.
         for (; !error && iterator != end(iterator); iterator.increment(error)) {
             paths.push_back(iterator->path());
         }
@@ -145,6 +153,7 @@ Expected<std::vector<fs::path>> list_folder(const fs::path& folder, ListingDepth
     if (error) {
         return fail(folder.string() + ": cannot be listed: " + error.message());
     }
+    // The system's order is arbitrary.
     std::sort(paths.begin(), paths.end());
     return paths;
 }
@@ -152,6 +161,7 @@ Expected<std::vector<fs::path>> list_folder(const fs::path& folder, ListingDepth
 PendingFile::PendingFile(fs::path path, fs::path part)
     : path_(std::move(path)), part_(std::move(part)) {}
 
+// An empty part_ marks a file that has nothing to remove.
 PendingFile::PendingFile(PendingFile&& other) noexcept
     : path_(std::move(other.path_)), part_(std::exchange(other.part_, {})) {}
 
@@ -180,11 +190,13 @@ Expected<PendingFile> PendingFile::create(const fs::path& path) {
     }
     fs::path part = path;
     part += ".part";
+    // Both names, because commit() replaces one and opening truncates the other.
     for (const fs::path& name : {path, part}) {
         if (auto checked = check_replaceable(name); !checked) {
             return fail(std::move(checked.error()));
         }
     }
+    // Creates the part at once: an error shows before the long work.
     const FileHandle probe(std::fopen(part.c_str(), "wb"));
     if (!probe) {
         return fail(path.string() + ": cannot be written: " + reason(errno));
@@ -196,6 +208,7 @@ Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
     if (path.empty()) {
         return fail("a folder name is empty; name a folder to write");
     }
+    // "folder/" has no file name: ".part" must not be appended behind the slash.
     const fs::path folder = path.has_filename() ? path : path.parent_path();
     std::error_code error;
     if (fs::exists(folder, error) &&
@@ -204,6 +217,7 @@ Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
     }
     fs::path part = folder;
     part += ".part";
+    // A leftover of a killed run.
     fs::remove_all(part, error);
     fs::create_directory(part, error);
     if (error || !fs::is_directory(part, error)) {
@@ -214,6 +228,7 @@ Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
 
 Expected<void> PendingFile::commit() {
     std::error_code error;
+    // Within one folder, so the rename is atomic.
     fs::rename(part_, path_, error);
     if (error) {
         return fail(path_.string() + ": cannot be written: " + error.message());
@@ -228,13 +243,14 @@ Expected<void> write_file(const fs::path& path, std::string_view bytes) {
         return fail(pending.error());
     }
     FileHandle file(std::fopen(pending->part().c_str(), "wb"));
+    // fflush reports errors that buffered writes have hidden.
     const bool wrote = file &&
                        std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
                        std::fflush(file.get()) == 0;
     if (!wrote) {
         return fail(path.string() + ": cannot be written: " + reason(errno));
     }
-    if (std::fclose(file.release()) != 0) {  // a disk may tell only now that it is full
+    if (std::fclose(file.release()) != 0) {  // some disks report only here that they are full
         return fail(path.string() + ": cannot be written: " + reason(errno));
     }
     return pending->commit();

@@ -5,8 +5,8 @@
 
 namespace raks {
 
-/// A name for some bytes (FNV-1a, 64 bits): the same on every machine; no defence against an
-/// adversary. `start`: what came before, to go on from. Real-time: yes.
+/// Hash of some bytes (FNV-1a, 64 bits): the same on every machine; not safe against deliberate
+/// collisions. `start`: hash of the bytes before, to continue from. Real-time: yes.
 [[nodiscard]] constexpr std::uint64_t hash_of(
     std::string_view bytes, std::uint64_t start = 14'695'981'039'346'656'037ULL) noexcept {
     std::uint64_t hash = start;

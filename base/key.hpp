@@ -34,17 +34,18 @@ enum class Key : std::uint32_t {
     f11,
     f12,
 };
+/// The key that types this character; upper-case ASCII letters become lower-case.
 [[nodiscard]] constexpr Key key_of(char32_t character) noexcept {
     return static_cast<Key>(character >= U'A' && character <= U'Z' ? character - U'A' + U'a'
                                                                    : character);
 }
 
-/// A key went down, or repeats because it is held.
+/// A key was pressed, or repeats because it is held.
 struct KeyEvent {
-    Key key{};
-    bool has_shift = false;
-    bool has_control = false;
-    bool is_repeat = false;
+    Key key{};                 ///< which
+    bool has_shift = false;    ///< shift is held
+    bool has_control = false;  ///< control is held
+    bool is_repeat = false;    ///< the key was held already
 };
 
 }  // namespace raks

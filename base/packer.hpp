@@ -7,20 +7,22 @@
 #include <type_traits>
 #include <utility>
 
+/// Binary files in this machine's own byte order: for caches, not for exchange.
 namespace raks {
 
-/// Writes plain values and lists of them one after the other, as this machine stores them. A
-/// struct that has gaps between its fields is to be put field by field: what lies in a gap is
-/// not always the same.
+/// Appends plain values and lists of them. Put a struct that has padding field by field, because
+/// padding bytes differ from run to run.
 class Packer {
  public:
+    /// Starts with the bytes of `magic`, which identify the file.
     explicit Packer(std::string_view magic) : bytes_(magic) {}
+    /// Appends the bytes of one value.
     template <class T>
     void put(const T& value) {
         static_assert(std::is_trivially_copyable_v<T>);
         bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
-    /// Of at most 2^32 - 1 values.
+    /// Appends the number of values (at most 2^32 - 1), then the values.
     template <class List>
     void put_list(const List& list) {
         static_assert(std::is_trivially_copyable_v<typename List::value_type>);
@@ -28,22 +30,25 @@ class Packer {
         bytes_.append(reinterpret_cast<const char*>(list.data()),
                       list.size() * sizeof(typename List::value_type));
     }
+    /// All bytes so far; the packer is then empty.
     [[nodiscard]] std::string take() { return std::move(bytes_); }
 
  private:
     std::string bytes_;
 };
 
-/// Reads them back. Behind a fault everything is zero or empty: ask is_good() at the end. Lists
-/// take no more memory than there are bytes left.
+/// Reads values in the order in which they were put. After a fault every value is zero or empty:
+/// ask is_good() at the end. A damaged count allocates no more memory than there are bytes left.
 class Unpacker {
  public:
+    /// `bytes`, without the magic, must outlive this.
     explicit Unpacker(std::string_view bytes) : left_(bytes) {}
-    [[nodiscard]] bool is_good() const { return is_good_; }
-    [[nodiscard]] bool at_end() const { return left_.empty(); }
+    [[nodiscard]] bool is_good() const { return is_good_; }  ///< false once something was missing
+    [[nodiscard]] bool at_end() const { return left_.empty(); }  ///< all was read
     /// Bytes that are not read yet.
     [[nodiscard]] std::size_t left() const { return left_.size(); }
 
+    /// The next value.
     template <class T>
     T take() {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -54,7 +59,7 @@ class Unpacker {
         }
         return value;
     }
-    /// The same over a value that has no default.
+    /// The next value into `value`, for types without a default; unchanged after a fault.
     template <class T>
     void take_into(T& value) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -63,6 +68,7 @@ class Unpacker {
             left_.remove_prefix(sizeof value);
         }
     }
+    /// The next list.
     template <class List>
     List take_list() {
         constexpr std::size_t kSize = sizeof(typename List::value_type);

@@ -8,14 +8,14 @@
 
 namespace raks {
 
-/// Calls work(0) ... work(count - 1), each once, on up to `threads` threads (this one among them;
-/// at most 256), in no set order. Results stored by index are the same for any number of threads.
-/// `work` must not throw.
+/// Calls work(0) ... work(count - 1), each once, on up to `threads` threads (the caller's among
+/// them; at most 256), in no fixed order. Results stored by index are the same for any number of
+/// threads. `work` must not throw.
 template <typename Work>
 void run_parallel(std::size_t count, int threads, const Work& work) {
     std::atomic<std::size_t> next{0};
     const auto take_turns = [&] {
-        // relaxed: only a ticket; what was done is published by join().
+        // relaxed: the counter only deals out indices; join() publishes the results.
         for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed); i < count;
              i = next.fetch_add(1, std::memory_order_relaxed)) {
             work(i);

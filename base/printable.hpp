@@ -5,9 +5,9 @@
 
 namespace raks {
 
-/// Text of unknown origin (a file's name, a word of a damaged file) as one line for people: control
-/// characters and bytes that are not UTF-8 become '?', of more than `longest` bytes the middle is
-/// left out. What is printable already is returned as it is.
+/// Makes text of unknown origin (a file name, a word of a damaged file) fit for one line of output:
+/// control characters and bytes that are not UTF-8 become '?'; of more than `longest` bytes the
+/// middle is replaced by "...". Printable text is returned unchanged.
 ///
 ///     printable("a\nb") == "a?b"
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = 600);

@@ -11,6 +11,7 @@ namespace raks {
 /// Threads: any. Real-time: yes.
 class CounterRandom {
  public:
+    /// `stream`: streams of one seed are independent of each other.
     constexpr explicit CounterRandom(std::uint64_t seed, std::uint64_t stream = 0) noexcept
         : key_(mix(seed ^ mix(stream + kGolden))) {}
 

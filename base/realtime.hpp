@@ -13,16 +13,16 @@
 
 namespace raks {
 
-/// Sets flush-to-zero and denormals-are-zero on this thread and puts the old state back at the
-/// end, so that a fading tail costs and gives the same bits everywhere (a loop that decays into
-/// denormals is 60 times slower without it).
+/// Sets flush-to-zero and denormals-are-zero on this thread and restores the old state at the end,
+/// so that decaying signals cost the same and give the same bits everywhere (a loop that decays
+/// into denormals is 60 times slower without it).
 /// Threads: any. Real-time: yes.
 class FlushToZeroScope {
  public:
-    FlushToZeroScope() noexcept;
-    ~FlushToZeroScope();
-    FlushToZeroScope(const FlushToZeroScope&) = delete;
-    FlushToZeroScope& operator=(const FlushToZeroScope&) = delete;
+    FlushToZeroScope() noexcept;                         ///< sets both modes
+    ~FlushToZeroScope();                                 ///< restores them; on the same thread
+    FlushToZeroScope(const FlushToZeroScope&) = delete;  ///< not copyable: the state is a thread's
+    FlushToZeroScope& operator=(const FlushToZeroScope&) = delete;  ///< not assignable
 
  private:
     std::uint32_t saved_;

@@ -10,7 +10,8 @@ namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-/// Levenshtein distance over letters without case, one row of the table at a time.
+/// Levenshtein distance, letter case ignored. Keeps one row of the table; `diagonal` is the entry
+/// up and to the left.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -30,9 +31,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known) {
     std::string_view best;
+    // Distances below this count as close.
     std::size_t best_distance = name.size() / 3 + 2;
     for (const std::string_view candidate : known) {
         const std::size_t distance = edit_distance(name, candidate);
+        // Strictly less: of equally close names the first wins.
         if (distance < best_distance) {
             best_distance = distance;
             best = candidate;
@@ -46,6 +49,7 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
     if (!nearest.empty()) {
         return "; did you mean \"" + std::string(nearest) + "\"?";
     }
+    // Nothing is close: lists all.
     std::string text = "; known: ";
     for (const std::string_view candidate : known) {
         text.append(candidate).append(candidate == known.back() ? "" : ", ");
@@ -57,6 +61,7 @@ std::string unknown_name(std::string_view what,
                          std::string_view name,
                          std::span<const std::string_view> known) {
     constexpr std::size_t kLongest = 40;
+    // Cut before it is shown: the name may be any text.
     const std::string shown(name.substr(0, kLongest));
     return std::string(what) + " \"" + shown + "\" is unknown" + suggestion(shown, known);
 }

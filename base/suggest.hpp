@@ -6,18 +6,18 @@
 
 namespace raks {
 
-/// The known name nearest to `name` (edit distance, letter case ignored), or empty when none is
-/// near enough to be meant (more than a third of its letters differ).
+/// The known name with the smallest edit distance to `name` (letter case ignored); empty when none
+/// is close: more than a third of the letters, plus one, differ.
 [[nodiscard]] std::string_view nearest_name(std::string_view name,
                                             std::span<const std::string_view> known);
 
-/// Ends an error about an unknown name: `; did you mean "stage"?`, or `; known: a, b, c` when none
-/// is near.
+/// End of an error message about an unknown name: `; did you mean "stage"?`, or `; known: a, b, c`
+/// when no name is close.
 [[nodiscard]] std::string suggestion(std::string_view name,
                                      std::span<const std::string_view> known);
 
-/// The one line for a name that is not in a table: `theme "stge" is unknown; did you mean "stage"?`
-/// (long names are cut). `what`: the kind of thing.
+/// Error message for a name that is not in a table: `theme "stge" is unknown; did you mean
+/// "stage"?` Long names are cut. `what`: the kind of thing.
 [[nodiscard]] std::string unknown_name(std::string_view what,
                                        std::string_view name,
                                        std::span<const std::string_view> known);

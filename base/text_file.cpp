@@ -8,7 +8,7 @@
 namespace raks {
 namespace {
 
-/// Line ends become "\n", in place.
+/// Turns "\r\n" and "\r" into "\n", in place: a "\r" before "\n" is dropped, a lone one replaced.
 void unify_line_ends(std::string& text) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -28,6 +28,7 @@ Expected<std::string> read_text_file(const std::filesystem::path& path, std::siz
     if (!text) {
         return text;
     }
+    // Before the zero byte, which UTF-16 also has, because this message helps more.
     if (text->starts_with("\xff\xfe") || text->starts_with("\xfe\xff")) {
         return fail(path.string() + ": is UTF-16 text; save it as UTF-8");
     }

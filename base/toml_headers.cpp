@@ -6,13 +6,13 @@ namespace raks {
 namespace {
 
 constexpr std::string_view kBlank = " \t";
-constexpr std::string_view kNameStarters =
+constexpr std::string_view kNameStarters =  // characters that can begin a key
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-\"'";
 
 bool is_any(char c, std::string_view of) noexcept { return of.find(c) != of.npos; }
 bool is_ascii(char c) noexcept { return static_cast<unsigned char>(c) < 128; }
 
-/// Walks over a text line by line, through strings, comments and brackets.
+/// Walks over a text line by line and keeps track of strings, comments and brackets.
 class HeaderSearch {
  public:
     explicit HeaderSearch(std::string_view text) noexcept : text_(text) {}
@@ -20,6 +20,7 @@ class HeaderSearch {
     std::size_t line() noexcept {
         std::size_t line = 1;
         while (at_ < text_.size()) {
+            // Within a string or brackets a line's "[" is no header.
             if (depth_ == 0 && quote_.empty() && is_nameless_header()) {
                 return line;
             }
@@ -30,6 +31,7 @@ class HeaderSearch {
     }
 
  private:
+    // Beyond the end: a line end, so that loops stop.
     [[nodiscard]] char peek(std::size_t at) const noexcept {
         return at < text_.size() ? text_[at] : '\n';
     }
@@ -40,9 +42,11 @@ class HeaderSearch {
         return at;
     }
 
-    /// Does this line begin with brackets and no name? A line with a header is passed whole.
+    /// Does this line begin with brackets and no name? A line with a valid header is skipped to its
+    /// end, so that its brackets do not count as open.
     bool is_nameless_header() noexcept {
         std::size_t at = at_;
+        // Bytes that are not ASCII may be blanks of Unicode, which the parser skips.
         while (is_any(peek(at), kBlank) || !is_ascii(peek(at))) {
             ++at;
         }
@@ -57,6 +61,7 @@ class HeaderSearch {
         return false;
     }
 
+    // To the start of the next line, with strings and brackets followed.
     void skip_line() noexcept {
         while (at_ < text_.size() && text_[at_] != '\n') {
             if (quote_.empty()) {
@@ -65,12 +70,14 @@ class HeaderSearch {
                 skip_quoted();
             }
         }
+        // Only strings in three quotes go on over the end of a line.
         if (quote_.size() == 1) {
             quote_ = {};  // such a string ends with its line: a fault that the reader names
         }
         ++at_;
     }
 
+    // One character outside strings, or a whole comment.
     void skip_plain() noexcept {
         const char c = text_[at_];
         if (c == '#') {
@@ -78,6 +85,7 @@ class HeaderSearch {
             return;
         }
         if (c == '"' || c == '\'') {
+            // Three quotes open a string over several lines.
             const bool is_long = peek(at_ + 1) == c && peek(at_ + 2) == c;
             quote_ = text_.substr(at_, is_long ? 3 : 1);
             at_ += quote_.size();
@@ -91,6 +99,7 @@ class HeaderSearch {
         ++at_;
     }
 
+    // Backslashes escape in basic strings ("), not in literal ones (').
     void skip_quoted() noexcept {
         if (text_[at_] == '\\' && quote_.front() == '"' && peek(at_ + 1) != '\n') {
             at_ += 2;

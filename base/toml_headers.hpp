@@ -5,10 +5,10 @@
 
 namespace raks {
 
-/// The first line, from 1, that begins as a table's header, "[" or "[[", with no name behind it; 0:
-/// there is none before the first other fault. toml++ 3.3 breaks its own promise on such a line (an
-/// assertion, or worse without assertions: marzer/tomlplusplus, pull request 301), so that a text
-/// is asked this first.
+/// Guards the TOML parser: toml++ 3.3 runs into an assertion, or undefined behaviour without
+/// assertions, on a line that begins as a table's header, "[" or "[[", with no name after it
+/// (marzer/tomlplusplus, pull request 301). Returns the number of the first such line, from 1; 0
+/// when there is none before the first other fault.
 [[nodiscard]] std::size_t line_of_nameless_header(std::string_view toml) noexcept;
 
 }  // namespace raks

@@ -18,25 +18,29 @@
 #include "base/expected.hpp"
 #include "base/suggest.hpp"
 
-/// Reading TOML with one clear line for the first fault. For source files alone: it brings in
-/// toml++.
+/// Reads TOML and reports the first fault as one clear line. Include it in source files only,
+/// because it brings in toml++.
 namespace raks {
 
+/// Limits of a number, both included.
 struct NumberRange {
-    double lowest;
-    double highest;
+    double lowest;   ///< least
+    double highest;  ///< greatest
 };
-/// Remembers the first fault and where it was; reading goes on harmlessly after it.
+/// Remembers the first fault and its place. Reading continues after a fault with harmless values.
 class TomlComplaints {
  public:
+    /// `file`: its name, for messages.
     explicit TomlComplaints(std::string file) : file_(std::move(file)) {}
 
-    /// What is being read: "figure \"box\"". Empty: the file.
+    /// Sets what is being read, for messages: "figure \"box\"". Empty: the file itself.
     void enter(std::string context) { context_ = std::move(context); }
 
+    /// Notes a fault at the line of a node; only the first one is kept.
     void complain(const toml::node& node, const std::string& message) {
         complain(node.source().begin.line, message);
     }
+    /// Notes a fault at a line, from 1.
     void complain(std::size_t line, const std::string& message) {
         if (!fault_) {
             fault_ = Error{fmt::format("{}: line {}: {}{}{}",
@@ -47,12 +51,14 @@ class TomlComplaints {
                                        message)};
         }
     }
+    /// Notes a fault of the whole file.
     void complain(const std::string& message) {
         if (!fault_) {
             fault_ = Error{file_ + ": " + message};
         }
     }
 
+    /// Complains of keys that are not among `known`, with the nearest known one.
     void check_keys(const toml::table& table, std::span<const std::string_view> known) {
         for (const auto& [key, value] : table) {
             if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
@@ -61,7 +67,7 @@ class TomlComplaints {
         }
     }
 
-    /// A finite number in a range; 0 after a complaint.
+    /// A finite number within `range`; 0 after a complaint. `name`: the key, for messages.
     double number(const toml::node& node, std::string_view name, NumberRange range) {
         const std::optional<double> value =
             node.is_number() ? node.value<double>() : std::optional<double>();
@@ -88,7 +94,7 @@ class TomlComplaints {
         return static_cast<int>(value);
     }
 
-    /// The place of a text in `known`; 0 after a complaint. `name`: the kind of thing.
+    /// Index of a text in `known`; 0 after a complaint. `name`: the kind of thing, for messages.
     std::size_t word(const toml::node& node,
                      std::string_view name,
                      std::span<const std::string_view> known) {
@@ -103,7 +109,8 @@ class TomlComplaints {
         return static_cast<std::size_t>(found - known.begin());
     }
 
-    /// What is under a key that must be there; null after a complaint. `form`: "tempo = [...]".
+    /// The value of a key that must exist; null after a complaint. `form`: "tempo = [...]", for
+    /// messages.
     const toml::node* needed(const toml::table& table,
                              std::string_view key,
                              std::string_view form) {
@@ -114,7 +121,7 @@ class TomlComplaints {
         return node;
     }
 
-    /// Sets `target` when the key is there.
+    /// Sets `target` to the number under the key, if there is one.
     template <typename Number>
     void read(const toml::table& table, std::string_view key, NumberRange range, Number& target) {
         if (const toml::node* const node = table.get(key)) {
@@ -122,7 +129,7 @@ class TomlComplaints {
         }
     }
 
-    /// Numbers of an array of a fixed length; zeros after a complaint.
+    /// The numbers of an array of a fixed length; zeros after a complaint.
     template <std::size_t Count>
     std::array<double, Count> numbers(const toml::node& node,
                                       std::string_view name,
@@ -140,6 +147,7 @@ class TomlComplaints {
         return values;
     }
 
+    /// The text under a key; empty where there is none, and after a complaint.
     std::string text(const toml::table& table, std::string_view key) {
         const toml::node* const node = table.get(key);
         if (node == nullptr) {
@@ -151,8 +159,8 @@ class TomlComplaints {
         return node->value_or(std::string());
     }
 
-    [[nodiscard]] bool is_sound() const noexcept { return !fault_; }
-    [[nodiscard]] const Error& fault() const { return *fault_; }
+    [[nodiscard]] bool is_sound() const noexcept { return !fault_; }  ///< no fault so far
+    [[nodiscard]] const Error& fault() const { return *fault_; }      ///< only where !is_sound()
 
  private:
     std::string file_;

@@ -9,8 +9,9 @@
 namespace raks::models {
 namespace {
 
-constexpr double kSumTolerance = 1e-6;
+constexpr double kSumTolerance = 1e-6;  // of rows that must sum to 1
 
+// The error names the matrix and both sizes.
 Expected<void> check_shape(std::string_view name,
                            Eigen::Index rows,
                            Eigen::Index cols,
@@ -22,7 +23,7 @@ Expected<void> check_shape(std::string_view name,
     return {};
 }
 
-/// All of them chances, and the sum is 1.
+/// Checks that all entries are probabilities and sum to 1 together with `rest` (the exit).
 Expected<void> check_chances(const std::string& name, const Eigen::VectorXd& row, double rest) {
     for (Eigen::Index i = 0; i < row.size(); ++i) {
         if (!(row[i] >= 0.0 && row[i] <= 1.0 + kSumTolerance)) {
@@ -37,6 +38,7 @@ Expected<void> check_chances(const std::string& name, const Eigen::VectorXd& row
     return {};
 }
 
+// Start, transitions and exits. Sizes come first, because the rows are indexed by them.
 Expected<void> check_topology(const GaussianHmm& model) {
     const Eigen::Index n = model.states();
     if (n < 1) {
@@ -67,6 +69,7 @@ Expected<void> check_topology(const GaussianHmm& model) {
     return {};
 }
 
+// One covariance whose shape is right already.
 Expected<void> check_covariance(std::string_view name,
                                 CovarianceType type,
                                 const Eigen::MatrixXd& covariance) {
@@ -79,6 +82,7 @@ Expected<void> check_covariance(std::string_view name,
         }
         return {};
     }
+    // Variances: D of them, or one. The negated comparison also catches NaN.
     for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
         if (!(covariance(i, 0) > 0.0)) {
             return fail(fmt::format("{}[{}] is {}, must be > 0", name, i, covariance(i, 0)));
@@ -87,10 +91,12 @@ Expected<void> check_covariance(std::string_view name,
     return {};
 }
 
+// Weights, means and covariances, in the order of the file's fields.
 Expected<void> check_emissions(const GaussianHmm& model) {
     const Eigen::Index n = model.states();
     const Eigen::Index k = model.mixtures();
     const Eigen::Index d = model.dimension();
+    // Only diagonal models have mixtures: HmmScorer and the trainer rely on K = 1 otherwise.
     if (k < 1 || (k > 1 && model.covariance_type != CovarianceType::diagonal)) {
         return fail(fmt::format("weights has {} columns, must have {}",
                                 k,
@@ -115,6 +121,7 @@ Expected<void> check_emissions(const GaussianHmm& model) {
     if (!model.means.allFinite()) {
         return fail("means have an entry that is not a finite number");
     }
+    // The type decides how many covariances there are and how large they are.
     const CovarianceShape shape = covariance_shape(model.covariance_type, n, k, d);
     if (static_cast<Eigen::Index>(model.covariances.size()) != shape.count) {
         return fail(fmt::format(
@@ -156,10 +163,12 @@ bool is_positive_definite(const Eigen::MatrixXd& matrix) {
     if (matrix.rows() != matrix.cols() || !matrix.allFinite()) {
         return false;
     }
+    // Relative to the largest entry, because rounding grows with it.
     const double largest = matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff();
     if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > 1e-9 * largest) {
         return false;
     }
+    // A Cholesky factor exists exactly for positive definite matrices.
     return Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success;
 }
 
@@ -179,6 +188,7 @@ GaussianHmm left_to_right(Eigen::Index states,
     model.initial[0] = 1.0;
     model.transition = Eigen::MatrixXd::Zero(states, states);
     model.exit = Eigen::VectorXd::Zero(states);
+    // Staying so long on average means leaving with the reciprocal chance at each frame.
     const double leave = 1.0 / std::max(mean_duration, 1.0);
     for (Eigen::Index i = 0; i < states; ++i) {
         model.transition(i, i) = 1.0 - leave;
@@ -192,6 +202,7 @@ GaussianHmm left_to_right(Eigen::Index states,
     model.weights = Eigen::MatrixXd::Ones(states, 1);
     model.covariance_type = type;
     const CovarianceShape shape = covariance_shape(type, states, 1, dimension);
+    // Identity matrices, or variances of 1, in the shape that the type wants.
     const bool is_matrix = type == CovarianceType::full || type == CovarianceType::tied;
     const Eigen::MatrixXd unit = is_matrix
                                      ? Eigen::MatrixXd::Identity(shape.rows, shape.cols).eval()

@@ -10,56 +10,61 @@
 #include "base/expected.hpp"
 
 /// Hidden Markov models with Gaussian emissions, for audio (genre) and motion (dance figures).
-/// Notation of Rabiner 1989: N states, T frames, D features; natural logarithms.
+/// Notation of Rabiner 1989: N states, T frames, D features, K mixture components; natural
+/// logarithms.
 namespace raks::models {
 
-/// T x D: one row a frame.
+/// A sequence, T x D: one row a frame, row-major.
 using Frames = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Shape of the emissions' covariances: variances alone, a full matrix for each state, one matrix
+/// for all states, or one variance for each state.
 enum class CovarianceType : std::uint8_t { diagonal, full, tied, spherical };
+/// By CovarianceType.
 inline constexpr std::string_view kCovarianceNames[] = {"diagonal", "full", "tied", "spherical"};
 
-/// A Gaussian hidden Markov model as it is learnt and stored. Evaluate it with HmmScorer.
+/// A Gaussian hidden Markov model as it is trained and stored. HmmScorer evaluates it.
 struct GaussianHmm {
     Eigen::VectorXd initial;     ///< N, sums to 1
     Eigen::MatrixXd transition;  ///< N x N; a row and its exit sum to 1
-    /// N: chance that the sequence ends after a state. Empty: sequences may end anywhere, at no
-    /// price, and the rows alone sum to 1.
+    /// N: probability that the sequence ends after a state. Empty: sequences may end anywhere at no
+    /// cost, and the rows of `transition` alone sum to 1.
     Eigen::VectorXd exit;
 
     /// Component k of state n is row n K + k.
     Eigen::MatrixXd means;  ///< N K x D
-    /// N x K mixture weights, rows sum to 1. K = 1 but for CovarianceType::diagonal.
+    /// N x K mixture weights, rows sum to 1. K is 1 except for CovarianceType::diagonal.
     Eigen::MatrixXd weights;
 
-    CovarianceType covariance_type = CovarianceType::diagonal;
+    CovarianceType covariance_type = CovarianceType::diagonal;  ///< of all states
     /// diagonal: N K of D x 1 variances; full: N of D x D; tied: one D x D; spherical: N of 1 x 1.
     std::vector<Eigen::MatrixXd> covariances;
 
-    [[nodiscard]] Eigen::Index states() const noexcept { return initial.size(); }
-    [[nodiscard]] Eigen::Index mixtures() const noexcept { return weights.cols(); }
-    [[nodiscard]] Eigen::Index dimension() const noexcept { return means.cols(); }
+    [[nodiscard]] Eigen::Index states() const noexcept { return initial.size(); }    ///< N
+    [[nodiscard]] Eigen::Index mixtures() const noexcept { return weights.cols(); }  ///< K
+    [[nodiscard]] Eigen::Index dimension() const noexcept { return means.cols(); }   ///< D
 };
 
-/// How many covariances a model of this type holds, and the shape of each.
+/// How many covariances a model of a type has, and the shape of each.
 struct CovarianceShape {
-    Eigen::Index count = 0;
-    Eigen::Index rows = 0;
-    Eigen::Index cols = 0;
+    Eigen::Index count = 0;  ///< matrices in GaussianHmm::covariances
+    Eigen::Index rows = 0;   ///< of each
+    Eigen::Index cols = 0;   ///< of each
 };
+/// For N `states`, K `mixtures` and D = `dimension`; see GaussianHmm::covariances. Real-time: yes.
 [[nodiscard]] CovarianceShape covariance_shape(CovarianceType type,
                                                Eigen::Index states,
                                                Eigen::Index mixtures,
                                                Eigen::Index dimension) noexcept;
 
-/// Dimensions agree, numbers are finite, rows sum to 1 (within 1e-6), variances are > 0, matrices
-/// positive definite. The error names the first wrong field: `transition[2] sums to 0.9, must be
-/// 1`.
+/// Checks that dimensions agree, numbers are finite, rows sum to 1 (within 1e-6), variances are > 0
+/// and matrices positive definite. The error names the first wrong field: `transition[2] sums to
+/// 0.9, must be 1`.
 [[nodiscard]] Expected<void> validate(const GaussianHmm& model);
 
-/// Start of a left-to-right model with entry at state 0 and exit after the last: each state is
-/// left with chance 1 / `mean_duration` (frames, >= 1), for the next one. Emissions are standard
-/// normal, to be replaced.
+/// Start of a left-to-right model that is entered at state 0 and left after the last: each state is
+/// left with probability 1 / `mean_duration` (frames, >= 1) for the next one. Emissions are
+/// standard normal, to be replaced by training.
 [[nodiscard]] GaussianHmm left_to_right(Eigen::Index states,
                                         Eigen::Index dimension,
                                         CovarianceType type,

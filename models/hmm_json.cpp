@@ -13,6 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A row or column of a matrix as an array of numbers.
 template <typename Row>
 Json list_of(const Row& row) {
     Json list = Json::array();
@@ -22,6 +23,7 @@ Json list_of(const Row& row) {
     return list;
 }
 
+// A matrix as an array of rows.
 Json table_of(const Eigen::MatrixXd& matrix) {
     Json rows = Json::array();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -30,12 +32,14 @@ Json table_of(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
+// The numbers of a field, which may be none.
 Eigen::VectorXd vector_of(const JsonDocument::Field& field) {
     const std::vector<double> numbers = field.numbers();
     return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
                                              static_cast<Eigen::Index>(numbers.size()));
 }
 
+// Rows of equal length; an empty matrix after a fault.
 Eigen::MatrixXd matrix_of(const JsonDocument::Field& field) {
     std::vector<Eigen::VectorXd> rows(field.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -54,6 +58,7 @@ Eigen::MatrixXd matrix_of(const JsonDocument::Field& field) {
     return matrix;
 }
 
+// Names are compared exactly. After a fault the type is diagonal; the document keeps the fault.
 CovarianceType type_of(const JsonDocument::Field& field) {
     const std::string name = field.text();
     const auto* const found =
@@ -72,6 +77,7 @@ nlohmann::ordered_json hmm_json(const GaussianHmm& model) {
     json["covariance_type"] = kCovarianceNames[static_cast<std::size_t>(model.covariance_type)];
     json["initial"] = list_of(model.initial);
     json["transition"] = table_of(model.transition);
+    // Empty where the model has no exits; read_hmm gives that back.
     json["exit"] = list_of(model.exit);
     json["weights"] = table_of(model.weights);
     json["means"] = table_of(model.means);

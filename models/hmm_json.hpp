@@ -5,13 +5,14 @@
 #include "models/gaussian_hmm.hpp"
 #include "models/json_fields.hpp"
 
-/// A model as part of another document.
+/// A Gaussian HMM as part of a JSON document.
 namespace raks::models {
 
-/// The fields of a model, without format and version.
+/// The fields of a model as a JSON object, without format and version.
 [[nodiscard]] nlohmann::ordered_json hmm_json(const GaussianHmm& model);
 
-/// Reads those fields; faults are the document's. Validate what comes back: sizes may disagree.
+/// Reads those fields; faults are noted in the document. Call validate() on the result: sizes may
+/// disagree.
 [[nodiscard]] GaussianHmm read_hmm(const JsonDocument::Field& fields);
 
 }  // namespace raks::models

@@ -10,18 +10,21 @@
 namespace raks::models {
 namespace {
 
-constexpr double kLogTwoPi = 1.8378770664093454836;
-constexpr double kNegligible = -40.0;   // 1 + exp(of less) is 1 in doubles
-constexpr double kUnderflow = -745.14;  // exp(of less) is 0 in doubles
+constexpr double kLogTwoPi = 1.8378770664093454836;  // ln 2 pi
+constexpr double kNegligible = -40.0;                // 1 + exp(of less) is 1 in doubles
+constexpr double kUnderflow = -745.14;               // exp(of less) is 0 in doubles
 
+// ln of a probability; kImpossible for 0.
 double log_or_impossible(double chance) noexcept {
     return chance > 0.0 ? std::log(chance) : kImpossible;
 }
 
+// exp, not computed where the result is 0 in doubles: most posteriors are.
 double exp_or_zero(double log) noexcept { return log < kUnderflow ? 0.0 : std::exp(log); }
 
-/// ln sum over arcs of exp(value at the other end + arc), in two passes. Most sums are of two
-/// values far apart: what cannot change the sum is not computed.
+/// ln of the sum over arcs of exp(value at the other end + arc's ln), in two passes: the largest
+/// term first, then the others relative to it. Most sums have two terms far apart, so terms that
+/// cannot change the sum are not computed.
 template <typename Value>
 double log_sum_over(std::span<const HmmScorer::Arc> arcs, const Value& value) noexcept {
     double best = kImpossible;
@@ -39,6 +42,7 @@ double log_sum_over(std::span<const HmmScorer::Arc> arcs, const Value& value) no
     return sum == 1.0 ? best : best + std::log(sum);
 }
 
+// Row t of a table as a span.
 std::span<const double> row_of(const Frames& frames, Eigen::Index t) noexcept {
     return {frames.data() + t * frames.cols(), static_cast<std::size_t>(frames.cols())};
 }
@@ -47,7 +51,7 @@ std::span<double> row_of(Frames& frames, Eigen::Index t) noexcept {
     return {frames.data() + t * frames.cols(), static_cast<std::size_t>(frames.cols())};
 }
 
-/// T x N, ln alpha (Rabiner 1989, eq. 19-20).
+/// Forward variables, T x N: ln alpha (Rabiner 1989, eq. 19-20).
 Frames forward_table(const HmmScorer& scorer, const Frames& emissions) {
     Frames alpha(emissions.rows(), emissions.cols());
     for (Eigen::Index t = 0; t < emissions.rows(); ++t) {
@@ -64,7 +68,7 @@ Frames forward_table(const HmmScorer& scorer, const Frames& emissions) {
     return alpha;
 }
 
-/// T x N, ln beta (eq. 24-25), ending with the exits.
+/// Backward variables, T x N: ln beta (eq. 24-25). The last row holds the exits instead of ln 1.
 Frames backward_table(const HmmScorer& scorer, const Frames& emissions) {
     Frames beta(emissions.rows(), emissions.cols());
     for (Eigen::Index t = emissions.rows() - 1; t >= 0; --t) {
@@ -81,6 +85,7 @@ Frames backward_table(const HmmScorer& scorer, const Frames& emissions) {
     return beta;
 }
 
+// ln p of the whole sequence from the last row of alpha: every state, weighted by its exit.
 double ending(const HmmScorer& scorer, std::span<const double> log_alpha) {
     std::vector<double> ends(log_alpha.begin(), log_alpha.end());
     for (std::size_t n = 0; n < ends.size(); ++n) {
@@ -91,6 +96,7 @@ double ending(const HmmScorer& scorer, std::span<const double> log_alpha) {
 
 }  // namespace
 
+// The largest value is taken out first, so that no exp overflows.
 double log_sum(std::span<const double> logs) noexcept {
     double best = kImpossible;
     for (const double value : logs) {
@@ -118,6 +124,8 @@ Expected<HmmScorer> HmmScorer::create(const GaussianHmm& model) {
     return scorer;
 }
 
+// Lists the transitions from both sides; those with probability 0 never appear, which makes
+// left-to-right models cheap.
 void HmmScorer::take_topology(const GaussianHmm& model) {
     const std::size_t n = static_cast<std::size_t>(model.states());
     into_.resize(n);
@@ -136,6 +144,7 @@ void HmmScorer::take_topology(const GaussianHmm& model) {
     }
 }
 
+// One whitening for each covariance, one component for each mean.
 void HmmScorer::take_emissions(const GaussianHmm& model) {
     const bool is_triangle = model.covariance_type == CovarianceType::full ||
                              model.covariance_type == CovarianceType::tied;
@@ -144,6 +153,8 @@ void HmmScorer::take_emissions(const GaussianHmm& model) {
     for (const Eigen::MatrixXd& covariance : model.covariances) {
         Whitening whitening{is_triangle, {}};
         double log_determinant = 0.0;
+        // Full or tied: covariance = L L^T. The inverse of L whitens, and ln |covariance| is twice
+        // the sum of the logarithms of L's diagonal.
         if (is_triangle) {
             const Eigen::MatrixXd factor = Eigen::LLT<Eigen::MatrixXd>(covariance).matrixL();
             const Eigen::MatrixXd inverse =
@@ -155,6 +166,7 @@ void HmmScorer::take_emissions(const GaussianHmm& model) {
                 }
             }
         } else {
+            // Diagonal, or spherical: then the one variance serves all features.
             for (Eigen::Index i = 0; i < d; ++i) {
                 const double variance = covariance(std::min(i, covariance.rows() - 1), 0);
                 log_determinant += std::log(variance);
@@ -164,6 +176,8 @@ void HmmScorer::take_emissions(const GaussianHmm& model) {
         log_determinants.push_back(log_determinant);
         whitenings_.push_back(std::move(whitening));
     }
+    // Component c belongs to state c / K. Its constant is ln weight - (D ln 2 pi + ln |covariance|)
+    // / 2.
     for (Eigen::Index c = 0; c < model.means.rows(); ++c) {
         const std::size_t which =
             model.covariance_type == CovarianceType::tied ? 0 : static_cast<std::size_t>(c);
@@ -178,6 +192,8 @@ void HmmScorer::take_emissions(const GaussianHmm& model) {
     }
 }
 
+// Gaussian log density and the component's weight: the constant minus half the squared Mahalanobis
+// distance of the frame.
 double HmmScorer::log_component(std::span<const double> frame,
                                 std::size_t component) const noexcept {
     const double* mean = means_.data() + component * dimension_;
@@ -205,7 +221,8 @@ void HmmScorer::log_components(std::span<const double> frame,
 void HmmScorer::log_emissions(std::span<const double> frame, std::span<double> out) const noexcept {
     RAKS_ASSERT(frame.size() == dimension_ && out.size() == states());
     for (std::size_t n = 0; n < states(); ++n) {
-        // Streaming log-sum-exp: no buffer for the components.
+        // Log-sum-exp over the components in one pass: `sum` is relative to the largest value so
+        // far, so no buffer is needed.
         double best = log_component(frame, n * mixtures_);
         double sum = 1.0;
         for (std::size_t k = 1; k < mixtures_; ++k) {
@@ -223,6 +240,8 @@ void HmmScorer::log_emissions(std::span<const double> frame, std::span<double> o
 
 Frames HmmScorer::log_emissions(const Frames& frames) const {
     Frames result(frames.rows(), static_cast<Eigen::Index>(states()));
+    // Only full covariances are worth it: whitening is O(D^2) a frame. The rest is done frame by
+    // frame.
     const Eigen::Index in_blocks = whitenings_[0].is_triangle ? take_blocks(frames, result) : 0;
     for (Eigen::Index t = in_blocks; t < frames.rows(); ++t) {
         log_emissions(row_of(frames, t), row_of(result, t));
@@ -230,6 +249,7 @@ Frames HmmScorer::log_emissions(const Frames& frames) const {
     return result;
 }
 
+// kFrameBlock frames at a time, so that squared_distances works on whole registers.
 Eigen::Index HmmScorer::take_blocks(const Frames& frames, Frames& out) const {
     constexpr Eigen::Index kBlock = kFrameBlock;
     std::vector<FeatureBlock> centred(dimension_);
@@ -238,6 +258,7 @@ Eigen::Index HmmScorer::take_blocks(const Frames& frames, Frames& out) const {
     for (; first + kBlock <= frames.rows(); first += kBlock) {
         for (std::size_t n = 0; n < states(); ++n) {  // mixtures are for diagonal only
             const double* const mean = means_.data() + n * dimension_;
+            // Transposed to one row a feature, with the state's mean subtracted.
             for (std::size_t i = 0; i < dimension_; ++i) {
                 for (Eigen::Index b = 0; b < kBlock; ++b) {
                     centred[i].frames[static_cast<std::size_t>(b)] =
@@ -261,6 +282,7 @@ double log_likelihood(const HmmScorer& scorer, const Frames& frames) {
     if (frames.rows() == 0) {
         return 0.0;
     }
+    // The forward pass alone gives the likelihood.
     const Frames alpha = forward_table(scorer, scorer.log_emissions(frames));
     return ending(scorer, row_of(alpha, alpha.rows() - 1));
 }
@@ -271,13 +293,16 @@ ViterbiResult viterbi(const HmmScorer& scorer, const Frames& log_emissions) {
         return {};
     }
     const std::size_t states = scorer.states();
+    // Best predecessor of each state at each frame.
     std::vector<std::size_t> from(static_cast<std::size_t>(frames) * states, 0);
     std::vector<double> score(states);
     std::vector<double> next(states);
+    // Initialization, recursion, end and backtracking, as in the paper.
     for (std::size_t n = 0; n < states; ++n) {
         score[n] = scorer.log_initial()[n] + log_emissions(0, static_cast<Eigen::Index>(n));
     }
     for (Eigen::Index t = 1; t < frames; ++t) {
+        // Strictly greater: arcs come by rising state, so ties go to the lower one.
         for (std::size_t n = 0; n < states; ++n) {
             double best = kImpossible;
             for (const HmmScorer::Arc& arc : scorer.arcs_into(n)) {
@@ -292,6 +317,7 @@ ViterbiResult viterbi(const HmmScorer& scorer, const Frames& log_emissions) {
         std::swap(score, next);
     }
     ViterbiResult result;
+    // The end: every state, weighted by its exit.
     std::size_t state = 0;
     for (std::size_t n = 0; n < states; ++n) {
         const double value = score[n] + scorer.log_exit()[n];
@@ -300,6 +326,7 @@ ViterbiResult viterbi(const HmmScorer& scorer, const Frames& log_emissions) {
             state = n;
         }
     }
+    // Backwards along the best predecessors.
     result.path.resize(static_cast<std::size_t>(frames));
     for (std::size_t t = result.path.size(); t-- > 0;) {
         result.path[t] = state;
@@ -317,15 +344,19 @@ ForwardBackward forward_backward(const HmmScorer& scorer, const Frames& log_emis
     }
     const Frames alpha = forward_table(scorer, log_emissions);
     const Frames beta = backward_table(scorer, log_emissions);
+    // Not finite: the model cannot produce the sequence, and posteriors do not exist.
     result.log_likelihood = ending(scorer, row_of(alpha, alpha.rows() - 1));
     if (!std::isfinite(result.log_likelihood)) {
         return result;
     }
+    // gamma: alpha beta / p.
     for (Eigen::Index t = 0; t < alpha.rows(); ++t) {
         for (Eigen::Index i = 0; i < n; ++i) {
             result.posteriors(t, i) = exp_or_zero(alpha(t, i) + beta(t, i) - result.log_likelihood);
         }
     }
+    // Sum over t of xi_t(i, j) = alpha_t(i) a_ij b_j(o_t+1) beta_t+1(j) / p, for existing arcs
+    // only.
     for (Eigen::Index i = 0; i < n; ++i) {
         for (const HmmScorer::Arc& arc : scorer.arcs_from(static_cast<std::size_t>(i))) {
             const Eigen::Index j = static_cast<Eigen::Index>(arc.state);
@@ -347,6 +378,7 @@ StreamingForward::StreamingForward(const HmmScorer& scorer)
       emissions_(scorer.states(), 0.0) {}
 
 double StreamingForward::process(std::span<const double> frame) noexcept {
+    // The same recursion as forward_table, with the last row alone kept.
     scorer_->log_emissions(frame, emissions_);
     for (std::size_t n = 0; n < alpha_.size(); ++n) {
         const double reached = is_started_

@@ -9,43 +9,49 @@
 #include "base/expected.hpp"
 #include "models/gaussian_hmm.hpp"
 
+/// Evaluation of Gaussian HMMs: emissions, likelihoods, Viterbi paths and posteriors.
 namespace raks::models {
 
 inline constexpr double kImpossible = -std::numeric_limits<double>::infinity();  ///< ln 0
 
-/// A model made ready to be evaluated: immutable; logarithms taken, covariances factorized, only
-/// the transitions that exist. Everything works on logarithms, so that no frame, however unlikely,
-/// underflows.
+/// A model prepared for evaluation: logarithms taken, covariances factorized, only existing
+/// transitions listed. Immutable. Everything is computed in logarithms, so that no frame, however
+/// unlikely, underflows.
 class HmmScorer {
  public:
+    /// A transition with probability > 0, seen from one of its states.
     struct Arc {
-        std::size_t state = 0;  ///< the other end
-        double log_chance = 0.0;
+        std::size_t state = 0;    ///< the state at the other end
+        double log_chance = 0.0;  ///< ln of the transition probability
     };
 
     /// Errors: those of validate(model).
     [[nodiscard]] static Expected<HmmScorer> create(const GaussianHmm& model);
 
-    [[nodiscard]] std::size_t states() const noexcept { return log_initial_.size(); }
-    [[nodiscard]] std::size_t mixtures() const noexcept { return mixtures_; }
-    [[nodiscard]] std::size_t dimension() const noexcept { return dimension_; }
+    [[nodiscard]] std::size_t states() const noexcept { return log_initial_.size(); }  ///< N
+    [[nodiscard]] std::size_t mixtures() const noexcept { return mixtures_; }          ///< K
+    [[nodiscard]] std::size_t dimension() const noexcept { return dimension_; }        ///< D
 
     /// ln b_n(o) of every state n for one frame of D features.
     /// Threads: any. Real-time: yes (O(N D) or O(N D^2), no allocation).
     void log_emissions(std::span<const double> frame, std::span<double> out) const noexcept;
-    /// ln (weight x density) of every component of one state.
+    /// ln (weight x density) of every component of one state; `out`: K values.
+    /// Threads: any. Real-time: yes.
     void log_components(std::span<const double> frame,
                         std::size_t state,
                         std::span<double> out) const noexcept;
-    /// T x N, the same bits as one by one. Real-time: no.
+    /// The same for all frames: T x N, the same bits as frame by frame. Real-time: no.
     [[nodiscard]] Frames log_emissions(const Frames& frames) const;
 
+    /// N, ln of the probability to start in each state.
     [[nodiscard]] std::span<const double> log_initial() const noexcept { return log_initial_; }
-    /// ln of the chance to end after each state; 0 where sequences may end anywhere.
+    /// N, ln of the probability to end after each state; 0 where sequences may end anywhere.
     [[nodiscard]] std::span<const double> log_exit() const noexcept { return log_exit_; }
+    /// Transitions that lead into a state, by rising origin.
     [[nodiscard]] std::span<const Arc> arcs_into(std::size_t state) const noexcept {
         return into_[state];
     }
+    /// Transitions that leave a state, by rising destination.
     [[nodiscard]] std::span<const Arc> arcs_from(std::size_t state) const noexcept {
         return from_[state];
     }
@@ -80,36 +86,44 @@ class HmmScorer {
     std::vector<Whitening> whitenings_;
 };
 
-/// ln sum exp; kImpossible for an empty or all-impossible list. Real-time: yes.
+/// ln of the sum of exp of these numbers; kImpossible for an empty list or one of kImpossible
+/// alone. Real-time: yes.
 [[nodiscard]] double log_sum(std::span<const double> logs) noexcept;
 
-/// ln p(o_1..o_T) of a whole sequence (with the exit, where the model has one).
+/// ln p(o_1..o_T) of a whole sequence, its end included where the model has exits; 0 for no frames.
+/// Threads: any. Real-time: no.
 [[nodiscard]] double log_likelihood(const HmmScorer& scorer, const Frames& frames);
 
+/// A state path and its probability.
 struct ViterbiResult {
-    std::vector<std::size_t> path;  ///< T states; empty for no frames
-    double log_probability = kImpossible;
+    std::vector<std::size_t> path;         ///< T states; empty for no frames
+    double log_probability = kImpossible;  ///< ln, with the observations
 };
-/// The most likely state path (Rabiner 1989, eq. 30-35). Ties go to the lower state.
+/// The most likely state path (Rabiner 1989, eq. 30-35). `log_emissions`: T x N. Ties go to the
+/// lower state. Threads: any. Real-time: no.
 [[nodiscard]] ViterbiResult viterbi(const HmmScorer& scorer, const Frames& log_emissions);
 
+/// Posteriors of a sequence under a model.
 struct ForwardBackward {
-    double log_likelihood = kImpossible;
-    Frames posteriors;            ///< T x N, gamma; all 0 when the sequence is impossible
-    Eigen::MatrixXd transitions;  ///< N x N, expected counts (sum of xi)
+    double log_likelihood = kImpossible;  ///< as log_likelihood()
+    Frames posteriors;                    ///< T x N, gamma; all 0 when the sequence is impossible
+    Eigen::MatrixXd transitions;          ///< N x N, expected counts (sum of xi)
 };
+/// Forward-backward algorithm (Rabiner 1989) on T x N log emissions. Threads: any. Real-time: no.
 [[nodiscard]] ForwardBackward forward_backward(const HmmScorer& scorer,
                                                const Frames& log_emissions);
 
-/// Forward recursion one frame at a time: ln p(o_1..o_t) after each (a prefix: without exit).
+/// Forward recursion one frame at a time.
+/// Threads: one. Real-time: process, reset yes.
 class StreamingForward {
  public:
-    /// Keeps a reference to `scorer`.
+    /// Keeps a reference to `scorer`, which must outlive this.
     explicit StreamingForward(const HmmScorer& scorer);
 
-    /// Threads: one. Real-time: yes (no allocation).
+    /// Takes the next frame (D features) and returns ln p(o_1..o_t) of the frames so far, without
+    /// exits (a prefix may go on).
     double process(std::span<const double> frame) noexcept;
-    void reset() noexcept { is_started_ = false; }
+    void reset() noexcept { is_started_ = false; }  ///< next frame is the first
 
     /// ln alpha of every state after the last frame.
     [[nodiscard]] std::span<const double> log_alpha() const noexcept { return alpha_; }

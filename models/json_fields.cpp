@@ -9,15 +9,16 @@
 namespace raks::models {
 namespace {
 
-constexpr int kDeepest = 32;
+constexpr int kDeepest = 32;  // levels of brackets
 
-/// True when brackets (outside strings) nest deeper than kDeepest: refused before a parser builds
-/// a tree of them.
+/// Do brackets (outside strings) nest deeper than kDeepest? Checked before parsing, so that
+/// no file makes the parser build a tree of them.
 bool is_too_deep(std::string_view text) noexcept {
     int depth = 0;
     bool is_in_string = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
+        // A backslash escapes the next character, which may be a quote.
         if (is_in_string) {
             i += c == '\\' ? 1U : 0U;
             is_in_string = c != '"';
@@ -34,6 +35,7 @@ bool is_too_deep(std::string_view text) noexcept {
     return false;
 }
 
+// "line 12" of a byte in the text; the parser reports bytes.
 std::string place_in(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -55,6 +57,7 @@ Expected<JsonDocument> JsonDocument::parse(std::string_view text,
         return fail("brackets nest too deep: not a file of Raks");
     }
     JsonDocument document;
+    // The parser throws; exceptions end here.
     try {
         *document.json_ = nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
@@ -66,6 +69,7 @@ Expected<JsonDocument> JsonDocument::parse(std::string_view text,
     if (!document.json_->is_object()) {
         return fail(fmt::format("not a {} file", format));
     }
+    // Format before version: a version means nothing in another kind of file.
     const Field root = document.root();
     if (!root.has("format") || root["format"].text() != format) {
         return fail(fmt::format("not a {0} file (no \"format\": \"{0}\")", format));
@@ -83,6 +87,7 @@ Expected<JsonDocument> JsonDocument::parse(std::string_view text,
     return document;
 }
 
+// Fields point into the heap, so the document may move while they exist.
 JsonDocument::Field JsonDocument::root() { return {json_.get(), "", fault_.get()}; }
 
 Expected<void> JsonDocument::finish() const {
@@ -92,12 +97,14 @@ Expected<void> JsonDocument::finish() const {
     return {};
 }
 
+// The first fault is the cause; later ones often follow from it.
 void JsonDocument::Field::complain(const std::string& what) const {
     if (!fault_->has_value()) {
         *fault_ = Error{fmt::format("{} {}", path_.empty() ? "the file" : path_, what)};
     }
 }
 
+// The path grows like an expression: "genres[2].name".
 JsonDocument::Field JsonDocument::Field::operator[](std::string_view key) const {
     Field child{
         nullptr, path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key), fault_};
@@ -123,6 +130,7 @@ bool JsonDocument::Field::has(std::string_view key) const {
     return value_ != nullptr && value_->is_object() && value_->contains(std::string(key));
 }
 
+// No list: a fault, and no entries, so that loops over it end at once.
 std::size_t JsonDocument::Field::size() const {
     if (value_ == nullptr || !value_->is_array()) {
         complain("is no list");

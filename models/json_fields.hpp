@@ -10,30 +10,30 @@
 
 #include "base/expected.hpp"
 
-/// Reading model files with errors that name the field.
+/// Reads model files with errors that name the field.
 namespace raks::models {
 
-/// A parsed document that remembers the first thing that was wrong with it. Readers go on with
-/// default values after a fault and ask for it once, at the end:
+/// A parsed document that remembers its first fault. Readers continue with default values after a
+/// fault and ask for it once, at the end:
 ///
 ///     Expected<JsonDocument> document = JsonDocument::parse(text, "raks-hmm", 1);
 ///     model.name = document->root()["name"].text();
 ///     if (auto ok = document->finish(); !ok) { return fail(...); }   // "name is missing"
 class JsonDocument {
  public:
-    class Field;
+    class Field;  ///< one value; below
 
-    /// Errors: not JSON (line and column), nested deeper than 32, not an object with this
-    /// "format", a version newer than `version` or not a positive whole number.
+    /// Errors: not JSON (with the line), nested deeper than 32, not an object with this "format", a
+    /// version newer than `version` or not a positive whole number.
     [[nodiscard]] static Expected<JsonDocument> parse(std::string_view text,
                                                       std::string_view format,
                                                       int version);
-    JsonDocument(JsonDocument&&) noexcept;
-    JsonDocument& operator=(JsonDocument&&) noexcept;
-    ~JsonDocument();
+    JsonDocument(JsonDocument&&) noexcept;             ///< fields stay valid
+    JsonDocument& operator=(JsonDocument&&) noexcept;  ///< those of the source do
+    ~JsonDocument();                                   ///< fields must be gone
 
-    [[nodiscard]] Field root();
-    /// The first fault, if there was one.
+    [[nodiscard]] Field root();  ///< the whole document
+    /// Fails with the first fault, if there was one.
     [[nodiscard]] Expected<void> finish() const;
 
  private:
@@ -42,22 +42,22 @@ class JsonDocument {
     std::unique_ptr<std::optional<Error>> fault_;  // on the heap: fields point to it
 };
 
-/// One value inside the document and the path to it. A missing one reads as 0, "" or empty, and is
-/// the document's fault.
+/// One value in the document and the path to it. A missing or wrong value reads as 0, "" or empty
+/// and is noted as a fault. Refers to the document, which must outlive it.
 class JsonDocument::Field {
  public:
     [[nodiscard]] Field operator[](std::string_view key) const;  ///< of an object
     [[nodiscard]] Field operator[](std::size_t index) const;     ///< of an array
-    [[nodiscard]] bool has(std::string_view key) const;
-    /// Entries of an array.
+    [[nodiscard]] bool has(std::string_view key) const;          ///< an object with this key?
+    /// Number of entries of an array.
     [[nodiscard]] std::size_t size() const;
-    [[nodiscard]] double number() const;
+    [[nodiscard]] double number() const;  ///< finite
     /// A whole number in [lowest, highest].
     [[nodiscard]] int whole(int lowest, int highest) const;
-    [[nodiscard]] std::string text() const;
-    [[nodiscard]] std::vector<double> numbers() const;
-    [[nodiscard]] const std::string& path() const noexcept { return path_; }
-    /// Notes a fault of this field: `PATH is WHAT`.
+    [[nodiscard]] std::string text() const;                                   ///< of a string
+    [[nodiscard]] std::vector<double> numbers() const;                        ///< of an array
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }  ///< "genres[2].name"
+    /// Notes a fault of this field, `PATH WHAT`; only the document's first fault is kept.
     void complain(const std::string& what) const;
 
  private:

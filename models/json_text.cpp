@@ -8,6 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// An array of numbers, texts, true, false or null only: it fits on one line.
 bool is_plain_list(const Json& value) {
     return value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& entry) {
                return entry.is_primitive();
@@ -19,6 +20,7 @@ std::string dumped(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+// Recursive; each level is indented by one space.
 void write(const Json& value, int depth, std::string& out) {
     if (value.is_primitive() || is_plain_list(value)) {
         out += dumped(value);
@@ -27,7 +29,7 @@ void write(const Json& value, int depth, std::string& out) {
     const bool is_object = value.is_object();
     const std::string margin(static_cast<std::size_t>(depth) + 1, ' ');
     out += is_object ? '{' : '[';
-    const char* separator = "\n";
+    const char* separator = "\n";  // of the first entry; the others follow a comma
     for (const auto& [key, entry] : value.items()) {
         out += separator + margin;
         if (is_object) {

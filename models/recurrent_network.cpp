@@ -12,7 +12,8 @@ namespace {
 
 using Units = std::array<float, RecurrentNetwork::kMaxUnits>;
 
-/// sums[j] += sum over i of input[i] weights[i][j]
+/// sums[j] += sum over i of input[i] weights[i][j], weights row-major. Row by row, so that the
+/// inner loop runs over neighbouring numbers and vectorizes.
 RAKS_SIMD_CLONES void add_product(const float* input,
                                   std::size_t inputs,
                                   const float* weights,
@@ -27,7 +28,7 @@ RAKS_SIMD_CLONES void add_product(const float* input,
     }
 }
 
-/// hidden = the next hidden, from both products' sums (gates r, z, n side by side).
+/// hidden = the next hidden values, from the sums of both products (gates r, z, n side by side).
 RAKS_SIMD_CLONES void open_gates(const float* from_input,
                                  const float* from_hidden,
                                  std::size_t units,
@@ -41,6 +42,8 @@ RAKS_SIMD_CLONES void open_gates(const float* from_input,
     }
 }
 
+// One layer, one frame. Biases are the start values of the sums: b with the input's product, c with
+// the candidate's recurrent product only, because r multiplies that one.
 void step(const float* parameters,
           const RecurrentNetwork::Layer& layer,
           std::span<const float> input,
@@ -68,9 +71,10 @@ void step(const float* parameters,
 RecurrentNetwork::RecurrentNetwork(const Shape& shape) : shape_(shape) {
     RAKS_ASSERT(shape.units >= 1 && shape.units <= kMaxUnits && shape.layers >= 1 &&
                 shape.layers <= kMaxLayers && shape.outputs >= 1 && shape.outputs <= kMaxOutputs);
+    // Deals out consecutive ranges of the row of parameters.
     std::size_t at = 0;
     const auto take = [&](std::size_t count) { return std::exchange(at, at + count); };
-    std::size_t inputs = shape.inputs;
+    std::size_t inputs = shape.inputs;  // of the layer: of the frame, then of the layer below
     for (std::size_t i = 0; i < shape.layers; ++i) {
         Layer layer{.inputs = inputs, .units = shape.units};
         layer.input_weights = take(inputs * 3 * shape.units);
@@ -81,10 +85,11 @@ RecurrentNetwork::RecurrentNetwork(const Shape& shape) : shape_(shape) {
         inputs = shape.units;
     }
     output_weights_ = take(shape.units * shape.outputs);
-    take(shape.outputs);
+    take(shape.outputs);  // the output biases
     parameters_.resize(at);
 }
 
+// The output of each layer is the input of the next; the last one feeds the outputs.
 RecurrentStream::Logits RecurrentStream::next(
     const RecurrentNetwork& network, std::span<const float> input) noexcept RAKS_NONBLOCKING {
     const float* const parameters = network.parameters().data();
@@ -95,6 +100,7 @@ RecurrentStream::Logits RecurrentStream::next(
         below = std::span<const float>(hidden_[index]).first(layer.units);
         ++index;
     }
+    // The logits start at the biases; entries beyond the network's outputs stay 0.
     Logits logits{};
     std::copy_n(parameters + network.output_biases(), network.outputs(), logits.begin());
     add_product(below.data(),

@@ -10,49 +10,56 @@
 
 namespace raks::models {
 
-/// A small recurrent network: gated recurrent units (Cho et al. 2014) in layers, and linear
-/// outputs. Weights only; what the outputs mean is its owner's.
+/// A small recurrent network: layers of gated recurrent units (Cho et al. 2014) and linear outputs.
+/// It holds weights only; what inputs and outputs mean is up to its user.
 ///
 /// One layer of u units with input x: r = s(x Wr + h Ur + br), z = s(x Wz + h Uz + bz),
-/// n = tanh(x Wn + bn + r (h Un + cn)), h' = (1 - z) n + z h.
+/// n = tanh(x Wn + bn + r (h Un + cn)), h' = (1 - z) n + z h; s is the logistic function.
 /// Parameters lie in one row, layer after layer: W (inputs x 3u), U (u x 3u), b (3u), c (u), all
 /// row-major with the gates r, z, n side by side; then the output's W (u x outputs) and b
 /// (outputs). Threads: any may read.
 class RecurrentNetwork {
  public:
-    static constexpr std::size_t kMaxUnits = 128;
-    static constexpr std::size_t kMaxLayers = 3;
-    static constexpr std::size_t kMaxOutputs = 17;
+    static constexpr std::size_t kMaxUnits = 128;   ///< of a layer: the size of a stream's state
+    static constexpr std::size_t kMaxLayers = 3;    ///< of a network
+    static constexpr std::size_t kMaxOutputs = 17;  ///< size of Logits
 
+    /// Sizes of a network.
     struct Shape {
-        std::size_t inputs = 1;
+        std::size_t inputs = 1;   ///< numbers in a frame
         std::size_t units = 4;    ///< of each layer, 1 to kMaxUnits; multiples of 4 are fast
         std::size_t layers = 1;   ///< 1 to kMaxLayers
         std::size_t outputs = 1;  ///< 1 to kMaxOutputs
         friend bool operator==(const Shape&, const Shape&) = default;
     };
+    /// Sizes of a layer and where its parameters start in the row.
     struct Layer {
-        std::size_t inputs = 0;
-        std::size_t units = 0;
-        std::size_t input_weights = 0;  ///< where they start in the row of parameters
-        std::size_t recurrent_weights = 0;
-        std::size_t biases = 0;
-        std::size_t candidate_biases = 0;
+        std::size_t inputs = 0;             ///< of the frame, or units of the layer below
+        std::size_t units = 0;              ///< u
+        std::size_t input_weights = 0;      ///< index of W, inputs x 3u
+        std::size_t recurrent_weights = 0;  ///< index of U, u x 3u
+        std::size_t biases = 0;             ///< index of b, 3u
+        std::size_t candidate_biases = 0;   ///< index of c, u
     };
 
-    /// All parameters 0.
+    /// Checks the shape by assertion; all parameters are 0.
     explicit RecurrentNetwork(const Shape& shape);
 
-    [[nodiscard]] const Shape& shape() const noexcept { return shape_; }
+    [[nodiscard]] const Shape& shape() const noexcept { return shape_; }  ///< as given
+    /// From input to output.
     [[nodiscard]] std::span<const Layer> layers() const noexcept { return layers_; }
-    [[nodiscard]] std::size_t units() const noexcept { return shape_.units; }
+    [[nodiscard]] std::size_t units() const noexcept { return shape_.units; }  ///< of each layer
+    /// Numbers for each frame.
     [[nodiscard]] std::size_t outputs() const noexcept { return shape_.outputs; }
+    /// Index of the output weights in the row of parameters.
     [[nodiscard]] std::size_t output_weights() const noexcept { return output_weights_; }
+    /// Index of the output biases.
     [[nodiscard]] std::size_t output_biases() const noexcept {
         return output_weights_ + units() * outputs();
     }
+    /// All, in one row.
     [[nodiscard]] std::span<const float> parameters() const noexcept { return parameters_; }
-    [[nodiscard]] std::span<float> parameters() noexcept { return parameters_; }
+    [[nodiscard]] std::span<float> parameters() noexcept { return parameters_; }  ///< to be set
 
  private:
     Shape shape_;
@@ -61,18 +68,19 @@ class RecurrentNetwork {
     std::vector<float> parameters_;
 };
 
-/// Runs a network over a stream, frame by frame, from zero states.
+/// State of a network on one stream; runs it frame by frame from zero states.
 /// Cost: units x (inputs + units) x 3 multiply-adds a layer; 3 us a frame for two layers of 64.
 /// Threads: one. Real-time: next, reset yes.
 class RecurrentStream {
  public:
+    /// Outputs before any squashing.
     using Logits = std::array<float, RecurrentNetwork::kMaxOutputs>;
 
-    /// The outputs after this frame, before any squashing; those that the network lacks are 0.
-    /// `network`: the same shape every time. `input`: its inputs.
+    /// The outputs after this frame; entries beyond the network's outputs are 0. `network`: of the
+    /// same shape at every call. `input`: as many numbers as it has inputs.
     Logits next(const RecurrentNetwork& network,
                 std::span<const float> input) noexcept RAKS_NONBLOCKING;
-    void reset() noexcept RAKS_NONBLOCKING { hidden_ = {}; }
+    void reset() noexcept RAKS_NONBLOCKING { hidden_ = {}; }  ///< back to zero states
 
  private:
     using Units = std::array<float, RecurrentNetwork::kMaxUnits>;

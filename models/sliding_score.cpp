@@ -8,21 +8,21 @@
 namespace raks::models {
 namespace {
 
-/// Sums of products: the forward recursion.
+/// Semiring of the forward recursion: sums of products.
 struct SumProduct {
     static constexpr double kNothing = 0.0;
     static double both(double a, double b) noexcept { return a * b; }
     static double either(double a, double b) noexcept { return a + b; }
 };
 
-/// Maxima of sums of logarithms: Viterbi.
+/// Semiring of Viterbi: maxima of sums of logarithms.
 struct MaxSum {
     static constexpr double kNothing = kImpossible;
     static double both(double a, double b) noexcept { return a + b; }
     static double either(double a, double b) noexcept { return std::max(a, b); }
 };
 
-/// out = left x right, all states x states, row-major.
+/// out = left x right in the semiring, all N x N, row-major.
 template <class Ring>
 void multiply(std::span<const double> left,
               std::span<const double> right,
@@ -40,7 +40,7 @@ void multiply(std::span<const double> left,
     }
 }
 
-/// out = matrix x vector.
+/// out = matrix x vector in the semiring.
 template <class Ring>
 void multiply_vector(std::span<const double> matrix,
                      std::span<const double> vector,
@@ -55,7 +55,8 @@ void multiply_vector(std::span<const double> matrix,
     }
 }
 
-/// Divides by the largest value. Returns the logarithm of what was divided by; 0 for all zeros.
+/// Divides by the largest value, so that the values stay near 1. Returns the logarithm of the
+/// divisor; 0 where all values are 0.
 double rescale(std::span<double> values) noexcept {
     const double largest = *std::max_element(values.begin(), values.end());
     if (!(largest > 0.0)) {
@@ -80,6 +81,7 @@ SlidingScore::SlidingScore(const HmmScorer& scorer, const Plan& plan)
       closed_(static_cast<std::size_t>(plan.blocks) + 1),
       scores_(static_cast<std::size_t>(plan.blocks)),
       next_scores_(static_cast<std::size_t>(plan.blocks)) {
+    // Logarithms from the scorer; forward needs the probabilities themselves.
     for (std::size_t from = 0; from < states_; ++from) {
         for (const HmmScorer::Arc& arc : scorer.arcs_from(from)) {
             transition_[from * states_ + arc.state] = arc.log_chance;
@@ -90,6 +92,7 @@ SlidingScore::SlidingScore(const HmmScorer& scorer, const Plan& plan)
         std::transform(initial_.begin(), initial_.end(), initial_.begin(), chance);
         std::transform(transition_.begin(), transition_.end(), transition_.begin(), chance);
     }
+    // All memory is allocated here, because process() is real-time.
     open_.values.resize(states_ * states_);
     for (Scaled& block : closed_) {
         block.values.resize(states_ * states_);
@@ -99,6 +102,7 @@ SlidingScore::SlidingScore(const HmmScorer& scorer, const Plan& plan)
 }
 
 void SlidingScore::reset() noexcept {
+    // Matrices keep old values; they are overwritten before they are read.
     filled_ = 0;
     closed_blocks_ = 0;
     walked_ = 0;
@@ -111,19 +115,23 @@ int SlidingScore::blocks_scored() const noexcept {
     return static_cast<int>(std::min<std::int64_t>(scored_blocks_, blocks_));
 }
 
+// Scores of windows longer than the stream do not exist.
 double SlidingScore::score(int blocks) const noexcept {
     return blocks >= 1 && blocks <= blocks_scored() ? scores_[static_cast<std::size_t>(blocks - 1)]
                                                     : kImpossible;
 }
 
+// A closed block by its number since the start of the stream; old ones are overwritten.
 const SlidingScore::Scaled& SlidingScore::block_at(std::int64_t number) const noexcept {
     return closed_[static_cast<std::size_t>(number) % closed_.size()];
 }
 
 void SlidingScore::process(std::span<const double> log_emissions) noexcept {
     RAKS_ASSERT(log_emissions.size() == states_);
+    // An equal share of the walk at each frame of a block, rounded up: it ends with the block.
     walk((blocks_ + block_ - 1) / block_);
     take_frame(log_emissions);
+    // The walk ends before the new block is stored over the oldest one.
     if (++filled_ == block_) {
         finish_walk();
         close_block();
@@ -134,6 +142,8 @@ void SlidingScore::process(std::span<const double> log_emissions) noexcept {
 void SlidingScore::take_frame(std::span<const double> log_emissions) noexcept {
     std::vector<double>& product = open_.values;
     const bool is_forward = kind_ == Kind::forward;
+    // The first frame of a block has no transition before it: it is part of the step between
+    // blocks.
     if (filled_ == 0) {
         std::fill(product.begin(), product.end(), is_forward ? 0.0 : kImpossible);
         for (std::size_t state = 0; state < states_; ++state) {
@@ -145,6 +155,7 @@ void SlidingScore::take_frame(std::span<const double> log_emissions) noexcept {
                    : multiply<MaxSum>(product, transition_, states_, work_);
         std::swap(product, work_);
     }
+    // The largest emission is factored out, because emissions may all be below e^-745.
     const double best = *std::max_element(log_emissions.begin(), log_emissions.end());
     const double shift = is_forward && best > kImpossible ? best : 0.0;
     for (std::size_t to = 0; to < states_; ++to) {
@@ -158,6 +169,7 @@ void SlidingScore::take_frame(std::span<const double> log_emissions) noexcept {
     open_.log_scale += shift + (is_forward ? rescale(product) : 0.0);
 }
 
+// Copies into the ring's own memory and starts the walk over the blocks that exist.
 void SlidingScore::close_block() noexcept {
     Scaled& place = closed_[static_cast<std::size_t>(closed_blocks_) % closed_.size()];
     std::copy(open_.values.begin(), open_.values.end(), place.values.begin());
@@ -168,6 +180,7 @@ void SlidingScore::close_block() noexcept {
     is_walking_ = true;
 }
 
+// Up to `steps` blocks further back; each gives the score of one more window.
 void SlidingScore::walk(int steps) noexcept {
     const int all = static_cast<int>(std::min<std::int64_t>(closed_blocks_, blocks_));
     for (int i = 0; i < steps && is_walking_ && walked_ < all; ++i) {
@@ -181,6 +194,7 @@ void SlidingScore::finish_walk() noexcept {
         return;
     }
     walk(blocks_);
+    // The finished scores are shown at once, for all lengths of window together.
     std::swap(scores_, next_scores_);
     scored_blocks_ = closed_blocks_;
     is_walking_ = false;
@@ -189,6 +203,7 @@ void SlidingScore::finish_walk() noexcept {
 /// vector <- P x 1 for the newest block, P x A x vector for those before it.
 void SlidingScore::step_back(const Scaled& block) noexcept {
     const bool is_forward = kind_ == Kind::forward;
+    // Both products need a result that is not an operand.
     const std::span<double> next = std::span(work_).first(states_);
     if (walked_ == 0) {
         std::fill(vector_.values.begin(), vector_.values.end(), is_forward ? 1.0 : 0.0);
@@ -204,6 +219,7 @@ void SlidingScore::step_back(const Scaled& block) noexcept {
     vector_.log_scale += block.log_scale + (is_forward ? rescale(vector_.values) : 0.0);
 }
 
+// initial . vector: the probability to start the window in each state.
 double SlidingScore::entry_score() const noexcept {
     const bool is_forward = kind_ == Kind::forward;
     double sum = is_forward ? 0.0 : kImpossible;

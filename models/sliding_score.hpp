@@ -9,44 +9,46 @@
 
 namespace raks::models {
 
-/// How likely a model makes each of the windows that end now: exact, at a cost a frame that does
-/// not grow with what was heard.
+/// Log-likelihoods of the most recent windows of several lengths under one model: exact, at a cost
+/// a frame that does not depend on the length of the stream.
 ///
 /// Frames are gathered in blocks. A closed block is one N x N matrix, the product of its frames'
-/// transitions and emissions; a window's score is its entry vector times its blocks. One walk from
+/// transitions and emissions; a window's score is its entry vector times its blocks. A walk from
 /// the newest block backwards,
 ///     v = P_m 1,   score_m = initial . v,   v <- P_(m-1) A v,
-/// gives the windows of 1, 2, ... blocks in turn, and is spread over the frames of the block that
-/// follows: N^3 for the product and a few N^2 a frame. Nothing is a difference of long sums, so
-/// nothing cancels; every matrix carries the logarithm of its own scale.
+/// yields the windows of 1, 2, ... blocks in turn. It is spread over the frames of the block that
+/// follows: N^3 for the product and a few N^2 a frame. No long sums are subtracted, so no digits
+/// cancel; every matrix carries the logarithm of its own scale.
 ///
-/// Forward: sums over paths, in doubles scaled frame by frame; paths below e^-700 of the best one
+/// Forward: sums over paths, in doubles rescaled at every frame; paths below e^-700 of the best one
 /// within a block count as impossible. Viterbi: the best path, in logarithms.
 /// Threads: one. Real-time: all but the constructor.
 class SlidingScore {
  public:
+    /// Sum over all paths, or the best path alone.
     enum class Kind : std::uint8_t { forward, viterbi };
+    /// What is scored.
     struct Plan {
-        Kind kind = Kind::forward;
-        int block = 10;    ///< frames, >= 1
-        int blocks = 100;  ///< of the longest window, >= 1
+        Kind kind = Kind::forward;  ///< of the recursion
+        int block = 10;             ///< frames, >= 1
+        int blocks = 100;           ///< of the longest window, >= 1
     };
 
-    /// Of the model it takes initial chances and transitions; sequences may end anywhere.
+    /// Takes initial and transition probabilities from the model; sequences may end anywhere.
     SlidingScore(const HmmScorer& scorer, const Plan& plan);
 
-    /// Takes the next frame's ln b_n(o) of each of the N states. A frame that tells nothing is all
-    /// 0: only time passes.
+    /// Takes the next frame's ln b_n(o) of each of the N states. For a frame without information
+    /// pass zeros: then only time passes.
     void process(std::span<const double> log_emissions) noexcept;
-    void reset() noexcept;
+    void reset() noexcept;  ///< as after construction
 
-    /// ln p of the `blocks` newest blocks as one sequence; kImpossible where fewer were heard yet.
-    /// The newest block is the last one whose walk is done: one block older than the last closed
-    /// one.
+    /// ln p of the `blocks` newest blocks as one sequence; kImpossible where the stream has fewer
+    /// yet. The newest block is the last one whose walk is complete: one block before the last
+    /// closed one.
     [[nodiscard]] double score(int blocks) const noexcept;
     /// Frames from the start of the stream to the end of those windows.
     [[nodiscard]] std::int64_t frames_scored() const noexcept { return scored_blocks_ * block_; }
-    /// Blocks that score() can look back to.
+    /// The largest number of blocks that score() has a value for.
     [[nodiscard]] int blocks_scored() const noexcept;
 
  private:

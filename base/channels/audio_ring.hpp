@@ -12,8 +12,8 @@
 
 namespace raks {
 
-/// Ring of float samples (interleaved or mono, as its users agree) from one writer to one reader,
-/// for blocks of any size. Writes and reads what fits and returns how much.
+/// Ring buffer of float samples (interleaved or mono, as its users agree) from one writer to one
+/// reader, for blocks of any size. Both calls transfer what fits and return how much that was.
 ///
 /// Non-blocking guarantees: all but the constructor are wait-free (at most two copies).
 /// Threads: write from one thread, read from one thread. Real-time: yes, but the constructor.
@@ -21,10 +21,10 @@ class AudioRing {
  public:
     /// Room for exactly `capacity` samples, >= 1.
     explicit AudioRing(std::size_t capacity) : samples_(capacity) { RAKS_ASSERT(capacity >= 1); }
-    AudioRing(const AudioRing&) = delete;
-    AudioRing& operator=(const AudioRing&) = delete;
+    AudioRing(const AudioRing&) = delete;  ///< not copyable: both threads refer to this one
+    AudioRing& operator=(const AudioRing&) = delete;  ///< not assignable
 
-    [[nodiscard]] std::size_t capacity() const noexcept { return samples_.size(); }
+    [[nodiscard]] std::size_t capacity() const noexcept { return samples_.size(); }  ///< samples
 
     /// Appends as many of `block` as fit; returns how many.
     std::size_t write(std::span<const float> block) noexcept RAKS_NONBLOCKING {
@@ -50,12 +50,12 @@ class AudioRing {
         return count;
     }
 
-    /// Samples that a read() would get now. Exact for the reader, a lower bound for others.
+    /// Samples that a read() by the reader gets at least; the writer sees an upper bound.
     [[nodiscard]] std::size_t readable() const noexcept RAKS_NONBLOCKING {
         const std::uint64_t tail = tail_.load(std::memory_order_acquire);
         return static_cast<std::size_t>(head_.load(std::memory_order_acquire) - tail);
     }
-    /// Samples that a write() would take now. Exact for the writer, a lower bound for others.
+    /// Samples that a write() by the writer takes at least; the reader sees an upper bound.
     [[nodiscard]] std::size_t writable() const noexcept RAKS_NONBLOCKING {
         return samples_.size() - readable();
     }

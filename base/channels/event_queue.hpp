@@ -11,8 +11,8 @@
 
 namespace raks {
 
-/// Bounded first-in first-out queue from one producer to one consumer. When full, push drops the
-/// new event, says so and counts it: the consumer must be able to see the gap.
+/// Bounded first-in first-out queue from one producer to one consumer. When it is full, push drops
+/// the new event, returns false and counts it, so that the consumer can detect the gap.
 ///
 /// Non-blocking guarantees: push and pop are wait-free.
 /// Threads: push from one thread, pop from one thread, dropped() from any.
@@ -24,8 +24,8 @@ class EventQueue {
  public:
     /// Room for exactly `capacity` events, >= 1.
     explicit EventQueue(std::size_t capacity) : slots_(capacity) { RAKS_ASSERT(capacity >= 1); }
-    EventQueue(const EventQueue&) = delete;
-    EventQueue& operator=(const EventQueue&) = delete;
+    EventQueue(const EventQueue&) = delete;  ///< not copyable: both threads refer to this one
+    EventQueue& operator=(const EventQueue&) = delete;  ///< not assignable
 
     /// False when the queue was full and the event was dropped.
     bool push(const T& event) noexcept RAKS_NONBLOCKING {

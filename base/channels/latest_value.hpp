@@ -9,8 +9,8 @@
 
 namespace raks {
 
-/// The newest value of one writer for one reader; older ones are lost by design. A triple buffer:
-/// each side owns one slot, the third changes hands with one exchange.
+/// Passes the newest value from one writer to one reader; older values are overwritten by design. A
+/// triple buffer: each side owns one slot, the third changes hands with one atomic exchange.
 ///
 /// Non-blocking guarantees: write and read are wait-free (one copy, one exchange).
 /// Threads: write from one thread, read from one thread. Real-time: yes, both.
@@ -19,9 +19,9 @@ class LatestValue {
     static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-    LatestValue() noexcept = default;
-    LatestValue(const LatestValue&) = delete;
-    LatestValue& operator=(const LatestValue&) = delete;
+    LatestValue() noexcept = default;          ///< holds a value-initialized T
+    LatestValue(const LatestValue&) = delete;  ///< not copyable: both threads refer to this one
+    LatestValue& operator=(const LatestValue&) = delete;  ///< not assignable
 
     /// Publishes a copy of `value`.
     void write(const T& value) noexcept RAKS_NONBLOCKING {

@@ -9,17 +9,18 @@
 
 namespace raks {
 
-/// Brings what a real-time thread no longer needs back to a thread that may free it.
+/// Passes objects that a real-time thread no longer needs to a thread that may free them.
 ///
 /// Non-blocking guarantees: retire is wait-free. collect frees, so it may block.
 /// Threads: retire from one real-time thread, collect and destruction on one worker.
 template <typename T>
 class RetireQueue {
  public:
+    /// Room for `capacity` objects, >= 1.
     explicit RetireQueue(std::size_t capacity) : queue_(capacity) {}
-    RetireQueue(const RetireQueue&) = delete;
-    RetireQueue& operator=(const RetireQueue&) = delete;
-    ~RetireQueue() { collect(); }
+    RetireQueue(const RetireQueue&) = delete;  ///< not copyable: both threads refer to this one
+    RetireQueue& operator=(const RetireQueue&) = delete;  ///< not assignable
+    ~RetireQueue() { collect(); }  ///< frees what is left; no retire() may run
 
     /// Takes the object over. When the queue is full the object stays in `object` and false is
     /// returned: keep it and try again at a later tick; never free it here.

@@ -38,9 +38,7 @@ enum class AvatarMask : std::uint8_t {
     accent,  ///< inside `shoe` its sole and heel; on the face lashes (stripe > 0) and lips (< 0)
     band,    ///< joint bands of the plain mannequin: neck, waist, elbow, wrist, knee, ankle
 };
-/// Number of values of AvatarMask.
 inline constexpr int kMaskCount = 7;
-/// Names in the order of AvatarMask.
 inline constexpr std::array<std::string_view, kMaskCount> kMaskNames = {
     "suit",
     "stripe",
@@ -64,17 +62,11 @@ inline constexpr float kMaskRange = 0.04F;  ///< metres that are 127 in a mask b
 ///                                                               accent, band)
 ///     35      uint8       1 GL_UNSIGNED_BYTE, normalized        ambient occlusion, 255 = open
 struct AvatarVertex {
-    /// Metres, model space, bind pose.
     std::array<float, 3> position{};
-    /// Unit normal times 32767; w = 0.
     std::array<std::int16_t, 4> normal{};
-    /// Palette indices of the joints that move the vertex.
     std::array<std::uint8_t, 4> joints{};
-    /// Their weights in 255ths, sum 255.
     std::array<std::uint8_t, 4> weights{};
-    /// Signed distances to the colour areas, by AvatarMask; 127 is kMaskRange.
     std::array<std::int8_t, kMaskCount> masks{};
-    /// How open the skin is: 255 is unoccluded.
     std::uint8_t ambient_occlusion = 255;
 };
 static_assert(sizeof(AvatarVertex) == 36 && std::is_trivially_copyable_v<AvatarVertex>);
@@ -82,8 +74,8 @@ static_assert(offsetof(AvatarVertex, normal) == 12 && offsetof(AvatarVertex, joi
 static_assert(offsetof(AvatarVertex, weights) == 24 && offsetof(AvatarVertex, masks) == 28);
 static_assert(offsetof(AvatarVertex, ambient_occlusion) == 35);
 
-/// Which part of its source bone's rotation q = swing * roll a helper joint takes; roll is the turn
-/// about the helper's roll axis.
+/// What a helper joint takes of its source bone's rotation q = swing * roll, where roll turns about
+/// the helper's roll axis.
 enum class HelperKind : std::uint8_t {
     half_swing,       ///< half of the swing, no roll: armpit, groin, buttock
     swing_half_roll,  ///< all of the swing, half of the roll: limbs rolled in shoulder and hip
@@ -91,14 +83,10 @@ enum class HelperKind : std::uint8_t {
     half_roll,        ///< half of the roll alone: forearm, of the hand's roll
 };
 
-/// A joint of the palette that is no bone; it is posed from the bones in `helper_rotation`.
 struct HelperJoint {
     std::string_view name;  ///< "leftElbowHalf"
-    /// Part of the source's rotation that it takes.
     HelperKind kind = HelperKind::half_rotation;
-    /// Bone in whose frame the helper is placed and turned.
     motion::Bone parent = motion::Bone::hips;
-    /// Bone whose local rotation it takes a part of.
     motion::Bone source = motion::Bone::hips;
     glm::vec3 roll_axis{};  ///< unit, in the source's frame
     glm::vec3 offset{};     ///< from the parent's joint, in the parent's frame
@@ -107,18 +95,14 @@ struct HelperJoint {
     float lift = 0.0F;
 };
 
-/// A drawable body with its skeleton, mesh and bind pose. Immutable once built, so any thread may
-/// read it.
+/// Immutable once built.
 struct Avatar {
-    /// As shown to the user.
     std::string name;
-    /// Rest offsets of the bones, metres.
     motion::Skeleton skeleton;
     motion::Pose bind_pose;  ///< an A-pose: the posture in which vertices and normals are given
     std::vector<AvatarVertex> vertices;  ///< fewer than 65,536
     std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from outside
     std::array<glm::mat4, kPaletteSize> inverse_bind{};  ///< joint from world, in the bind pose
-    /// In palette order, behind the bones.
     std::array<HelperJoint, kHelperCount> helpers{};
     std::string licence;  ///< SPDX identifier
 };

@@ -31,23 +31,18 @@ float elevation_of(glm::vec3 direction) noexcept {
     return std::asin(std::clamp(direction.y, -1.0F, 1.0F));
 }
 
-/// Adds to one collar bone what the scapulohumeral rhythm asks for and the pose lacks.
 void raise_collar_bone(motion::Side side, motion::Pose& pose) noexcept {
     const float outward = side == motion::Side::left ? 1.0F : -1.0F;
     const glm::vec3 along_bone{outward, 0.0F, 0.0F};
     glm::quat& shoulder = pose.rotation(motion::on_side(Bone::left_shoulder, side));
     glm::quat& upper_arm = pose.rotation(motion::on_side(Bone::left_upper_arm, side));
 
-    // A pose that raises the collar bone itself gets only the missing part, so none is raised
-    // twice.
     const glm::quat chest_from_arm = shoulder * upper_arm;
     const float own_rise = std::max(elevation_of(shoulder * along_bone), 0.0F);
     const float missing = wanted_rise(elevation_of(chest_from_arm * along_bone)) - own_rise;
     if (missing <= 0.0F) {
         return;
     }
-    // The turn is about z, the chest's forward axis; its inverse goes to the upper arm, so that the
-    // arm keeps its direction.
     const float half = 0.5F * outward * missing;
     shoulder = glm::quat(std::cos(half), 0.0F, 0.0F, std::sin(half)) * shoulder;
     upper_arm = glm::conjugate(shoulder) * chest_from_arm;
@@ -77,7 +72,6 @@ glm::vec3 lift_of(const HelperJoint& helper, const glm::quat& source) noexcept {
     return {0.0F, helper.lift * sine * sine, 0.0F};
 }
 
-/// Rigid transform: rotation, then translation.
 glm::mat4 matrix_of(const glm::quat& rotation, glm::vec3 position) noexcept {
     glm::mat4 matrix = glm::mat4_cast(rotation);
     matrix[3] = glm::vec4(position, 1.0F);
@@ -94,7 +88,6 @@ glm::quat helper_rotation(const HelperJoint& helper, const glm::quat& source) no
     if (helper.kind == HelperKind::half_roll) {
         return half_of(roll);
     }
-    // source = swing * roll: what is left when the roll is taken off is the swing.
     const glm::quat swing = source * glm::conjugate(roll);
     return helper.kind == HelperKind::half_swing ? half_of(swing) : swing * half_of(roll);
 }

@@ -33,7 +33,6 @@ constexpr std::array kLeftBindRotations = {
     BoneRotation{Bone::left_little_distal, {0.99813F, 0.0F, 0.0F, -0.06105F}},
 };
 
-/// World pose with the hips at the skeleton's own height, whatever the pose says.
 motion::WorldPose world_of(const motion::Skeleton& skeleton, motion::Pose pose) noexcept {
     pose.hips_position = skeleton.offsets[0];
     return motion::world_pose(skeleton, pose);
@@ -46,7 +45,6 @@ motion::Pose mannequin_bind_pose() noexcept {
     for (const BoneRotation& left : kLeftBindRotations) {
         const glm::quat rotation = glm::normalize(left.rotation);
         pose.rotation(left.bone) = rotation;
-        // Mirroring at x = 0 keeps the turn about x and reverses those about y and z.
         pose.rotation(motion::mirrored(left.bone)) =
             glm::quat(rotation.w, rotation.x, -rotation.y, -rotation.z);
     }

@@ -13,27 +13,18 @@ namespace raks::render {
 
 /// A solid moved into the bind pose and made ready for many evaluations.
 struct PreparedLoft {
-    /// The loft between two stations: five cubics of the length u from the first station (metres),
-    /// in the order half width, half front, half back, shift to the side, shift to the front.
+    /// Between two stations, as cubics of the length from the first: half width, front, back, shift
+    /// to the side, to the front; coefficients from the constant up.
     struct Segment {
-        /// Place of the first station along the axis, metres.
         float start;
-        /// Coefficients of 1, u, u^2, u^3.
         std::array<std::array<float, 4>, 5> cubics;
     };
-    /// In rising order of `start`, never empty once prepared.
     std::vector<Segment> segments;
-    /// Place of the last station along the axis, metres.
     float end = 0.0F;
-    /// In the world, bind pose.
     glm::vec3 origin{};
-    /// Unit vectors in the world, bind pose.
     SolidFrame frame{};
-    /// Of the superellipse, as in Loft.
     float exponent = 2.0F;
-    /// Length of the rounded end before the first station, metres.
     float cap_start = 1.0F;
-    /// Length of the rounded end behind the last station, metres.
     float cap_end = 1.0F;
 };
 
@@ -49,20 +40,15 @@ struct PreparedLoft {
 /// `core`, `leg`, `arm`, `finger` as numbers beyond 5 cm.
 class BodyField {
  public:
-    /// Moves every primitive into the bind pose of `frames`, which is not kept.
     explicit BodyField(const BindFrames& frames);
 
-    /// Distance to the whole skin; about 0.3 us. Threads: any, as for all functions here.
+    /// Skin. About 0.3 us. Threads: any.
     [[nodiscard]] float distance(glm::vec3 p) const noexcept;
-    /// Gradient from differences between the four corners of a tetrahedron around `p`, whose
-    /// coordinates are `step` metres off; not normalized.
+    /// Gradient by four points of a tetrahedron of that size; not normalized.
     [[nodiscard]] glm::vec3 gradient(glm::vec3 p, float step) const noexcept;
 
-    /// Trunk and head, without limbs.
     [[nodiscard]] float core(glm::vec3 p) const noexcept;
-    /// The leg on the side of `p`, with the flat shoe sole cut.
     [[nodiscard]] float leg(glm::vec3 p) const noexcept;
-    /// The arm on the side of `p`, with its hand.
     [[nodiscard]] float arm(glm::vec3 p) const noexcept;
     /// One of thumb .. little alone, without the palm.
     [[nodiscard]] float finger(Group finger, glm::vec3 p) const noexcept;

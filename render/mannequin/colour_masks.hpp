@@ -16,12 +16,9 @@ namespace raks::render {
 /// not hold any more a growing penalty ends the area, never an `if`, which would fray its edge.
 class ColourMasks {
  public:
-    /// Keeps a reference to `field`, which must outlive the masks; takes joints and axes from
-    /// `frames`.
     ColourMasks(const BodyField& field, const BindFrames& frames) noexcept;
 
-    /// Signed distance to the edge of every colour area at `p`, in the order of AvatarMask.
-    /// Threads: any.
+    /// By AvatarMask.
     [[nodiscard]] std::array<float, kMaskCount> at(glm::vec3 p) const noexcept;
 
  private:

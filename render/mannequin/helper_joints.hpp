@@ -10,12 +10,11 @@
 
 namespace raks::render {
 
-/// The mannequin's 14 helper joints: seven of the left side, then their mirrors in the same order,
-/// which is the order of `Helper`.
+/// The mannequin's 14 helpers: seven of the left side, then their mirrors.
 [[nodiscard]] std::array<HelperJoint, kHelperCount> mannequin_helpers(
     const motion::Skeleton& skeleton) noexcept;
 
-/// Palette index of a helper joint: the helpers follow the bones.
+/// Palette index of a helper.
 enum class Helper : std::uint8_t {
     left_shoulder_half = motion::kBoneCount,
     left_upper_arm_twist,
@@ -33,8 +32,7 @@ enum class Helper : std::uint8_t {
     right_knee_half,
 };
 
-/// Palette index of the same joint on the other side of the body; a bone of the middle is its own.
-/// `joint` is below kPaletteSize.
+/// Palette index of the joint on the other side of the body.
 [[nodiscard]] constexpr std::size_t mirrored_joint(std::size_t joint) noexcept {
     constexpr std::size_t kBones = motion::kBoneCount;
     constexpr std::size_t kOneSide = kHelperCount / 2;

@@ -6,7 +6,6 @@ namespace raks::render {
 
 /// The underside of the dance shoe: flat at heel and ball, arched between. All in the T-pose,
 /// metres; `z` from the ankle's column to the toes (heel -0.075, toe tip 0.178).
-/// Height of the arch over the floor.
 inline constexpr float kArch = 0.015F;
 inline constexpr float kHeelBreast = -0.020F;  // front face of the heel
 
@@ -16,8 +15,7 @@ inline constexpr float kHeelBreast = -0.020F;  // front face of the heel
            (1.0F - smoothstep(0.020F, 0.085F, z));
 }
 
-/// Height over the floor up to which the shoe is sole or heel: 18 mm at the heel, 6 mm over the
-/// underside in front of it.
+/// Height up to which the shoe is sole or heel: a heel of 16 mm, a thin sole in front.
 [[nodiscard]] constexpr float sole_top(float z) noexcept {
     constexpr float kHeel = 0.018F;
     constexpr float kSole = 0.006F;

@@ -12,21 +12,18 @@
 
 namespace raks::render {
 
-/// Skinning weights of all 66 joints of the palette for one vertex; their sum is 1.
+/// Shares of all 66 joints in one vertex; their sum is 1.
 using JointShares = std::array<float, kPaletteSize>;
 
-/// Skinning weights of a point of the left half of the skin, from planes and not from distances to
-/// bones: at each joint a plane of its own slope and transition width passes weight from the parent
-/// bone to the child, by way of a helper joint where there is one. Arms are decided first, then
-/// legs, then the trunk from the head down to the hips. A point of a finger follows the nearest
-/// finger.
+/// Who moves a point of the left half of the skin. Not by distance to bones: at each joint a plane
+/// of its own slope and width passes the share on to the next bone, half way through a helper
+/// joint where there is one; arms first, then legs, then the spine upside down; fingers by the
+/// nearest finger.
 class SkinRule {
  public:
-    /// Keeps references to both, which must outlive the rule.
     SkinRule(const BodyField& field, const BindFrames& frames) noexcept
         : field_(field), frames_(frames) {}
 
-    /// Weights at `p`, a point of the skin in the bind pose, x >= 0. Threads: any.
     [[nodiscard]] JointShares at(glm::vec3 p) const noexcept;
 
  private:
@@ -44,9 +41,7 @@ class SkinRule {
     const BindFrames& frames_;
 };
 
-/// The four joints of a vertex as they are uploaded.
 struct PackedWeights {
-    /// Palette indices; where the weight is 0, the first joint again.
     std::array<std::uint8_t, 4> joints{};
     std::array<std::uint8_t, 4> weights{};  ///< sum 255, falling
 };

@@ -10,7 +10,7 @@ namespace raks::render {
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// Like smoothstep, with zero curvature at the ends, too: 6 t^5 - 15 t^4 + 10 t^3.
+/// The same with zero curvature at the ends: 6 t^5 - 15 t^4 + 10 t^3.
 [[nodiscard]] constexpr float smootherstep(float from, float to, float x) noexcept {
     const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
     return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);

@@ -19,7 +19,6 @@ struct MirroredMesh {
     std::vector<glm::vec3> normals;                       ///< left half, unit
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< both halves, by mesh vertex
 
-    /// Position of a mesh vertex of either half.
     [[nodiscard]] glm::vec3 position(std::uint32_t vertex) const noexcept {
         const glm::vec3& p = positions[vertex / 2];
         return vertex % 2 == 0 ? p : glm::vec3{-p.x, p.y, p.z};

@@ -17,14 +17,11 @@ using GridPoint = std::array<int, 3>;
 
 /// A leaf of the octree, `size` finest cells wide.
 struct SurfaceCell {
-    /// Corner with the smallest coordinates.
     GridPoint corner{};
-    /// Edge length in finest cells: 1, 2, 4 or 8.
     int size = 1;
-    /// Group of each corner: inside corners that are connected along edges of the cell share one;
+    /// Group of each corner: the inside corners that hang together by edges of the cell share one;
     /// -1 outside. Corner k is at (k & 1, k >> 1 & 1, k >> 2 & 1).
     std::array<int, 8> corner_groups{};
-    /// Number of groups, each of which gets a vertex; 0 where no edge crosses the surface.
     int group_count = 0;
     /// Mesh vertex (left half) of group 0; those of the other groups follow it. -1: none yet.
     int first_vertex = -1;
@@ -34,18 +31,14 @@ struct SurfaceCell {
 /// their corners.
 class SurfaceCells {
  public:
-    /// Builds the octree. Keeps a reference to `field`, which must outlive the cells.
     SurfaceCells(const BodyField& field, const BindFrames& frames);
 
-    /// All leaves of 8 cells or fewer, those without surface included; never grows after
-    /// construction.
     [[nodiscard]] std::vector<SurfaceCell>& leaves() noexcept { return leaves_; }
     /// The leaf that holds the finest cell at `place`; nullptr where the octree has no leaf of 8
     /// cells or fewer.
     [[nodiscard]] SurfaceCell* leaf_at(GridPoint place) noexcept;
     /// The field at a grid point, computed once.
     [[nodiscard]] float value_at(GridPoint point);
-    /// World position of a grid point, metres.
     [[nodiscard]] static glm::vec3 position(GridPoint point) noexcept;
 
  private:
@@ -77,7 +70,6 @@ inline constexpr std::array<std::array<int, 2>, 12> kCellEdges = {{
     {3, 7},
 }};
 
-/// Grid point of corner 0..7 of a cell.
 [[nodiscard]] constexpr GridPoint corner_of(const SurfaceCell& cell, int corner) noexcept {
     return {cell.corner[0] + (corner & 1) * cell.size,
             cell.corner[1] + (corner >> 1 & 1) * cell.size,

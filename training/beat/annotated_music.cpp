@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Annotated beats in the form of a tracker's estimate, which can be saved.
 BeatEstimate told(const std::vector<PlayedBeat>& beats) {
     BeatEstimate estimate;
     for (const PlayedBeat& beat : beats) {
@@ -28,11 +29,13 @@ BeatEstimate told(const std::vector<PlayedBeat>& beats) {
 }  // namespace
 
 Expected<void> write_music_folder(const CorpusPlan& plan, const fs::path& folder) {
+    // All is written into a pending folder and moved into place at the end: all or nothing.
     auto pending = PendingFile::create_folder(folder);
     if (!pending) {
         return fail(pending.error());
     }
     const fs::path& part = pending->part();
+    // One slot a piece, because pieces arrive in any order; those without beats leave an empty row.
     std::vector<std::string> rows(static_cast<std::size_t>(plan.excerpts));
     const auto write = [&](int number, const CorpusPiece& piece) -> Expected<void> {
         if (piece.beats.empty()) {

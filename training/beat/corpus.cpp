@@ -24,22 +24,22 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kMostBeats = 112;  // 22 s at 217 BPM and some to choose from
-constexpr double kShortestSeconds = 8.0;
-// One excerpt in twenty has no beat.
+constexpr int kMostBeats = 112;           // 22 s at 217 BPM and some to choose from
+constexpr double kShortestSeconds = 8.0;  // a shorter piece is drawn again
+// One excerpt in twenty has no beat. Numbers decide it, so the share is exact.
 constexpr int kNonMusicEvery = 20;
 constexpr int kNonMusic = 12;
 
-/// What one excerpt is made from.
+/// A piece before it is rendered by soundfonts.
 struct Piece {
     std::string family;
     std::string style;
     Performance performance;
-    std::vector<float> samples;  // filled already when it is our own generator's
-    bool is_electronic = false;  // played by machines
+    std::vector<float> samples;  // set by the built-in generator, which renders its own music
+    bool is_electronic = false;  // by drum machines and synthesizers
 };
 
-/// Errors: nothing to draw from.
+/// Checks that there is a rhythm to draw. Errors: there is none.
 Expected<void> check_styles(const CorpusPlan& plan) {
     const auto styles = plan.styles->rhythms_for_beats();
     if (styles.empty()) {
@@ -53,7 +53,7 @@ Expected<void> check_styles(const CorpusPlan& plan) {
     return {};
 }
 
-/// Some pieces of a style are slower or faster than it is danced.
+/// Widens the tempo range of some pieces beyond that at which the style is danced; BPM.
 void widen_tempi(double chance, Score& score, Dice& dice) {
     if (dice.chance(chance)) {
         score.lowest_bpm = std::max(55.0, 0.75 * score.lowest_bpm);
@@ -61,8 +61,9 @@ void widen_tempi(double chance, Score& score, Dice& dice) {
     }
 }
 
-/// The magnitudes that the analyzer would hear.
+/// Mel magnitudes as the analyzer computes them, hops x 36; empty for a rate that is not supported.
 std::vector<float> mel_magnitudes_of(std::span<const float> samples, int rate) {
+    // The same rate, window and hop as the detector's, or training would not match run time.
     static_assert(RhythmFrames::kSampleRate == OnsetDetector::kSampleRate);
     static_assert(RhythmFrames::kWindow == OnsetDetector::kWindow);
     static_assert(RhythmFrames::kHop == OnsetDetector::kHop);
@@ -80,6 +81,7 @@ std::vector<float> mel_magnitudes_of(std::span<const float> samples, int rate) {
     return mel;
 }
 
+// Draws and writes pieces of all kinds.
 class PieceMaker {
  public:
     PieceMaker(std::vector<MidiStretch> pack, const CorpusPlan& plan)
@@ -87,6 +89,7 @@ class PieceMaker {
           with_machines_(plan.with_machines),
           book_(plan.styles),
           styles_(plan.styles->rhythms_for_beats()) {
+        // Sorts the MIDI pack by set; the drum grooves keep their styles beside them.
         for (MidiStretch& stretch : pack) {
             auto& set = stretch.set == "groove"     ? (stretch.is_fill ? fills_ : groove_)
                         : stretch.set == "freedoom" ? freedoom_
@@ -102,7 +105,7 @@ class PieceMaker {
                      [](const RhythmStyle* style) { return style->is_by_machines; });
     }
 
-    /// What is no music and has no beat.
+    /// Sound without a beat: notes without a pulse, or noise of people.
     [[nodiscard]] Piece make_non_music(Dice& dice) const {
         if (dice.chance(0.35)) {
             return {"none", "no pulse", notes_without_pulse(seconds_, dice), {}};
@@ -111,8 +114,11 @@ class PieceMaker {
     }
 
     [[nodiscard]] Piece make(Dice& dice) const {
+        // Shares of the kinds, cumulative. A set that the pack lacks passes its share to the next
+        // kind.
         const double kind = dice.uniform();
         if (kind < 0.44) {
+            // With machines, 0.35 to 0.44 goes to electronic styles.
             const bool is_electronic = with_machines_ && kind >= 0.35;
             return from_style(draw_style(is_electronic ? electronic_ : styles_, dice), dice);
         }
@@ -137,6 +143,7 @@ class PieceMaker {
 
  private:
     using Styles = std::vector<const RhythmStyle*>;
+    // Draws by the styles' weights.
     static const RhythmStyle& draw_style(const Styles& styles, Dice& dice) {
         const double total = std::accumulate(
             styles.begin(), styles.end(), 0.0, [](double sum, const RhythmStyle* style) {
@@ -149,10 +156,12 @@ class PieceMaker {
                 return *style;
             }
         }
+        // Rounding may leave nothing: any style will do.
         return *styles.front();
     }
     [[nodiscard]] Piece from_style(const RhythmStyle& style, Dice& dice) const {
         Score score = drum_score(style, kMostBeats, dice);
+        // The other pieces are drums alone.
         if (dice.chance(0.65)) {
             add_band(style.bass, style.comping, score, dice);
         }
@@ -162,7 +171,7 @@ class PieceMaker {
         return played(
             style.family, style.name, std::move(score), style.is_by_machines ? 0.75 : 0.0, dice);
     }
-    /// `machines`: the chance that machines play it, where there are any.
+    /// Performs a score. `machines`: the chance that machines play it, if the plan has machines.
     [[nodiscard]] Piece played(
         std::string family, std::string style, Score score, double machines, Dice& dice) const {
         const bool is_electronic = with_machines_ && dice.chance(machines);
@@ -180,12 +189,14 @@ class PieceMaker {
         return played("free", "free", std::move(score), 0.3, dice);
     }
     [[nodiscard]] Piece from_groove(Dice& dice) const {
-        // As a pick of the scores themselves: the same draw.
+        // Picked from the span itself, because the index is needed for the style; the draw is the
+        // same as a pick of a score.
         const auto chosen = static_cast<std::size_t>(
             &dice.pick<Score>(std::span<const Score>(groove_)) - groove_.data());
         Score score = groove_[chosen];
         const int beats = static_cast<int>(score.bar_position.size());
         const int bar = *std::max_element(score.bar_position.begin(), score.bar_position.end());
+        // Cut at a bar line, to whole bars.
         if (beats > kMostBeats) {
             const int last_bar = (beats - kMostBeats) / bar;
             score = cut_beats(score, bar * dice.whole(0, last_bar), kMostBeats / bar * bar);
@@ -198,6 +209,7 @@ class PieceMaker {
     [[nodiscard]] Piece from_lied(Dice& dice) const {
         Score score = dice.pick<Score>(lieder_);
         const bool is_piano = dice.chance(0.7);
+        // Dynamics of a lied: accents on the beats of a drawn strength, and noise.
         const double accent = dice.uniform(0.0, 14.0);
         const double loudness = dice.uniform(55.0, 85.0);
         for (ScoreNote& note : score.notes) {
@@ -209,12 +221,14 @@ class PieceMaker {
     }
     [[nodiscard]] Piece from_own_generator(Dice& dice) const {
         MusicPlan plan;
+        // Drums stand twice: they are drawn twice as often.
         plan.style = dice.pick({Style::clicks,
                                 Style::drums,
                                 Style::drums,
                                 Style::montuno,
                                 Style::maqsum,
                                 Style::four_on_the_floor});
+        // Tempo ranges in BPM, by style; the tempo drifts by up to 18 % over the piece.
         const double bpm = plan.style == Style::montuno             ? dice.uniform(150.0, 217.0)
                            : plan.style == Style::maqsum            ? dice.uniform(80.0, 150.0)
                            : plan.style == Style::four_on_the_floor ? dice.uniform(110.0, 135.0)
@@ -229,6 +243,7 @@ class PieceMaker {
         if (auto music = generate(plan)) {
             piece.samples = std::move(music->samples);
             for (const ReferenceBeat& beat : music->beats) {
+                // Nanoseconds to seconds.
                 piece.performance.beats.push_back(
                     {static_cast<double>(beat.time.time_since_epoch().count()) * 1e-9,
                      beat.bar_position});
@@ -249,11 +264,12 @@ class PieceMaker {
     std::vector<Score> lieder_;
 };
 
-/// Errors: a drawn soundfont cannot be loaded.
+/// Makes piece `number` from its own stream of draws. Errors: a drawn soundfont cannot be loaded.
 Expected<CorpusPiece> make_piece(const CorpusPlan& plan, const PieceMaker& maker, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
     Piece piece =
         number % kNonMusicEvery == kNonMusic ? maker.make_non_music(dice) : maker.make(dice);
+    // Draws again while the performance is too short; rendered pieces have samples already.
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortestSeconds && tries < 20;
          ++tries) {
@@ -270,6 +286,7 @@ Expected<CorpusPiece> make_piece(const CorpusPlan& plan, const PieceMaker& maker
         }
         piece.samples = std::move(*samples);
     }
+    // A mix as of a studio for electronic music, before the damage that any recording may have.
     if (piece.is_electronic) {
         produce(piece.performance, SoundfontPlayer::kRate, piece.samples, dice);
     }
@@ -292,6 +309,7 @@ Expected<void> make_pieces(const CorpusPlan& plan,
         return fail(pack.error());
     }
     const PieceMaker maker(std::move(*pack), plan);
+    // One result a thread: its first error ends that thread. Pieces are dealt out by a counter.
     std::vector<Expected<void>> done(static_cast<std::size_t>(plan.threads));
     std::atomic<int> next{0};
     std::vector<std::jthread> threads;
@@ -304,6 +322,7 @@ Expected<void> make_pieces(const CorpusPlan& plan,
             }
         });
     }
+    // Joins all threads before their results are read.
     threads.clear();
     for (Expected<void>& thread : done) {
         if (!thread) {

@@ -10,52 +10,57 @@
 #include "audio/music/styles/style_book.hpp"
 #include "base/expected.hpp"
 
+/// The training corpus of the beat tracker: generated music with known beats.
 namespace raks::audio {
 
-/// One excerpt as the network's front end hears it.
+/// Features and annotated beats of one generated excerpt.
 struct TrainingExcerpt {
-    std::string
-        family;  ///< of music, to leave it out: "salsa", "pop", "piano", ...; "none": no music
-    std::string style;       ///< within it: a rhythm's name, "groove rock", "own salsa", "lied"
-    std::vector<float> mel;  ///< hops x 36 magnitudes, 10 ms a hop
-    std::vector<PlayedBeat> beats;
+    /// A class of music that can be left out: "salsa", "pop", "piano", ...; "none": no music.
+    std::string family;
+    std::string style;  ///< finer than family: a rhythm's name, "groove rock", "own salsa", "lied"
+    std::vector<float> mel;         ///< hops x 36 magnitudes, row-major; a hop is 10 ms
+    std::vector<PlayedBeat> beats;  ///< annotated; seconds from the first hop
+    /// Hops in `mel`.
     [[nodiscard]] std::size_t hops() const { return mel.size() / 36; }
 };
 
+/// What music is generated.
 struct CorpusPlan {
-    const StyleBook* styles = nullptr;              ///< that music is written in; not null
+    const StyleBook* styles = nullptr;              ///< styles that music is written in; not null
     std::filesystem::path pack;                     ///< MIDI with its index, see read_midi_pack
     std::vector<std::filesystem::path> soundfonts;  ///< not empty; several: see draw_soundfonts
-    int excerpts = 1400;
-    double seconds = 22.0;       ///< of each
-    bool with_machines = false;  ///< more electronic music, most of it as machines play it, and
-                                 ///< styles at tempi that they are seldom danced at
-    std::uint64_t seed = 1;
-    int threads = 2;
+    int excerpts = 1400;                            ///< how many pieces
+    double seconds = 22.0;                          ///< of each
+    /// More electronic music, most of it played by machines, and some styles at tempi at which they
+    /// are seldom danced.
+    bool with_machines = false;
+    std::uint64_t seed = 1;  ///< piece n draws from stream n of it
+    int threads = 2;         ///< any number gives the same pieces
 };
 
-/// A piece of music as it sounds.
+/// A rendered piece with its beats.
 struct CorpusPiece {
-    std::string family;  ///< as TrainingExcerpt's
-    std::string style;
-    std::vector<float> samples;  ///< mono, SoundfontPlayer::kRate
-    std::vector<PlayedBeat> beats;
+    std::string family;             ///< as in TrainingExcerpt
+    std::string style;              ///< as in TrainingExcerpt
+    std::vector<float> samples;     ///< mono, SoundfontPlayer::kRate
+    std::vector<PlayedBeat> beats;  ///< annotated; empty: not music, or without a pulse
 };
 
-/// Writes music and plays it: piece n depends on the plan's seed and n alone, so any number of
-/// threads gives the same pieces. `take(n, piece)` gets each, from several threads; its first error
-/// ends all. About 0.4 s of CPU each.
+/// Writes and renders music: piece n depends on the plan and n alone, so any number of threads
+/// gives the same pieces. `take(n, piece)` receives each, called from several threads; after an
+/// error of its own a thread takes no further piece. About 0.4 s of CPU each.
 /// Errors: the pack or a soundfont cannot be read; the styles have no rhythm for it.
 [[nodiscard]] Expected<void> make_pieces(
     const CorpusPlan& plan, const std::function<Expected<void>(int, CorpusPiece)>& take);
 
-/// Each piece as the network's front end hears it. Errors: as make_pieces.
+/// The mel features of each piece. Errors: as make_pieces.
 [[nodiscard]] Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan);
 
-/// A corpus kept between runs; numbers as this machine stores them.
-/// Errors of reading: not such a file, cut short, sizes that do not fit together.
+/// Writes a corpus to be read again; numbers are stored in this machine's byte order. Errors: the
+/// file cannot be written.
 [[nodiscard]] Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
                                          const std::filesystem::path& path);
+/// Errors: not such a file, another version, cut short, sizes that do not fit together, over 4 GiB.
 [[nodiscard]] Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& path);
 
 }  // namespace raks::audio

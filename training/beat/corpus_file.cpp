@@ -1,4 +1,4 @@
-// A corpus between runs: "RAKSBEAT", a version, then each excerpt's sizes and numbers.
+// File of a training corpus: "RAKSBEAT", a version, then for each excerpt its sizes and numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,24 +13,26 @@ namespace {
 
 constexpr std::string_view kMagic = "RAKSBEAT";
 constexpr std::uint32_t kVersion = 2;
-constexpr double kLongestBar = 64.0;
+constexpr double kLongestBar = 64.0;     // bar positions beyond it mean damage
 constexpr double kLongestExcerpt = 1e6;  // seconds
 constexpr float kLoudest = 1e9F;         // mel magnitude: beyond it sums become infinite
-constexpr std::size_t kLargest = std::size_t{4} << 30U;
+constexpr std::size_t kLargest = std::size_t{4} << 30U;  // 4 GiB
 
+// Appends numbers as this machine stores them.
 template <class T>
 void put(std::string& bytes, const T* values, std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
 }
 
-/// Takes numbers off the front of a file; false for ever once it was too short.
+/// Takes numbers off the front of a file. Once it was too short, every later call fails.
 class Bytes {
  public:
     explicit Bytes(std::string_view bytes) : left_(bytes) {}
 
     template <class T>
     bool take(std::size_t count, std::vector<T>& values) {
+        // Compared by division: count * sizeof(T) could overflow.
         if (count > left_.size() / sizeof(T)) {
             left_ = {};
             return false;
@@ -48,6 +50,7 @@ class Bytes {
     std::string_view left_;
 };
 
+// One excerpt: four sizes, then family, style, mel and beats.
 bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
     std::vector<std::uint64_t> sizes;
     std::vector<char> family;
@@ -58,6 +61,7 @@ bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
         !bytes.take(2 * sizes[3], beats)) {
         return false;
     }
+    // Beats are stored as two doubles each; the comparisons are false for NaN.
     for (std::size_t i = 0; i < beats.size(); i += 2) {
         const double position = beats[i + 1];
         if (!(std::abs(beats[i]) < kLongestExcerpt) ||
@@ -66,6 +70,7 @@ bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
         }
         excerpt.beats.push_back({beats[i], static_cast<int>(position)});
     }
+    // NaN or infinite features would spoil a whole training run.
     const bool is_sound = std::all_of(excerpt.mel.begin(), excerpt.mel.end(), [](float magnitude) {
         return magnitude >= 0.0F && magnitude < kLoudest;
     });
@@ -90,7 +95,7 @@ Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
         put(bytes, excerpt.family.data(), excerpt.family.size());
         put(bytes, excerpt.style.data(), excerpt.style.size());
         put(bytes, excerpt.mel.data(), excerpt.mel.size());
-        std::vector<double> beats;  // two numbers a beat: a struct's padding holds anything
+        std::vector<double> beats;  // two numbers a beat: padding of a struct is undefined
         for (const PlayedBeat& beat : excerpt.beats) {
             beats.insert(beats.end(), {beat.time, static_cast<double>(beat.bar_position)});
         }
@@ -101,6 +106,7 @@ Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
 
 Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& path) {
     std::uint32_t version = 0;
+    // Magic and version first: a large file of another kind is not read whole.
     const auto start = read_file_start(path, kMagic.size() + sizeof(version));
     if (!start) {
         return fail(start.error());

@@ -10,14 +10,16 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kReportBarsEvery = 100;
-constexpr std::size_t kKeepBarsEvery = 16;
-constexpr std::size_t kChunks = 48;
-constexpr std::size_t kBeats = 96;
-constexpr std::size_t kFewestBeats = 8;  // of a piece, to tell bars from
-constexpr double kMostBarStretch = 0.1;  // ln of the ratio
-constexpr double kCopyShare = 0.75;      // of a piece that fits whatever the stretch
+constexpr int kReportBarsEvery = 100;       // steps
+constexpr std::size_t kKeepBarsEvery = 16;  // every such excerpt is for validation
+constexpr std::size_t kChunks = 48;         // of a batch
+constexpr std::size_t kBeats = 96;          // of a chunk
+constexpr std::size_t kFewestBeats = 8;     // of a piece: fewer do not show its bars
+constexpr double kMostBarStretch = 0.1;     // ln of the time stretch
+// Share of a piece that an augmented version covers, so that it fits at any stretch.
+constexpr double kCopyShare = 0.75;
 
+// Has the excerpt sound, enough beats and annotated bar positions?
 bool has_bars(const TrainingExcerpt& excerpt) {
     const bool is_told = std::any_of(excerpt.beats.begin(),
                                      excerpt.beats.end(),
@@ -25,13 +27,15 @@ bool has_bars(const TrainingExcerpt& excerpt) {
     return excerpt.hops() > 0 && excerpt.beats.size() >= kFewestBeats && is_told;
 }
 
-/// Several hearings of each excerpt, none of those that are left out; of those kept for validation
-/// the plain one.
+/// Features of each excerpt in several augmented versions; of those for validation only the plain
+/// one. Excerpts without bars are left out.
 class SplitCorpus {
  public:
     SplitCorpus(const std::vector<TrainingExcerpt>& corpus,
                 const std::shared_ptr<const BeatNetwork>& beats,
                 const BarPlan& plan) {
+        // The beat network runs over every version once; the excerpts are dealt to the threads by
+        // number, and each has its own slot, so the result does not depend on the threads.
         std::vector<std::vector<BarSequence>> sequences(corpus.size());
         const auto work = [&](std::size_t first) {
             for (std::size_t i = first; i < corpus.size();
@@ -39,6 +43,7 @@ class SplitCorpus {
                 sequences[i] = sequences_of(corpus[i], i, beats, plan);
             }
         };
+        // The scope ends when all workers are done.
         {
             std::vector<std::jthread> workers;
             workers.reserve(static_cast<std::size_t>(plan.threads));
@@ -69,7 +74,9 @@ class SplitCorpus {
                                                  const std::shared_ptr<const BeatNetwork>& beats,
                                                  const BarPlan& plan) {
         std::vector<BarSequence> copies;
+        // One version, the plain one, for validation.
         const int count = number % kKeepBarsEvery == 0 ? 1 : plan.copies;
+        // A stream for each excerpt, apart from those of the batches.
         Dice dice(plan.seed, 500'000 + number);
         const auto hops = static_cast<double>(excerpt.hops());
         for (int n = 0; n < count && has_bars(excerpt); ++n) {
@@ -89,7 +96,7 @@ class SplitCorpus {
     }
 };
 
-/// Output biases at how often each place comes.
+/// First weights, with output biases at about the log frequencies of the classes.
 BarNetwork fresh_network(const BarPlan& plan) {
     BarNetwork network(plan.units, plan.layers);
     initialize(network, plan.seed);
@@ -116,6 +123,7 @@ BarNetwork train_bars(
     double loss = 0.0;
     int since = 0;
     for (int step = 0; step < plan.steps; ++step) {
+        // Each shard of each step has its own stream of draws.
         constexpr std::size_t kShards = NetworkDescent::kShards;
         loss += descent.step(rate_at(plan.rate, step, plan.steps), [&](std::size_t shard) {
             Dice dice(plan.seed, 1000 + static_cast<std::uint64_t>(step) * kShards + shard);

@@ -9,17 +9,17 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kReportEvery = 100;
-constexpr std::size_t kValidationEvery = 16;
-constexpr std::size_t kValidationHops = 2000;
+constexpr int kReportEvery = 100;              // steps
+constexpr std::size_t kValidationEvery = 16;   // every such excerpt is for validation
+constexpr std::size_t kValidationHops = 2000;  // hops of each, 20 s
 
-/// What one step trains on.
+/// Size of one step's batch.
 struct BatchShape {
     std::size_t chunks = 24;
     std::size_t hops = 1000;
 };
 
-/// Output biases at what is rare.
+/// First weights, with output biases at the logits of rare events: most hops have no beat.
 BeatNetwork fresh_network(const NetworkPlan& plan) {
     BeatNetwork network(plan.units, plan.layers, plan.lookahead);
     initialize(network, plan.seed);
@@ -30,6 +30,7 @@ BeatNetwork fresh_network(const NetworkPlan& plan) {
     return network;
 }
 
+// Owns the network while it is trained.
 class NetworkTrainer {
  public:
     NetworkTrainer(const std::vector<TrainingExcerpt>& corpus, const NetworkPlan& plan)
@@ -42,6 +43,7 @@ class NetworkTrainer {
                 (i % kValidationEvery == 0 ? kept : training_).push_back(&corpus[i]);
             }
         }
+        // Batches of 16 excerpts, to bound the memory of each.
         for (std::size_t i = 0; i < kept.size(); i += 16) {
             const auto first = kept.begin() + static_cast<std::ptrdiff_t>(i);
             const auto count =
@@ -52,6 +54,7 @@ class NetworkTrainer {
     }
 
     BeatNetwork run(const std::function<void(const NetworkProgress&, const BeatNetwork&)>& report) {
+        // The last steps, at a low rate, use fewer but longer chunks.
         const int long_steps = plan_.steps / 7;
         const int total = plan_.steps + long_steps;
         double loss = 0.0;
@@ -73,6 +76,7 @@ class NetworkTrainer {
 
  private:
     double train_step(int step, const BatchShape& shape, double rate) {
+        // Each shard of each step has its own stream of draws.
         constexpr std::size_t kShards = NetworkDescent::kShards;
         return descent_.step(rate, [&](std::size_t shard) {
             Dice dice(plan_.seed, 1000 + static_cast<std::uint64_t>(step) * kShards + shard);

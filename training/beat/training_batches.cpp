@@ -11,24 +11,25 @@ namespace {
 
 constexpr std::size_t kOutputs = BeatNetwork::kOutputs;
 constexpr double kHopsPerSecond = 100.0;
-constexpr std::size_t kWarmUpHops = 120;  // what came before is not known yet
+constexpr std::size_t kWarmUpHops = 120;  // of a chunk: the network has not seen what came before
 constexpr float kWarmUpWeight = 0.2F;
-// Downbeats are learnt last: they take counting.
+// Downbeats weigh more: to place them the network has to count beats, which it learns last.
 constexpr float kDownbeatWeight = 2.0F;
 constexpr float kHalfWeight = 0.7F;
 
-constexpr double kMostStretch = 0.16;  // ln of the ratio
+constexpr double kMostStretch = 0.16;  // ln of the time stretch
 
 // Where in a chunk another piece may begin.
 constexpr double kEarliestCut = 0.25;  // of the chunk
 constexpr double kLatestCut = 0.6;
 
-/// Hops of a chunk that one excerpt fills.
+/// Hops [begin, end) of a chunk that one excerpt fills.
 struct Span {
     std::size_t begin = 0;
     std::size_t end = 0;
 };
 
+// Fills one batch, rows hop-major: hop * chunks + chunk.
 class BatchWriter {
  public:
     BatchWriter(std::size_t chunks, std::size_t hops, int lookahead) : lookahead_(lookahead) {
@@ -39,6 +40,8 @@ class BatchWriter {
         batch_.weights.resize(hops * chunks * kOutputs);
     }
 
+    // Inputs and targets of one excerpt in a span of a chunk. `input` carries on from the span
+    // before.
     void write(std::size_t chunk,
                const Span& span,
                const TrainingExcerpt& excerpt,
@@ -57,16 +60,18 @@ class BatchWriter {
     TrainingBatch finish() { return std::move(batch_); }
 
  private:
+    // Outputs: 0 beat, 1 downbeat, 2 half-way between beats. Each is 1 where it happens.
     void write_targets(std::size_t chunk,
                        const Span& span,
                        const TrainingExcerpt& excerpt,
                        const MelAugmentation& augmentation) {
+        // Seconds in the piece to a hop in the chunk: shift, stretch, and the network's look-ahead.
         const auto hop_of = [&](double seconds) {
             return static_cast<double>(span.begin) + lookahead_ +
                    (seconds * kHopsPerSecond - augmentation.first_hop) / augmentation.stretch;
         };
         const std::vector<PlayedBeat>& beats = excerpt.beats;
-        double known_until = 0.0;
+        double known_until = 0.0;  // hop up to which the annotations reach
         for (std::size_t i = 0; i < beats.size(); ++i) {
             const double at = hop_of(beats[i].time);
             mark(chunk, span, at, 0);
@@ -76,10 +81,14 @@ class BatchWriter {
             if (i + 1 < beats.size()) {
                 const double next = hop_of(beats[i + 1].time);
                 mark(chunk, span, 0.5 * (at + next), 2);
+                // A little past the last beat; further on there may be beats that are not
+                // annotated.
                 known_until = next + 0.4 * (next - at);
             }
         }
         for (std::size_t t = span.begin; t < span.end; ++t) {
+            // No weight after the annotations or after the end of the excerpt. Without any beat the
+            // whole excerpt counts as having none.
             const std::size_t since = t - span.begin;
             const bool is_known =
                 (beats.empty() || static_cast<double>(t) < known_until) &&
@@ -92,7 +101,7 @@ class BatchWriter {
             weights[2] = kHalfWeight * weight;
         }
     }
-    /// 1 on the hop, falling to 0 two hops beside it.
+    /// Marks an output at a fractional hop: a triangle, 1 at the hop, 0 from two hops away.
     void mark(std::size_t chunk, const Span& span, double at, std::size_t output) {
         for (auto t = static_cast<std::ptrdiff_t>(std::floor(at)) - 1;
              t <= static_cast<std::ptrdiff_t>(std::floor(at)) + 2;
@@ -122,6 +131,7 @@ TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
                          Dice& dice) {
     BatchWriter writer(chunks, hops, lookahead);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        // Without a chance of a cut nothing is drawn for it, so older seeds give the same batches.
         std::vector<Span> spans = {{0, hops}};
         if (cut_chance > 0.0) {
             const double length = static_cast<double>(hops);
@@ -131,6 +141,7 @@ TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
                                         : hops;
             spans = {{0, cut}, {cut, hops}};  // the second is empty where nothing is cut
         }
+        // One input for the whole chunk: its level and history carry over the cut.
         NetworkInput input;
         for (const Span& span : spans) {
             const TrainingExcerpt& excerpt =

@@ -9,8 +9,10 @@
 
 namespace raks::audio {
 
-/// `chunks` stretches of `hops` hops from excerpts drawn from `from` (not empty), as heard through
-/// drawn augmentations. With `cut_chance` a chunk goes over into another excerpt, as on a stage.
+/// Draws a batch of `chunks` stretches of `hops` hops from `from` (not empty), randomly augmented.
+/// With chance `cut_chance` a second excerpt begins within a chunk. Targets lie `lookahead` hops
+/// late.
+/// Threads: any, each with its own dice.
 [[nodiscard]] TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
                                        std::size_t chunks,
                                        std::size_t hops,
@@ -18,7 +20,7 @@ namespace raks::audio {
                                        double cut_chance,
                                        Dice& dice);
 
-/// The first `hops` hops of `excerpts`, as they are.
+/// The first `hops` hops of `excerpts` without augmentation, one chunk each: for validation.
 [[nodiscard]] TrainingBatch plain_batch(const std::vector<const TrainingExcerpt*>& excerpts,
                                         std::size_t hops,
                                         int lookahead);

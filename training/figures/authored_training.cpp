@@ -15,9 +15,12 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kMargin = 1.5;             // beats danced around what is learnt
-constexpr double kFramesPerSecond = 120.0;  // quick movements keep their size
+// Beats evaluated before and after what is learnt, so that the ends have neighbouring samples.
+constexpr double kMargin = 1.5;
+constexpr double kFramesPerSecond = 120.0;  // quick movements keep their amplitude
 
+// Poses and world positions of both feet, as a captured clip would give them. The clip has no
+// faults.
 TrainingClip clip_of(const EvaluatedFigure& evaluated, const Skeleton& skeleton, std::string name) {
     TrainingClip clip;
     clip.name = std::move(name);
@@ -36,7 +39,7 @@ TrainingClip clip_of(const EvaluatedFigure& evaluated, const Skeleton& skeleton,
     return clip;
 }
 
-/// What captured figures leave out.
+/// Joints that figures of captured motion do not learn, by Part.
 std::array<std::vector<Bone>, 3> whole_body() {
     std::array<std::vector<Bone>, 3> more;
     more[static_cast<std::size_t>(Part::torso)] = {Bone::upper_chest, Bone::head};
@@ -44,7 +47,8 @@ std::array<std::vector<Bone>, 3> whole_body() {
     return more;
 }
 
-/// The shortest period of anything that a figure moves, beats.
+/// The shortest period of anything that a figure moves, beats: waves by their period, keys by the
+/// time of a move there and back.
 double quickest(const AuthoredFigure& figure) noexcept {
     double shortest = figure.beats;
     for (const std::vector<Track>& tracks : figure.body) {
@@ -53,7 +57,7 @@ double quickest(const AuthoredFigure& figure) noexcept {
                 shortest = std::min(shortest, track.every);
             }
             for (std::size_t k = 1; k < track.keys.size(); ++k) {
-                // Up and down again: two gaps.
+                // There and back again takes two gaps; the share `snap` of each gap is spent still.
                 const double gap = track.keys[k].beat - track.keys[k - 1].beat;
                 shortest = std::min(shortest, 2.0 * gap * (1.0 - track.snap));
             }
@@ -62,15 +66,16 @@ double quickest(const AuthoredFigure& figure) noexcept {
     return shortest;
 }
 
-/// To so many significant digits, by way of the text: then its shortest form has no more.
+/// Rounds to so many significant digits. Goes through the decimal text, so that the shortest text
+/// that reads back to the same double has no more digits than that.
 void round_off(std::vector<double>& values, int digits) {
     for (double& value : values) {
         value = std::stod(fmt::format("{:.{}e}", value, digits - 1));
     }
 }
 
-/// A tenth of a millimetre or a hundredth of a degree is enough for a mean, a hundredth of itself
-/// for a variance.
+/// Rounds what the model's file holds: a tenth of a millimetre or a hundredth of a degree is
+/// precise enough for a mean, one percent for a variance.
 void round_off(FigureModel& model) {
     constexpr int kMean = 5;
     constexpr int kSpread = 3;
@@ -96,11 +101,11 @@ void round_off(FigureModel& model) {
     }
 }
 
-/// How far both hands are closed over one repetition, without noise: fingers are no joints of a
-/// figure, they follow its phase.
+/// How far each hand is closed over one repetition (0 open, 1 a fist), kContactBins values over its
+/// phase, without noise. Fingers are not joints of a figure: the player looks them up by phase.
 std::array<std::vector<double>, 2> fists_of(const AuthoredDance& dance,
                                             const AuthoredFigure& figure) {
-    constexpr double kStill = 0.02;  // less is no movement
+    constexpr double kStill = 0.02;  // a smaller range counts as no movement
     EvaluationOptions how;
     how.written = how.tempo = dance.written;
     how.repeats = figure.is_mirrored ? 2 : 1;
@@ -113,11 +118,13 @@ std::array<std::vector<double>, 2> fists_of(const AuthoredDance& dance,
         const std::vector<double> values =
             control_values(plan, on_side(Control::left_hand_fist, side));
         std::vector<double>& fist = fists[static_cast<std::size_t>(side)];
+        // The value in the middle of each bin of the phase, rounded to hundredths.
         for (std::size_t bin = 0; bin < kContactBins; ++bin) {
             const double beat = (static_cast<double>(bin) + 0.5) * beats / kContactBins;
             const double value = value_at(values, plan.frames_of(beat));
             fist.push_back(std::clamp(std::round(100.0 * value) / 100.0, 0.0, 1.0));
         }
+        // A fist that hardly changes is stored as one number.
         const auto [least, most] = std::minmax_element(fist.begin(), fist.end());
         if (*most - *least < kStill) {
             fist.resize(1);
@@ -126,8 +133,9 @@ std::array<std::vector<double>, 2> fists_of(const AuthoredDance& dance,
     return fists;
 }
 
-/// As the evaluation has it: waves and steps follow the tempo, keys do not. Hands that are led by
-/// keys have somewhere to be, such as at the other hand.
+/// Exponents of size by tempo, as the evaluation has them: waves and steps scale with the tempo,
+/// keys do not. Arms with keys keep their size, because their hands have to reach a place, such as
+/// the other hand.
 SizeByTempo size_by_tempo_of(const AuthoredFigure& figure) noexcept {
     SizeByTempo size{figure.style.tempo_scale, figure.style.tempo_scale};
     for (std::size_t c = 0; c < kControlCount; ++c) {
@@ -152,6 +160,7 @@ AuthoredMaterial authored_material(const AuthoredDance& dance,
     AuthoredMaterial material;
     material.beats = sides * figure.beats;
     for (int take = 0; take < options.takes; ++take) {
+        // Each take has a seed of its own, so takes differ, and `seed` moves all of them.
         EvaluationOptions how;
         how.written = how.tempo = dance.written;
         how.repeats = sides * options.repeats;
@@ -162,6 +171,7 @@ AuthoredMaterial authored_material(const AuthoredDance& dance,
         material.clips.push_back(
             clip_of(evaluated, skeleton, fmt::format("{}, take {}", figure.name, take + 1)));
         for (int repeat = 0; repeat < options.repeats; ++repeat) {
+            // The repetitions of a take follow each other without a gap: beats count through.
             FigureRepeat& one = material.repeats.emplace_back();
             one.clip = static_cast<std::size_t>(take);
             for (int beat = 0; beat <= material.beats; ++beat) {
@@ -175,6 +185,7 @@ AuthoredMaterial authored_material(const AuthoredDance& dance,
 int states_for(const AuthoredFigure& figure) noexcept {
     constexpr int kMostStates = 64;
     const double period = quickest(figure);
+    // Half a wave holds at least three states at the limits, two where nothing moves quickly.
     const int a_beat = period <= 0.5 ? 12 : period <= 1.0 ? 6 : 4;
     const int sides = figure.is_mirrored ? 2 : 1;
     return std::clamp(a_beat * figure.beats * sides, 8, kMostStates);
@@ -194,10 +205,12 @@ Expected<AuthoredTrainingResult> train_authored_figure(const AuthoredDance& danc
     training.beats = material.beats;
     training.states = options.states > 0 ? options.states : states_for(figure);
     training.features = options.features;
+    // A written figure defines head and hands, too; captured figures leave them out.
     if (options.features == FigureFeatures::angles) {
         training.more_joints = whole_body();
     }
-    training.low_pass_hz = 0.5 * kFramesPerSecond;  // nothing was captured: there is no noise
+    // No capture noise to remove: a cut-off at half the frame rate switches the filter off.
+    training.low_pass_hz = 0.5 * kFramesPerSecond;
     auto trained = train_figure(material.clips, material.repeats, training);
     if (!trained) {
         return fail(std::move(trained.error()).in(where_in(dance, figure)));
@@ -205,6 +218,7 @@ Expected<AuthoredTrainingResult> train_authored_figure(const AuthoredDance& danc
     AuthoredTrainingResult result{
         std::move(trained->model), trained->log_likelihood, material.repeats.size()};
     round_off(result.model);
+    // Set after rounding: fists are rounded to hundredths already, and exponents stay as written.
     result.model.fist = fists_of(dance, figure);
     result.model.size_by_tempo = size_by_tempo_of(figure);
     return result;

@@ -12,6 +12,7 @@
 namespace raks::motion {
 namespace {
 
+// The takes' names, each once, in order of first appearance.
 std::vector<std::string> takes_of(std::span<const FigureExample> examples) {
     std::vector<std::string> takes;
     for (const FigureExample& example : examples) {
@@ -22,6 +23,7 @@ std::vector<std::string> takes_of(std::span<const FigureExample> examples) {
     return takes;
 }
 
+// Each figure needs two takes: with one left out, the other still has to teach it.
 Expected<void> check(std::span<const std::string> figures, const DancerExamples& dancer) {
     if (figures.size() < 2) {
         return fail("needs two figures or more to tell apart");
@@ -51,6 +53,8 @@ Expected<std::vector<ScoredExample>> scored_with_takes_left_out(
     std::size_t figures,
     const FigureTrainingOptions& training,
     int threads) {
+    // One classifier a take, trained in parallel. Each job writes to its own slots of `scored` and
+    // `errors`, so the result does not depend on the number of threads.
     const std::vector<std::string> takes = takes_of(examples);
     std::vector<ScoredExample> scored(examples.size());
     std::vector<std::optional<Error>> errors(takes.size());
@@ -72,6 +76,7 @@ Expected<std::vector<ScoredExample>> scored_with_takes_left_out(
             }
         }
     });
+    // The error of the first take, whichever job failed first.
     for (const std::optional<Error>& error : errors) {
         if (error) {
             return fail(*error);
@@ -80,6 +85,7 @@ Expected<std::vector<ScoredExample>> scored_with_takes_left_out(
     return scored;
 }
 
+// Decisions by the weighted sum of the parts' log-likelihoods.
 Decisions decisions_on(std::span<const ScoredExample> examples,
                        std::size_t figures,
                        const PartWeights& weights) {
@@ -96,6 +102,9 @@ struct Judged {
     std::vector<ScoredExample> unseen;
 };
 
+// Weights are fitted to scores of left-out takes: scores of examples that the models have learnt
+// from would favour the parts that overfit
+// most.
 Expected<Judged> judge(const DancerExamples& dancer,
                        std::size_t figures,
                        const FigureTrainingOptions& training,
@@ -119,6 +128,7 @@ Expected<Judged> judge(const DancerExamples& dancer,
     evaluation.weights = fit_weights(*left_out);
     evaluation.left_out = decisions_on(*left_out, figures, evaluation.weights);
     evaluation.unseen = decisions_on(judged.unseen, figures, evaluation.weights);
+    // Each part alone: what its log-likelihood is worth without the others.
     for (std::size_t p = 0; p < kParts.size(); ++p) {
         PartWeights alone{};
         alone[p] = 1.0;
@@ -127,9 +137,10 @@ Expected<Judged> judge(const DancerExamples& dancer,
     return judged;
 }
 
-/// "60_03" and "61_03" were danced together.
+/// What identifies a pair of takes: both dancers of "60_03" and "61_03" danced together.
 std::string_view pair_of(std::string_view take) { return take.substr(take.find('_') + 1); }
 
+// True when two examples show the same repetition of both dancers.
 bool are_together(const FigureExample& a, const FigureExample& b) {
     constexpr double kSameStart = 15.0;  // frames: well under a beat
     return a.figure == b.figure && pair_of(a.take) == pair_of(b.take) &&
@@ -145,6 +156,7 @@ Decisions no_decisions(std::size_t figures) {
 
 void Decisions::add(std::size_t figure, std::span<const double> evidence) {
     ++confusion[figure][most_likely(evidence)];
+    // Ties count against the figure, except with itself.
     for (std::size_t other = 0; other < evidence.size(); ++other) {
         pairwise[figure][other] += other == figure || evidence[figure] > evidence[other] ? 1 : 0;
     }
@@ -159,6 +171,7 @@ int Decisions::right() const noexcept {
 }
 
 int Decisions::total() const noexcept {
+    // The diagonal of `pairwise` counts every example of its figure.
     int sum = 0;
     for (std::size_t f = 0; f < pairwise.size(); ++f) {
         sum += pairwise[f][f];
@@ -195,6 +208,8 @@ Expected<ClassifierEvaluation> evaluate_classifier(std::span<const std::string> 
     if (dancers.size() != 2) {
         return result;
     }
+    // Both dancers dance the same figure, so their log-probabilities add. The fitted weights of
+    // each dancer put both on one scale.
     result.couple = no_decisions(figures.size());
     for (std::size_t i = 0; i < unseen[0].size(); ++i) {
         for (std::size_t j = 0; j < unseen[1].size(); ++j) {

@@ -9,7 +9,8 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kAlike = M_PI / 3.0;
+constexpr double kAlike = M_PI / 3.0;  // radians: turns this close count as the same turn
+// Radians from the commonest turn within which a repeat is kept.
 constexpr double kKept = M_PI / 2.0;
 
 }  // namespace
@@ -21,6 +22,7 @@ double turn_of(const TrainingClip& clip, const FigureRepeat& repeat) {
     const auto first = static_cast<std::size_t>(repeat.beat_frames.front());
     const auto last =
         std::min(static_cast<std::size_t>(repeat.beat_frames.back()), clip.poses.size() - 1);
+    // Sums the differences from frame to frame, each in (-pi, pi], so that full turns count.
     double turn = 0.0;
     for (std::size_t frame = first; frame < last; ++frame) {
         turn += std::remainder(heading(frame + 1) - heading(frame), 2.0 * M_PI);
@@ -35,6 +37,8 @@ std::vector<bool> of_common_turn(const std::vector<TrainingClip>& clips,
         turns.push_back(turn_of(clips[repeat.clip], repeat));
     }
     double common = 0.0;
+    // The mode: the turn with most others near it. A mean or median could fall between two kinds of
+    // turn.
     std::ptrdiff_t most = 0;
     for (const double turn : turns) {
         const auto alike = std::count_if(turns.begin(), turns.end(), [turn](double other) {

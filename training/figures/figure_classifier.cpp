@@ -12,7 +12,8 @@
 namespace raks::motion {
 namespace {
 
-/// Sum over the examples of ln of the share of their own figure.
+/// Sum over the examples of ln of their own figure's posterior: a softmax over the figures'
+/// evidence.
 double log_posterior(std::span<const ScoredExample> examples, const PartWeights& weights) {
     double sum = 0.0;
     for (const ScoredExample& example : examples) {
@@ -28,6 +29,7 @@ std::vector<FigureExample> examples_of(std::size_t figure,
                                        std::span<const TrainingClip> clips,
                                        std::span<const FigureRepeat> repeats,
                                        const FigureTrainingOptions& training) {
+    // On the phase axis all examples of a figure have as many samples, whatever their tempo.
     std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, training.samples_per_beat, training.low_pass_hz);
     std::vector<FigureExample> examples;
@@ -53,6 +55,8 @@ Expected<FigureClassifier> FigureClassifier::learn(std::span<const FigureExample
     FigureClassifier classifier;
     classifier.scorers_.resize(figures);
     classifier.samples_per_beat_ = training.samples_per_beat;
+    // One set of joint means for all figures of a part: densities are comparable only over the same
+    // features.
     for (const Part which : parts_of(training.features)) {
         const PartModel& joints =
             classifier.joints_.emplace_back(mean_joints(which, phased, weights, training.features));
@@ -62,6 +66,7 @@ Expected<FigureClassifier> FigureClassifier::learn(std::span<const FigureExample
             set.sequences.push_back(part_frames(example.phased, joints, training.samples_per_beat));
             set.weights.push_back(example.weight);
         }
+        // One HMM for each figure, on that figure's examples alone.
         for (std::size_t f = 0; f < figures; ++f) {
             const Expected<models::TrainingResult> learnt =
                 learn_states(sets[f], training.learning());
@@ -84,6 +89,8 @@ Expected<FigureClassifier> FigureClassifier::learn(std::span<const FigureExample
 FigureScores FigureClassifier::score(const FigureExample& example) const {
     FigureScores scores(scorers_.size());
     for (std::size_t p = 0; p < joints_.size(); ++p) {
+        // The features of a part are computed once and scored by every figure's HMM. Dividing by T
+        // gives nats a sample, so that long and short examples weigh alike in fit_weights.
         const models::Frames frames = part_frames(example.phased, joints_[p], samples_per_beat_);
         for (std::size_t f = 0; f < scorers_.size(); ++f) {
             scores[f][static_cast<std::size_t>(joints_[p].part)] =
@@ -107,9 +114,10 @@ std::size_t most_likely(std::span<const double> evidence) {
 }
 
 PartWeights fit_weights(std::span<const ScoredExample> examples) {
-    constexpr int kSteps = 20;
+    constexpr int kSteps = 20;  // a share of 1 is this many steps; the three shares sum to 1
     PartWeights best = {1.0, 1.0, 1.0};
     double best_value = log_posterior(examples, best);
+    // Sizes from 1/8 to 32: the total weight sets how sharp the posterior is.
     for (int half_octave = -6; half_octave <= 10; ++half_octave) {
         const double size = std::exp2(0.5 * half_octave);
         for (int torso = 0; torso <= kSteps; ++torso) {
@@ -117,6 +125,7 @@ PartWeights fit_weights(std::span<const ScoredExample> examples) {
                 const PartWeights weights = {size * torso / kSteps,
                                              size * upper / kSteps,
                                              size * (kSteps - torso - upper) / kSteps};
+                // Strictly greater: of equals the first stays, so the result is deterministic.
                 if (const double value = log_posterior(examples, weights); value > best_value) {
                     best_value = value;
                     best = weights;

@@ -12,15 +12,15 @@
 #include "motion/figures/figure_model.hpp"
 #include "training/figures/figure_trainer.hpp"
 
-/// Figures told apart by how well the models of their parts explain a repetition.
+/// Classifies figures by the log-likelihood of a repetition under the HMMs of their parts.
 namespace raks::motion {
 
 /// One repetition of a known figure.
 struct FigureExample {
-    std::string take;        ///< the clip's name
-    double start = 0.0;      ///< frame of count 1
-    std::size_t figure = 0;  ///< among those to be told apart
-    double weight = 1.0;
+    std::string take;          ///< the clip's name
+    double start = 0.0;        ///< frame of count 1
+    std::size_t figure = 0;    ///< among those to be told apart
+    double weight = 1.0;       ///< how much it counts in training, > 0
     std::vector<Pose> phased;  ///< poses_on_phase
 };
 
@@ -38,17 +38,19 @@ using FigureScores = std::vector<std::array<double, 3>>;
 /// The size matters when the evidence of two dancers is added.
 using PartWeights = std::array<double, 3>;
 
+/// One HMM for each part of each figure.
 class FigureClassifier {
  public:
-    /// A left-to-right HMM for every part of every figure (those of training.features):
-    /// training.states states, a tied
-    /// covariance, training.baum_welch_iterations rounds. Joints' mean rotations are those of all
-    /// examples, so that likelihoods are of the same features. Errors: a figure without an example.
+    /// Trains a left-to-right HMM for every part of every figure (the parts of training.features):
+    /// training.states states, training.covariance, training.baum_welch_iterations rounds. All
+    /// figures share one set of mean joint rotations, taken over all examples, so that
+    /// log-likelihoods of different figures are densities of the same features. Errors: a figure
+    /// without an example.
     [[nodiscard]] static Expected<FigureClassifier> learn(std::span<const FigureExample> examples,
                                                           std::size_t figures,
                                                           const FigureTrainingOptions& training);
 
-    /// Threads: any. Real-time: no.
+    /// Log-likelihoods of the example under every figure. Threads: any. Real-time: no.
     [[nodiscard]] FigureScores score(const FigureExample& example) const;
 
  private:
@@ -57,22 +59,22 @@ class FigureClassifier {
     std::vector<std::vector<models::HmmScorer>> scorers_;  // by figure, then as joints_
 };
 
-/// The weighted sums, by figure.
+/// Weighted sums of the parts' log-likelihoods, one a figure; nats a sample.
 [[nodiscard]] std::vector<double> evidence(const FigureScores& scores, const PartWeights& weights);
 
 /// The figure with the most evidence; ties: the first.
 [[nodiscard]] std::size_t most_likely(std::span<const double> evidence);
 
-/// One scored example and what it is.
+/// Scores of one example whose figure is known.
 struct ScoredExample {
-    std::size_t figure = 0;
-    FigureScores scores;
+    std::size_t figure = 0;  ///< its own
+    FigureScores scores;     ///< under every figure
 };
 
-/// The weights under which the examples' own figures are most probable, each figure's evidence
-/// taken for the logarithm of its share (discriminative model combination: Beyerlein 1998).
-/// Searched on a grid: shares of the parts in steps of 1/20, sizes in powers of the square root
-/// of 2.
+/// The weights that maximize the posterior probability of the examples' own figures, with evidence
+/// as the log-probability up to a constant (discriminative model combination: Beyerlein 1998).
+/// Searched on a grid: shares of the parts in steps of 1/20, total sizes in powers of the square
+/// root of 2.
 [[nodiscard]] PartWeights fit_weights(std::span<const ScoredExample> examples);
 
 }  // namespace raks::motion

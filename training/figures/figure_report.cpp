@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kShownRepeats = 4;   // realizations, as in the paper's Fig. 12
 constexpr std::size_t kShownFeatures = 2;  // of each part
 
-/// The surest repeats, of different takes as long as there are such.
+/// The repeats of highest weight, first one from each take, then more from takes already shown.
 std::vector<std::size_t> repeats_to_show(std::span<const FigureRepeat> repeats) {
     std::vector<std::size_t> by_weight(repeats.size());
     std::iota(by_weight.begin(), by_weight.end(), 0);
@@ -21,6 +21,7 @@ std::vector<std::size_t> repeats_to_show(std::span<const FigureRepeat> repeats) 
         return repeats[a].weight > repeats[b].weight;
     });
     std::vector<std::size_t> shown;
+    // First pass: only takes that are not shown yet. Second pass: any repeat that is not shown yet.
     for (const bool needs_new_take : {true, false}) {
         for (const std::size_t r : by_weight) {
             const bool is_known = std::any_of(shown.begin(), shown.end(), [&](std::size_t s) {
@@ -40,6 +41,8 @@ struct Variance {
     double between = 0.0;
 };
 
+// One pass over counts, sums and squares. Between-state variance: the variance of the states'
+// means, weighted by the samples in each. Rounding may bring it below 0, hence the clamps.
 Variance variance_of(std::span<const models::Frames> repeats,
                      std::span<const std::vector<std::size_t>> paths,
                      Eigen::Index feature,
@@ -65,12 +68,14 @@ Variance variance_of(std::span<const models::Frames> repeats,
             std::max(0.0, of_states / samples - mean * mean)};
 }
 
-/// Features of one joint, or one of the root, count as the same thing.
+/// A key that is the same for all features of one joint; each root feature has its own.
 std::size_t joint_of(const PartModel& part, std::size_t feature) {
     const std::size_t root = part.root_features();
     return feature < root ? feature : root + (feature - root) / 3;
 }
 
+// The features with the largest variance between the states, one of each joint: two axes of one
+// joint would show the same movement twice.
 std::vector<std::size_t> features_to_show(const PartModel& part,
                                           std::span<const Variance> variances) {
     std::vector<std::size_t> by_variance(variances.size());
@@ -95,6 +100,7 @@ std::vector<double> column_of(const models::Frames& frames, std::size_t column) 
     return {values.begin(), values.end()};
 }
 
+// Fills part.curves. part.paths must be set: they say which sample belongs to which state.
 void add_curves(const PartModel& joints,
                 std::span<const models::Frames> repeats,
                 std::span<const std::size_t> shown,
@@ -119,6 +125,8 @@ void add_curves(const PartModel& joints,
     }
 }
 
+// Trains one part on all repeats with the chosen number of states, then reads its timing from the
+// Viterbi paths.
 Expected<void> report_part(Part which,
                            std::span<const std::vector<Pose>> phased,
                            std::span<const FigureRepeat> repeats,
@@ -144,6 +152,7 @@ Expected<void> report_part(Part which,
     if (!followed) {
         return fail(std::move(followed.error()));
     }
+    // Paths come before the curves, which need them.
     part.paths = std::move(followed->paths);
     const auto states = static_cast<std::size_t>(learning.states);
     part.occurrence = count_occurrence(part.paths, report.beats, report.samples_per_beat, states);
@@ -173,6 +182,7 @@ Expected<FigureReport> report_figure(std::span<const TrainingClip> clips,
     }
     report.folds = std::move(selection->folds);
     report.shown = repeats_to_show(repeats);
+    // The selection has done the same on each fold; here all repeats teach.
     const std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, training.samples_per_beat, training.low_pass_hz);
     for (const Part which : parts_of(training.features)) {

@@ -19,8 +19,10 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kLargestMetres = 1e3;
+constexpr double kLargestMetres = 1e3;  // of a hips coordinate; a larger one means broken data
 
+// Ranges of the options. Not more states than samples: every state needs one. The floor is above
+// zero so that covariances stay positive definite.
 Expected<void> check_options(const FigureTrainingOptions& options) {
     const RangeCheck ranges[] = {
         {"beats", static_cast<double>(options.beats), 1, 64},
@@ -35,6 +37,7 @@ Expected<void> check_options(const FigureTrainingOptions& options) {
     return check(ranges);
 }
 
+// Finite, within range, and unit quaternions. The comparisons are false for NaN.
 bool is_sound(const Pose& pose) noexcept {
     for (int c = 0; c < 3; ++c) {
         if (!(std::abs(static_cast<double>(pose.hips_position[c])) <= kLargestMetres)) {
@@ -47,6 +50,7 @@ bool is_sound(const Pose& pose) noexcept {
         });
 }
 
+// Shape, frame rate and values of a clip.
 Expected<void> check_clip(const TrainingClip& clip) {
     if (clip.feet.size() != clip.poses.size() || clip.poses.empty()) {
         return fail(fmt::format("{}: has {} poses and {} feet, must have as many, at least one",
@@ -70,6 +74,7 @@ Expected<void> check_clip(const TrainingClip& clip) {
     return {};
 }
 
+// One repetition: beats rise, lie within the clip and are long enough to resample.
 Expected<void> check_repeat(const FigureRepeat& repeat,
                             std::span<const TrainingClip> clips,
                             int beats) {
@@ -85,6 +90,7 @@ Expected<void> check_repeat(const FigureRepeat& repeat,
                                 beats + 1));
     }
     for (std::size_t b = 0; b + 1 < frames.size(); ++b) {
+        // A beat shorter than this means that the counts or the frame rate are wrong.
         constexpr double kFewestFrames = 4.0;
         if (!(frames[b + 1] - frames[b] >= kFewestFrames)) {
             return fail(
@@ -118,8 +124,8 @@ std::vector<double> weights_of(std::span<const FigureRepeat> repeats) {
     return weights;
 }
 
-/// Learns one part from its features, one track a repeat (samples -1 .. T + 1). Returns the mean
-/// log-likelihood per sample.
+/// Trains one part on its features, one track a repeat (samples -1 .. T + 1), T = `samples`. Fills
+/// the part's HMM, timing and trajectory statistics. Returns the mean log-likelihood per sample.
 Expected<double> learn_part(std::span<const FeatureTrack> tracks,
                             std::span<const double> weights,
                             std::size_t samples,
@@ -127,6 +133,7 @@ Expected<double> learn_part(std::span<const FeatureTrack> tracks,
                             PartModel& part) {
     models::TrainingSet set;
     set.weights.assign(weights.begin(), weights.end());
+    // The HMM sees samples 0 to T - 1, which are rows 1 to T: the outer rows are for deltas only.
     for (const FeatureTrack& track : tracks) {
         set.sequences.push_back(frames_of(track, 1, samples));
     }
@@ -134,6 +141,7 @@ Expected<double> learn_part(std::span<const FeatureTrack> tracks,
     if (!trained) {
         return fail(trained.error());
     }
+    // A tied covariance is stored whatever kind was trained; timing comes from the Viterbi paths.
     const Expected<FollowedStates> followed =
         follow_states(trained->model, set, options.covariance_floor);
     if (!followed) {
@@ -141,6 +149,7 @@ Expected<double> learn_part(std::span<const FeatureTrack> tracks,
     }
     take_hmm(trained->model, followed->tied, part);
     set_timing(followed->paths, options.beats, options.samples_per_beat, part);
+    // Needs the state means of take_hmm.
     learn_trajectory(tracks, weights, samples, part);
 
     double frames = 0.0;
@@ -150,7 +159,7 @@ Expected<double> learn_part(std::span<const FeatureTrack> tracks,
     return trained->log_likelihoods.back() / frames;
 }
 
-/// Displacement, turn and tempo: weighted means over the repeats.
+/// Sets displacement, turn and tempo: weighted means over the repeats.
 void learn_net_motion(std::span<const std::vector<Pose>> phased,
                       std::span<const TrainingClip> clips,
                       std::span<const FigureRepeat> repeats,
@@ -160,9 +169,11 @@ void learn_net_motion(std::span<const std::vector<Pose>> phased,
     double seconds_per_beat = 0.0;
     for (std::size_t r = 0; r < repeats.size(); ++r) {
         const FigureRepeat& repeat = repeats[r];
+        // From count 1 on: skips sample -1, so that integration starts at phase 0 with heading 0.
         const std::span<const Pose> whole = std::span(phased[r]).subspan(1, model.samples() + 2);
         const FeatureTrack root =
             features_of(whole, model.root_part(), model.samples_per_beat, body);
+        // The place at sample T, which is count 1 of the next repetition.
         const RootPlace end = integrate_root(root, model.samples_per_beat, {})[model.samples()];
         const double frames = repeat.beat_frames.back() - repeat.beat_frames.front();
         weight_sum += repeat.weight;
@@ -176,6 +187,7 @@ void learn_net_motion(std::span<const std::vector<Pose>> phased,
     model.learnt_tempo = Bpm::from_period(seconds_per_beat / weight_sum);
 }
 
+// Weighted like all other means, because clips of different bodies may be mixed.
 double mean_hips_height(std::span<const TrainingClip> clips,
                         std::span<const FigureRepeat> repeats) {
     double weight_sum = 0.0;
@@ -219,12 +231,15 @@ std::vector<Pose> poses_on_phase(std::span<const Pose> poses,
     const int samples = static_cast<int>(beat_frames.size() - 1) * samples_per_beat;
     const double last = static_cast<double>(poses.size() - 1);
     std::vector<Pose> result;
+    // One sample before and two after the figure: central differences at both ends need them. Poses
+    // beyond the clip are held.
     for (int i = -1; i <= samples + 1; ++i) {
         const double beat = static_cast<double>(i) / samples_per_beat;
         const double frame = std::clamp(warp.frame_at(beat), 0.0, last);
         const std::size_t from = std::min(static_cast<std::size_t>(frame), poses.size() - 1);
         const std::size_t to = std::min(from + 1, poses.size() - 1);
         const float t = static_cast<float>(frame - static_cast<double>(from));
+        // Between two frames: linear, with rotations normalized.
         result.push_back(interpolate(poses[from], poses[to], t));
     }
     return result;
@@ -249,10 +264,12 @@ Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
     model.features = options.features;
     model.source_hips_height = mean_hips_height(clips, repeats);
 
+    // Features of positions are those of a body with the clips' mean hip height.
     const Skeleton body = source_body(model);
     const std::vector<double> weights = weights_of(repeats);
     const std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, options.samples_per_beat, options.low_pass_hz);
+    // Parts are independent of each other: each has its own features, HMM and states.
     for (const Part which : parts_of(options.features)) {
         const auto p = static_cast<std::size_t>(which);
         PartModel& part = model.parts.emplace_back(
@@ -271,6 +288,7 @@ Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
     }
     learn_net_motion(phased, clips, repeats, body, model);
     learn_feet(clips, repeats, model);
+    // An error here is better than a file that the dancer refuses.
     if (auto ok = validate(model); !ok) {
         return fail(std::move(ok.error()).in("the learnt figure"));
     }
@@ -295,6 +313,7 @@ Expected<double> score_repeats(const FigureModel& model,
         return fail("no repeats to score");
     }
     double sum = 0.0;
+    // The same conditioning as in training, or the log-likelihoods would not be comparable.
     for (const std::vector<Pose>& poses :
          phased_repeats(clips, repeats, model.samples_per_beat, low_pass_hz)) {
         const FeatureTrack track =

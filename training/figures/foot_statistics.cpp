@@ -11,15 +11,17 @@
 namespace raks::motion {
 namespace {
 
+// Offsets lie in [-0.4, 0.6): dancers land late rather than early.
 constexpr double kEarliest = -0.4;  // beats from the count a landing belongs to
 
-/// Per foot: contact by frame and landings of one clip.
+/// Per foot: contact by frame, landings (frames) and toe speed by frame (m/s) of one clip.
 struct ClipFeet {
     std::array<std::vector<bool>, 2> contacts;
     std::array<std::vector<double>, 2> landings;
     std::array<std::vector<double>, 2> toe_speeds;
 };
 
+// Faults are bridged first: a jump in bad frames would look like a step.
 ClipFeet feet_of(const TrainingClip& clip) {
     std::vector<std::array<SourceFoot, 2>> feet = clip.feet;
     bridge_faults(feet, clip.faults);
@@ -34,6 +36,7 @@ ClipFeet feet_of(const TrainingClip& clip) {
     return result;
 }
 
+// Adds the repeat's weight to every phase bin in whose middle the toe rests on the floor.
 void add_contacts(const std::vector<bool>& contacts,
                   const FigureRepeat& repeat,
                   const PhaseWarp& warp,
@@ -46,6 +49,7 @@ void add_contacts(const std::vector<bool>& contacts,
     }
 }
 
+// Sorts landings by the count they belong to; offsets from that count in beats, late positive.
 void add_landings(const std::vector<double>& moments,
                   const PhaseWarp& warp,
                   int beats,
@@ -59,7 +63,8 @@ void add_landings(const std::vector<double>& moments,
     }
 }
 
-/// The faster toe's highest speed in each repeat; the median of them.
+/// The highest speed of the faster toe in each repeat, m/s; the median over the repeats, because
+/// one badly captured repeat would dominate a maximum.
 double peak_toe_speed(std::span<const TrainingClip> clips,
                       std::span<const FigureRepeat> repeats,
                       const std::vector<std::array<std::vector<double>, 2>>& speeds) {
@@ -78,6 +83,7 @@ double peak_toe_speed(std::span<const TrainingClip> clips,
     return *middle;
 }
 
+// Median and sample standard deviation of the landings at one count.
 LandingOffset summary_of(std::vector<double> offsets) {
     LandingOffset result;
     result.repeats = static_cast<int>(offsets.size());
@@ -96,6 +102,7 @@ LandingOffset summary_of(std::vector<double> offsets) {
     for (const double offset : offsets) {
         square += (offset - mean) * (offset - mean);
     }
+    // n - 1, and 1 for a single landing, whose deviation is then 0.
     const double freedom = std::max(static_cast<double>(offsets.size()) - 1.0, 1.0);
     result.deviation = Beats(std::sqrt(square / freedom));
     return result;
@@ -106,6 +113,7 @@ LandingOffset summary_of(std::vector<double> offsets) {
 void learn_feet(std::span<const TrainingClip> clips,
                 std::span<const FigureRepeat> repeats,
                 FigureModel& model) {
+    // By clip, not by repeat: several repeats share a clip.
     std::vector<ClipFeet> feet;
     for (const TrainingClip& clip : clips) {
         feet.push_back(feet_of(clip));
@@ -122,12 +130,14 @@ void learn_feet(std::span<const TrainingClip> clips,
     for (std::size_t s = 0; s < 2; ++s) {
         std::vector<std::vector<double>> offsets(static_cast<std::size_t>(model.beats));
         model.contact[s].fill(0.0);
+        // Contacts are weighted; landings are not, because their summary is a median.
         for (const FigureRepeat& repeat : repeats) {
             const PhaseWarp warp(repeat.beat_frames);
             add_contacts(
                 feet[repeat.clip].contacts[s], repeat, warp, model.beats, model.contact[s]);
             add_landings(feet[repeat.clip].landings[s], warp, model.beats, offsets);
         }
+        // Rounding may bring the weighted mean just above 1.
         for (double& chance : model.contact[s]) {
             chance = std::min(chance / weight_sum, 1.0);
         }

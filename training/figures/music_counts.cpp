@@ -9,13 +9,16 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kSlack = 0.1;    // seconds that a label may begin before or end behind the music
-constexpr double kNearest = 0.6;  // intervals: a beat farther from an end is not the label's
-constexpr double kAboutAsNear = 0.4;  // intervals: beats between which the bar decides
-constexpr double kMissed = 1.6;       // intervals: a longer one lacks a beat
+constexpr double kSlack = 0.1;  // seconds that a label may begin before or end after the music
+// Inter-beat intervals: a beat farther than this from the label's start or end is not its beat.
+constexpr double kNearest = 0.6;
+// Intervals: with both beats this far or farther from the start, the bar position decides.
+constexpr double kAboutAsNear = 0.4;
+constexpr double kMissed = 1.6;  // intervals: a longer gap lacks at least one beat
 
 using Seconds = std::vector<double>;
 
+// Seconds. A median, because a missed beat makes one interval twice as long.
 double median_interval(std::span<const MusicBeat> beats) {
     Seconds intervals;
     for (std::size_t i = 1; i < beats.size(); ++i) {
@@ -26,15 +29,17 @@ double median_interval(std::span<const MusicBeat> beats) {
     return *middle;
 }
 
-/// The beats from an interval before the label to one behind it, missed ones filled in.
+/// The beats from one inter-beat interval before the label to one after it; missed beats are
+/// interpolated, with unknown bar position.
 std::vector<MusicBeat> beats_around(const DancedMusic& music, double from, double to) {
     std::vector<MusicBeat> found;
-    double longest = 0.0;  // of the beats inside
+    double longest = 0.0;  // interval between two beats inside the label
     for (std::size_t i = 0; i + 1 < music.beats.size(); ++i) {
         if (music.beats[i].seconds >= from && music.beats[i + 1].seconds <= to) {
             longest = std::max(longest, music.beats[i + 1].seconds - music.beats[i].seconds);
         }
     }
+    // A beat just outside may be the one nearest to the label's start or end.
     std::copy_if(music.beats.begin(),
                  music.beats.end(),
                  std::back_inserter(found),
@@ -44,6 +49,7 @@ std::vector<MusicBeat> beats_around(const DancedMusic& music, double from, doubl
     if (found.size() < 2) {
         return {};
     }
+    // A gap of about n intervals gets n - 1 beats at equal distances.
     const double interval = median_interval(found);
     std::vector<MusicBeat> filled = {found.front()};
     for (std::size_t i = 1; i < found.size(); ++i) {
@@ -58,6 +64,7 @@ std::vector<MusicBeat> beats_around(const DancedMusic& music, double from, doubl
     return filled;
 }
 
+// Index of the beat nearest to the time; `beats` is not empty.
 std::size_t nearest(const std::vector<MusicBeat>& beats, double seconds) {
     const auto found =
         std::min_element(beats.begin(), beats.end(), [&](const MusicBeat& a, const MusicBeat& b) {
@@ -66,13 +73,15 @@ std::size_t nearest(const std::vector<MusicBeat>& beats, double seconds) {
     return static_cast<std::size_t>(found - beats.begin());
 }
 
-/// The beat on which the label starts.
+/// The beat on which the label starts: the nearest one, unless its neighbour on the other side is
+/// about as near and is the downbeat that a label starting on count 1 asks for.
 std::size_t first_beat(const std::vector<MusicBeat>& beats,
                        const FigureLabel& label,
                        double seconds,
                        double interval) {
     const std::size_t best = nearest(beats, seconds);
     const bool is_later = beats[best].seconds > seconds;
+    // The neighbour on the other side of the label's start.
     const std::size_t other = is_later ? (best > 0 ? best - 1 : best) : best + 1;
     const bool is_close = other < beats.size() && std::abs(beats[other].seconds - seconds) <=
                                                       (1.0 - kAboutAsNear) * interval;
@@ -82,7 +91,8 @@ std::size_t first_beat(const std::vector<MusicBeat>& beats,
     return is_close && is_downbeat(other) && !is_downbeat(best) ? other : best;
 }
 
-/// `heard` as `wanted` beats, an octave apart at most; empty when they are neither.
+/// `heard` brought to `wanted` beats when it has as many, twice or half as many (an octave error of
+/// the tracker); else empty.
 Seconds at_octave(const Seconds& tracked, std::size_t wanted) {
     const std::size_t count = tracked.size() - 1;
     Seconds beats;
@@ -90,10 +100,12 @@ Seconds at_octave(const Seconds& tracked, std::size_t wanted) {
         return tracked;
     }
     if (count == 2 * wanted) {
+        // Twice as many: keeps every other beat, the first and last among them.
         for (std::size_t i = 0; i < tracked.size(); i += 2) {
             beats.push_back(tracked[i]);
         }
     } else if (2 * count == wanted) {
+        // Half as many: adds the middle of every interval.
         for (std::size_t i = 0; i < count; ++i) {
             beats.push_back(tracked[i]);
             beats.push_back(0.5 * (tracked[i] + tracked[i + 1]));
@@ -103,6 +115,7 @@ Seconds at_octave(const Seconds& tracked, std::size_t wanted) {
     return beats;
 }
 
+// A label outside the music points to a wrong offset, so the error asks for it.
 Expected<void> check_inside(const DancedMusic& music, double from, double to) {
     if (from < -kSlack) {
         return fail(
@@ -123,12 +136,14 @@ Expected<void> check_inside(const DancedMusic& music, double from, double to) {
 Expected<LabelCounts> counts_of(const FigureLabel& label,
                                 const DancedMusic& music,
                                 double frames_per_second) {
+    // Frames of the clip to seconds of the music.
     const double from = static_cast<double>(label.start) / frames_per_second + music.offset;
     const double to = static_cast<double>(label.end) / frames_per_second + music.offset;
     if (auto ok = check_inside(music, from, to); !ok) {
         return fail(std::move(ok.error()));
     }
     const std::vector<MusicBeat> beats = beats_around(music, from, to);
+    // Both ends need a beat within kNearest, or the tracker found none there.
     const double interval = beats.empty() ? 0.0 : median_interval(beats);
     const std::size_t first = beats.empty() ? 0 : first_beat(beats, label, from, interval);
     const std::size_t last = beats.empty() ? 0 : nearest(beats, to);
@@ -141,6 +156,7 @@ Expected<LabelCounts> counts_of(const FigureLabel& label,
                         from,
                         to));
     }
+    // Seconds of the beats from the first to the last, both included.
     Seconds tracked;
     for (std::size_t i = first; i <= last; ++i) {
         tracked.push_back(beats[i].seconds);
@@ -148,6 +164,7 @@ Expected<LabelCounts> counts_of(const FigureLabel& label,
     LabelCounts counts;
     const std::size_t wanted =
         label.beats == 0 ? tracked.size() - 1 : static_cast<std::size_t>(label.beats);
+    // Back to frames of the clip, with fractions.
     for (const double seconds : at_octave(tracked, wanted)) {
         counts.frames.push_back((seconds - music.offset) * frames_per_second);
     }

@@ -12,6 +12,7 @@ PhaseWarp::PhaseWarp(std::span<const double> beat_frames)
     : frames_(beat_frames.begin(), beat_frames.end()), slopes_(beat_frames.size()) {
     RAKS_ASSERT(frames_.size() >= 2);
     const std::size_t last = frames_.size() - 1;
+    // The ends take the slope of their only neighbouring interval.
     for (std::size_t i = 0; i <= last; ++i) {
         const double before = i > 0 ? frames_[i] - frames_[i - 1] : frames_[1] - frames_[0];
         const double after = i < last ? frames_[i + 1] - frames_[i] : before;
@@ -31,6 +32,8 @@ double PhaseWarp::frame_at(double beat) const noexcept {
     const std::size_t i = static_cast<std::size_t>(beat);
     const double t = beat - static_cast<double>(i);
     const double step = frames_[i + 1] - frames_[i];
+    // Cubic Hermite polynomial: the chord and a correction by how far the slope at each end (a, b)
+    // departs from the chord's.
     const double a = slopes_[i] - step;
     const double b = step - slopes_[i + 1];
     return frames_[i] + t * step + t * (1.0 - t) * ((1.0 - t) * a + t * b);
@@ -44,6 +47,7 @@ double PhaseWarp::beat_at(double frame) const noexcept {
     if (frame >= frames_.back()) {
         return last + (frame - frames_.back()) / slopes_.back();
     }
+    // Rising, so bisection finds the only solution.
     double low = 0.0;
     double high = last;
     while (high - low > 1e-9) {

@@ -5,16 +5,18 @@
 
 namespace raks::motion {
 
-/// Frame as a smooth, rising function of the beat through the given frames of beats 0, 1, 2, ...:
-/// monotone cubic interpolation (Fritsch and Carlson 1980), so that a change of tempo between two
-/// beats makes no kink in the speed of everything. Straight beyond the ends.
+/// Maps beats to frames and back: a smooth, rising curve through the given frames of beats 0, 1, 2,
+/// ... by monotone cubic interpolation (Fritsch and Carlson 1980). A piecewise linear map would
+/// give every joint's speed a step at each change of tempo. Linear beyond the ends.
+/// Threads: any. Real-time: no.
 class PhaseWarp {
  public:
-    /// At least 2 frames, rising.
+    /// `beat_frames`: at least 2 frames, rising.
     explicit PhaseWarp(std::span<const double> beat_frames);
 
+    /// Frame, with a fraction, of a beat; any real number.
     [[nodiscard]] double frame_at(double beat) const noexcept;
-    /// Its inverse (by bisection, to 1e-9 beats); may lie beyond the ends.
+    /// The inverse of frame_at (by bisection, to 1e-9 beats); may lie beyond the ends.
     [[nodiscard]] double beat_at(double frame) const noexcept;
 
  private:

@@ -8,12 +8,14 @@ std::vector<std::vector<Pose>> phased_repeats(std::span<const TrainingClip> clip
                                               std::span<const FigureRepeat> repeats,
                                               int samples_per_beat,
                                               double low_pass_hz) {
+    // Each clip is conditioned once, however many repeats it has, and only if it has any.
     std::vector<std::vector<Pose>> conditioned(clips.size());
     std::vector<std::vector<Pose>> result;
     for (const FigureRepeat& repeat : repeats) {
         const TrainingClip& clip = clips[repeat.clip];
         std::vector<Pose>& poses = conditioned[repeat.clip];
         if (poses.empty()) {
+            // Faults first: the filter would smear them over good frames.
             poses = clip.poses;
             bridge_faults(poses, clip.faults);
             poses = filtered(poses, low_pass_taps(low_pass_hz, clip.frames_per_second));
@@ -34,10 +36,12 @@ PartModel mean_joints(Part which,
     std::vector<Bone> bones = default_joints(which, features);
     bones.insert(bones.end(), more.begin(), more.end());
     for (const Bone bone : bones) {
+        // Positions need no reference rotation.
         if (features == FigureFeatures::positions) {
             part.joints.push_back({bone});
             continue;
         }
+        // All samples of all repeats, each with its repeat's weight.
         std::vector<glm::dquat> rotations;
         std::vector<double> each;
         for (std::size_t r = 0; r < repeats.size(); ++r) {

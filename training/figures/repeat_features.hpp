@@ -8,23 +8,24 @@
 #include "motion/skeleton/pose.hpp"
 #include "training/figures/figure_trainer.hpp"
 
-/// Repetitions of a figure made comparable: on one phase axis, as features of one part.
+/// Brings repetitions of a figure onto one phase axis and extracts the features of a part.
 namespace raks::motion {
 
-/// Every repeat by poses_on_phase, after its clip's faults were bridged and its noise filtered.
+/// poses_on_phase of every repeat, after faults in its clip are bridged and the motion low-passed.
 [[nodiscard]] std::vector<std::vector<Pose>> phased_repeats(std::span<const TrainingClip> clips,
                                                             std::span<const FigureRepeat> repeats,
                                                             int samples_per_beat,
                                                             double low_pass_hz);
 
-/// The default joints of a part, and `more`; of angles, with their mean rotations over all repeats.
+/// A part without states: its default joints and those in `more`; for angles with the mean rotation
+/// of each joint over all repeats.
 [[nodiscard]] PartModel mean_joints(Part which,
                                     std::span<const std::vector<Pose>> repeats,
                                     std::span<const double> weights,
                                     FigureFeatures features = FigureFeatures::angles,
                                     std::span<const Bone> more = {});
 
-/// Features of a phased repeat at samples 0 to T - 1: T x D.
+/// Features of a phased repeat (from poses_on_phase) at samples 0 to T - 1: T x D.
 [[nodiscard]] models::Frames part_frames(std::span<const Pose> phased,
                                          const PartModel& part,
                                          int samples_per_beat);

@@ -7,6 +7,7 @@ namespace raks::motion {
 
 Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
                                               const StateLearning& learning) {
+    // Tolerance 0: always runs the given number of iterations.
     const models::BaumWelchOptions options{.iterations = learning.iterations,
                                            .tolerance = 0.0,
                                            .variance_floor = learning.covariance_floor};
@@ -20,6 +21,7 @@ Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
     return models::baum_welch(*start, set, options);
 }
 
+// The tied covariance is needed whatever type the HMM has: PartModel stores one.
 Expected<FollowedStates> follow_states(const models::GaussianHmm& hmm,
                                        const models::TrainingSet& set,
                                        double covariance_floor) {
@@ -31,6 +33,7 @@ Expected<FollowedStates> follow_states(const models::GaussianHmm& hmm,
     for (const models::Frames& frames : set.sequences) {
         followed.paths.push_back(models::viterbi(*scorer, scorer->log_emissions(frames)).path);
     }
+    // A tied HMM has it already; otherwise it comes from the alignment along the paths.
     if (hmm.covariance_type == models::CovarianceType::tied) {
         followed.tied = hmm.covariances.front();
         return followed;

@@ -13,25 +13,26 @@
 
 namespace raks::motion {
 
-/// Where an HMM's states lie before Baum-Welch.
+/// How frames are assigned to the states of an HMM before Baum-Welch.
 enum class StatesStart : std::uint8_t {
-    flat,       ///< on equal slices of the sequences
-    segmental,  ///< from there to the most likely segments: k-means of left-to-right models
+    flat,       ///< equal slices of the sequences
+    segmental,  ///< from there by segmental k-means along Viterbi paths
 };
+/// By StatesStart.
 inline constexpr std::array<std::string_view, 2> kStatesStartNames = {"flat", "segmental"};
 
 /// How the HMM of one part is learnt.
 struct StateLearning {
-    int states = 16;
+    int states = 16;     ///< N, >= 1
     int iterations = 0;  ///< of Baum-Welch, after the start
-    /// Share of each feature's variance that lies under every variance (diagonal) or is added to
-    /// the diagonal of every covariance.
+    /// Share of each feature's variance that is the least of every variance (diagonal), or is added
+    /// to the diagonal of every covariance (full, tied).
     double covariance_floor = 0.1;
-    CovarianceKind covariance = CovarianceKind::tied;
-    StatesStart start = StatesStart::flat;
+    CovarianceKind covariance = CovarianceKind::tied;  ///< one for all states, or one each
+    StatesStart start = StatesStart::flat;             ///< before Baum-Welch
 };
 
-/// A left-to-right HMM. Errors: no sequence of at least as many frames as states.
+/// Trains a left-to-right HMM. Errors: no sequence of at least as many frames as states.
 [[nodiscard]] Expected<models::TrainingResult> learn_states(const models::TrainingSet& set,
                                                             const StateLearning& learning);
 
@@ -40,6 +41,7 @@ struct FollowedStates {
     std::vector<std::vector<std::size_t>> paths;  ///< Viterbi; of each sequence
     Eigen::MatrixXd tied;                         ///< D x D, with the floor on its diagonal
 };
+/// Viterbi paths of all sequences under `hmm`. Errors: an invalid model or set.
 [[nodiscard]] Expected<FollowedStates> follow_states(const models::GaussianHmm& hmm,
                                                      const models::TrainingSet& set,
                                                      double covariance_floor);

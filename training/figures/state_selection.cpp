@@ -14,7 +14,7 @@
 namespace raks::motion {
 namespace {
 
-/// Clips with repeats, each in its fold.
+/// Splits the clips that have repeats into folds: clip indices, dealt out in turn.
 std::vector<std::vector<std::size_t>> folds_of(std::span<const FigureRepeat> repeats,
                                                std::size_t most_folds) {
     std::vector<std::size_t> takes;
@@ -30,12 +30,13 @@ std::vector<std::vector<std::size_t>> folds_of(std::span<const FigureRepeat> rep
     return folds;
 }
 
-/// What one part of one fold is learnt from and judged by.
+/// Training set and held-out sequences of one part in one fold.
 struct FoldFrames {
     models::TrainingSet training;
     std::vector<models::Frames> held_out;
 };
 
+// Held-out repeats enter neither the training set nor the joint means that define the features.
 FoldFrames frames_of_fold(Part which,
                           std::span<const std::vector<Pose>> phased,
                           std::span<const FigureRepeat> repeats,
@@ -52,7 +53,7 @@ FoldFrames frames_of_fold(Part which,
             fold.training.weights.push_back(repeats[r].weight);
         }
     }
-    // The joints' means are part of the model: of the training repeats alone.
+    // The joints' mean rotations are part of the model, so only training repeats define them.
     const PartModel joints =
         mean_joints(which, learnt_from, fold.training.weights, training.features);
     for (const std::vector<Pose>& poses : learnt_from) {
@@ -75,12 +76,15 @@ double sum_of_means(const models::HmmScorer& scorer, std::span<const models::Fra
     return sum;
 }
 
+// Scores of one number of states on one fold. Sums, not means, so that folds of different size
+// weigh by their repeats.
 struct FoldScore {
     double training = 0.0;  ///< sums of means
     double held_out = 0.0;
     std::optional<Error> error;
 };
 
+// Trains with that many states and scores both sides of the fold.
 FoldScore score_of(const FoldFrames& fold, int states, const FigureTrainingOptions& training) {
     StateLearning learning = training.learning();
     learning.states = states;
@@ -97,6 +101,7 @@ FoldScore score_of(const FoldFrames& fold, int states, const FigureTrainingOptio
             std::nullopt};
 }
 
+// The range of states and the number of folds; check_training has checked the rest.
 Expected<void> check(std::span<const FigureRepeat> repeats,
                      const FigureTrainingOptions& training,
                      const StateSelectionOptions& options,
@@ -125,9 +130,10 @@ void choose_states(PartSelection& part, double saturation) {
         return a.held_out < b.held_out;
     };
     const auto best = std::max_element(part.tried.begin(), part.tried.end(), by_held_out);
-    // What is gained on the way up: numbers of states after the peak have no say.
+    // The gain up to the peak only: numbers of states after the peak do not count.
     const double worst = std::min_element(part.tried.begin(), best + 1, by_held_out)->held_out;
     const double enough = best->held_out - saturation * (best->held_out - worst);
+    // The first of the rising numbers that is good enough, thus the smallest model.
     part.peak = best->states;
     part.chosen = std::find_if(part.tried.begin(), part.tried.end(), [&](const StatesTried& tried) {
                       return tried.held_out >= enough;
@@ -147,6 +153,8 @@ Expected<StateSelection> select_states(std::span<const TrainingClip> clips,
     }
     const std::vector<std::vector<Pose>> phased =
         phased_repeats(clips, repeats, training.samples_per_beat, training.low_pass_hz);
+    // Jobs: parts x folds for the features, then x numbers of states for training. Every job writes
+    // its own slot, so the number of threads does not change a bit.
     const std::span<const Part> parts = parts_of(training.features);
     std::vector<FoldFrames> frames(parts.size() * folds.size());
     run_parallel(frames.size(), options.threads, [&](std::size_t i) {
@@ -168,6 +176,7 @@ Expected<StateSelection> select_states(std::span<const TrainingClip> clips,
             takes.push_back(clips[clip].name);
         }
     }
+    // Every repeat is held out once, and trains in all other folds.
     const double all = static_cast<double>(repeats.size());
     const double in_training = all * static_cast<double>(folds.size() - 1);
     for (std::size_t p = 0; p < parts.size(); ++p) {

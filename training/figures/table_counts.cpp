@@ -6,7 +6,8 @@
 namespace raks::motion {
 namespace {
 
-/// True when counts of `times` belong to the take: the same name, or what follows its first '_'.
+/// True when the count is of this take: the same name, or the name after the take's first '_' (both
+/// takes of a pair share one table of counts).
 bool is_of(const CountTime& time, const std::string& take) {
     const std::size_t underscore = take.find('_');
     return time.take == take ||
@@ -17,11 +18,13 @@ bool is_of(const CountTime& time, const std::string& take) {
 
 std::vector<double> beat_frames_of(const FigureLabel& label, std::span<const CountTime> counts) {
     const double start = static_cast<double>(label.start);
+    // Frames a beat if the counts were even: the estimate that matches counts to beats.
     const double beat = (static_cast<double>(label.end) - start) / label.beats;
     std::vector<double> frames(static_cast<std::size_t>(label.beats) + 1, std::nan(""));
     for (const CountTime& time : counts) {
         const double nearest = std::round((time.frame - start) / beat);
-        // A count further than half a beat from where it is due may be the one next to it.
+        // A count more than half a beat from its even place may belong to the beat before or after;
+        // up to one and a half beats of deviation are accepted.
         for (int b = static_cast<int>(nearest) - 1; b <= static_cast<int>(nearest) + 1; ++b) {
             const int due = (label.start_count - 1 + b) % label.beats + 1;
             if (b >= 0 && b <= label.beats && due == time.count && is_of(time, label.take) &&
@@ -36,6 +39,7 @@ std::vector<double> beat_frames_of(const FigureLabel& label, std::span<const Cou
     if (std::isnan(frames.back())) {
         frames.back() = static_cast<double>(label.end);
     }
+    // Linear interpolation over each run of missing beats; first and last are known by here.
     for (std::size_t known = 0; known + 1 < frames.size();) {
         std::size_t next = known + 1;
         while (std::isnan(frames[next])) {

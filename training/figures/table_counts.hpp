@@ -7,9 +7,9 @@
 
 namespace raks::motion {
 
-/// Frames of all beats of a label, the end included, from a table of counts. Counts that are
-/// missing (in a break of the phase) are filled in between their neighbours; start and end stand in
-/// where their counts are missing.
+/// Frames of all beats of a label, the end included, from a table of counts. A count that the table
+/// lacks (where the phase breaks) is interpolated between its neighbours; the label's start and end
+/// stand in for a missing first or last count. Size: label.beats + 1.
 [[nodiscard]] std::vector<double> beat_frames_of(const FigureLabel& label,
                                                  std::span<const CountTime> counts);
 

@@ -14,9 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kConversionFrames = 4;  // hands fly from the rest pose in frames 0-3
+// In frames 0-3 the hands move from the rest pose to the first real pose.
+constexpr std::size_t kConversionFrames = 4;
 
-/// From the hips' joint to the middle between the hip sockets at rest.
+/// Vector from the hips' joint to the middle between the hip sockets in the rest pose, units of the
+/// file.
 glm::dvec3 sockets_from_hips(const MotionClip& clip, const HumanoidMapping& mapping) {
     const std::vector<glm::dvec3> rest = rest_positions(clip);
     const glm::dvec3 middle = 0.5 * (rest[*mapping.joint(Bone::left_upper_leg)] +
@@ -24,9 +26,10 @@ glm::dvec3 sockets_from_hips(const MotionClip& clip, const HumanoidMapping& mapp
     return middle - rest[*mapping.joint(Bone::hips)];
 }
 
-/// Skeletons put the hips' joint at different heights of the pelvis (here 2 cm under the hip
-/// sockets, in ours 4 cm over them), and a scale from one to the other would stretch the legs. So
-/// the body learnt from is the source with its hips' joint where ours is: sockets stay in place.
+/// Places the hips' joint of the source where that of the built-in skeleton is, relative to the hip
+/// sockets, which stay in place. Skeletons put this joint at different heights of the pelvis (here
+/// 2 cm under the hip sockets, in ours 4 cm over them); scaling one body to the other without this
+/// step would stretch the legs.
 void move_hips_joint(const MotionClip& motion,
                      const HumanoidMapping& mapping,
                      const RetargetedClip& body,
@@ -34,9 +37,12 @@ void move_hips_joint(const MotionClip& motion,
     const Skeleton& ours = mannequin_skeleton();
     const glm::vec3 our_sockets = 0.5F * (ours.offsets[index_of(Bone::left_upper_leg)] +
                                           ours.offsets[index_of(Bone::right_upper_leg)]);
+    // How far the joint has to move, in the hips' frame at rest; metres.
     const glm::dvec3 up =
         sockets_from_hips(motion, mapping) * body.metres_per_unit - glm::dvec3(our_sockets);
     for (Pose& pose : clip.poses) {
+        // Undoes the retargeting's scale: clips are learnt at the source's size. The offset turns
+        // with the hips.
         const glm::dvec3 source = glm::dvec3(pose.hips_position) / body.hips_scale;
         pose.hips_position = glm::vec3(source + glm::dquat(pose.rotation(Bone::hips)) * up);
     }
@@ -56,10 +62,12 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     for (const std::string& warning : motion->warnings) {
         warnings.push_back(path.filename().string() + ": " + warning);
     }
+    // The mapping is needed again for the rest pose, which retarget does not return.
     const Expected<HumanoidMapping> mapping = map_humanoid(*motion);
     if (!mapping) {
         return fail(Error(mapping.error()).in(path.filename().string()));
     }
+    // No floor height given: retarget estimates it from the toe tips.
     Expected<RetargetedClip> body =
         retarget(*motion,
                  mannequin_skeleton(),
@@ -78,6 +86,7 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     clip.poses = std::move(body->poses);
     clip.feet = std::move(body->source_feet);
     move_hips_joint(*motion, *mapping, *body, clip);
+    // As a fault these frames are bridged with the first sound pose.
     clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
     return clip;
 }

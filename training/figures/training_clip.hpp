@@ -10,15 +10,15 @@
 
 namespace raks::motion {
 
-/// What a file of motion may not say, or say wrongly.
+/// Units that a motion file may lack or give wrongly.
 struct ClipUnits {
     std::optional<double> frames_per_second;  ///< instead of the file's
     std::optional<double> metres_per_unit;    ///< none: guessed from the body's height
 };
 
-/// Reads a BVH file as motion of our skeleton, its name that of the file. The first four frames
-/// count as a fault: converted clips begin in the rest pose. Adds to `warnings` what the reader
-/// found odd and what was guessed. Errors: of the reader, the mapping, retargeting.
+/// Reads a BVH file as motion of the built-in skeleton; the clip's name is the file's. The first
+/// four frames count as a fault, because converted clips begin in the rest pose. Adds to `warnings`
+/// the reader's warnings and what was guessed. Errors: of the reader, the mapping, retargeting.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<TrainingClip> load_clip(const std::filesystem::path& path,
                                                const ClipUnits& units,

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr double kLongestBridge = 0.5;   ///< seconds of fault that may be bridged
 constexpr double kFastestDance = 260.0;  ///< BPM; above it the frame rate is likely wrong
 
-/// take -> file.
+/// Take -> file: the clips named in the plan, or all *.bvh of a single folder.
 Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& plan) {
     std::vector<fs::path> paths = plan.clips;
     std::error_code error;
@@ -40,15 +40,17 @@ Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& pla
         return fail("no clips given; name BVH files or their folder");
     }
     std::map<std::string, fs::path> files;
+    // A later file of the same name replaces an earlier one.
     for (const fs::path& path : paths) {
         files[path.stem().string()] = path;
     }
     return files;
 }
 
-/// Head and hands are no features.
+/// False for faults of head and hands alone, because figures of captured motion do not learn them.
 bool matters(const CaptureFault& fault) {
     std::string_view rest = fault.joints;
+    // Walks the comma-separated list of joint names.
     while (!rest.empty()) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
         const std::string_view joint = rest.substr(0, comma);
@@ -60,17 +62,19 @@ bool matters(const CaptureFault& fault) {
     return false;
 }
 
+// `end` of a label is exclusive, `to` of a fault inclusive.
 bool overlaps(const CaptureFault& fault, const FigureLabel& label) {
     return fault.take == label.take && fault.from < label.end && fault.to >= label.start;
 }
 
-/// Everything read except the clips.
+/// The tables that the plan names; counts and faults are empty where none is named.
 struct Tables {
     std::vector<FigureLabel> labels;
     std::vector<CountTime> counts;
     std::vector<CaptureFault> faults;
 };
 
+// With music, the beats say how long a label is, so its column of beats may be missing.
 Expected<Tables> load_tables(const FigureTrainingPlan& plan) {
     Tables tables;
     Expected<std::vector<FigureLabel>> labels =
@@ -96,7 +100,7 @@ Expected<Tables> load_tables(const FigureTrainingPlan& plan) {
     return tables;
 }
 
-/// Why a label is not learnt from; empty when it is.
+/// Why a label is left out of training; empty when it is used.
 std::string reason_to_leave_out(const FigureLabel& label,
                                 const Tables& tables,
                                 const FigureTrainingPlan& plan,
@@ -105,6 +109,7 @@ std::string reason_to_leave_out(const FigureLabel& label,
         return fmt::format("confidence {} is under {}", label.confidence, plan.min_confidence);
     }
     for (const CaptureFault& fault : tables.faults) {
+        // A fault includes its last frame.
         const double seconds = static_cast<double>(fault.to - fault.from + 1) / frames_per_second;
         if (overlaps(fault, label) && matters(fault) && seconds > kLongestBridge) {
             return fmt::format("{} bad from frame {} to {}", fault.joints, fault.from, fault.to);
@@ -113,6 +118,7 @@ std::string reason_to_leave_out(const FigureLabel& label,
     return {};
 }
 
+// Faults that are short enough to be interpolated over. The longer ones exclude their labels.
 void add_short_faults(const Tables& tables, TrainingClip& clip) {
     for (const CaptureFault& fault : tables.faults) {
         const double seconds =
@@ -123,11 +129,13 @@ void add_short_faults(const Tables& tables, TrainingClip& clip) {
     }
 }
 
+// Labels of other figures, roles or splits are not even reported.
 bool is_wanted(const FigureLabel& label, const FigureTrainingPlan& plan) {
     return label.figure == plan.figure && label.role == plan.role &&
            (plan.split.empty() || label.split == plan.split);
 }
 
+// The label ends within its clip, whose length is known only after it is read.
 Expected<void> check_range(const FigureLabel& label,
                            const TrainingClip& clip,
                            const FigureTrainingPlan& plan) {
@@ -142,7 +150,7 @@ Expected<void> check_range(const FigureLabel& label,
     return {};
 }
 
-/// Collects clips and repeats label by label.
+/// Collects clips and repeats label by label; reads each clip once, when a label needs it.
 class Collector {
  public:
     Collector(const FigureTrainingPlan& plan,
@@ -151,7 +159,7 @@ class Collector {
         : plan_(plan), tables_(tables), files_(files) {}
 
     Expected<void> add(const FigureLabel& label) {
-        if (label.confidence < plan_.min_confidence) {  // before its clip is read
+        if (label.confidence < plan_.min_confidence) {  // before its clip is read, which is slow
             material_.uses.push_back({label, reason_to_leave_out(label, tables_, plan_, 1.0)});
             return {};
         }
@@ -181,12 +189,14 @@ class Collector {
     [[nodiscard]] TrainingMaterial& material() noexcept { return material_; }
 
  private:
+    // Frames of the label's beats, from the table or from the music.
     Expected<LabelCounts> counts_in(const FigureLabel& label, const TrainingClip& clip) const {
         if (!plan_.music) {
             return LabelCounts{beat_frames_of(label, tables_.counts), {}};
         }
         Expected<LabelCounts> counts = counts_of(label, *plan_.music, clip.frames_per_second);
         if (!counts) {
+            // The error names the table's line: the music alone does not tell which label is wrong.
             return fail(fmt::format("{}: line {}: {}",
                                     plan_.labels.filename().string(),
                                     label.line,
@@ -203,6 +213,7 @@ class Collector {
         material_.repeats.push_back({clip, std::move(frames), weight});
     }
 
+    // Index of the label's clip in the material, loaded on first use.
     Expected<std::size_t> clip_of(const FigureLabel& label) {
         if (const auto known = index_.find(label.take); known != index_.end()) {
             return known->second;
@@ -229,15 +240,17 @@ class Collector {
     const FigureTrainingPlan& plan_;
     const Tables& tables_;
     const std::map<std::string, fs::path>& files_;
-    std::map<std::string, std::size_t> index_;
+    std::map<std::string, std::size_t> index_;  // take -> index in material_.clips
     TrainingMaterial material_;
 };
 
+// The first repeat's number of beats; check_training refuses repeats of another length.
 int beats_of(const TrainingMaterial& material) {
     return static_cast<int>(material.repeats[0].beat_frames.size()) - 1;
 }
 
-/// Drops the repeats that are not `kept`, and says why.
+/// Drops the repeats whose flag in `kept` is false and notes the reason in their uses.
+/// material.repeats are the uses that are not left out, in the same order.
 void keep_repeats(const std::vector<bool>& kept, const char* reason, TrainingMaterial& material) {
     std::vector<FigureRepeat> repeats;
     std::size_t at = 0;
@@ -255,12 +268,14 @@ void keep_repeats(const std::vector<bool>& kept, const char* reason, TrainingMat
     material.repeats = std::move(repeats);
 }
 
-/// Where labels do not say how many beats they have: the number that most have; of ties the fewest.
+/// Keeps the repeats with the commonest number of beats, of ties the smaller one: a figure has one
+/// length, and labels without a column of beats take theirs from the tracked beats.
 void keep_common_length(TrainingMaterial& material) {
     std::map<std::size_t, std::size_t> repeats_of;  // length -> how many
     for (const FigureRepeat& repeat : material.repeats) {
         ++repeats_of[repeat.beat_frames.size()];
     }
+    // max_element returns the first of equals, and the map is sorted by length.
     const auto most =
         std::max_element(repeats_of.begin(), repeats_of.end(), [](const auto& a, const auto& b) {
             return a.second < b.second;
@@ -307,6 +322,7 @@ Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan) {
                         kRoleNames[static_cast<std::size_t>(plan.role)],
                         material.uses.size()));
     }
+    // Lengths can differ only where the music decided them.
     if (plan.music) {
         keep_common_length(material);
     }
@@ -318,6 +334,7 @@ Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan) {
     if (!material) {
         return fail(std::move(material.error()));
     }
+    // After load_material, so that only repeats of the common length take part.
     keep_repeats(of_common_turn(material->clips, material->repeats),
                  "turns otherwise than most repeats",
                  *material);
@@ -341,6 +358,7 @@ Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan) {
                                 result->log_likelihood,
                                 std::move(material->uses),
                                 std::move(material->warnings)};
+    // A dance this fast is more likely a wrong frame rate; only a warning, for it may be right.
     if (report.model.learnt_tempo.bpm() > kFastestDance) {
         report.warnings.push_back(
             fmt::format("learnt at {:.0f} BPM, faster than people dance: is the frame rate right? "

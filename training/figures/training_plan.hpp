@@ -13,70 +13,74 @@
 #include "training/figures/figure_trainer.hpp"
 #include "training/figures/music_counts.hpp"
 
-/// From files to a learnt figure: what `raks train figure` does.
+/// From files to a learnt figure: the work of `raks train figure`.
 namespace raks::motion {
 
+/// Which files, which labels and how to learn from them.
 struct FigureTrainingPlan {
     std::vector<std::filesystem::path> clips;  ///< BVH; or one folder: all its *.bvh
-    std::filesystem::path labels;
-    /// Moments of the counts; none: they lie evenly between a label's start and end.
+    std::filesystem::path labels;              ///< table of labelled repetitions (label_tables.hpp)
+    /// Table of counts; none: counts lie evenly between a label's start and end.
     std::optional<std::filesystem::path> counts;
-    /// Counts from its beats instead; labels then need not say how many beats they have.
+    /// Takes counts from these beats instead; labels then need not give a number of beats.
     std::optional<DancedMusic> music;
-    std::optional<std::filesystem::path> faults;
+    std::optional<std::filesystem::path> faults;  ///< table of capture faults
 
-    std::string figure = "basic";
-    std::string dance;  ///< that the model says it is of
-    DanceRole role = DanceRole::lead;
-    FigureFeatures features = FigureFeatures::angles;
-    std::string split;  ///< only labels of this split; empty: all
-    /// Only labels at least so sure. (Averaging over doubtful repeats shrinks the dance: measured
-    /// 1.9 m/s of peak toe speed over all >= 0.6, 2.4 over >= 0.95, 2.8 in single repeats.)
+    std::string figure = "basic";      ///< only labels of this figure
+    std::string dance;                 ///< name of the dance, written into the model
+    DanceRole role = DanceRole::lead;  ///< only labels of this role
+    FigureFeatures features = FigureFeatures::angles;  ///< joint angles, or joint positions
+    std::string split;                                 ///< only labels of this split; empty: all
+    /// Only labels of at least this confidence. (Averaging over doubtful repeats shrinks the dance:
+    /// measured 1.9 m/s of peak toe speed over all >= 0.6, 2.4 over >= 0.95, 2.8 in single
+    /// repeats.)
     double min_confidence = 0.9;
 
-    std::optional<double> frames_per_second;  ///< instead of the file's
-    std::optional<double> metres_per_unit;    ///< none: guessed from the body's height
-    std::string attribution;
-    int states = 16;
-    int baum_welch_iterations = 0;
-    CovarianceKind covariance = CovarianceKind::tied;
-    StatesStart start = StatesStart::flat;
+    std::optional<double> frames_per_second;           ///< instead of the file's
+    std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
+    std::string attribution;                           ///< credit that the data's licence asks for
+    int states = 16;                                   ///< of each part's HMM
+    int baum_welch_iterations = 0;                     ///< rounds; see FigureTrainingOptions
+    CovarianceKind covariance = CovarianceKind::tied;  ///< one for all states, or one each
+    StatesStart start = StatesStart::flat;             ///< where the states lie before Baum-Welch
 };
 
-/// Which labels were used, and which were not and why.
+/// One label of the figure, and why it was not used, if it was not.
 struct RepeatUse {
-    FigureLabel label;
+    FigureLabel label;     ///< the table's row
     std::string left_out;  ///< why; empty: used
 };
 
+/// The learnt figure and what it was learnt from.
 struct FigureTrainingReport {
-    FigureModel model;
+    FigureModel model;                       ///< passes validate()
     std::array<double, 3> log_likelihood{};  ///< per sample, of the training repeats, by Part
-    std::vector<RepeatUse> repeats;          ///< of the figure, role and split
-    std::vector<std::string> warnings;
+    std::vector<RepeatUse> repeats;          ///< all labels of the figure, role and split
+    std::vector<std::string> warnings;       ///< for people, one line each
 };
 
-/// The motion and repeats that a plan names, ready to be learnt from.
+/// Training data of a plan: its motion and repeats.
 struct TrainingMaterial {
-    std::vector<TrainingClip> clips;
+    std::vector<TrainingClip> clips;    ///< only those that labels need
     std::vector<FigureRepeat> repeats;  ///< weight: the label's confidence
-    std::vector<RepeatUse> uses;
-    std::vector<std::string> warnings;
+    std::vector<RepeatUse> uses;        ///< all labels of the figure, role and split
+    std::vector<std::string> warnings;  ///< for people, one line each
 };
 
 /// Reads only the clips that labels of the figure, role, split and confidence need. Repeats that
 /// touch a fault of more than half a second (of other joints than head and hands) are left out;
 /// shorter faults are bridged. Errors: of the readers; a labelled clip that is not among `clips`;
-/// a label beyond the end of its clip, or that the music has no beats for; nothing left to learn
-/// from.
+/// a label beyond the end of its clip, or that the music has no beats for; nothing left to train
+/// on.
 [[nodiscard]] Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan);
 
-/// Does it all. Deterministic: the same files and plan give the same bits.
+/// Loads the material, keeps the repeats with the commonest turn and trains the figure.
+/// Deterministic: the same files and plan give the same bits. Errors: those of load_material and of
+/// train_figure in figure_trainer.hpp.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureTrainingReport> train_figure(const FigureTrainingPlan& plan);
 
-/// "The data used in this project was obtained from mocap.cs.cmu.edu...": what models learnt from
-/// CMU clips must carry.
+/// The credit that models learnt from CMU clips must carry.
 [[nodiscard]] std::string_view cmu_attribution() noexcept;
 
 }  // namespace raks::motion

@@ -7,15 +7,15 @@
 namespace raks::motion {
 namespace {
 
-/// No variance below this share of the feature's own over the whole figure (nor below
-/// kSmallestVariance, in squared units of the feature): with few repeats a state may find one by
-/// chance that is almost none, and would then command the trajectory.
+/// Least variance of a state, as a share of the feature's variance over the whole figure; never
+/// below kSmallestVariance (squared units of the feature). With few repeats a state's variance may
+/// be almost zero by chance, and the trajectory would then be forced through its mean.
 constexpr double kVarianceShare = 1e-3;
 constexpr double kSmallestVariance = 1e-10;
 
 using Windows = std::array<double, 3>;
 
-/// Value, delta and delta-delta of feature `d` at sample `i` (FigureState).
+/// Value, delta and delta-delta of feature `d` at sample `i`; windows as defined at FigureState.
 Windows windows_at(const FeatureTrack& track, std::size_t i, std::size_t d) noexcept {
     const double before = track.row(i)[d];  // rows start at sample -1
     const double here = track.row(i + 1)[d];
@@ -23,7 +23,8 @@ Windows windows_at(const FeatureTrack& track, std::size_t i, std::size_t d) noex
     return {here, (after - before) / 2.0, after - 2.0 * here + before};
 }
 
-/// Weighted mean and variance of each window.
+/// Weighted mean and variance of each window. Values are taken relative to an origin, so that a
+/// large offset does not cancel the variance.
 struct Moments {
     double weight = 0.0;
     Windows sum{};
@@ -59,11 +60,12 @@ Moments moments_of(std::span<const FeatureTrack> tracks,
     return moments;
 }
 
-/// First sample of state k; the inverse of PartModel::state_at.
+/// First sample of state k; the inverse of PartModel::state_at. For k = N it is T.
 std::size_t first_sample(std::size_t state, std::size_t states, std::size_t samples) noexcept {
     return (state * samples + states - 1) / states;
 }
 
+// `mean` is set by take_hmm and keeps its size.
 void resize(FigureState& state, std::size_t d) {
     for (std::vector<double>* list : {&state.variance,
                                       &state.delta_mean,
@@ -74,6 +76,8 @@ void resize(FigureState& state, std::size_t d) {
     }
 }
 
+// Variance of the feature within a repeat, averaged over the repeats: differences between the
+// repeats' means do not count. The trajectory is scaled to it.
 double global_variance(std::span<const FeatureTrack> tracks,
                        std::span<const double> weights,
                        std::size_t samples,
@@ -103,7 +107,9 @@ void learn_trajectory(std::span<const FeatureTrack> tracks,
     }
     for (std::size_t d = 0; d < part.dimension(); ++d) {
         part.global_variance[d] = global_variance(tracks, weights, samples, d);
+        // Any sample will do as origin; it only has to be near the values.
         const Windows origin = windows_at(tracks[0], 0, d);
+        // Over all states: the reference for the floor.
         const Moments whole = moments_of(tracks, weights, 0, samples, d, origin);
         const auto floored = [&](const Moments& moments, std::size_t window) {
             return std::max({moments.variance(window),
@@ -119,6 +125,7 @@ void learn_trajectory(std::span<const FeatureTrack> tracks,
                                              origin);
             FigureState& state = part.states[k];
             state.variance[d] = floored(slice, 0);
+            // The value's own mean stays that of the HMM; only deltas get theirs here.
             state.delta_mean[d] = origin[1] + slice.mean(1);
             state.delta_variance[d] = floored(slice, 1);
             state.delta_delta_mean[d] = origin[2] + slice.mean(2);

@@ -15,12 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Without the version: tells an old shard from another file.
 constexpr std::string_view kShardFormat = "raks-genre-shard-";
 constexpr std::string_view kShardMagic = "raks-genre-shard-2\n";
-constexpr std::size_t kMostShardBytes = std::size_t{4} << 30U;
-constexpr std::uint32_t kMostShards = 1'000;
-constexpr std::uint32_t kMostUnits = 1'000'000;
+constexpr std::size_t kMostShardBytes = std::size_t{4} << 30U;  // 4 GiB
+constexpr std::uint32_t kMostShards = 1'000;     // named in an error of parse_shard_number, too
+constexpr std::uint32_t kMostUnits = 1'000'000;  // bounds what a damaged header can allocate
 
+// MusicFile field by field; unpack_file reads the same order.
 void pack_file(const MusicFile& file, Packer& packer) {
     packer.put_list(file.name);
     packer.put_list(file.group);
@@ -38,10 +40,12 @@ MusicFile unpack_file(Unpacker& unpacker) {
     file.credit = unpacker.take_list<std::string>();
     file.genre = unpacker.take_list<std::string>();
     file.may_train = unpacker.take<std::uint8_t>() != 0;
+    // The path is not stored: it is only valid on the machine that read the file.
     file.path = file.name;
     return file;
 }
 
+// Counterpart of the loop in save_shard.
 Expected<FeatureUnit> unpack_unit(Unpacker& unpacker) {
     FeatureUnit unit;
     unit.fault = unpacker.take_list<std::string>();
@@ -56,6 +60,7 @@ Expected<FeatureUnit> unpack_unit(Unpacker& unpacker) {
     return unit;
 }
 
+// Reads the header first and checks the counts before anything is allocated by them.
 Expected<FeatureShard> unpack_shard(std::string_view bytes) {
     Unpacker unpacker(bytes);
     FeatureShard shard;
@@ -77,6 +82,7 @@ Expected<FeatureShard> unpack_shard(std::string_view bytes) {
     }
     for (std::uint32_t i = 0; i < units && unpacker.is_good(); ++i) {
         FeatureUnit& unit = shard.material.units.emplace_back();
+        // Units of other shares are not stored; they stay empty at their index.
         if (share.has(i)) {
             auto unpacked = unpack_unit(unpacker);
             if (!unpacked) {
@@ -85,6 +91,7 @@ Expected<FeatureShard> unpack_shard(std::string_view bytes) {
             unit = std::move(*unpacked);
         }
     }
+    // Bytes left over are as suspicious as missing ones.
     if (!unpacker.is_good() || !unpacker.at_end()) {
         return fail("is cut short or damaged");
     }
@@ -98,6 +105,7 @@ Expected<ShardNumber> parse_shard_number(const std::string& text) {
     const char* const end = text.data() + text.size();
     const auto number = std::from_chars(text.data(), end, share.number);
     const bool has_slash = number.ptr != end && *number.ptr == '/';
+    // Without a slash `count` repeats the first number, and `has_slash` rejects it.
     const auto count = has_slash ? std::from_chars(number.ptr + 1, end, share.count) : number;
     if (number.ec != std::errc() || count.ec != std::errc() || !has_slash || count.ptr != end ||
         share.number < 1 || share.number > share.count || share.count > kMostShards) {
@@ -132,6 +140,7 @@ Expected<void> save_shard(const FeatureShard& shard, const fs::path& path) {
 }
 
 Expected<FeatureShard> load_shard(const fs::path& path) {
+    // Magic first: a large file of another kind is not read whole.
     const auto start = read_file_start(path, kShardMagic.size());
     if (!start) {
         return fail(start.error());
@@ -157,12 +166,13 @@ Expected<FeatureMaterial> merge_shards(std::span<const fs::path> paths) {
     FeatureMaterial material;
     ShardNumber first;
     std::string plan;
-    std::vector<std::uint32_t> missing;
+    std::vector<std::uint32_t> missing;  // shares that no file has brought yet
     for (const fs::path& path : paths) {
         auto shard = load_shard(path);
         if (!shard) {
             return fail(shard.error());
         }
+        // The first shard decides plan, count and files; the others must agree.
         if (missing.empty() && plan.empty()) {
             first = shard->share;
             plan = shard->plan;
@@ -181,6 +191,7 @@ Expected<FeatureMaterial> merge_shards(std::span<const fs::path> paths) {
                 path.string(),
                 paths.front().string()));
         }
+        // erase counts what it removed: 0 means that this share has come before.
         if (std::erase(missing, shard->share.number) == 0) {
             return fail(fmt::format("{}: share {}/{} is there already; name each once",
                                     path.string(),

@@ -8,10 +8,11 @@
 
 namespace raks::audio {
 
-/// Weights and offsets that make the chances of windows of length `window` most likely, offsets
-/// pulled to 0; windows as heavy as balanced_weights() says, recordings one and a half times.
-/// `scores`: of pieces that the model was not trained on. Without such windows: the default
-/// weights.
+/// Fits fusion weights (>= 0) and class offsets for windows of length `window` (index into
+/// kGenreWindows): maximum likelihood of the true classes with an L2 penalty on the offsets.
+/// Windows weigh as balanced_weights() says, recordings 1.5 times. `scores`: of pieces that the
+/// model was not trained on. With no window of that length: weights of 1 for the evidence that is
+/// used.
 [[nodiscard]] GenreFusion fit_fusion(std::span<const WindowScore> scores,
                                      std::size_t window,
                                      std::size_t classes,

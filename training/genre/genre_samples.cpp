@@ -21,18 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kSamplesFormat = "raks-genre-samples-";
+constexpr std::string_view kSamplesFormat = "raks-genre-samples-";  // without the version
 constexpr std::string_view kMagic = "raks-genre-samples-3\n";
-constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
-constexpr std::size_t kStretch = 1'200;        // hops
-constexpr std::size_t kShortestStretch = 600;  // hops of a stretch
-constexpr std::size_t kMostPieces = 4'096;
-constexpr float kQuietest = 1e-7F;  // mel magnitude
-constexpr float kMostNumber = 1e9F;
+constexpr std::size_t kMostBytes = std::size_t{64} << 20U;  // of a file, 64 MiB
+constexpr std::size_t kStretch = 1'200;                     // hops of a stretch, 12 s
+constexpr std::size_t kShortestStretch = 600;  // hops that a further stretch of a piece must have
+constexpr std::size_t kMostPieces = 4'096;     // bounds what a damaged file can allocate
+constexpr float kQuietest = 1e-7F;             // mel magnitude: floor of the logarithm
+constexpr float kMostNumber = 1e9F;            // larger numbers in a file mean damage
 constexpr std::size_t kMel = BarPatterns::kMelBands;
 constexpr std::size_t kPatterns = BarPatterns::kFeatures;
 
-/// Rows of numbers in 8 bits each.
+/// Rows of numbers in 8 bits each: value = low + step * byte, with a scale for each column.
 struct Table {
     struct Column {
         float low = 0.0F;
@@ -42,7 +42,7 @@ struct Table {
     std::vector<std::uint8_t> bytes;
 };
 
-/// `at(row, column)` gives the numbers.
+/// Quantizes rows x columns numbers, given by `at(row, column)`.
 template <class At>
 Table table_of(std::size_t rows, std::size_t columns, const At& at) {
     Table table;
@@ -55,6 +55,7 @@ Table table_of(std::size_t rows, std::size_t columns, const At& at) {
             low = std::min(low, at(r, c));
             high = std::max(high, at(r, c));
         }
+        // 255 steps between the column's extremes; a constant column has step 0.
         const float step = (high - low) / 255.0F;
         table.columns[c] = {low, step};
         for (std::size_t r = 0; r < rows; ++r) {
@@ -65,6 +66,7 @@ Table table_of(std::size_t rows, std::size_t columns, const At& at) {
     return table;
 }
 
+// The quantized number, restored.
 float number_in(const Table& table, std::size_t row, std::size_t column) {
     const Table::Column& scale = table.columns[column];
     return scale.low +
@@ -76,6 +78,7 @@ void pack_table(const Table& table, Packer& packer) {
     packer.put_list(table.bytes);
 }
 
+// Checks the scales too: a damaged one would yield infinite features.
 Expected<Table> unpack_table(std::size_t rows, std::size_t columns, Unpacker& unpacker) {
     Table table;
     table.columns = unpacker.take_list<std::vector<Table::Column>>();
@@ -92,6 +95,8 @@ Expected<Table> unpack_table(std::size_t rows, std::size_t columns, Unpacker& un
     return table;
 }
 
+// One stretch in the file's order; unpack_stretch reads the same. Mel magnitudes go in as
+// logarithms, because 8 linear bits would lose the quiet ones.
 void pack_stretch(const PieceFeatures& piece, Packer& packer) {
     packer.put_list(piece.name);
     packer.put_list(piece.group);
@@ -120,6 +125,7 @@ void pack_stretch(const PieceFeatures& piece, Packer& packer) {
                packer);
 }
 
+// A window must end within its stretch and have its full length of frames before that end.
 Expected<void> unpack_windows(PieceFeatures& piece, Unpacker& unpacker) {
     const std::size_t count = unpacker.take<std::uint32_t>();
     if (count > kStretch) {
@@ -147,6 +153,7 @@ Expected<void> unpack_windows(PieceFeatures& piece, Unpacker& unpacker) {
     return {};
 }
 
+// Counterpart of pack_stretch; every count is checked before memory is taken.
 Expected<PieceFeatures> unpack_stretch(Unpacker& unpacker) {
     PieceFeatures piece;
     piece.name = unpacker.take_list<std::string>();
@@ -179,7 +186,7 @@ Expected<PieceFeatures> unpack_stretch(Unpacker& unpacker) {
     return piece;
 }
 
-/// Hops [from, from + kStretch) of a piece, and the windows that lie in them.
+/// Hops [from, from + kStretch) of a piece, and the windows that lie wholly in them.
 PieceFeatures stretch_of(const PieceFeatures& piece, std::size_t from) {
     const std::size_t until = std::min(from + kStretch, piece.frames.size());
     const auto at = [](std::size_t index) { return static_cast<std::ptrdiff_t>(index); };
@@ -191,6 +198,7 @@ PieceFeatures stretch_of(const PieceFeatures& piece, std::size_t from) {
     stretch.frames.assign(piece.frames.begin() + at(from), piece.frames.begin() + at(until));
     stretch.mel.assign(piece.mel.begin() + at(from * kMel), piece.mel.begin() + at(until * kMel));
     for (WindowFeatures window : piece.windows) {
+        // Frame numbers within the stretch; may be negative for windows before it.
         window.end_frame -= static_cast<int>(from);
         if (window.end_frame >= window.segments * BarPatterns::kSegmentHops &&
             window.end_frame <= static_cast<int>(until - from)) {
@@ -200,11 +208,13 @@ PieceFeatures stretch_of(const PieceFeatures& piece, std::size_t from) {
     return stretch;
 }
 
+// A stretch that may be taken.
 struct Place {
     const PieceFeatures* piece;
     std::size_t from;
 };
 
+// Fisher-Yates with the sample's own random numbers.
 void shuffle(std::vector<Place>& places, Dice& dice) {
     for (std::size_t i = places.size(); i > 1; --i) {
         const int other = dice.whole(0, static_cast<int>(i) - 1);
@@ -212,7 +222,7 @@ void shuffle(std::vector<Place>& places, Dice& dice) {
     }
 }
 
-/// One of each group, then the next of each, until all are taken.
+/// Takes one place of each group, then the next of each, until all are taken: no artist dominates.
 std::vector<Place> groups_in_turn(std::map<std::string, std::vector<Place>>& groups, Dice& dice) {
     std::size_t most = 0;
     for (auto& [name, places] : groups) {
@@ -230,11 +240,13 @@ std::vector<Place> groups_in_turn(std::map<std::string, std::vector<Place>>& gro
     return order;
 }
 
-/// All places of one genre, in the order in which they are taken: groups in turn, recordings and
-/// written music by turns.
+/// All places of one genre in the order in which they are taken: groups in turn, recordings and
+/// written music alternating.
 std::vector<Place> order_of(const std::vector<const PieceFeatures*>& pieces, Dice& dice) {
     std::array<std::map<std::string, std::vector<Place>>, 2> groups;
     for (const PieceFeatures* piece : pieces) {
+        // Every piece gives at least one stretch, a further one only if it is half as long as a
+        // full one.
         for (std::size_t from = 0; from == 0 || from + kShortestStretch <= piece->frames.size();
              from += kStretch) {
             groups.at(piece->is_recorded() ? 0 : 1)[piece->group].push_back({piece, from});
@@ -253,6 +265,7 @@ std::vector<Place> order_of(const std::vector<const PieceFeatures*>& pieces, Dic
     return order;
 }
 
+// Checks the shape before the network is built by it.
 Expected<std::shared_ptr<const models::RecurrentNetwork>> unpack_network(Unpacker& unpacker,
                                                                          std::size_t outputs) {
     const models::RecurrentNetwork::Shape shape{unpacker.take<std::uint32_t>(),
@@ -276,6 +289,7 @@ Expected<std::shared_ptr<const models::RecurrentNetwork>> unpack_network(Unpacke
     return network;
 }
 
+// Counterpart of save_samples.
 Expected<GenreSamples> unpack_samples(Unpacker& unpacker) {
     GenreSamples samples;
     samples.feature_key = unpacker.take_list<std::string>();
@@ -328,11 +342,13 @@ std::vector<PieceFeatures> sample_pieces(std::span<const PieceFeatures* const> p
         }
     }
     std::vector<PieceFeatures> sample;
+    // A stream of draws for each class: a genre more does not change the sample of the others.
     for (const auto& [genre, own] : of_class) {
         Dice dice(seed, 700 + static_cast<std::uint64_t>(genre));
         std::size_t left = bytes;
         for (const Place& place : order_of(own, dice)) {
             PieceFeatures stretch = stretch_of(*place.piece, place.from);
+            // The size in the file is known only after packing.
             Packer packer("");
             pack_stretch(stretch, packer);
             const std::size_t size = packer.take().size();
@@ -359,6 +375,7 @@ Expected<void> save_samples(const GenreSamples& samples, const fs::path& path) {
     }
     packer.put(static_cast<std::uint32_t>(samples.written_networks.size()));
     for (const auto& network : samples.written_networks) {
+        // The outputs are not stored: they follow from the genres.
         const models::RecurrentNetwork::Shape& shape = network->shape();
         for (const std::size_t number : {shape.inputs, shape.units, shape.layers}) {
             packer.put(static_cast<std::uint32_t>(number));

@@ -12,12 +12,13 @@
 namespace raks::audio {
 namespace {
 
-/// Deals groups to folds: in each genre the largest first, each to the fold that has least of the
-/// genre so far. A group of several genres stays together.
+/// Deals groups to folds: in each genre the largest group first, each to the fold with the fewest
+/// pieces of the genre so far. A group with several genres stays in one fold, so that no model is
+/// scored on an artist that it was trained on.
 std::map<std::string, int> deal_groups(std::span<const PieceFeatures> pieces,
                                        std::span<const std::string> genres,
                                        int folds) {
-    std::map<std::size_t, std::map<std::string, int>> sizes;  // by class
+    std::map<std::size_t, std::map<std::string, int>> sizes;  // pieces of each group, by class
     for (const PieceFeatures& piece : pieces) {
         // Recordings and written music are dealt apart, so that each fold has its share of both.
         sizes[class_of(piece.genre, genres)][(piece.is_recorded() ? "r " : "w ") + piece.group] +=
@@ -26,14 +27,17 @@ std::map<std::string, int> deal_groups(std::span<const PieceFeatures> pieces,
     std::map<std::string, int> fold_of;
     for (const auto& [genre, groups] : sizes) {
         std::vector<std::pair<int, std::string>> order;
+        // Negative sizes: ascending order then has the largest first, ties by name.
         for (const auto& [group, size] : groups) {
             order.emplace_back(-size, group);
         }
         std::sort(order.begin(), order.end());
+        // Pieces in each fold, apart for recordings ('r') and written music ('w').
         std::map<char, std::vector<int>> load;
         for (const auto& [negative_size, group] : order) {
             std::vector<int>& loads =
                 load.try_emplace(group[0], static_cast<std::size_t>(folds)).first->second;
+            // Dealt before, with another genre: stays there.
             const auto known = fold_of.find(group);
             const auto lightest = std::min_element(loads.begin(), loads.end()) - loads.begin();
             const int fold = known != fold_of.end() ? known->second : static_cast<int>(lightest);
@@ -44,12 +48,13 @@ std::map<std::string, int> deal_groups(std::span<const PieceFeatures> pieces,
     return fold_of;
 }
 
-/// What one model of a validation learns from, and what it is asked about.
+/// What the model of one fold is trained on, and what it scores.
 struct Fold {
     std::vector<const PieceFeatures*> training;
-    std::vector<std::size_t> held_out;  // numbers: damaged recordings count on from the pieces
+    std::vector<std::size_t> held_out;  // indices; damaged recordings follow the pieces
 };
 
+// Every piece trains the models of all folds but its own.
 std::vector<Fold> deal_folds(std::span<const PieceFeatures> pieces,
                              std::span<const PieceFeatures> damaged,
                              std::span<const std::string> genres,
@@ -67,6 +72,7 @@ std::vector<Fold> deal_folds(std::span<const PieceFeatures> pieces,
                 dealt[fold].training.push_back(&pieces[i]);
             }
         }
+        // Written pieces that the networks may have been trained on are not scored.
         if (pieces[i].is_recorded() || is_kept_out(pieces[i], i)) {
             dealt[own].held_out.push_back(i);
         }
@@ -77,7 +83,7 @@ std::vector<Fold> deal_folds(std::span<const PieceFeatures> pieces,
     return dealt;
 }
 
-/// Whether something of each genre is left to learn from while something is held out.
+/// Does every genre have two groups? Then something is left to train on while one is held out.
 Expected<void> check_groups(std::span<const PieceFeatures> pieces,
                             std::span<const std::string> genres) {
     std::map<std::string, std::set<std::string>> groups;
@@ -98,6 +104,7 @@ Expected<void> check_groups(std::span<const PieceFeatures> pieces,
 
 std::vector<std::string> genres_of(std::span<const PieceFeatures> pieces,
                                    std::span<const std::string_view> order) {
+    // Names in the caller's order first, then alphabetically (a set is sorted).
     std::set<std::string> left;
     for (const PieceFeatures& piece : pieces) {
         left.insert(piece.genre);
@@ -126,6 +133,7 @@ Expected<GenreModel> train_genres(std::span<const PieceFeatures* const> pieces,
     GenreModel model;
     model.features = plan.features;
     model.genres.assign(genres.begin(), genres.end());
+    // All parts of the model see the same classes; the last one is none of the dances.
     auto mfcc = train_mfcc(pieces, classes, genres, plan.features, plan.mfcc);
     if (!mfcc) {
         return fail(mfcc.error());
@@ -135,6 +143,7 @@ Expected<GenreModel> train_genres(std::span<const PieceFeatures* const> pieces,
     model.similarity = std::move(mfcc->similarity);
     model.rhythm = train_patterns(pieces, classes, genres.size() + 1, plan.rhythm);
     model.sound = train_patterns(pieces, classes, genres.size() + 1, plan.sound);
+    // Networks trained on written music may come with the plan; tuning on recordings is done here.
     const auto& written = plan.written_networks;
     const std::size_t networks =
         written.empty() ? static_cast<std::size_t>(plan.network.networks) : written.size();
@@ -163,11 +172,13 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const PieceFeatures>
     const std::vector<Fold> folds = deal_folds(pieces, damaged, genres, plan.folds);
     std::vector<WindowScore> scores;
     for (int fold = 0; fold < plan.folds; ++fold) {
+        // Scores of a fold come from a model that has no piece of their group.
         const std::vector<std::size_t>& held_out = folds[static_cast<std::size_t>(fold)].held_out;
         auto model = train_genres(folds[static_cast<std::size_t>(fold)].training, genres, plan);
         if (!model) {
             return fail(model.error());
         }
+        // Each job fills its own slot: the order of scores does not depend on the threads.
         std::vector<std::vector<WindowScore>> parts(held_out.size());
         run_parallel(held_out.size(), plan.mfcc.threads, [&](std::size_t i) {
             const std::size_t number = held_out[i];
@@ -187,6 +198,7 @@ Expected<std::vector<WindowScore>> cross_validate(std::span<const PieceFeatures>
 }
 
 void calibrate(std::span<const WindowScore> held_out, GenreModel& model) {
+    // Each window length has its own weights.
     for (std::size_t window = 0; window < kGenreWindows.size(); ++window) {
         model.fusion[window] = fit_fusion(held_out, window, model.classes(), GenreEvidence::fused);
     }

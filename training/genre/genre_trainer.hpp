@@ -15,36 +15,38 @@
 #include "training/genre/network_trainer.hpp"
 #include "training/genre/pattern_trainer.hpp"
 
+/// Trains genre models of all kinds of evidence, and cross-validates them.
 namespace raks::audio {
 
+/// How every part of a genre model is trained.
 struct GenreTrainingPlan {
-    GenreFeatures features;
-    MfccTrainingPlan mfcc;
-    PatternTrainingPlan rhythm = rhythm_training();
-    PatternTrainingPlan sound = sound_training();
-    NetworkTrainingPlan network;
-    /// What train_on_written made of all written pieces, one for each of network.networks, so that
-    /// no fold learns them again. None: each model learns from its own pieces.
+    GenreFeatures features;                          ///< which MFCC features the HMMs use
+    MfccTrainingPlan mfcc;                           ///< the HMMs
+    PatternTrainingPlan rhythm = rhythm_training();  ///< pattern network on rhythm features
+    PatternTrainingPlan sound = sound_training();    ///< pattern network on sound features
+    NetworkTrainingPlan network;                     ///< the recurrent networks
+    /// Results of train_on_written on all written pieces, one for each of network.networks, so that
+    /// no fold trains them again. Empty: each model trains them on its own pieces.
     std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks;
-    int folds = 3;  ///< >= 2
+    int folds = 3;  ///< of cross_validate, >= 2
 };
 
 /// Genres that occur among the pieces: those in `order` first, then the others by name.
 [[nodiscard]] std::vector<std::string> genres_of(std::span<const PieceFeatures> pieces,
                                                  std::span<const std::string_view> order);
 
-/// A model of all these pieces; its fusion is the default until calibrate().
-/// Errors: no genre, or one with too little sound for its model.
+/// Trains a model on all these pieces; its fusion stays the default until calibrate().
+/// Errors: no genre, or one with too little sound for its model. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<GenreModel> train_genres(std::span<const PieceFeatures* const> pieces,
                                                 std::span<const std::string> genres,
                                                 const GenreTrainingPlan& plan);
 
-/// Scores of every recording and its altered copies, and of the written pieces that are kept out,
-/// by a model that heard no piece of its group: groups are dealt to folds, genre by genre.
-/// `damaged`: recordings of these groups as they are heard after some damage, learnt from by no
-/// model and scored by the same as the others of their group; their scores count on from the
-/// pieces'. `on_fold(done, all)` is called after each. Errors: as train_genres; a genre all of
-/// whose pieces are of one group.
+/// Cross-validation by group (artist): groups are dealt to folds genre by genre, and each fold's
+/// pieces are scored by a model trained on the other folds. Scored are recordings, their altered
+/// copies, and the written pieces of is_kept_out. `damaged`: recordings of these groups after some
+/// damage; no model is trained on them, they are scored with their group's fold, and their numbers
+/// continue after the pieces'. `on_fold(done, all)` is called after each fold. Errors: as
+/// train_genres; a genre all of whose pieces are of one group.
 [[nodiscard]] Expected<std::vector<WindowScore>> cross_validate(
     std::span<const PieceFeatures> pieces,
     std::span<const PieceFeatures> damaged,

@@ -16,11 +16,12 @@ namespace {
 using models::Frames;
 using models::GaussianHmm;
 
-constexpr int kFramesTogether = 50;
-constexpr double kStay = 0.9;
+constexpr int kFramesTogether = 50;  // of a stretch, 0.5 s: the unit that is drawn
+constexpr double kStay = 0.9;        // initial chance to stay in a state
 
 using Pieces = std::vector<const PieceFeatures*>;
 
+// kFramesTogether frames from `from` on, with the selected features only: T x D.
 Frames stretch_of(const PieceFeatures& piece, std::size_t from, const GenreFeatures& features) {
     const std::size_t count = std::min<std::size_t>(kFramesTogether, piece.frames.size() - from);
     Frames frames(static_cast<Eigen::Index>(count), features.dimension());
@@ -32,13 +33,15 @@ Frames stretch_of(const PieceFeatures& piece, std::size_t from, const GenreFeatu
     return frames;
 }
 
-/// Stretches of these pieces, each piece alike often, recordings and written music by their share.
+/// Draws half-second stretches: every piece equally often, recordings and written music by their
+/// share, up to plan.frames frames in all.
 std::vector<Frames> draw_stretches(const Pieces& pieces,
                                    const GenreFeatures& features,
                                    const MfccTrainingPlan& plan,
                                    std::uint64_t stream) {
     Pieces recorded;
     Pieces written;
+    // Pieces shorter than a stretch are left out.
     for (const PieceFeatures* piece : pieces) {
         if (piece->frames.size() >= static_cast<std::size_t>(kFramesTogether)) {
             (piece->is_recorded() ? recorded : written).push_back(piece);
@@ -61,7 +64,8 @@ std::vector<Frames> draw_stretches(const Pieces& pieces,
     return stretches;
 }
 
-/// An ergodic model of one Gaussian a state: means of frames drawn, variances of all.
+/// Start of an ergodic HMM with one Gaussian a state: means are frames drawn at random, variances
+/// those of all frames.
 GaussianHmm ergodic_start(const models::TrainingSet& set, int states, Dice& dice) {
     const Eigen::Index dimension = set.sequences.front().cols();
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(dimension);
@@ -73,9 +77,11 @@ GaussianHmm ergodic_start(const models::TrainingSet& set, int states, Dice& dice
         count += static_cast<double>(frames.rows());
     }
     mean /= count;
+    // The floor keeps a constant feature from a variance of 0.
     const Eigen::VectorXd variance = (square / count - mean.cwiseProduct(mean)).cwiseMax(1e-6);
     GaussianHmm model;
     model.initial = Eigen::VectorXd::Constant(states, 1.0 / states);
+    // Staying is likely, all other states are equally likely.
     model.transition =
         Eigen::MatrixXd::Constant(states, states, states > 1 ? (1.0 - kStay) / (states - 1) : 0.0);
     model.transition.diagonal().setConstant(states > 1 ? kStay : 1.0);
@@ -84,6 +90,8 @@ GaussianHmm ergodic_start(const models::TrainingSet& set, int states, Dice& dice
     for (Eigen::Index state = 0; state < states; ++state) {
         const Frames& frames = dice.pick<Frames>(set.sequences);
         const auto row = dice.whole(0, static_cast<int>(frames.rows()) - 1);
+        // A single state starts at the mean; several states must differ, or Baum-Welch never parts
+        // them.
         model.means.row(state) =
             states == 1 ? mean.transpose() : Eigen::RowVectorXd(frames.row(row));
         model.covariances.emplace_back(variance);
@@ -91,7 +99,7 @@ GaussianHmm ergodic_start(const models::TrainingSet& set, int states, Dice& dice
     return model;
 }
 
-/// Frames that the stretches of these pieces are drawn from.
+/// Frames in the pieces that are long enough to draw stretches from.
 Eigen::Index frames_of(const Pieces& pieces) {
     Eigen::Index frames = 0;
     for (const PieceFeatures* piece : pieces) {
@@ -109,14 +117,15 @@ Eigen::Index frames_of(const models::TrainingSet& set) {
     return frames;
 }
 
-/// Doubles mixtures until there are enough, with some iterations after each step. `heard`: frames
-/// that there are, of which the set's are drawn (some of them more than once).
+/// Trains a model by doubling its mixtures until there are enough, with Baum-Welch rounds after
+/// each step. `heard`: distinct frames that the set was drawn from (it may repeat some).
 Expected<GaussianHmm> train_model(models::TrainingSet set,
                                   Eigen::Index scored,
                                   const MfccTrainingPlan& plan,
                                   const std::string& name) {
     const Eigen::Index frames = std::min(scored, frames_of(set));
     const Eigen::Index dimension = set.sequences.empty() ? 0 : set.sequences.front().cols();
+    // Means and variances; too few distinct frames cannot determine them.
     const Eigen::Index parameters = 2 * dimension * plan.states * plan.mixtures;
     if (frames == 0) {
         return fail(name + ": no half second of sound to learn from; add music");
@@ -129,6 +138,7 @@ Expected<GaussianHmm> train_model(models::TrainingSet set,
                         frames,
                         parameters));
     }
+    // The same stream for every model: genres differ by their frames only.
     Dice dice(plan.seed, 5);
     GaussianHmm model = ergodic_start(set, plan.states, dice);
     const models::BaumWelchOptions options{.iterations = plan.iterations,
@@ -145,13 +155,15 @@ Expected<GaussianHmm> train_model(models::TrainingSet set,
         if (mixtures == plan.mixtures) {
             return model;
         }
+        // At most doubles, and stops at the number wanted, which need not be a power of 2.
         for (int i = mixtures; i < std::min(2 * mixtures, plan.mixtures); ++i) {
             model = models::split_heaviest(model);
         }
     }
 }
 
-/// ln of each frame's density under a model's states, weighted alike: T values.
+/// ln of the sum of the state densities at each frame, T values: transitions do not count, so every
+/// state weighs alike.
 std::vector<double> densities(const models::HmmScorer& scorer, const Frames& frames) {
     const Frames emissions = scorer.log_emissions(frames);
     std::vector<double> result;
@@ -162,12 +174,14 @@ std::vector<double> densities(const models::HmmScorer& scorer, const Frames& fra
     return result;
 }
 
+// Frames by whether their own genre's model scores highest.
 struct Sorted {
     std::vector<models::TrainingSet> own;  // frames whose genre wins, as sequences of their own
     models::TrainingSet confused;
 };
 
-/// Parts each stretch's frames into those whose own model wins and the rest.
+/// Splits each stretch into the frames where its own genre's model scores highest and the rest.
+/// Ties count as won.
 Expected<Sorted> sort_frames(const std::vector<models::TrainingSet>& sets,
                              const std::vector<GaussianHmm>& genres) {
     std::vector<models::HmmScorer> scorers;
@@ -190,6 +204,7 @@ Expected<Sorted> sort_frames(const std::vector<models::TrainingSet>& sets,
             std::vector<Eigen::Index> won;
             std::vector<Eigen::Index> lost;
             for (Eigen::Index t = 0; t < frames.rows(); ++t) {
+                // Wins against all genres at once.
                 const auto at = static_cast<std::size_t>(t);
                 const bool wins = std::all_of(scores.begin(), scores.end(), [&](const auto& s) {
                     return s[at] <= scores[truth][at];
@@ -215,6 +230,7 @@ Expected<MfccModels> train_mfcc(std::span<const PieceFeatures* const> pieces,
                                 const GenreFeatures& features,
                                 const MfccTrainingPlan& plan) {
     MfccModels result;
+    // Every genre's frames are drawn once and used in all similarity rounds.
     std::vector<models::TrainingSet> sets(genres.size());
     models::TrainingSet all;
     for (std::size_t genre = 0; genre < genres.size(); ++genre) {
@@ -224,6 +240,7 @@ Expected<MfccModels> train_mfcc(std::span<const PieceFeatures* const> pieces,
                 own.push_back(pieces[i]);
             }
         }
+        // A stream of draws for each genre.
         sets[genre].sequences = draw_stretches(own, features, plan, 10 + genre);
         auto model = train_model(sets[genre], frames_of(own), plan, genres[genre]);
         if (!model) {
@@ -232,12 +249,14 @@ Expected<MfccModels> train_mfcc(std::span<const PieceFeatures* const> pieces,
         result.genres.push_back(std::move(*model));
     }
     const Pieces every(pieces.begin(), pieces.end());
+    // The background is trained on all music, none of the dances included.
     all.sequences = draw_stretches(every, features, plan, 9);
     auto background = train_model(std::move(all), frames_of(every), plan, "all music");
     if (!background) {
         return fail(background.error());
     }
     result.background = std::move(*background);
+    // result.genres keep the models of all frames; `current` become sharper by each round.
     std::vector<GaussianHmm> current = result.genres;
     for (int round = 0; round < plan.similarity_rounds && genres.size() > 1; ++round) {
         auto sorted = sort_frames(sets, current);

@@ -9,22 +9,27 @@
 namespace raks::audio {
 namespace {
 
+// One network with outputs for `genres` and none.
 models::RecurrentNetwork widened(const models::RecurrentNetwork& network,
                                  std::span<const std::string> known,
                                  std::span<const std::string> genres) {
     models::RecurrentNetwork::Shape shape = network.shape();
     shape.outputs = genres.size() + 1;
     models::RecurrentNetwork wide(shape);
+    // The layers do not depend on the outputs, and come first in the row of parameters.
     const auto from = network.parameters();
     const auto to = wide.parameters();
     std::copy_n(from.begin(), network.output_weights(), to.begin());
     const std::size_t none = known.size();
+    // Which old output each new one copies. A genre that is not found gets the index known.size(),
+    // which is that of none.
     std::vector<std::size_t> sources;
     for (const std::string& genre : genres) {
         const auto found = std::find(known.begin(), known.end(), genre);
         sources.push_back(static_cast<std::size_t>(found - known.begin()));
     }
     sources.push_back(none);
+    // So many outputs share the probability of none: each bias falls by ln of that number.
     const auto shares = static_cast<float>(std::count(sources.begin(), sources.end(), none));
     for (std::size_t output = 0; output < sources.size(); ++output) {
         const std::size_t source = sources[output];

@@ -9,8 +9,10 @@
 
 namespace raks::audio {
 
-/// The networks with an output for each of `genres` and for none of them. `known`: their own, all
-/// among `genres`. A genre that is new begins with half of the chance of none of them.
+/// Copies of the networks with one output for each of `genres` and one for none of them. `known`:
+/// the genres that the networks have outputs for, all among `genres`. Each new genre gets a copy of
+/// the output of none; their biases are lowered so that together they have the probability that
+/// none had.
 [[nodiscard]] std::vector<std::shared_ptr<const models::RecurrentNetwork>> with_outputs(
     std::span<const std::shared_ptr<const models::RecurrentNetwork>> networks,
     std::span<const std::string> known,

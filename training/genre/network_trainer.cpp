@@ -11,29 +11,30 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kChunks = 24;  // of a batch
-constexpr std::size_t kHops = 1'000;
-constexpr double kMostStretch = 0.08;  // ln of the ratio: a dance is known by its tempo, too
-constexpr float kSmoothing = 0.05F;    // of the labels
+constexpr std::size_t kChunks = 24;   // stretches of a batch
+constexpr std::size_t kHops = 1'000;  // of a stretch, 10 s
+// ln of the time stretch: the tempo is evidence for a dance, so it must not move far.
+constexpr double kMostStretch = 0.08;
+constexpr float kSmoothing = 0.05F;  // of the labels: this share is spread over all classes
 constexpr int kReportEvery = 50;
-// Nobody knows a dance from its first note: a hop's weight rises from kFirstWeight at the piece's
-// begin to 1 after kKnownHops.
+// The first notes do not tell the dance: a hop's weight in the loss rises from kFirstWeight at the
+// piece's begin to 1 after kKnownHops.
 constexpr float kFirstWeight = 0.03F;
 constexpr std::size_t kKnownHops = 300;
-constexpr double kEarliestCut = 0.25;  // of the stretch
+constexpr double kEarliestCut = 0.25;  // share of the stretch where a second piece may begin
 constexpr double kLatestCut = 0.6;
-// Of a class, altered copies among them; where there are fewer they are drawn less often: they
-// would be learnt by heart.
+// Recordings of a class (altered copies among them) at which they are drawn at their full share.
+// With fewer they are drawn less often, because the network would memorize them.
 constexpr double kEnoughRecordings = 24.0;
-constexpr std::size_t kFewestHops = 200;  // of a piece
+constexpr std::size_t kFewestHops = 200;  // a shorter piece is not used
 
-/// One piece of a class.
+/// A piece with its class.
 struct Drawn {
     const PieceFeatures* piece;
     std::size_t class_number;
 };
 
-/// Draws pieces: a class, whether recorded, a piece.
+/// Draws a class uniformly, then recorded or written by the plan's share, then a piece uniformly.
 class PieceDraw {
  public:
     PieceDraw(std::size_t class_count, double recorded_share)
@@ -43,6 +44,7 @@ class PieceDraw {
         if (piece.hops() >= kFewestHops) {
             auto& of_class = piece.is_recorded() ? recorded_ : written_;
             of_class[class_number].push_back(&piece);
+            // Only classes with pieces are drawn.
             if (std::find(learnt_.begin(), learnt_.end(), class_number) == learnt_.end()) {
                 learnt_.push_back(class_number);
             }
@@ -65,9 +67,12 @@ class PieceDraw {
     double recorded_share_;
 };
 
+// Fills one batch of kHops hops by `chunks` stretches, hop by hop.
 class BatchWriter {
  public:
     BatchWriter(std::size_t chunks, std::size_t outputs) : outputs_(outputs) {
+        // Rows are hop-major: hop * chunks + chunk. The smoothed share of every target is there
+        // from the start; write() adds the rest to the true class.
         batch_.steps = kHops;
         batch_.chunks = chunks;
         batch_.loss = TrainingBatch::Loss::softmax;
@@ -76,7 +81,8 @@ class BatchWriter {
         batch_.weights.resize(kHops * chunks * outputs);
     }
 
-    /// Fills hops [begin, end) of a chunk.
+    /// Fills hops [begin, end) of a chunk with augmented features of the piece. `input` carries on
+    /// from the hops before, as it does at run time. `dice`: of the noise; null: none.
     void write(std::size_t chunk,
                std::size_t begin,
                std::size_t end,
@@ -91,6 +97,7 @@ class BatchWriter {
                       frame.end(),
                       batch_.inputs.begin() + static_cast<std::ptrdiff_t>(row * frame.size()));
             batch_.targets[row * outputs_ + drawn.class_number] += 1.0F - kSmoothing;
+            // Behind the end of the piece its last hop is repeated: no weight.
             const bool is_over =
                 augmentation.first_hop + static_cast<double>(t) * augmentation.stretch >=
                 piece_hops;
@@ -109,6 +116,7 @@ class BatchWriter {
     TrainingBatch batch_;
 };
 
+// One batch: each stretch is one piece, or two that meet at a drawn cut.
 TrainingBatch draw_batch(const PieceDraw& from,
                          std::size_t chunks,
                          std::size_t outputs,
@@ -117,10 +125,12 @@ TrainingBatch draw_batch(const PieceDraw& from,
     BatchWriter writer(chunks, outputs);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         const double length = static_cast<double>(kHops);
+        // A cut teaches the network to let go of the first piece.
         const std::size_t cut =
             dice.chance(plan.cut_chance)
                 ? static_cast<std::size_t>(length * dice.uniform(kEarliestCut, kLatestCut))
                 : kHops;
+        // One input for both pieces, so that the change arrives as in a stream.
         NetworkInput input;
         for (const auto& [begin, end] : {std::pair{std::size_t{0}, cut}, std::pair{cut, kHops}}) {
             if (begin < end) {
@@ -140,7 +150,7 @@ TrainingBatch draw_batch(const PieceDraw& from,
     return writer.finish();
 }
 
-/// Pieces as they are, in batches.
+/// The pieces without augmentation, in batches: for the validation loss.
 std::vector<TrainingBatch> plain_batches(const std::vector<Drawn>& pieces, std::size_t outputs) {
     std::vector<TrainingBatch> batches;
     for (std::size_t first = 0; first < pieces.size(); first += kChunks) {
@@ -155,7 +165,7 @@ std::vector<TrainingBatch> plain_batches(const std::vector<Drawn>& pieces, std::
     return batches;
 }
 
-/// What is learnt from, and what is kept out of it.
+/// Written pieces to train on, and those kept out as batches for the validation loss.
 struct WrittenMusic {
     PieceDraw from;
     std::vector<TrainingBatch> validation;
@@ -178,7 +188,7 @@ struct WrittenMusic {
     }
 };
 
-/// Tells the losses every kReportEvery steps.
+/// Reports the mean training loss and the validation loss every kReportEvery steps.
 class Reporter {
  public:
     Reporter(const std::vector<TrainingBatch>& validation, int steps, const ReportNetwork& report)
@@ -204,7 +214,7 @@ class Reporter {
     int step_ = 0;
 };
 
-/// `steps` steps at a rate that falls to 0; calls after(loss, descent) after each.
+/// Takes `steps` steps at a rate that falls to 0 by rate_at; calls after(loss, descent) after each.
 template <class After>
 void descend(models::RecurrentNetwork& network,
              const PieceDraw& from,
@@ -215,6 +225,7 @@ void descend(models::RecurrentNetwork& network,
     constexpr std::size_t kShards = NetworkDescent::kShards;
     NetworkDescent descent(network, plan.threads);
     for (int step = 0; step < steps && !from.is_empty(); ++step) {
+        // Each shard of each step has a stream of draws of its own, so threads do not matter.
         const double loss = descent.step(rate_at(rate, step, steps), [&](std::size_t shard) {
             Dice dice(plan.seed, 5'000 + static_cast<std::uint64_t>(step) * kShards + shard);
             return draw_batch(from, kChunks / kShards, network.outputs(), plan, dice);
@@ -223,6 +234,8 @@ void descend(models::RecurrentNetwork& network,
     }
 }
 
+// Random weights; the layers of a given start replace them where inputs, units and layers agree.
+// The outputs stay random: the start's are for beats.
 models::RecurrentNetwork first_network(std::size_t class_count, const NetworkTrainingPlan& plan) {
     models::RecurrentNetwork network({NetworkInput::kSize, plan.units, plan.layers, class_count});
     initialize(network, plan.seed);
@@ -243,6 +256,7 @@ models::RecurrentNetwork first_network(std::size_t class_count, const NetworkTra
 NetworkTrainingPlan NetworkTrainingPlan::of_network(std::size_t number) const {
     NetworkTrainingPlan own = *this;
     own.networks = 1;
+    // Seeds far apart: average_branches adds multiples of 1,000 to them.
     own.seed += 10'000 * number;
     if (!starts.empty()) {
         own.starts = {starts[number % starts.size()]};
@@ -269,6 +283,7 @@ models::RecurrentNetwork average_branches(const models::RecurrentNetwork& start,
                                           const ReportNetwork& report) {
     const WrittenMusic music(pieces, classes, start.outputs());
     Reporter reporter(music.validation, plan.branches * plan.branch_steps, report);
+    // Parameters of `mean` are 0 at first.
     models::RecurrentNetwork mean(start.shape());
     for (int branch = 1; branch <= plan.branches; ++branch) {
         NetworkTrainingPlan own = plan;
@@ -293,6 +308,7 @@ models::RecurrentNetwork tune_network(const models::RecurrentNetwork& start,
         from.add(*pieces[i], classes[i]);
         has_recordings = has_recordings || pieces[i]->is_recorded();
     }
+    // Without recordings there is nothing to tune on.
     if (has_recordings) {
         descend(network,
                 from,

@@ -11,12 +11,13 @@ namespace raks::audio {
 namespace {
 
 constexpr std::size_t kInputs = PatternNetwork::kInputs;
-constexpr int kBatch = 64;
-constexpr float kSmoothing = 0.05F;   // of the labels
-constexpr double kInputNoise = 0.25;  // at most, in standard deviations
-constexpr double kLeastDeviation = 1e-3;
+constexpr int kBatch = 64;                // windows of a batch
+constexpr float kSmoothing = 0.05F;       // of the labels: this share is spread over all classes
+constexpr double kInputNoise = 0.25;      // uniform noise on standardized inputs, at most
+constexpr double kLeastDeviation = 1e-3;  // keeps constant features from a division by 0
 
-/// Mean and deviation of all features over all windows, each piece counting alike.
+/// Mean and deviation of all features over all windows. Every piece weighs alike, however many
+/// windows it has.
 void measure_inputs(std::span<const PieceFeatures* const> pieces, PatternNetwork& network) {
     std::array<double, kInputs> sum{};
     std::array<double, kInputs> squares{};
@@ -26,6 +27,7 @@ void measure_inputs(std::span<const PieceFeatures* const> pieces, PatternNetwork
             const double share = 1.0 / static_cast<double>(piece->windows.size());
             weight += share;
             for (std::size_t i = 0; i < kInputs; ++i) {
+                // The last input is the logarithm of the window's length.
                 const double value = i < window.features.size()
                                          ? static_cast<double>(window.features[i])
                                          : std::log(window.segments);
@@ -45,7 +47,8 @@ void measure_inputs(std::span<const PieceFeatures* const> pieces, PatternNetwork
     }
 }
 
-/// A list of weights with its gradient and Adam's moments (Kingma, Ba 2015).
+/// A list of weights with its gradient and Adam's moments (Kingma, Ba 2015). The first weights are
+/// drawn from a normal distribution of this deviation.
 class Weights {
  public:
     Weights(std::vector<float>& values, double deviation, Dice& dice)
@@ -56,10 +59,12 @@ class Weights {
     }
     [[nodiscard]] std::span<float> gradient() { return gradient_; }
 
-    /// L2 pulls by `decay`.
+    /// One Adam step on the mean gradient of a batch plus `decay` times the weights (L2); clears
+    /// the gradient. `number`: of the step, from 1.
     void step(int number, double rate, double decay) {
         constexpr float kFirst = 0.9F;
         constexpr float kSecond = 0.999F;
+        // Bias corrections of both moments in one factor.
         const auto correction = static_cast<float>(std::sqrt(1.0 - std::pow(0.999, number)) /
                                                    (1.0 - std::pow(0.9, number)));
         const auto size = static_cast<float>(rate) * correction;
@@ -80,7 +85,7 @@ class Weights {
     std::vector<float> second_;
 };
 
-/// 1 for the inputs of these parts and for the window's length, 0 for the others.
+/// 1 for the inputs of these parts and for the window's length (the last input), 0 for the others.
 std::array<float, kInputs> mask_of(const std::vector<std::string_view>& parts) {
     std::array<float, kInputs> mask{};
     mask.back() = 1.0F;
@@ -95,7 +100,8 @@ std::array<float, kInputs> mask_of(const std::vector<std::string_view>& parts) {
     return mask;
 }
 
-/// Draws windows: a class, whether recorded, a piece, a window.
+/// Draws a class uniformly, then recorded or written by the plan's share, then a piece and one of
+/// its windows uniformly.
 class WindowDraw {
  public:
     WindowDraw(std::span<const PieceFeatures* const> pieces,
@@ -108,6 +114,7 @@ class WindowDraw {
                 (pieces[i]->is_recorded() ? recorded_ : written_)[classes[i]].push_back(pieces[i]);
             }
         }
+        // Only classes with windows are drawn.
         for (std::size_t c = 0; c < class_count; ++c) {
             if (!recorded_[c].empty() || !written_[c].empty()) {
                 learnt_.push_back(c);
@@ -136,7 +143,7 @@ class WindowDraw {
     double recorded_share_;
 };
 
-/// One network and what a step of descent needs.
+/// One network and the state of its training. With 0 units the inputs feed the outputs directly.
 class Descent {
  public:
     Descent(PatternNetwork& network, const PatternTrainingPlan& plan, Dice& dice)
@@ -154,15 +161,19 @@ class Descent {
           hidden_(network.last_inputs()),
           hidden_slope_(network.last_inputs()),
           logs_(network.classes) {
+        // Masked inputs get weight 0 and keep it: their input is 0, so is their gradient.
         silence(network_.hidden_weights);
         if (network_.units == 0) {
             silence(network_.output_weights);
         }
     }
 
+    // Adds the gradient of one window.
     void learn(const WindowDraw::Drawn& drawn) {
         std::array<float, kInputs> inputs{};
         network_.standardize(drawn.window->features, drawn.window->segments, inputs);
+        // Inverted dropout: the inputs kept are scaled up, so that the network is used without a
+        // change.
         const auto keep = static_cast<float>(1.0 / (1.0 - plan_.input_dropout));
         for (std::size_t i = 0; i < kInputs; ++i) {
             const bool is_dropped = mask_[i] == 0.0F || dice_.chance(plan_.input_dropout);
@@ -173,6 +184,7 @@ class Descent {
         } else {
             hide(inputs);
         }
+        // Forward through the outputs, then the gradients.
         judge();
         backward(inputs, drawn.class_number);
     }
@@ -187,13 +199,14 @@ class Descent {
  private:
     float noise() { return static_cast<float>(dice_.uniform(-kInputNoise, kInputNoise)); }
 
-    /// Weights of inputs that are not heard.
+    /// Sets the weights of masked inputs to 0. Rows are kInputs long.
     void silence(std::vector<float>& weights) const {
         for (std::size_t i = 0; i < weights.size(); ++i) {
             weights[i] *= mask_[i % kInputs];
         }
     }
 
+    // Hidden units: rectified linear, with inverted dropout.
     void hide(std::span<const float, kInputs> inputs) {
         const auto keep = static_cast<float>(1.0 / (1.0 - plan_.hidden_dropout));
         for (std::size_t unit = 0; unit < network_.units; ++unit) {
@@ -207,6 +220,7 @@ class Descent {
         }
     }
 
+    // Output log-probabilities, by softmax.
     void judge() {
         for (std::size_t c = 0; c < network_.classes; ++c) {
             const float* const row = network_.output_weights.data() + c * hidden_.size();
@@ -219,6 +233,7 @@ class Descent {
         normalize_logs(logs_);
     }
 
+    // Cross-entropy against the smoothed label: the slope by a logit is probability minus target.
     void backward(std::span<const float, kInputs> inputs, std::size_t truth) {
         std::fill(hidden_slope_.begin(), hidden_slope_.end(), 0.0F);
         const float rest = kSmoothing / static_cast<float>(network_.classes);
@@ -233,6 +248,7 @@ class Descent {
                 hidden_slope_[i] += slope * weights[i];
             }
         }
+        // A unit that is 0 (inactive or dropped) passes no gradient.
         for (std::size_t unit = 0; unit < network_.units; ++unit) {
             if (hidden_[unit] <= 0.0F) {
                 continue;
@@ -260,12 +276,14 @@ class Descent {
 
 }  // namespace
 
+// Features over the bar and the beat, with the default hidden layer.
 PatternTrainingPlan rhythm_training() {
     PatternTrainingPlan plan;
     plan.parts = {"beat", "series", "bar", "phases", "three", "swing", "pulse", "tempo"};
     return plan;
 }
 
+// Spectrum and onset shares: linear, with strong decay and no dropout.
 PatternTrainingPlan sound_training() {
     PatternTrainingPlan plan;
     plan.parts = {"shape", "spread", "onsets", "swing"};
@@ -289,6 +307,7 @@ PatternNetwork train_patterns(std::span<const PieceFeatures* const> pieces,
     network.hidden_bias.resize(network.units);
     network.output_weights.resize(class_count * network.last_inputs());
     network.output_bias.resize(class_count);
+    // Standardization comes first: learn() uses it.
     measure_inputs(pieces, network);
     Dice dice(plan.seed, 77);
     Descent descent(network, plan, dice);
@@ -297,6 +316,7 @@ PatternNetwork train_patterns(std::span<const PieceFeatures* const> pieces,
         for (int i = 0; i < kBatch; ++i) {
             descent.learn(draw.draw(dice));
         }
+        // Cosine schedule from the full rate to 2 % of it.
         const double share = static_cast<double>(step) / plan.steps;
         descent.step(step, plan.rate * (0.02 + 0.98 * 0.5 * (1.0 + std::cos(M_PI * share))));
     }

@@ -8,29 +8,32 @@
 #include "audio/evaluate/piece_features.hpp"
 #include "audio/genre/pattern_network.hpp"
 
+/// Training of the classifiers on bar patterns of a genre model.
 namespace raks::audio {
 
+/// How a network on bar patterns is trained.
 struct PatternTrainingPlan {
-    std::vector<std::string_view> parts;  ///< of BarPatterns::kParts that are heard; empty: all
-    int units = 48;                       ///< 0: logistic regression
+    std::vector<std::string_view> parts;  ///< of BarPatterns::kParts that are inputs; empty: all
+    int units = 48;                       ///< hidden; 0: logistic regression
     int steps = 3'000;                    ///< batches of 64 windows
-    double rate = 1.5e-3;
-    double weight_decay = 1e-3;  ///< L2, added to a window's mean slope
-    double input_dropout = 0.25;
-    double hidden_dropout = 0.3;
-    double recorded_share = 0.5;  ///< of a batch's windows, where a class has recordings
-    std::uint64_t seed = 1;
+    double rate = 1.5e-3;                 ///< highest learning rate (Adam)
+    double weight_decay = 1e-3;           ///< L2 penalty, added to the mean gradient
+    double input_dropout = 0.25;          ///< share of the inputs set to 0
+    double hidden_dropout = 0.3;          ///< share of the hidden units set to 0
+    double recorded_share = 0.5;  ///< share of a batch's windows, for classes with recordings
+    std::uint64_t seed = 1;       ///< of weights and draws
 };
 
-/// What tells dances by rhythm, and by sound. Chosen by artist on the dev recordings: the patterns
-/// over the bar carry the written genres, but mislead on recordings unless kept apart from what the
-/// spectrum says (docs/genre.md).
+/// Plan of the network on rhythm features. Which features belong to rhythm and which to sound was
+/// chosen by cross-validation by artist on the dev recordings: bar patterns tell the written genres
+/// apart, but mislead on recordings when mixed with the spectrum's features (docs/genre.md).
 [[nodiscard]] PatternTrainingPlan rhythm_training();
+/// Plan of the classifier on sound features.
 [[nodiscard]] PatternTrainingPlan sound_training();
 
-/// Trains the network that tells classes by bar patterns: every class is drawn alike often, every
-/// piece of a class alike often. `classes[i]`: of pieces[i], below `class_count`. Same plan, same
-/// pieces: same bits. Classes without pieces are never learnt.
+/// Trains the classifier on bar patterns: every class is drawn equally often, and every piece of a
+/// class equally often. `classes[i]`: class of pieces[i], below `class_count`. The same plan and
+/// pieces give the same bits. Classes without pieces are never a training target. Real-time: no.
 [[nodiscard]] PatternNetwork train_patterns(std::span<const PieceFeatures* const> pieces,
                                             std::span<const std::size_t> classes,
                                             std::size_t class_count,

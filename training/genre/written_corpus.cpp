@@ -26,14 +26,16 @@
 namespace raks::audio {
 namespace {
 
-constexpr double kShortestPiece = 8.0;  // s
+constexpr double kShortestPiece = 8.0;  // seconds; a shorter one is drawn again
 
+// Does the plan's choice of families include this rhythm?
 bool is_among(const DanceLabel& label, WrittenCorpusPlan::Families families) {
     const bool is_held_out = label.use == DanceLabel::Use::held_out;
     return families == WrittenCorpusPlan::Families::all ||
            (families == WrittenCorpusPlan::Families::held_out) == is_held_out;
 }
 
+// Rhythms for the dance within the plan's families; `dance` empty: for none of the dances.
 std::vector<const RhythmStyle*> styles_of(const WrittenCorpusPlan& plan, const std::string& dance) {
     std::vector<const RhythmStyle*> chosen = plan.styles->rhythms_for(dance);
     std::erase_if(chosen, [&plan](const RhythmStyle* style) {
@@ -42,7 +44,7 @@ std::vector<const RhythmStyle*> styles_of(const WrittenCorpusPlan& plan, const s
     return chosen;
 }
 
-/// The dances that our own generator has music for, in order.
+/// The dances that the built-in generator has music for, in the order of the palettes.
 std::vector<std::string> dances_of_generator(const StyleBook& styles) {
     std::vector<std::string> dances;
     for (const BandPalette& palette : styles.palettes) {
@@ -53,12 +55,13 @@ std::vector<std::string> dances_of_generator(const StyleBook& styles) {
     return dances;
 }
 
-/// Errors: nothing to draw from.
+/// Checks that there is something to draw for every dance of the plan. Errors: there is not.
 Expected<void> check_styles(const WrittenCorpusPlan& plan) {
     using Music = WrittenCorpusPlan::Music;
     if (plan.styles->rhythms_for("").empty()) {
         return fail("the styles of music have no rhythm with dance = \"none\"");
     }
+    // Only these two kinds of music are written from the book's rhythms by dance.
     const bool has_dances = plan.music == Music::all || plan.music == Music::synthesized;
     for (const std::string& dance : plan.styles->dances()) {
         if (has_dances && styles_of(plan, dance).empty()) {
@@ -73,6 +76,7 @@ Expected<void> check_styles(const WrittenCorpusPlan& plan) {
     if (plan.music == Music::own && dances_of_generator(*plan.styles).empty()) {
         return fail("the styles of music have no palette with own = { ... }");
     }
+    // own_piece relies on it that every palette's style is known.
     for (const BandPalette& palette : plan.styles->palettes) {
         if (palette.own && !style_from_name(palette.own->style)) {
             return fail(fmt::format("the palette of \"{}\": own: {}",
@@ -83,7 +87,7 @@ Expected<void> check_styles(const WrittenCorpusPlan& plan) {
     return {};
 }
 
-/// Our own generator's music: sounds that no soundfont has (darbuka, oud).
+/// A piece of the built-in generator, which has sounds that no soundfont has (darbuka, oud).
 WrittenPiece own_piece(const BandPalette& palette, double seconds, Dice& dice) {
     const OwnMusic& own = *palette.own;
     MusicPlan plan;
@@ -101,12 +105,14 @@ WrittenPiece own_piece(const BandPalette& palette, double seconds, Dice& dice) {
     return piece;
 }
 
+// The first edition had semitones only.
 OrientalScales scales_of(const WrittenCorpusPlan& plan) {
     return plan.edition == WrittenCorpusPlan::Edition::first ? OrientalScales::semitones
                                                              : OrientalScales::quarter_tones;
 }
 
-/// Takes the melody out of a performance.
+/// Removes the melody from a performance and returns it as notes for the oud: times in seconds,
+/// pitches in Hz (key 69 is 440 Hz), velocities 0 to 1.
 std::vector<OudNote> take_melody(Performance& performance) {
     std::vector<OudNote> melody;
     for (const PlayedNote& note : performance.notes) {
@@ -123,15 +129,15 @@ std::vector<OudNote> take_melody(Performance& performance) {
     return melody;
 }
 
-/// The two added, the second `gain` times as loud.
+/// Adds `more` at `gain` times the level and divides by 1 + gain, so that the sum keeps the range.
 void mix_in(std::span<const float> more, float gain, std::vector<float>& samples) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         samples[i] = (samples[i] + gain * more[i]) / (1.0F + gain);
     }
 }
 
-/// Plays with a soundfont or, of the third edition, mostly with a band of several; since the second
-/// an oud of ours may play an oriental melody.
+/// Plays with a soundfont or, since the third edition, mostly with a band of several; since the
+/// second edition the synthesized oud may play a maqam melody instead.
 Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
                                         WrittenPiece& piece,
                                         std::span<const std::filesystem::path> soundfonts,
@@ -140,6 +146,7 @@ Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
                                 ? PlayerRoom{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.6)}
                                 : PlayerRoom{};
     std::vector<OudNote> melody;
+    // Draws happen in a fixed order: one draw more would change the pieces of earlier models.
     const bool is_maqam = plan.styles->palette_of(piece.dance).melody == Melody::maqam;
     if (plan.edition != WrittenCorpusPlan::Edition::first && is_maqam && dice.chance(0.5)) {
         melody = take_melody(piece.performance);
@@ -154,7 +161,7 @@ Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
     return samples;
 }
 
-/// Plays some or all instruments with drawn sounds, the others as play_piece does.
+/// Plays some or all instruments with synthesized sounds, the others as play_piece does.
 Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
                                               WrittenPiece& piece,
                                               std::span<const std::filesystem::path> soundfonts,
@@ -167,6 +174,7 @@ Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
         const double wet = dice.uniform(0.05, 0.3);
         add_room(SoundfontPlayer::kRate, dice.uniform(0.1, 0.4), wet, drawn, dice);
     }
+    // Every instrument was synthesized: no soundfont is needed.
     if (piece.performance.notes.empty()) {
         return drawn;
     }
@@ -177,6 +185,7 @@ Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
     return samples;
 }
 
+// Writes the piece (or, for the generator, renders it) without playing it through a soundfont.
 WrittenPiece draw_piece(const WrittenCorpusPlan& plan, const std::string& dance, Dice& dice) {
     if (plan.music == WrittenCorpusPlan::Music::undanceable) {
         return undanceable_piece(*plan.styles, plan.seconds, dice);
@@ -188,6 +197,7 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, const std::string& dance,
     if (dance.empty()) {
         return other_piece(*plan.styles, plan.seconds, dice);
     }
+    // Held-out music is written in held-out rhythms only, never by the generator.
     const bool may_be_ours = palette.own && palette.own->share > 0.0 &&
                              plan.families != WrittenCorpusPlan::Families::held_out;
     if (may_be_ours && dice.chance(palette.own->share)) {
@@ -199,7 +209,7 @@ WrittenPiece draw_piece(const WrittenCorpusPlan& plan, const std::string& dance,
     return {style.name, dance, perform(score, plan.seconds, dice), {}};
 }
 
-/// One, or all of them for a band.
+/// The soundfonts of a piece: one, or several for a band, whose instruments then differ.
 std::vector<std::filesystem::path> soundfonts_of(const WrittenCorpusPlan& plan, Dice& dice) {
     const bool has_bands = plan.edition >= WrittenCorpusPlan::Edition::third &&
                            plan.augmentation == WrittenCorpusPlan::Augmentation::on &&
@@ -210,7 +220,7 @@ std::vector<std::filesystem::path> soundfonts_of(const WrittenCorpusPlan& plan, 
     return {dice.pick<std::filesystem::path>(plan.soundfonts)};
 }
 
-/// The dance that a piece is for; empty: none of them.
+/// The dance that piece `number` is for, the same for any seed; empty: none of them.
 std::string dance_of_number(const WrittenCorpusPlan& plan, int number) {
     const auto turn = static_cast<std::size_t>(number);
     if (plan.music == WrittenCorpusPlan::Music::undanceable) {
@@ -220,16 +230,19 @@ std::string dance_of_number(const WrittenCorpusPlan& plan, int number) {
         const std::vector<std::string> dances = dances_of_generator(*plan.styles);
         return dances[turn % dances.size()];
     }
-    // What is none of the dances is of more kinds than any dance: two pieces a round.
+    // None of the dances covers more kinds of music than any dance does: two pieces a round.
     const std::vector<std::string> dances = plan.styles->dances();
     const std::size_t place = turn % (dances.size() + 2);
     return place < dances.size() ? dances[place] : std::string();
 }
 
+// All draws come from the piece's own stream (seed, number), in this order: writing, playing,
+// damage.
 Expected<PieceFeatures> make_piece(const WrittenCorpusPlan& plan, int number) {
     Dice dice(plan.seed, static_cast<std::uint64_t>(number));
     const std::string dance = dance_of_number(plan, number);
     WrittenPiece piece = draw_piece(plan, dance, dice);
+    // Draws again while the performance is too short; the generator's pieces have samples already.
     for (int tries = 0;
          piece.samples.empty() && piece.performance.seconds < kShortestPiece && tries < 20;
          ++tries) {
@@ -245,6 +258,7 @@ Expected<PieceFeatures> make_piece(const WrittenCorpusPlan& plan, int number) {
         }
         piece.samples = std::move(*samples);
     }
+    // Damage is applied to the mix.
     if (plan.augmentation == WrittenCorpusPlan::Augmentation::on) {
         SoundEffects effects = plan.effects;
         if (plan.edition == WrittenCorpusPlan::Edition::first) {
@@ -256,6 +270,7 @@ Expected<PieceFeatures> make_piece(const WrittenCorpusPlan& plan, int number) {
             return fail(done.error());
         }
     }
+    // The group names rhythm and sound: cross-validation keeps such pieces in one fold.
     PieceFeatures features;
     features.name = piece.name + " " + std::to_string(number);
     features.group =
@@ -281,6 +296,7 @@ Expected<std::vector<PieceFeatures>> read_beats_corpus(const std::filesystem::pa
     if (!corpus) {
         return fail(corpus.error());
     }
+    // No beat has a bar position above 3.
     const auto is_in_three_beats = [](const TrainingExcerpt& excerpt) {
         return std::all_of(excerpt.beats.begin(), excerpt.beats.end(), [](const auto& beat) {
             return beat.bar_position <= 3;
@@ -289,6 +305,7 @@ Expected<std::vector<PieceFeatures>> read_beats_corpus(const std::filesystem::pa
     std::vector<PieceFeatures> pieces;
     for (TrainingExcerpt& excerpt : *corpus) {
         const auto label = styles.label_of(excerpt.style);
+        // Some piano pieces in three are waltzes, though their style says nothing of it.
         const bool is_kept = label && is_among(*label, families) &&
                              !(excerpt.family == "piano" && is_in_three_beats(excerpt));
         if (!is_kept) {
@@ -309,10 +326,12 @@ Expected<std::vector<PieceFeatures>> write_corpus(const WrittenCorpusPlan& plan)
         return fail(enough.error());
     }
     const auto count = static_cast<std::size_t>(plan.pieces);
+    // Every job fills its own slot; "not made" never remains.
     std::vector<Expected<PieceFeatures>> made(count, fail("not made"));
     run_parallel(count, plan.threads, [&](std::size_t number) {
         made[number] = make_piece(plan, plan.first + static_cast<int>(number));
     });
+    // The first error by number, whichever job failed first.
     std::vector<PieceFeatures> pieces;
     for (Expected<PieceFeatures>& piece : made) {
         if (!piece) {

@@ -8,33 +8,37 @@
 
 namespace raks::models {
 
-/// Expected counts and moments of a set under a model: what the E-step collects and the M-step
-/// turns into the next model. Moments are about the model's own means, so that large offsets in a
-/// feature do not cancel its variance.
+/// Expected counts and moments of a training set under a model: the E-step collects them, the
+/// M-step makes the next model of them. Moments are about the model's own means, so that a large
+/// offset of a feature does not cancel its variance.
 struct HmmStatistics {
-    double log_likelihood = 0.0;
-    std::size_t used = 0;         ///< sequences
-    Eigen::VectorXd initial;      ///< N
-    Eigen::MatrixXd transitions;  ///< N x N
-    Eigen::VectorXd exits;        ///< N
-    Eigen::VectorXd occupancy;    ///< N K
-    Eigen::MatrixXd first;        ///< N K x D
-    /// Full and tied: N of D x D; diagonal and spherical: N K of D x 1.
+    double log_likelihood = 0.0;  ///< weighted, over the sequences used; nats
+    std::size_t used = 0;         ///< number of sequences added
+    Eigen::VectorXd initial;      ///< N, expected starts
+    Eigen::MatrixXd transitions;  ///< N x N, expected transitions (sum of xi)
+    Eigen::VectorXd exits;        ///< N, expected ends
+    Eigen::VectorXd occupancy;    ///< N K, sum of gamma of each component
+    Eigen::MatrixXd first;        ///< N K x D, sum of gamma times (o - mean)
+    /// Sums of gamma times (o - mean)(o - mean)^T. Full and tied: N of D x D; diagonal and
+    /// spherical: N K of D x 1, the diagonal alone.
     std::vector<Eigen::MatrixXd> second;
 
+    /// All zeros, in the shapes of this model.
     [[nodiscard]] static HmmStatistics zero(const GaussianHmm& model);
 
-    /// Adds the expectations of one sequence, `weight` times. Impossible ones are left out.
+    /// Adds the expectations of one sequence, `weight` times. Sequences that the model cannot
+    /// produce are skipped.
     void add(const GaussianHmm& model,
              const HmmScorer& scorer,
              const Frames& frames,
              double weight);
-    /// Adds one sequence with a known posterior (T x N) and transition counts.
+    /// Adds one sequence with known posteriors (T x N) and transition counts, as of an alignment.
     void add_aligned(const GaussianHmm& model,
                      const HmmScorer& scorer,
                      const Frames& frames,
                      const ForwardBackward& expected,
                      double weight);
+    /// Adds the sums of another set. The last bits depend on the order of merging.
     void merge(const HmmStatistics& other);
 
  private:
@@ -48,7 +52,8 @@ struct HmmStatistics {
                      double weight);
 };
 
-/// M-step. `floor`: D, what is kept under every variance (BaumWelchOptions::variance_floor).
+/// M-step: the maximum-likelihood model of these statistics. `floor`: D, the floor under the
+/// variances (BaumWelchOptions::variance_floor). States without occupancy keep what they had.
 [[nodiscard]] GaussianHmm re_estimated(const GaussianHmm& model,
                                        const HmmStatistics& statistics,
                                        const Eigen::VectorXd& floor);

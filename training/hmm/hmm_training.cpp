@@ -11,12 +11,15 @@
 namespace raks::models {
 namespace {
 
-constexpr std::size_t kChunk = 32;  // sequences; DESIGN 4
+// Sequences of a chunk: fixed, so that threads do not change the order of sums.
+constexpr std::size_t kChunk = 32;
 
+// 1 where the set has no weights.
 double weight_of(const TrainingSet& set, std::size_t sequence) {
     return set.weights.empty() ? 1.0 : set.weights[sequence];
 }
 
+// Weights and shapes agree, all values are finite.
 Expected<void> check(const TrainingSet& set, Eigen::Index dimension) {
     if (!set.weights.empty() && set.weights.size() != set.sequences.size()) {
         return fail(fmt::format("{} weights for {} sequences, must be as many or none",
@@ -29,7 +32,7 @@ Expected<void> check(const TrainingSet& set, Eigen::Index dimension) {
             return fail(fmt::format(
                 "sequence {} has {} features, must have {}", s, frames.cols(), dimension));
         }
-        // 1e100: squares and sums of what is allowed stay finite.
+        // Below 1e100, squares and sums stay finite.
         if (!(frames.rows() == 0 || (frames.allFinite() && frames.cwiseAbs().maxCoeff() < 1e100))) {
             return fail(fmt::format("sequence {} has a value that is not finite or too large", s));
         }
@@ -40,7 +43,8 @@ Expected<void> check(const TrainingSet& set, Eigen::Index dimension) {
     return {};
 }
 
-/// Floor under the variance of each feature: a share of its variance over the set.
+/// Floor under the variance of each feature: a share of its weighted variance over the whole set, T
+/// frames of all sequences together.
 Eigen::VectorXd floor_of(const TrainingSet& set,
                          Eigen::Index dimension,
                          const BaumWelchOptions& options) {
@@ -54,6 +58,7 @@ Eigen::VectorXd floor_of(const TrainingSet& set,
         return Eigen::VectorXd::Constant(dimension, options.absolute_floor);
     }
     mean /= frames;
+    // A second pass about the mean, because sums of squares would cancel.
     Eigen::VectorXd variance = Eigen::VectorXd::Zero(dimension);
     for (std::size_t s = 0; s < set.sequences.size(); ++s) {
         const Frames centred = set.sequences[s].rowwise() - mean.transpose();
@@ -62,6 +67,7 @@ Eigen::VectorXd floor_of(const TrainingSet& set,
     return (options.variance_floor / frames * variance).cwiseMax(options.absolute_floor);
 }
 
+// E-step of one chunk. Empty sequences and those of weight 0 are skipped.
 HmmStatistics chunk_statistics(const GaussianHmm& model,
                                const HmmScorer& scorer,
                                const TrainingSet& set,
@@ -76,7 +82,8 @@ HmmStatistics chunk_statistics(const GaussianHmm& model,
     return sum;
 }
 
-/// E-step. Chunks may be computed in any order on any thread; they are merged in theirs.
+/// E-step. Chunks are computed on any thread in any order, and merged in their own order, so the
+/// result has the same bits for any number of threads.
 HmmStatistics expectations(const GaussianHmm& model,
                            const HmmScorer& scorer,
                            const TrainingSet& set,
@@ -93,6 +100,7 @@ HmmStatistics expectations(const GaussianHmm& model,
     return sum;
 }
 
+// Weighted number of frames.
 double total_frames(const TrainingSet& set) {
     double frames = 0.0;
     for (std::size_t s = 0; s < set.sequences.size(); ++s) {
@@ -101,7 +109,7 @@ double total_frames(const TrainingSet& set) {
     return frames;
 }
 
-/// A known path as "expectations" that are all 0 or 1.
+/// Turns a known path into posteriors and transition counts that are all 0 or 1.
 ForwardBackward certain(const std::vector<std::size_t>& path, Eigen::Index states) {
     ForwardBackward result{0.0,
                            Frames::Zero(static_cast<Eigen::Index>(path.size()), states),
@@ -127,6 +135,8 @@ Expected<TrainingResult> baum_welch(const GaussianHmm& start,
     const Eigen::VectorXd floor = floor_of(set, start.dimension(), options);
     TrainingResult result{start, {}, 0};
     double before = 0.0;
+    // The E-step also gives the log-likelihood of the model that it starts from, so the last round
+    // only evaluates.
     for (int i = 0;; ++i) {
         Expected<HmmScorer> scorer = HmmScorer::create(result.model);
         if (!scorer) {
@@ -140,6 +150,7 @@ Expected<TrainingResult> baum_welch(const GaussianHmm& start,
         }
         result.log_likelihoods.push_back(sum.log_likelihood);
         result.skipped = set.sequences.size() - sum.used;
+        // The first round has nothing to compare with.
         const bool has_stalled =
             i > 0 && options.tolerance > 0.0 &&
             sum.log_likelihood - before < options.tolerance * total_frames(set);
@@ -162,9 +173,11 @@ Expected<GaussianHmm> from_alignment(const GaussianHmm& start,
     if (!scorer) {
         return fail(std::move(scorer.error()));
     }
+    // The same M-step as Baum-Welch, with certain posteriors.
     HmmStatistics sum = HmmStatistics::zero(start);
     for (std::size_t s = 0; s < set.sequences.size(); ++s) {
         const std::size_t frames = static_cast<std::size_t>(set.sequences[s].rows());
+        // One state a frame, all of them within the model.
         if (states_of.size() != set.sequences.size() || states_of[s].size() != frames) {
             return fail(fmt::format("sequence {} has no state for each of its frames", s));
         }
@@ -180,6 +193,7 @@ Expected<GaussianHmm> from_alignment(const GaussianHmm& start,
                         certain(states_of[s], start.states()),
                         weight_of(set, s));
     }
+    // Paths may use transitions that the topology forbids; those stay 0.
     const auto exists = (start.transition.array() > 0.0).cast<double>();
     sum.transitions = sum.transitions.array() * exists;
     return re_estimated(start, sum, floor_of(set, start.dimension(), options));
@@ -197,6 +211,7 @@ Expected<GaussianHmm> sliced_start(Eigen::Index states,
     std::vector<std::vector<std::size_t>> states_of;
     for (std::size_t s = 0; s < set.sequences.size(); ++s) {
         const std::size_t frames = static_cast<std::size_t>(set.sequences[s].rows());
+        // A shorter sequence cannot visit every state.
         if (frames < n) {
             continue;
         }
@@ -211,8 +226,10 @@ Expected<GaussianHmm> sliced_start(Eigen::Index states,
     if (long_enough.sequences.empty()) {
         return fail(fmt::format("no sequence has the {} frames that {} states need", n, n));
     }
+    // Frames per state and sequence: the mean stay.
     const double duration =
         total_frames(long_enough) / static_cast<double>(n * long_enough.sequences.size());
+    // Only the topology of this start counts: the alignment replaces chances and emissions.
     return from_alignment(left_to_right(states, set.sequences[0].cols(), type, duration),
                           long_enough,
                           states_of,
@@ -245,6 +262,7 @@ Expected<GaussianHmm> segmental_start(Eigen::Index states,
         for (const Frames& frames : long_enough.sequences) {
             paths.push_back(viterbi(*scorer, scorer->log_emissions(frames)).path);
         }
+        // No path has changed: the model would not change either.
         if (paths == before) {
             break;
         }
@@ -267,12 +285,14 @@ GaussianHmm split_heaviest(const GaussianHmm& model) {
     for (Eigen::Index i = 0; i < n; ++i) {
         Eigen::Index heaviest = 0;
         model.weights.row(i).maxCoeff(&heaviest);
+        // Each half gets half of the weight, so the density hardly changes.
         const double half = 0.5 * model.weights(i, heaviest);
         for (Eigen::Index c = 0; c <= k; ++c) {
             const Eigen::Index from = c < k ? c : heaviest;
             const bool is_half = from == heaviest;
             const Eigen::MatrixXd& variance =
                 model.covariances[static_cast<std::size_t>(i * k + from)];
+            // One standard deviation a feature; the halves move apart by 0.2 of it to each side.
             const Eigen::RowVectorXd apart = 0.2 * variance.col(0).cwiseSqrt().transpose();
             const double side = !is_half ? 0.0 : (c < k ? 1.0 : -1.0);
             split.weights(i, c) = is_half ? half : model.weights(i, from);

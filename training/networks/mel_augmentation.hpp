@@ -10,47 +10,49 @@
 
 namespace raks::audio {
 
-/// How a stretch of music is heard while a network learns: slower or faster, through other rooms
-/// and loudspeakers, in noise. Works on the mel magnitudes that the front end gives (hops x
-/// NetworkInput::kBands), so that each piece is played once and heard many times.
+/// Augmentation of a stretch of music for network training: time stretch, rooms, loudspeakers,
+/// noise. Works on the front end's mel magnitudes (hops x NetworkInput::kBands), so that each piece
+/// is rendered and analysed once and can be augmented many times.
 struct MelAugmentation {
-    double first_hop = 0.0;  ///< in the piece
-    double stretch = 1.0;    ///< hops of the piece a hop that is heard
-    std::array<float, NetworkInput::kBands> gain{};
-    float noise = 0.0F;          ///< share of the piece's mean magnitude, on every band
-    float reverberation = 0.0F;  ///< energy that a room gives back, of the direct sound's
-    float decay = 0.0F;          ///< of the echo's energy, what is left a hop later
+    double first_hop = 0.0;  ///< hop of the piece at which the stretch begins; may lie between hops
+    double stretch = 1.0;    ///< hops of the piece for each hop of output; > 1 is faster
+    std::array<float, NetworkInput::kBands> gain{};  ///< factor on the magnitudes of each band
+    float noise = 0.0F;  ///< noise magnitude on every band, relative to the piece's mean magnitude
+    float reverberation = 0.0F;  ///< energy of the echo relative to the direct sound; 0: no room
+    float decay = 0.0F;          ///< share of the echo's energy that is left a hop later
 
-    /// From the piece's begin, unchanged.
+    /// No augmentation, from the begin of the piece.
     [[nodiscard]] static MelAugmentation plain();
-    /// Drawn so that `hops` hops fit if the piece is long enough: time stretched by up to
-    /// exp(+-most_stretch), a smooth curve over the bands, some of them damped, noise.
+    /// Draws an augmentation. Starts so that `hops` hops of output fit in a piece of `piece_hops`,
+    /// if it is long enough. Time stretch within exp(+-most_stretch), a smooth gain curve over the
+    /// bands, sometimes a damped range of bands, dropped bands and noise.
     [[nodiscard]] static MelAugmentation draw(std::size_t piece_hops,
                                               std::size_t hops,
                                               double most_stretch,
                                               Dice& dice);
-    /// A drawn room: 0.15 to 1 s to -60 dB, with a twentieth to five times the direct energy.
+    /// Draws a room: reverberation time 0.15 to 1 s (to -60 dB), echo of 0.05 to 5 times the direct
+    /// energy.
     void enter_room(Dice& dice);
-    /// Treble that falls off from a drawn band (1.9 to 13 kHz) on.
+    /// Draws treble damping: gains fall off exponentially above a drawn band (1.9 to 13 kHz).
     void muffle(Dice& dice);
 };
 
-/// What a room adds to music, hop by hop: per band, energy that dies away exponentially (Polack
-/// 1988: late reverberation is decaying noise), in the mean. That narrow bands fluctuate as the
-/// reflections meet is left out: learnt with it, clean music was known less well (docs/genre.md).
+/// Adds a room's late reverberation hop by hop: in each band an energy that decays exponentially
+/// (Polack 1988), in the mean. Narrow-band fluctuation is left out, because training with it made
+/// results on clean music worse (docs/genre.md).
 class RoomEcho {
  public:
     using Bands = std::array<float, NetworkInput::kBands>;
 
-    /// Turns a hop's magnitudes into what is heard of it in the hearing's room.
+    /// Replaces a hop's magnitudes by those of direct sound and echo together.
     void add(const MelAugmentation& augmentation, Bands& bands);
 
  private:
     Bands energy_{};
 };
 
-/// Calls put(t, bands) for `hops` hops: magnitudes as they are heard. `dice`: draws the noise;
-/// null: none. Behind the piece's end its last hop is held.
+/// Calls put(t, bands) for `hops` hops with augmented magnitudes. `dice`: draws the noise; null: no
+/// noise. After the end of the piece its last hop is repeated.
 template <class Put>
 void augment_bands(std::span<const float> mel,
                    const MelAugmentation& augmentation,
@@ -58,8 +60,8 @@ void augment_bands(std::span<const float> mel,
                    Dice* dice,
                    const Put& put);
 
-/// Calls put(t, frame) for `hops` hops as augment_bands does, `input` going on from what it has
-/// heard.
+/// As augment_bands, but calls put(t, frame) with network inputs. `input` keeps its state from
+/// earlier calls.
 template <class Put>
 void augment_mel(std::span<const float> mel,
                  const MelAugmentation& augmentation,
@@ -72,11 +74,13 @@ void augment_mel(std::span<const float> mel,
     });
 }
 
-/// Mel magnitudes at a place between hops. `mel`: at least one hop.
+/// Mel magnitudes at `hop`, linear between two hops; clamped to the piece. `mel`: at least one hop.
 [[nodiscard]] std::array<float, NetworkInput::kBands> magnitudes_at(std::span<const float> mel,
                                                                     double hop);
+/// Mean over all hops and bands; 0 for no hops.
 [[nodiscard]] float mean_magnitude(std::span<const float> mel);
 
+// Defined after magnitudes_at and mean_magnitude, which it calls.
 template <class Put>
 void augment_bands(std::span<const float> mel,
                    const MelAugmentation& augmentation,

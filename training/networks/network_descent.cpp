@@ -11,15 +11,17 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kWarmUpSteps = 30;
+constexpr int kWarmUpSteps = 30;  // until the rate is at its full height
 
-/// Runs work(i) for i = 0 .. count - 1.
+/// Runs work(i) for i = 0 .. count - 1 on some threads; returns when all is done. Thread n takes n,
+/// n + threads, ...
 template <class Work>
 void share(std::size_t count, int wanted_threads, const Work& work) {
     const auto threads = static_cast<std::size_t>(std::max(1, wanted_threads));
     std::vector<std::jthread> running;
     for (std::size_t first = 0; first < std::min(threads, count); ++first) {
         running.emplace_back([first, threads, count, &work] {
+            // Gradients that decay into denormal numbers would slow training down.
             const FlushToZeroScope flush_to_zero;
             for (std::size_t i = first; i < count; i += threads) {
                 work(i);
@@ -28,6 +30,7 @@ void share(std::size_t count, int wanted_threads, const Work& work) {
     }
 }
 
+// Frames of all chunks together.
 double frames_of(const TrainingBatch& batch) {
     return static_cast<double>(batch.steps * batch.chunks);
 }
@@ -36,11 +39,13 @@ double frames_of(const TrainingBatch& batch) {
 
 NetworkDescent::NetworkDescent(models::RecurrentNetwork& network, int threads)
     : network_(network), threads_(threads), adam_(network.parameters().size()) {
+    // The shards run in parallel already; BLAS threads on top would only compete.
     openblas_set_num_threads(1);
 }
 
 double NetworkDescent::step(double rate,
                             const std::function<TrainingBatch(std::size_t shard)>& draw) {
+    // Each shard has its own gradient, loss and count, so threads share nothing.
     std::vector<std::vector<float>> gradients(kShards);
     std::array<double, kShards> losses{};
     std::array<double, kShards> frames{};
@@ -50,6 +55,7 @@ double NetworkDescent::step(double rate,
         gradients[shard].assign(network_.parameters().size(), 0.0F);
         losses[shard] = gradients_[shard].accumulate(network_, batch, gradients[shard]);
     });
+    // Summed in the order of the shards: floating-point sums depend on it.
     double loss = losses[0];
     double all = frames[0];
     for (std::size_t shard = 1; shard < kShards; ++shard) {
@@ -59,6 +65,7 @@ double NetworkDescent::step(double rate,
             gradients[0][i] += gradients[shard][i];
         }
     }
+    // Losses and gradients are sums over frames; the step is on the mean.
     const auto scale = static_cast<float>(1.0 / all);
     for (float& value : gradients[0]) {
         value *= scale;
@@ -70,6 +77,7 @@ double NetworkDescent::step(double rate,
 double NetworkDescent::loss_of(std::span<const TrainingBatch> batches) const {
     std::vector<double> losses(batches.size());
     share(batches.size(), threads_, [&](std::size_t i) {
+        // Buffers of its own: batches may be more than shards.
         NetworkGradient gradient;
         losses[i] = gradient.accumulate(network_, batches[i], {});
     });
@@ -83,6 +91,7 @@ double NetworkDescent::loss_of(std::span<const TrainingBatch> batches) const {
 }
 
 double rate_at(double highest, int step, int steps) {
+    // At most 1; the first step is not 0.
     const double warm_up = std::min(1.0, (step + 1.0) / kWarmUpSteps);
     return highest * warm_up * 0.5 * (1.0 + std::cos(std::numbers::pi * step / steps));
 }

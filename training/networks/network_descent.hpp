@@ -10,20 +10,23 @@
 
 namespace raks::audio {
 
-/// Steps down the loss of a network with Adam. A batch is drawn and learnt from in shards, which
-/// are summed in order: the same draws give the same weights on one machine, for any number of
+/// Minimizes the loss of a network with Adam. A batch is computed in shards whose gradients are
+/// summed in a fixed order: the same draws give the same weights on one machine, for any number of
 /// threads.
+/// Threads: one caller; it starts workers. Real-time: no.
 class NetworkDescent {
  public:
+    /// Parts of a batch; fixed, so that threads do not change the sums.
     static constexpr std::size_t kShards = 4;
 
-    /// `network`: outlives this; has its first weights.
+    /// `network`: must outlive this; starts from its present weights.
     NetworkDescent(models::RecurrentNetwork& network, int threads);
 
-    /// One step at Adam's `rate`. `draw(shard)`: a part of the batch, drawn from a stream of random
-    /// numbers of its own; called from several threads. Returns the mean loss a frame.
+    /// Takes one step at Adam's `rate`. `draw(shard)` returns part of the batch, drawn from a
+    /// stream of random numbers of its own; it is called from several threads. Returns the mean
+    /// loss a frame.
     double step(double rate, const std::function<TrainingBatch(std::size_t shard)>& draw);
-    /// Mean loss a frame of these batches; nothing is learnt.
+    /// Mean loss a frame of these batches, without training; 0 for no frames.
     [[nodiscard]] double loss_of(std::span<const TrainingBatch> batches) const;
 
  private:
@@ -33,7 +36,8 @@ class NetworkDescent {
     std::array<NetworkGradient, kShards> gradients_;
 };
 
-/// Adam's rate for a step: `highest` after a warm-up of 30 steps, then a cosine to 0 at `steps`.
+/// Learning rate of a step: linear warm-up over 30 steps, times a cosine from `highest` to 0 at
+/// `steps`.
 [[nodiscard]] double rate_at(double highest, int step, int steps);
 
 }  // namespace raks::audio

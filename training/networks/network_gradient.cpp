@@ -11,9 +11,9 @@
 namespace raks::audio {
 namespace {
 
-constexpr float kLongestGradient = 1.0F;
+constexpr float kLongestGradient = 1.0F;  // Euclidean norm above which a gradient is scaled down
 
-/// What B is multiplied as.
+/// How B enters a product.
 enum class Right { plain, transposed };
 
 /// C (m x n) = A (m x k) B (k x n, or its transpose) + beta C, row-major.
@@ -63,6 +63,7 @@ void add_outer(
                 size(n));
 }
 
+// Sums over rows: the gradient of a bias, which every frame shares.
 void add_columns(std::size_t rows, std::size_t width, const float* values, float* sums) {
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t i = 0; i < width; ++i) {
@@ -71,7 +72,8 @@ void add_columns(std::size_t rows, std::size_t width, const float* values, float
     }
 }
 
-/// One chunk's gates at one step, and its next hidden values; all the products are kept.
+/// Forward step of one chunk: gates and next hidden values. Everything that the backward pass needs
+/// is kept. `projected`: from the input, with biases; `recurrent`: from the hidden values.
 RAKS_SIMD_CLONES void open_gates(const float* __restrict projected,
                                  const float* __restrict recurrent,
                                  const float* __restrict candidate_biases,
@@ -83,6 +85,8 @@ RAKS_SIMD_CLONES void open_gates(const float* __restrict projected,
                                  float* __restrict product,
                                  float* __restrict after) {
     for (std::size_t i = 0; i < units; ++i) {
+        // h Un + cn of the candidate, kept without its factor r, because the gradient of r needs
+        // it.
         product[i] = recurrent[2 * units + i] + candidate_biases[i];
         reset[i] = models::logistic(projected[i] + recurrent[i]);
         keep[i] = models::logistic(projected[units + i] + recurrent[units + i]);
@@ -91,8 +95,9 @@ RAKS_SIMD_CLONES void open_gates(const float* __restrict projected,
     }
 }
 
-/// Back through open_gates: `later`, the gradient by the hidden values after it, becomes the part
-/// of the one by those before it that does not go through `recurrent`.
+/// Backward step of open_gates. `later` enters as the gradient by the hidden values after the step,
+/// through later steps; it leaves as the part of the gradient by those before it that does not pass
+/// through the recurrent weights (the rest is added by the caller).
 RAKS_SIMD_CLONES void close_gates(const float* __restrict reset,
                                   const float* __restrict keep,
                                   const float* __restrict candidate,
@@ -104,6 +109,7 @@ RAKS_SIMD_CLONES void close_gates(const float* __restrict reset,
                                   float* __restrict recurrent,
                                   float* __restrict later) {
     for (std::size_t i = 0; i < units; ++i) {
+        // dh: gradient by the new hidden value; dn, dz, dr: by the values before tanh and logistic.
         const float r = reset[i];
         const float z = keep[i];
         const float n = candidate[i];
@@ -111,15 +117,18 @@ RAKS_SIMD_CLONES void close_gates(const float* __restrict reset,
         const float dn = dh * (1.0F - z) * (1.0F - n * n);
         const float dz = dh * (before[i] - n) * z * (1.0F - z);
         const float dr = dn * product[i] * r * (1.0F - r);
+        // r and z get both sums unchanged, so both products have the same gradient there; in the
+        // candidate the recurrent product is multiplied by r first.
         projected[i] = recurrent[i] = dr;
         projected[units + i] = recurrent[units + i] = dz;
         projected[2 * units + i] = dn;
         recurrent[2 * units + i] = dn * r;
+        // h' = (1 - z) n + z h: the direct path.
         later[i] = dh * z;
     }
 }
 
-/// The loss of these logits, which become its gradient by them.
+/// Weighted binary cross-entropy of all outputs. `logits` become the gradient by the logits.
 double logistic_loss(const TrainingBatch& batch, std::span<float> logits) {
     double loss = 0.0;
     for (std::size_t i = 0; i < logits.size(); ++i) {
@@ -129,16 +138,19 @@ double logistic_loss(const TrainingBatch& batch, std::span<float> logits) {
         const double odds = std::exp(-std::abs(logit));  // of the less likely
         // log(1 + e^l) - t l, without overflow.
         loss += weight * (std::max(logit, 0.0) + std::log1p(odds) - target * logit);
+        // sigmoid(logit), in the form that does not overflow.
         const double probability = (logit >= 0.0 ? 1.0 : odds) / (1.0 + odds);
         logits[i] = static_cast<float>(weight * (probability - target));
     }
     return loss;
 }
 
+// Weighted cross-entropy of one choice a frame. `logits` become the gradient by the logits.
 double softmax_loss(const TrainingBatch& batch, std::size_t outputs, std::span<float> logits) {
     double loss = 0.0;
     for (std::size_t from = 0; from < logits.size(); from += outputs) {
         const std::span<float> frame = logits.subspan(from, outputs);
+        // ln sum exp, with the highest logit taken out against overflow.
         const double highest = static_cast<double>(*std::max_element(frame.begin(), frame.end()));
         double sum = 0.0;
         for (const float logit : frame) {
@@ -152,6 +164,8 @@ double softmax_loss(const TrainingBatch& batch, std::size_t outputs, std::span<f
             loss += share * (all - static_cast<double>(frame[i]));
             weight += share;
         }
+        // Softmax minus target, times weights. In a second loop, because it needs the frame's whole
+        // weight.
         for (std::size_t i = 0; i < outputs; ++i) {
             const double share = static_cast<double>(batch.weights[from + i]) *
                                  static_cast<double>(batch.targets[from + i]);
@@ -174,12 +188,15 @@ void NetworkGradient::forward(const models::RecurrentNetwork& network,
     const std::size_t frames = batch.steps * batch.chunks;
     const std::size_t units = layer.units;
     const std::size_t width = 3 * units;
+    // Rows are frames: t * chunks + chunk. `hidden` has one step more, the zero state before t = 0.
     trace.projected.resize(frames * width);
     trace.recurrent.resize(frames * width);
     for (auto* values : {&trace.reset, &trace.keep, &trace.candidate, &trace.product}) {
         values->resize(frames * units);
     }
     trace.hidden.assign((frames + batch.chunks) * units, 0.0F);
+    // The input's products do not depend on the hidden values: one matrix product for all frames.
+    // The biases are its start value.
     for (std::size_t frame = 0; frame < frames; ++frame) {
         std::copy_n(parameters + layer.biases, width, &trace.projected[frame * width]);
     }
@@ -191,6 +208,7 @@ void NetworkGradient::forward(const models::RecurrentNetwork& network,
              Right::plain,
              1.0F,
              trace.projected.data());
+    // Step by step, because each needs the hidden values of the one before; all chunks at once.
     for (std::size_t t = 0; t < batch.steps; ++t) {
         float* const recurrent = &trace.recurrent[t * batch.chunks * width];
         const float* const before = &trace.hidden[t * batch.chunks * units];
@@ -219,6 +237,7 @@ void NetworkGradient::forward(const models::RecurrentNetwork& network,
     }
 }
 
+// Logits of all frames, written to output_gradient_, where the loss turns them into gradients.
 void NetworkGradient::forward_outputs(const models::RecurrentNetwork& network,
                                       const TrainingBatch& batch) {
     const std::size_t frames = batch.steps * batch.chunks;
@@ -250,7 +269,9 @@ void NetworkGradient::backward(const models::RecurrentNetwork& network,
     const float* const parameters = network.parameters().data();
     const std::size_t units = layer.units;
     const std::size_t width = 3 * units;
-    std::vector<float> later(batch.chunks * units, 0.0F);  // gradient that comes from t + 1
+    // Gradient by hidden values, from step t + 1.
+    std::vector<float> later(batch.chunks * units, 0.0F);
+    // Backwards in time. `projected` and `recurrent` are overwritten by their gradients.
     for (std::size_t t = batch.steps; t-- > 0;) {
         const float* const before = &trace.hidden[t * batch.chunks * units];
         for (std::size_t chunk = 0; chunk < batch.chunks; ++chunk) {
@@ -267,6 +288,7 @@ void NetworkGradient::backward(const models::RecurrentNetwork& network,
                         &trace.recurrent[frame * width],
                         &later[chunk * units]);
         }
+        // The path through the recurrent weights: later += recurrent gradient x U^T.
         multiply(batch.chunks,
                  units,
                  width,
@@ -277,6 +299,7 @@ void NetworkGradient::backward(const models::RecurrentNetwork& network,
                  later.data());
     }
     const std::size_t frames = batch.steps * batch.chunks;
+    // Weight gradients: sums over all frames of the outer product of inputs and gradients.
     add_outer(
         layer.inputs, width, frames, below, trace.projected.data(), &gradient[layer.input_weights]);
     add_outer(units,
@@ -286,11 +309,13 @@ void NetworkGradient::backward(const models::RecurrentNetwork& network,
               trace.recurrent.data(),
               &gradient[layer.recurrent_weights]);
     add_columns(frames, width, trace.projected.data(), &gradient[layer.biases]);
+    // Only the candidate has a bias within the recurrent product (c).
     std::vector<float> sums(width, 0.0F);
     add_columns(frames, width, trace.recurrent.data(), sums.data());
     for (std::size_t i = 0; i < units; ++i) {
         gradient[layer.candidate_biases + i] += sums[2 * units + i];
     }
+    // The layer below receives this layer's gradient by its inputs; the lowest has none.
     if (index > 0) {
         from_above.resize(frames * layer.inputs);
         multiply(frames,
@@ -309,6 +334,7 @@ double NetworkGradient::accumulate(const models::RecurrentNetwork& network,
                                    std::span<float> gradient) {
     const std::size_t layers = network.layers().size();
     traces_.resize(layers);
+    // Inputs of a layer: the batch's, or the hidden values of the layer below from t = 0 on.
     const auto below = [&](std::size_t layer) {
         return layer == 0 ? batch.inputs.data()
                           : &traces_[layer - 1].hidden[batch.chunks * network.units()];
@@ -320,11 +346,13 @@ double NetworkGradient::accumulate(const models::RecurrentNetwork& network,
     const double loss = batch.loss == TrainingBatch::Loss::logistic
                             ? logistic_loss(batch, output_gradient_)
                             : softmax_loss(batch, network.outputs(), output_gradient_);
+    // Loss alone: for validation.
     if (gradient.empty()) {
         return loss;
     }
     const std::size_t frames = batch.steps * batch.chunks;
     const std::size_t outputs = network.outputs();
+    // Gradient of the output layer, then its way down.
     const float* const top = &traces_.back().hidden[batch.chunks * network.units()];
     add_outer(network.units(),
               outputs,
@@ -352,6 +380,7 @@ void Adam::step(std::span<float> gradient, double rate, std::span<float> paramet
     constexpr double kMeanDecay = 0.9;
     constexpr double kSquareDecay = 0.999;
     constexpr double kEpsilon = 1e-8;
+    // Clipped by norm: a single batch must not throw the weights far off.
     double norm = 0.0;
     for (const float value : gradient) {
         norm += static_cast<double>(value) * static_cast<double>(value);
@@ -359,6 +388,7 @@ void Adam::step(std::span<float> gradient, double rate, std::span<float> paramet
     norm = std::sqrt(norm);
     const double scale = norm > static_cast<double>(kLongestGradient) ? 1.0 / norm : 1.0;
     ++steps_;
+    // Bias corrections of the running means, which start at 0.
     const double mean_share = 1.0 - std::pow(kMeanDecay, static_cast<double>(steps_));
     const double square_share = 1.0 - std::pow(kSquareDecay, static_cast<double>(steps_));
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -373,6 +403,7 @@ void Adam::step(std::span<float> gradient, double rate, std::span<float> paramet
     }
 }
 
+// One draw a parameter, by its index: the shape decides what each gets.
 void initialize(models::RecurrentNetwork& network, std::uint64_t seed) {
     const CounterRandom random(seed);
     const double span = std::sqrt(1.0 / static_cast<double>(network.units()));

@@ -9,25 +9,28 @@
 
 namespace raks::audio {
 
-/// A batch of chunks of equal length, step by step: inputs[(t * chunks + b) * inputs per frame].
+/// A batch of sequences ("chunks") of equal length, step by step: inputs[(t * chunks + b) * inputs
+/// a frame].
 struct TrainingBatch {
-    std::size_t steps = 0;
-    std::size_t chunks = 0;
+    std::size_t steps = 0;       ///< length of each chunk in frames
+    std::size_t chunks = 0;      ///< sequences side by side
     std::vector<float> inputs;   ///< steps x chunks x the network's inputs
     std::vector<float> targets;  ///< steps x chunks x its outputs, each 0 to 1
     std::vector<float> weights;  ///< of each target in the loss, the same shape
-    /// logistic: each output is a chance of its own, binary cross-entropy. softmax: together they
-    /// are one choice, cross-entropy.
+    /// logistic: each output is a probability of its own (binary cross-entropy). softmax: the
+    /// outputs together are one choice (cross-entropy).
     enum class Loss : std::uint8_t { logistic, softmax };
-    Loss loss = Loss::logistic;
+    Loss loss = Loss::logistic;  ///< of all outputs
 };
 
-/// Weighted cross-entropy of a batch, a sum over outputs and frames, and its gradient by every
-/// parameter, backward through time over the whole chunk.
+/// Weighted cross-entropy of a batch, summed over outputs and frames, and its gradient by every
+/// parameter: backpropagation through time over the whole chunk, from zero states. Keeps its
+/// buffers from call to call.
+/// Threads: one. Real-time: no.
 class NetworkGradient {
  public:
-    /// Adds the gradient of this batch's summed loss to `gradient` (as long as the parameters);
-    /// empty: only the loss. Returns the summed loss (not divided by frames).
+    /// Adds the gradient of this batch's summed loss to `gradient` (one number a parameter); empty:
+    /// computes the loss alone. Returns the summed loss, in nats, not divided by frames.
     double accumulate(const models::RecurrentNetwork& network,
                       const TrainingBatch& batch,
                       std::span<float> gradient);
@@ -56,10 +59,12 @@ class NetworkGradient {
     std::vector<float> from_above_;       // steps x chunks x units
 };
 
-/// Adam (Kingma, Ba 2015), with the gradient's norm held below 1.
+/// Adam (Kingma, Ba 2015); gradients longer than 1 are scaled to length 1 first.
 class Adam {
  public:
+    /// `parameters`: how many.
     explicit Adam(std::size_t parameters) : mean_(parameters), square_(parameters) {}
+    /// One step against `gradient` (not changed) at the given rate, in place.
     void step(std::span<float> gradient, double rate, std::span<float> parameters);
 
  private:
@@ -68,7 +73,7 @@ class Adam {
     std::int64_t steps_ = 0;
 };
 
-/// Uniform weights in +-1 / sqrt(units).
+/// Draws all parameters uniformly from +-1 / sqrt(units). The same seed gives the same weights.
 void initialize(models::RecurrentNetwork& network, std::uint64_t seed);
 
 }  // namespace raks::audio
