@@ -1,3 +1,4 @@
+// Dance library: all figures of a dance, solved for one skeleton.
 #pragma once
 
 #include <memory>
@@ -12,37 +13,43 @@
 
 namespace raks::motion {
 
-struct FigureGrammar;
-struct FigureModel;
+struct FigureGrammar;  // motion/figures/figure_grammar.hpp
+struct FigureModel;    // motion/figures/figure_model.hpp
 
 /// All figures of a dance, solved into trajectories for one skeleton. Immutable: may be shared by
 /// any number of dancers and threads.
 class DanceLibrary {
  public:
     /// Solves the trajectories of all figures, each in eight ways (some 40 ms a figure). `grammar`:
-    /// its rules in the order of the figures; none: any after any other. `generator`: ours, or the
-    /// paper's for comparison, in which no foot is planted: feet slide and may dip below the floor,
-    /// in joins too.
-    /// Errors: no figures, a figure that cannot be solved (named), a grammar of another dance.
-    /// Threads: workers. Real-time: no.
+    /// its rules in the order of the figures; null: any figure may follow any other. `generator`:
+    /// trajectories, or frames as in the paper for comparison, which plants no foot: feet slide and
+    /// may dip below the floor, between figures too. Errors: no figures, a figure that cannot be
+    /// solved (named), a grammar of another dance. Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
         std::span<const FigureModel> figures,
         const Skeleton& skeleton,
         const FigureGrammar* grammar = nullptr,
         Generator generator = Generator::trajectories);
-    /// What build() solved, as bytes for a cache on this machine, and back; the same bits. They fit
-    /// the program, skeleton and grammar that they were solved with.
-    /// Errors of unpack: damaged, of another program, other figures than the grammar has.
+    /// What build() solved, as bytes for a cache on this machine; unpack() gives the same bits
+    /// back. They are valid only for the program, skeleton and grammar that they were solved with.
+    /// Threads: workers. Real-time: no.
     [[nodiscard]] std::string packed() const;
+    /// Reads what packed() returned. Errors: damaged, of another program, other figures than the
+    /// grammar has. Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
         std::string_view bytes, const Skeleton& skeleton, const FigureGrammar& grammar);
+    /// Out of line, where Content is complete.
     ~DanceLibrary();
-    /// In the order of `figures`; as long as the library lives.
+    /// The figures' names in the order of `figures`; the views are valid as long as the library
+    /// lives.
     [[nodiscard]] std::vector<std::string_view> figure_names() const;
+    /// Not copied: dancers share one library by pointer.
     DanceLibrary(const DanceLibrary&) = delete;
+    /// Not copied.
     DanceLibrary& operator=(const DanceLibrary&) = delete;
 
     struct Content;  // motion/dance/: what the dancer reads
+    /// For the dancer alone (motion/library_content.hpp). Threads: any. Real-time: yes.
     [[nodiscard]] const Content& content() const noexcept { return *content_; }
 
  private:

@@ -17,37 +17,39 @@
 namespace raks::motion {
 namespace {
 
+// Confidence of the beat grid from which on the music can be danced to.
 constexpr float kStartConfidence = 0.35F;
-constexpr float kStopConfidence = 0.10F;
-constexpr int kHopsToStart = 60;            // of sure music before the first step
-constexpr int kHopsToStop = 150;            // of no music before settling
+constexpr float kStopConfidence = 0.10F;    // lower, so that a dip does not end the dance
+constexpr int kHopsToStart = 60;            // of sure music before the first step (0.6 s)
+constexpr int kHopsToStop = 150;            // of unsure music or silence before settling (1.5 s)
 constexpr double kDownbeatWindow = 0.5;     // beats: how late after a downbeat one may still start
 constexpr double kEarliestToSettle = 0.15;  // seconds sooner than a change of dance needs
 constexpr std::size_t kQueuedCommands = 16;
-// Seconds, times 1 - 1 / pace: by how much the mean landing was later (`raks eval dance`, salsa,
-// lead and follow, paces 0.70 to 1.41).
+// Seconds, times 1 - 1 / pace: how much later the mean landing comes at another pace (`raks eval
+// dance`, salsa, lead and follow, paces 0.70 to 1.41).
 constexpr double kLandingLeadByPace = 0.06;
+// Limit of the lead that a figure asks for
 constexpr Nanos kMostLandingLead = std::chrono::milliseconds(60);
-constexpr double kLeadShare =
-    0.01;  // a hop: the lead of another figure is gone over to in a second
-constexpr double kPaceShare = 0.01;  // a hop
+constexpr double kLeadShare = 0.01;  // a hop; another figure's lead is reached in about a second
+constexpr double kPaceShare = 0.01;  // a hop; smooths the pace over about a second
 
-/// How far ahead of the phase the pose is, for steps that come down so late at the learnt tempo.
-/// A landing is seen where a foot is slower than so many metres a second, whatever the tempo, so it
-/// comes the later in the last slowing of a step the faster the dance is for its learnt tempo.
+/// How far ahead of the phase the pose is read, so that landings fall on the beat. `delay`: how
+/// late the figure's steps come down at the learnt tempo. A landing is detected where a foot falls
+/// under a fixed speed, whatever the tempo, so in a dance faster than learnt it is found later in
+/// the last slowing of a step.
 Nanos landing_lead(Nanos delay, double pace) noexcept {
     return std::clamp(delay, -kMostLandingLead, kMostLandingLead) +
            nanos_from_seconds(kLandingLeadByPace * (1.0 - 1.0 / std::clamp(pace, 0.6, 1.6)));
 }
 
-/// Where this dancer's figures start.
+/// Move from a figure's start to where this dancer stands on the stage.
 FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
     FloorMove stage = part.is_in_couple ? content.couple : content.stage;
     stage.offset.x += part.aside;
     return stage;
 }
 
-/// One metre for both of a couple.
+/// The metre of a dance; in a couple the mean period of both, so that both change octave at once.
 DanceMetre metre_of(const DanceContent& content, const DanceLibrary* partner) {
     DanceMetre metre = content.metre;
     if (partner != nullptr) {
@@ -64,12 +66,12 @@ struct Dancer::State {
     std::shared_ptr<const Repertoire> repertoire;
     Skeleton skeleton;
     DancerPart part;
-    const DanceLibrary* dance = nullptr;  // that is danced, or was the last
-    DanceId genre = DanceId::none;        // its own
+    const DanceLibrary* dance = nullptr;  // being danced, or the last one
+    DanceId genre = DanceId::none;        // of `dance`
     DanceId selected = DanceId::none;     // by command
-    FloorMove stage;                      // from where a figure starts
-    DanceMetre metre;                     // by which octave and pace are chosen
-    int bars_to_wait = 0;
+    FloorMove stage;                      // from a figure's start to the stage
+    DanceMetre metre;                     // decides octave and pace
+    int bars_to_wait = 0;                 // downbeats that still pass before the start
     FigureSequence sequence;
     FigureWish wish;
     MusicEnergy energy;
@@ -77,20 +79,20 @@ struct Dancer::State {
     Standing standing;
 
     bool is_dancing = false;
-    bool is_held = false;
+    bool is_held = false;       // by command, until release
     bool was_downbeat = false;  // at the last hop that might have begun
-    int hops_sure = 0;
-    int hops_unsure = 0;
+    int hops_sure = 0;          // consecutive hops above kStartConfidence
+    int hops_unsure = 0;        // consecutive hops of silence or below kStopConfidence
     DancePhase phase;
-    double pace = 1.0;  // of the learnt tempo, over the last second
-    Nanos delay{};      // of the landings, over the last second
+    double pace = 1.0;  // danced tempo / learnt tempo, smoothed over about a second
+    Nanos delay{};      // landing delay of the figure, smoothed over about a second
     std::uint32_t reanchors = 0;
 
-    Inertialization smoothing;
-    StreamTime changed_at{};
-    Pose shown;         // the last final pose
-    Pose shown_before;  // the one before it
-    HopIndex last_hop = -1;
+    Inertialization smoothing;  // decays the jump of the last change
+    StreamTime changed_at{};    // hop before the change, at which its difference was measured
+    Pose shown;                 // the last final pose
+    Pose shown_before;          // the one before it
+    HopIndex last_hop = -1;     // -1: none yet
 
     std::array<DancerCommand, kQueuedCommands> commands{};
     std::size_t command_count = 0;
@@ -111,7 +113,8 @@ struct Dancer::State {
     [[nodiscard]] Pose smoothed(StreamTime now, Nanos ahead) const noexcept;
 };
 
-/// Another dance from its next start on.
+/// Changes to another dance, which is danced from the next start. Wishes name figures of the old
+/// one by number, so they are dropped.
 void Dancer::State::take_up(DanceId other) noexcept {
     genre = other;
     dance = repertoire->of(other);
@@ -120,8 +123,8 @@ void Dancer::State::take_up(DanceId other) noexcept {
     wish = FigureWish();
 }
 
-/// Where the dancer stands while nothing is danced: alone always at the same place, towards the
-/// audience; of a couple where the dance has led.
+/// Where the dancer stands while nothing is danced: a soloist always at the same place, facing the
+/// audience; one of a couple where the dance has ended.
 FloorMove Dancer::State::place() const noexcept {
     return floor_of(content(), stage, stands_turned) * inverse(content().stage);
 }
@@ -146,6 +149,7 @@ void Dancer::State::reset() noexcept {
     command_count = 0;
 }
 
+// Applies the commands that are due, in order, and keeps the others.
 void Dancer::State::run_commands(StreamTime now) noexcept {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < command_count; ++i) {
@@ -183,7 +187,7 @@ void Dancer::State::run_commands(StreamTime now) noexcept {
     command_count = kept;
 }
 
-/// The pose without smoothing, `ahead` of the hop at `time`.
+/// The pose before inertialization, `ahead` of the hop at `time`.
 Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
     if (is_dancing) {
         return sequence.at(phase.phase_after(ahead + landing_lead(delay, pace)));
@@ -191,6 +195,8 @@ Pose Dancer::State::target(StreamTime time, Nanos ahead) const noexcept {
     return standing.at(skeleton, time + ahead);
 }
 
+// The pose with what is left of the last change; feet are planted once more, since joint rotations
+// and hips decay independently of one another.
 Pose Dancer::State::smoothed(StreamTime now, Nanos ahead) const noexcept {
     Pose pose = smoothing.apply(target(now, ahead), now + ahead - changed_at);
     if (!smoothing.is_active(now + ahead - changed_at)) {
@@ -199,18 +205,20 @@ Pose Dancer::State::smoothed(StreamTime now, Nanos ahead) const noexcept {
     if (!is_dancing) {
         standing.plant(skeleton, now + ahead, pose);
     } else if (content().generator == Generator::trajectories) {
-        lift_feet(skeleton, pose);  // hips and legs blend apart from one another
+        // Hips and legs decay apart, which may push a sole below the floor
+        lift_feet(skeleton, pose);
     }
     return pose;
 }
 
-/// What is danced changes at this hop: the difference to what was shown decays from here on.
+/// The motion changes at this hop. The difference between what was shown and the new target is
+/// measured one and two hops ago, where both are known, and decays from there.
 void Dancer::State::change(StreamTime now) noexcept {
     changed_at = now - kHop;
     smoothing.start(shown, shown_before, target(now, -kHop), target(now, -2 * kHop));
 }
 
-/// The dance for this music, as selected or as heard; unknown: none.
+/// The dance for music of genre `heard`; a selected dance comes first. None: stand.
 DanceId Dancer::State::wanted(DanceId recognized) const noexcept {
     for (const DanceId one : {selected, recognized}) {
         if (one != DanceId::none && repertoire->of(one) != nullptr) {
@@ -228,8 +236,8 @@ DanceId Dancer::State::wanted(DanceId recognized) const noexcept {
     return DanceId::none;
 }
 
-/// Whether this is the moment to leave the dance for another one, so as to stand settled on the
-/// next bar line. A bar that is shorter than settling is left at once.
+/// Whether to leave this dance for another one now: so that the dancer stands settled on the next
+/// bar line, at most kEarliestToSettle before it. A bar shorter than settling is left at once.
 bool Dancer::State::leaves(const MusicState& music) const noexcept {
     if (wanted(music.genre) == genre) {
         return false;
@@ -246,12 +254,13 @@ void Dancer::State::settle(StreamTime now) noexcept {
     is_dancing = false;
     was_downbeat = false;
     bars_to_wait = part.bars_late;
+    // A soloist settles facing the audience; one of a couple stays where the dance has led.
     stands_turned = part.is_in_couple && sequence.is_turned();
     standing.settle(skeleton, shown, shown_before, floor_frame(shown), place(), now);
     change(now);
 }
 
-/// Starts on a count 1, goes on, or settles.
+/// The state machine of one hop: starts on a downbeat, dances on, or settles.
 void Dancer::State::decide(const MusicState& music) noexcept {
     const bool is_sure = !music.is_silent && music.grid.confidence >= kStartConfidence;
     const bool is_unsure = music.is_silent || music.grid.confidence < kStopConfidence;
@@ -267,8 +276,10 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     }
 }
 
+// One hop of dancing. The order matters: the phase first, then what follows from it.
 void Dancer::State::go_on(const MusicState& music) noexcept {
     const double own_rate = content().metre.learnt_tempo.beats_per_second();
+    // Smoothed, since the phase's rate also holds its corrections.
     pace += kPaceShare * (phase.rate() / own_rate - pace);
     const bool has_reanchored = phase.advance(music.grid, metre, sequence.end(), music.time);
     if (has_reanchored) {
@@ -285,6 +296,8 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
     }
 }
 
+// Starts within kDownbeatWindow after a downbeat. Late members of a canon let bars_to_wait
+// downbeats pass.
 void Dancer::State::start_on_downbeat(const MusicState& music) noexcept {
     const Beats now = music.grid.beats_at(music.time);
     const double since_downbeat = music.grid.bar_position(now);
@@ -297,6 +310,7 @@ void Dancer::State::start_on_downbeat(const MusicState& music) noexcept {
             take_up(next);
         }
         is_dancing = true;
+        // Count 1 lies on the downbeat itself, which may be a few hops ago.
         phase.start(music.grid, now - Beats(since_downbeat), metre, music.time);
         pace = phase.rate() / content().metre.learnt_tempo.beats_per_second();
         sequence.set_tempo(Bpm(60.0 * phase.rate()));

@@ -19,37 +19,38 @@
 /// The one door of motion: music states in, poses out.
 namespace raks::motion {
 
-class DanceLibrary;
-class Repertoire;
+class DanceLibrary;  // motion/dance_library.hpp
+class Repertoire;    // motion/repertoire.hpp
 
-/// What a user asks of the dancer. Takes effect at the first hop at or after `time`.
+/// A user's request to the dancer. It takes effect at the first hop at or after `time`.
 struct DancerCommand {
+    /// What is asked.
     enum class Kind : std::uint8_t {
         next_figure,    ///< go on to another figure at the end of this one
         select_figure,  ///< figure number `value` at the end of this one
         lock_figure,    ///< `value` 1: this figure again and again; 0: as the grammar says
         select_dance,   ///< number `value` of the list; DanceId::none: as the music is
         hold,           ///< settle and stand, whatever the music does
-        release,        ///< dance again from the next count 1
+        release,        ///< dance again from the next downbeat
     };
-    Kind kind = Kind::next_figure;
-    StreamTime time{};
-    double value = 0.0;
+    Kind kind = Kind::next_figure;  ///< what is asked
+    StreamTime time{};              ///< when it shall take effect at the earliest
+    double value = 0.0;             ///< its meaning depends on `kind`
 };
 static_assert(std::is_trivially_copyable_v<DancerCommand>);
 
 /// What the dancer is doing, for the overlay.
 struct DancerStatus {
     std::array<char, 32> figure{};  ///< name, zero-terminated; empty while standing
-    bool is_dancing = false;
-    DanceId dance = DanceId::none;  ///< that is danced; none while standing
-    std::uint32_t number = 0;       ///< of the figures begun since reset()
+    bool is_dancing = false;        ///< false while standing
+    DanceId dance = DanceId::none;  ///< the dance being danced; none while standing
+    std::uint32_t number = 0;       ///< figures begun since reset()
     int count = 0;                  ///< 1..counts of the figure; 0 while standing
     int counts = 8;                 ///< its length in beats
     double phase = 0.0;             ///< beats of the figure danced, [0, length)
     double octave = 1.0;            ///< dance beats per music beat: 0.5, 1 or 2
     double rate = 0.0;              ///< dance beats per second now
-    std::uint32_t reanchors = 0;    ///< how often the phase was set anew since reset()
+    std::uint32_t reanchors = 0;    ///< how often the phase was re-anchored since reset()
 };
 static_assert(std::is_trivially_copyable_v<DancerStatus>);
 
@@ -59,38 +60,44 @@ static_assert(std::is_trivially_copyable_v<DancerStatus>);
 ///     dancer.prepare(library, mannequin_skeleton(), seed);   // once, checks
 ///     dancer.advance(state, track);                          // every hop, in order
 ///
-/// What it appends depends on repertoire, skeleton, seed, states and commands alone, bit for bit.
-/// Threads: one owner; prepare elsewhere before. A moved-from dancer must be prepared again.
+/// The poses depend on repertoire, skeleton, part, states and commands alone, bit for bit. Threads:
+/// one owner; prepare elsewhere before. A moved-from dancer must be prepared again.
 class Dancer {
  public:
+    /// Not prepared: advance() does nothing.
     Dancer();
+    /// Out of line, where State is complete.
     ~Dancer();
+    /// Moves the whole dancer; cheap.
     Dancer(Dancer&&) noexcept;
+    /// Moves the whole dancer; cheap.
     Dancer& operator=(Dancer&&) noexcept;
 
-    /// Stands ready at the stage's centre. Dances what the music is: goes over at a bar line, from
-    /// a settled pose. Errors: no repertoire. Real-time: no (allocates).
+    /// Makes the dancer stand ready at its place on the stage. It dances what fits the music's
+    /// genre and changes dances at a bar line, from a settled pose. Errors: no repertoire.
+    /// Real-time: no (allocates).
     [[nodiscard]] Expected<void> prepare(std::shared_ptr<const Repertoire> repertoire,
                                          const Skeleton& skeleton,
                                          const DancerPart& part);
-    /// Alone, one dance (salsa, by name) to any music; figures and ways from one seed.
-    /// Errors: no library.
+    /// One dancer alone with one dance for any music (under the first dance's number); figures and
+    /// their ways from one seed. Errors: no library. Real-time: no (allocates).
     [[nodiscard]] Expected<void> prepare(std::shared_ptr<const DanceLibrary> library,
                                          const Skeleton& skeleton,
                                          std::uint64_t seed);
 
     /// One hop: appends the final pose of `state.hop` to `track` and renews all predicted ones.
-    /// After a gap in the hop numbers the track starts anew. Without prepare() it does nothing.
-    /// Real-time: yes (no allocation; bounded by the predicted poses).
+    /// After a gap in the hop numbers the track starts anew. Before prepare() it does nothing.
+    /// Threads: one caller. Real-time: yes (no allocation; bounded by the predicted poses).
     void advance(const MusicState& state, PoseTrack& track) noexcept RAKS_NONBLOCKING;
 
-    /// Queues a command (16 wait at most, the oldest are applied first; more are dropped).
-    /// Real-time: yes.
+    /// Queues a command (at most 16 wait; more are dropped). Due ones are applied in the order in
+    /// which they were given. Threads: the owner. Real-time: yes.
     void command(const DancerCommand& command) noexcept RAKS_NONBLOCKING;
 
-    /// Back to just-prepared. Real-time: yes.
+    /// Returns to the state after prepare(). Threads: the owner. Real-time: yes.
     void reset() noexcept RAKS_NONBLOCKING;
 
+    /// What the dancer is doing at the last hop. Threads: the owner. Real-time: yes.
     [[nodiscard]] DancerStatus status() const noexcept;
 
  private:

@@ -10,7 +10,7 @@ constexpr std::size_t kSideBySide = 3;
 constexpr double kApart = 1.3;  // metres between two who dance side by side
 constexpr int kCanonBars = 2;   // a figure of eight counts
 
-/// Ways of member i: others than its neighbours', from the same seed the same.
+/// Seed of member i's ways: differs between members, so that they do not move alike.
 std::uint64_t ways_of(std::uint64_t seed, std::size_t member) {
     return seed + 1000 * static_cast<std::uint64_t>(member);
 }
@@ -40,6 +40,7 @@ void Ensemble::advance(const MusicState& state,
     for (std::size_t i = 0; i < std::min(dancers_.size(), tracks.size()); ++i) {
         dancers_[i].advance(state, tracks[i]);
     }
+    // After all have advanced: the hold changes the poses of both.
     if (holds_hands_ && tracks.size() >= 2 && !tracks[0].is_empty()) {
         hold_.advance(skeleton_, tracks[0], tracks[1]);
     }

@@ -1,3 +1,4 @@
+// Ensemble: several dancers to the same music.
 #pragma once
 
 #include <array>
@@ -16,18 +17,18 @@ namespace raks::motion {
 
 /// One of several who dance to the same music.
 struct EnsembleMember {
-    std::shared_ptr<const Repertoire> repertoire;
-    DancerPart part;
+    std::shared_ptr<const Repertoire> repertoire;  ///< its dances; not null
+    DancerPart part;                               ///< what it does of its own
 };
 
 /// Several dancers, each on a track of its own: a couple, or some side by side.
 /// Threads: one owner; prepare elsewhere before.
 class Ensemble {
  public:
-    static constexpr std::size_t kMost = 4;
+    static constexpr std::size_t kMost = 4;  ///< members
 
-    Ensemble() = default;
-    /// Of one who is prepared.
+    Ensemble() = default;  ///< of nobody
+    /// Of one dancer who is prepared already.
     Ensemble(Dancer dancer) { dancers_.push_back(std::move(dancer)); }
 
     /// Errors: none or more than kMost members; as Dancer::prepare says. Real-time: no.
@@ -36,12 +37,14 @@ class Ensemble {
 
     /// One hop for all: member i appends to tracks[i]. Real-time: yes.
     void advance(const MusicState& state, std::span<PoseTrack> tracks) noexcept RAKS_NONBLOCKING;
-    /// To all. Real-time: yes.
+    /// Queues the command with all members. Real-time: yes.
     void command(const DancerCommand& command) noexcept RAKS_NONBLOCKING;
+    /// Resets all members. Real-time: yes.
     void reset() noexcept RAKS_NONBLOCKING;
 
+    /// Number of members.
     [[nodiscard]] std::size_t size() const noexcept { return dancers_.size(); }
-    /// Of the first.
+    /// The first member's status; an empty one without members.
     [[nodiscard]] DancerStatus status() const noexcept;
 
  private:
@@ -59,6 +62,7 @@ enum class Formation {
     canon,   ///< three, each two bars after the one before
     free,    ///< three, each with figures of its own
 };
+/// Names of the formations, in the order of Formation.
 inline constexpr std::array<std::string_view, 5> kFormationNames = {
     "solo", "couple", "unison", "canon", "free"};
 

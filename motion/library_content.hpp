@@ -1,3 +1,4 @@
+// Library content: the inside of a DanceLibrary, for the dancer alone.
 #pragma once
 
 #include "motion/dance/dance_content.hpp"
@@ -5,7 +6,7 @@
 
 namespace raks::motion {
 
-/// Of a library, for who dances it: the door shows none of it.
+/// What a dancer reads of a library; the public header keeps it opaque.
 struct DanceLibrary::Content : DanceContent {};
 
 }  // namespace raks::motion

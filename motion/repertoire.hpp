@@ -1,3 +1,4 @@
+// Repertoire: which dance belongs to which genre.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 namespace raks::motion {
 
 /// The dances that a dancer knows, by their numbers in the program's list, and what is danced to
-/// music of none of them. May grow while it is danced from: a dance that is added later is danced
+/// music of none of them. It may grow while a dancer reads it: a dance added later is available
 /// from then on.
 class Repertoire {
  public:
@@ -21,22 +22,25 @@ class Repertoire {
         stand,  ///< nothing
     };
 
-    /// Errors are the caller's: `library` must be there. Threads: any. Real-time: no.
+    /// Starts with one dance. `library` must not be null. Threads: any. Real-time: no.
     Repertoire(DanceId first,
                std::shared_ptr<const DanceLibrary> library,
                Fallback otherwise = Fallback::first);
 
-    /// One dance to any music. Null stays null.
+    /// A repertoire of one dance for any music; null for a null library. Threads: any. Real-time:
+    /// no.
     [[nodiscard]] static std::shared_ptr<const Repertoire> of_one(
         std::shared_ptr<const DanceLibrary> library);
 
-    /// Adds a dance, once; it stays for as long as the repertoire lives.
-    /// Threads: one at a time. Real-time: no.
+    /// Adds a dance; each number at most once. It stays for as long as the repertoire lives.
+    /// Threads: one adds at a time, others may read. Real-time: no.
     void add(DanceId id, std::shared_ptr<const DanceLibrary> library);
 
-    /// Null: not known (yet). Threads: any. Real-time: yes.
+    /// The library of a dance; null: not known (yet). Threads: any. Real-time: yes.
     [[nodiscard]] const DanceLibrary* of(DanceId id) const noexcept;
+    /// The dance given to the constructor. Threads: any. Real-time: yes.
     [[nodiscard]] DanceId first() const noexcept { return first_; }
+    /// What is danced to other music. Threads: any. Real-time: yes.
     [[nodiscard]] Fallback otherwise() const noexcept { return fallback_; }
 
  private:

@@ -8,14 +8,16 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kSlide = 1.0;  // cm; a foot that rises no more stays on the floor
+constexpr double kSlide = 1.0;  // cm; a foot that rises no more than this stays on the floor
 
-/// A step's time off the floor, once for the figure and once for its repeats before and after.
+/// The time that one step is off the floor, beats.
 struct Flight {
     double from;
     double to;
 };
 
+// The flights of one foot in a repeat and in those before and after it, as a flight may reach over
+// the ends of the figure. In a mirrored figure the neighbours are danced by the other foot.
 std::vector<Flight> flights_of(const AuthoredFigure& figure, Side side) {
     std::vector<Flight> flights;
     for (int turn = -1; turn <= 1; ++turn) {
@@ -35,6 +37,8 @@ std::vector<Flight> flights_of(const AuthoredFigure& figure, Side side) {
 }  // namespace
 
 double Track::lowest() const noexcept {
+    // Keys count with the overshoot of the snap that ends at them; a spline may exceed its keys a
+    // little, which is not counted.
     double least = rest - std::abs(wave);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const double moved = i == 0 ? 0.0 : over * (keys[i].value - keys[i - 1].value);
@@ -65,6 +69,8 @@ std::string where_in(const AuthoredDance& dance, const AuthoredFigure& figure) {
 }
 
 std::vector<Hop> hops_of(const AuthoredFigure& figure) {
+    // Each pair of flights that overlap longer than rounding gives one hop; it counts in the repeat
+    // in which it ends.
     constexpr double kLeast = 0.01;  // beats
     std::vector<Hop> hops;
     for (const Flight& left : flights_of(figure, Side::left)) {

@@ -13,9 +13,10 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
-constexpr std::size_t kMostFigures = 200;
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;  // 1 MiB
+constexpr std::size_t kMostFigures = 200;                 // in one file
 
+// A number of the style: its name in the file, its field and the range allowed.
 struct StyleKey {
     std::string_view name;
     double DanceStyle::*field;
@@ -48,6 +49,8 @@ constexpr std::array<StyleKey, 24> kStyleKeys = {{
     {"tempo_scale", &DanceStyle::tempo_scale, {0, 2}},
 }};
 
+// Reads one file. Complaints are collected and the first one is reported, so that reading can go on
+// with defaults.
 class DanceReader {
  public:
     explicit DanceReader(const std::string& file) : complaints_(file) { dance_.file = file; }
@@ -63,6 +66,7 @@ class DanceReader {
     }
 
  private:
+    // Format and version come first: an error in them explains all others.
     void read_head(const toml::table& root) {
         if (root["format"].value<std::string>() != std::string(AuthoredDance::kFormat)) {
             complaints_.complain(fmt::format("format must be \"{}\"", AuthoredDance::kFormat));
@@ -97,6 +101,7 @@ class DanceReader {
         read_tempo(root);
     }
 
+    // Three tempi in BPM, rising.
     void read_tempo(const toml::table& root) {
         const toml::node* const node = root.get("tempo");
         if (node == nullptr) {
@@ -114,6 +119,7 @@ class DanceReader {
         dance_.fastest = Bpm(tempo[2]);
     }
 
+    // The number as an integer; after a complaint 1, a valid value.
     int whole(const toml::table& table, std::string_view key, double value) {
         if (value != std::floor(value)) {
             complaints_.complain(*table.get(key),
@@ -123,6 +129,7 @@ class DanceReader {
         return static_cast<int>(value);
     }
 
+    // What the file sets for all figures.
     void read_defaults(const toml::table& root) {
         if (const toml::table* const style = table_at(root, "style")) {
             read_style(*style, style_);
@@ -135,6 +142,7 @@ class DanceReader {
         }
     }
 
+    // The table under a key; null where there is none, or, with a complaint, something else.
     const toml::table* table_at(const toml::table& table, std::string_view key) {
         const toml::node* const node = table.get(key);
         if (node != nullptr && !node->is_table()) {
@@ -143,6 +151,7 @@ class DanceReader {
         return node != nullptr ? node->as_table() : nullptr;
     }
 
+    // Overwrites the numbers that the table gives; the others keep the value of the level above.
     void read_style(const toml::table& table, DanceStyle& style) {
         Names known;
         for (const StyleKey& key : kStyleKeys) {
@@ -154,6 +163,7 @@ class DanceReader {
         }
     }
 
+    // The same for expectations: each key replaces the one of the file.
     void read_expectation(const toml::table& table, FigureExpectation& expectation) {
         complaints_.check_keys(table, Names{"hip_travel", "toe_contacts", "hand_delay", "jerk"});
         const auto range = [&](std::string_view key, std::optional<ValueRange>& target) {
@@ -177,6 +187,7 @@ class DanceReader {
         }
     }
 
+    // Stops at the first unsound figure: complaints after it would mostly be consequences.
     void read_figures(const toml::table& root) {
         const toml::node* const node = root.get("figure");
         const toml::array* const figures = node != nullptr ? node->as_array() : nullptr;
@@ -199,6 +210,8 @@ class DanceReader {
         }
     }
 
+    // One figure. Style before steps, since steps take their default air time from it; the check
+    // comes last, on the resolved figure.
     void read_figure(const toml::table& table) {
         AuthoredFigure figure;
         figure.name = complaints_.text(table, "name");
@@ -243,12 +256,14 @@ class DanceReader {
         dance_.figures.push_back(std::move(figure));
     }
 
+    // Plain names only, as they become parts of file names.
     static bool is_plain(const std::string& name) {
         return std::all_of(name.begin(), name.end(), [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
         });
     }
 
+    // Length, mirroring and the motion of the figure's frame.
     void read_frame(const toml::table& table, AuthoredFigure& figure) {
         double beats = figure.beats;
         if (!table.contains("beats")) {
@@ -270,7 +285,8 @@ class DanceReader {
         complaints_.read(table, "turn", {-720, 720}, figure.turn);
     }
 
-    /// Figure before file, then one side before both.
+    /// Takes each control's tracks from where they are most specific: the figure before the file,
+    /// and in each one side before both. A control that is not written rests.
     void resolve_body(const WrittenBody& own, AuthoredFigure& figure) {
         for (std::size_t i = 0; i < kControlCount; ++i) {
             const ControlInfo& info = info_of(static_cast<Control>(i));
@@ -295,6 +311,7 @@ class DanceReader {
     FigureExpectation expectation_;
 };
 
+// toml++ may assert on an empty header, so it is looked for first (toml_headers.hpp).
 Expected<AuthoredDance> parse(std::string_view text, const std::string& name) {
     if (const std::size_t line = line_of_nameless_header(text); line > 0) {
         return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
@@ -312,7 +329,7 @@ Expected<AuthoredDance> parse(std::string_view text, const std::string& name) {
 
 Expected<AuthoredDance> parse_authored_dance(std::string_view text, const std::string& name) {
     auto dance = parse(text, name);
-    if (!dance) {  // names in quotes may hold anything
+    if (!dance) {  // names in quotes may hold control characters
         std::string& message = dance.error().message;
         std::replace_if(
             message.begin(), message.end(), [](char c) { return c >= 0 && c < ' '; }, '?');

@@ -8,12 +8,12 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kCentimetre = 0.01;
-constexpr double kBreathHz = 0.27;
+constexpr double kCentimetre = 0.01;  // metres
+constexpr double kBreathHz = 0.27;    // 16 breaths a minute
 
 using Curve = std::vector<double>;
 
-/// The three angles of a part of the body over time.
+/// Three angles of a part of the body by frame; radians.
 struct AngleCurves {
     Curve yaw;
     Curve roll;
@@ -24,7 +24,7 @@ struct AngleCurves {
     }
 };
 
-/// All controls over time, in radians, metres and shares.
+/// All controls by frame, converted to radians, metres and shares.
 class Controls {
  public:
     explicit Controls(const RepeatPlan& plan) {
@@ -48,6 +48,8 @@ class Controls {
     std::array<Curve, kControlCount> curves_;
 };
 
+// The pelvis: its controls, turned by the forward foot (step_yaw) and rolled up over the carrying
+// foot (sway).
 AngleCurves pelvis_curves(const RepeatPlan& plan, const FootPlan& feet, const Controls& controls) {
     const DanceStyle& style = plan.figure->style;
     AngleCurves pelvis{
@@ -55,24 +57,27 @@ AngleCurves pelvis_curves(const RepeatPlan& plan, const FootPlan& feet, const Co
     for (std::size_t i = 0; i < plan.frames(); ++i) {
         const glm::dvec2 apart = feet.feet[0][i].ball - feet.feet[1][i].ball;
         const double facing = feet.facing[i];
+        // How far the left foot is ahead of the right one along the body's front; metres.
         const double ahead = std::sin(facing) * apart.x + std::cos(facing) * apart.y;
         pelvis.yaw[i] -= style.step_yaw * kDegree * ahead;
+        // From -1 (all weight on the right foot) to 1.
         pelvis.roll[i] += style.sway * kDegree * (2.0 * feet.weight[i] - 1.0);
     }
     return pelvis;
 }
 
+// Breathing runs in seconds, not beats: it does not keep time with the music.
 double breath_at(const RepeatPlan& plan, std::size_t frame) {
     const double seconds = static_cast<double>(frame) / plan.frames_per_second;
     return plan.figure->style.breath * kDegree * std::sin(2.0 * M_PI * kBreathHz * seconds);
 }
 
-/// The chest is led in space: its own angles, the lean, and as much of the pelvis as is not kept
-/// from it.
+/// The chest, led in space: its own controls, the lean, and the share of the pelvis' (lagging)
+/// angles that isolation leaves.
 AngleCurves chest_curves(const RepeatPlan& plan,
                          const AngleCurves& pelvis,
                          const Controls& controls) {
-    constexpr double kRollShare = 0.6;
+    constexpr double kRollShare = 0.6;  // the spine takes up much of the hips' roll
     const DanceStyle& style = plan.figure->style;
     const double lag = plan.frames_of(style.lag_chest);
     const double follow = 1.0 - style.iso;
@@ -87,6 +92,7 @@ AngleCurves chest_curves(const RepeatPlan& plan,
     return chest;
 }
 
+// The head follows a share of the chest, later; its roll has no control.
 AngleCurves head_curves(const RepeatPlan& plan,
                         const AngleCurves& chest,
                         const Controls& controls) {
@@ -103,6 +109,8 @@ AngleCurves head_curves(const RepeatPlan& plan,
     return head;
 }
 
+// One arm. Shoulders rise with the breath; the hand trails the arm's vertical speed, up to
+// kMostDrag.
 ArmAngles arm_at(const RepeatPlan& plan, const Controls& controls, Side side, std::size_t i) {
     constexpr double kMostDrag = 28.0 * kDegree;
     const auto value = [&](Control left) { return controls[on_side(left, side)][i]; };
@@ -132,8 +140,9 @@ glm::dquat BodyAngles::rotation() const noexcept {
 }
 
 std::vector<BodyFrame> body_frames(const RepeatPlan& plan, const FootPlan& feet) {
-    constexpr double kSlideAside = 0.55;  // of the hips' way that a quiet chest does not go along
-    constexpr double kSlideForward = 0.4;
+    // Share of the hips' sideways shift that an isolated chest does not follow
+    constexpr double kSlideAside = 0.55;
+    constexpr double kSlideForward = 0.4;  // the same for shifts forward
     const DanceStyle& style = plan.figure->style;
     const Controls controls(plan);
     const AngleCurves pelvis = pelvis_curves(plan, feet, controls);

@@ -8,13 +8,14 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::size_t kMostKeys = 1024;
+constexpr std::size_t kMostKeys = 1024;  // of one track
 
-/// Down a chain of dotted names to what is written there.
+/// Follows a chain of dotted names to the value written there, so that a message can give the name
+/// in full.
 std::pair<const toml::node&, std::string> first_value(const toml::node& node,
                                                       const std::string& name) {
     const toml::table* const table = node.as_table();
-    constexpr std::size_t kLongest = 100;
+    constexpr std::size_t kLongest = 100;  // characters; a deeper chain is not followed
     if (table == nullptr || table->size() != 1 || table->is_inline() || name.size() > kLongest) {
         return {node, name};
     }
@@ -22,6 +23,7 @@ std::pair<const toml::node&, std::string> first_value(const toml::node& node,
     return first_value(entry->second, name + "." + std::string(entry->first.str()));
 }
 
+// Whether a control's name begins with `name` and a dot: then a table there holds controls.
 bool is_prefix(const std::string& name) {
     const std::string start = name + ".";
     const auto names = control_names();
@@ -30,6 +32,7 @@ bool is_prefix(const std::string& name) {
     });
 }
 
+// [[beat, value], ...]; beats must rise.
 void read_keys(const toml::node& node,
                TomlComplaints& complaints,
                const std::string& name,
@@ -54,6 +57,7 @@ void read_keys(const toml::node& node,
     }
 }
 
+// A number is a constant track; a table is keys or a wave, and knows only the keys of its kind.
 Track read_track(const toml::node& node, TomlComplaints& complaints, const std::string& name) {
     Track track;
     const toml::table* const table = node.as_table();
@@ -82,6 +86,7 @@ Track read_track(const toml::node& node, TomlComplaints& complaints, const std::
     return track;
 }
 
+// One track, or a list of tracks that add up.
 std::vector<Track> read_tracks(const toml::node& node,
                                TomlComplaints& complaints,
                                const std::string& name) {
@@ -101,6 +106,7 @@ std::vector<Track> read_tracks(const toml::node& node,
     return tracks;
 }
 
+// Recurses into tables: TOML turns the dots of "arm.l.up" into nested tables.
 void read_controls(const toml::table& table,
                    TomlComplaints& complaints,
                    const std::string& path,

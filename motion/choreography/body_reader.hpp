@@ -1,3 +1,4 @@
+// Body reader: the [body] tables of a dance file.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +11,21 @@
 
 namespace raks::motion {
 
-/// What a control allows is checked with its tracks.
+/// Range for any number in a body; the limits of each control are checked later, by the sum of its
+/// tracks.
 inline constexpr NumberRange kAnyControl{-1000.0, 1000.0};
 
-/// Tracks as written under [body] or a figure's body, before they are checked against a figure.
+/// Tracks as written under [body] or a figure's body, before figure and file are merged.
 struct WrittenBody {
+    /// One control or pair of controls with its tracks.
     struct Entry {
-        std::string name;
-        std::vector<Track> tracks;
-        std::size_t line = 0;
+        std::string name;           ///< as written
+        std::vector<Track> tracks;  ///< at least one
+        std::size_t line = 0;       ///< in the file
     };
-    std::vector<Entry> entries;
+    std::vector<Entry> entries;  ///< in the file's order
 
+    /// The entry of that name; null: none.
     [[nodiscard]] const Entry* find(std::string_view name) const noexcept {
         const auto found = std::find_if(
             entries.begin(), entries.end(), [&](const Entry& one) { return one.name == name; });
@@ -29,7 +33,8 @@ struct WrittenBody {
     }
 };
 
-/// Reads a [body] table: controls by dotted names, each a number, a track or several.
+/// Reads a [body] table: controls by dotted names, each a number, a track or a list of tracks.
+/// Faults go to `complaints`.
 void read_body(const toml::table& table, TomlComplaints& complaints, WrittenBody& body);
 
 }  // namespace raks::motion

@@ -9,7 +9,8 @@ namespace {
 using Group = ControlGroup;
 using Unit = ControlUnit;
 
-// Limits: what the note's figures use, twice over, within what bodies do.
+// The columns are those of ControlInfo. Limits leave about twice the room that figures use, within
+// what bodies can do. Sideways places, rolls and yaws change sign in the mirror.
 constexpr std::array<ControlInfo, kControlCount> kControls = {{
     {"hip.x", "", Group::hip, Unit::centimetres, -25, 25, 0, -1},
     {"hip.y", "", Group::hip, Unit::centimetres, -25, 15, 0, 1},
@@ -47,6 +48,7 @@ constexpr std::array<ControlInfo, kControlCount> kControls = {{
     {"heel.r", "heels", Group::heel, Unit::degrees, 0, 50, 0, 1},
 }};
 
+// Each name once: both sides share their common name.
 std::vector<std::string_view> make_names() {
     std::vector<std::string_view> names;
     for (const ControlInfo& info : kControls) {
@@ -74,6 +76,7 @@ NamedControls controls_named(std::string_view name) noexcept {
 }
 
 std::span<const std::string_view> control_names() noexcept {
+    // Built on first use; initialisation is thread-safe.
     static const std::vector<std::string_view> names = make_names();
     return names;
 }

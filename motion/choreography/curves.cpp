@@ -8,7 +8,8 @@
 namespace raks::motion {
 namespace {
 
-/// Slopes at the knots of a natural cubic spline (the tridiagonal system, solved in one sweep).
+/// Slopes at the knots of a natural cubic spline: a tridiagonal system, solved by the Thomas
+/// algorithm (one sweep forward, one back).
 std::vector<double> natural_slopes(const std::vector<double>& x, const std::vector<double>& y) {
     const std::size_t n = x.size();
     std::vector<double> slopes(n, 0.0);
@@ -22,6 +23,8 @@ std::vector<double> natural_slopes(const std::vector<double>& x, const std::vect
         const double after = i + 1 < n ? 1.0 / (x[i + 1] - x[i]) : 0.0;
         const double rise_before = i > 0 ? (y[i] - y[i - 1]) * before : 0.0;
         const double rise_after = i + 1 < n ? (y[i + 1] - y[i]) * after : 0.0;
+        // Continuity of the second derivative; at the ends, where one neighbour is missing, it is
+        // zero.
         const double diagonal = 2.0 * (before + after);
         const double wanted = 3.0 * (rise_before * before + rise_after * after);
         const double pivot = diagonal - before * (i > 0 ? upper[i - 1] : 0.0);
@@ -48,6 +51,7 @@ Spline::Spline(std::vector<double> at, std::vector<double> values)
 }
 
 double Spline::operator()(double x) const noexcept {
+    // Beyond the knots: straight on, with the slope of the end.
     if (x <= at_.front()) {
         return values_.front() + slopes_.front() * (x - at_.front());
     }
@@ -58,6 +62,7 @@ double Spline::operator()(double x) const noexcept {
         static_cast<std::size_t>(std::upper_bound(at_.begin(), at_.end(), x) - at_.begin());
     const std::size_t i = next - 1;
     const double width = at_[next] - at_[i];
+    // Cubic Hermite form between two knots.
     const double t = (x - at_[i]) / width;
     const double s = 1.0 - t;
     return s * s * ((1.0 + 2.0 * t) * values_[i] + t * width * slopes_[i]) +
@@ -79,11 +84,12 @@ Spline wander(const CounterRandom& random, double period, double from, double to
 }
 
 std::vector<double> blurred(std::span<const double> values, double sigma) {
-    constexpr double kNone = 0.05;
+    constexpr double kNone = 0.05;  // samples; a narrower filter changes nothing
     std::vector<double> result(values.begin(), values.end());
     if (sigma < kNone || values.empty()) {
         return result;
     }
+    // Truncated at four deviations, normalised by the sum of the weights.
     const auto reach = static_cast<std::ptrdiff_t>(std::ceil(4.0 * sigma));
     std::vector<double> taps;
     double sum = 0.0;

@@ -7,20 +7,22 @@
 
 #include "base/random.hpp"
 
-/// Curves over beats and frames of which authored motion is made.
+/// Curves over beats and frames: easing, splines, smooth noise and filters for authored motion.
 namespace raks::motion {
 
-/// In radians: files and curves are in degrees.
+/// One degree in radians: files and curves are in degrees.
 inline constexpr double kDegree = M_PI / 180.0;
 
-/// From 0 at s = 0 to 1 at s = 1 (clamped) without speed and acceleration at either end.
+/// From 0 at s = 0 to 1 at s = 1 (clamped), with zero speed and acceleration at both ends.
 [[nodiscard]] double ease(double s) noexcept;
 
-/// Twice continuously differentiable through all knots, straight beyond them (natural cubic).
+/// Natural cubic spline: twice continuously differentiable through all knots, straight beyond them.
+/// Threads: any. Real-time: calls yes.
 class Spline {
  public:
-    /// `at` rises; as many values; at least one.
+    /// `at`: rising positions of the knots; as many values; at least one.
     Spline(std::vector<double> at, std::vector<double> values);
+    /// The value at x.
     [[nodiscard]] double operator()(double x) const noexcept;
 
  private:
@@ -29,13 +31,15 @@ class Spline {
     std::vector<double> slopes_;
 };
 
-/// A smooth wander: a spline through standard normal numbers every `period`, over [from, to].
+/// Smooth noise over [from, to]: a spline through one standard normal number every `period`. The
+/// numbers belong to absolute positions, so the range does not change them.
 [[nodiscard]] Spline wander(const CounterRandom& random, double period, double from, double to);
 
-/// Gaussian over values at equal distances, sigma in them (under 0.05: none); ends are held.
+/// Gaussian filter over equidistant values; sigma in samples (below 0.05: unchanged); the ends are
+/// repeated.
 [[nodiscard]] std::vector<double> blurred(std::span<const double> values, double sigma);
 
-/// The value at a fractional index, straight between two; ends are held.
+/// The value at a fractional index, interpolated linearly; the ends are repeated.
 [[nodiscard]] double value_at(std::span<const double> values, double index) noexcept;
 
 }  // namespace raks::motion

@@ -27,6 +27,7 @@ std::string_view unit_of(ControlUnit unit) {
     return "";
 }
 
+// Keys must lie in [0, beats): the next repeat has its own key at `beats`.
 std::optional<FigureFault> fault_in_keys(const AuthoredFigure& figure) {
     for (std::size_t i = 0; i < kControlCount; ++i) {
         for (const Track& track : figure.body[i]) {
@@ -50,7 +51,8 @@ std::optional<FigureFault> fault_in_keys(const AuthoredFigure& figure) {
     return std::nullopt;
 }
 
-/// The beat at which one track of a control is furthest out.
+/// The beat at which one track of a control is furthest out, for the message. `direction`: +1 up,
+/// -1 down.
 double beat_of_extreme(const std::vector<Track>& tracks, double direction) {
     double beat = 0.0;
     double most = -1e300;
@@ -69,6 +71,7 @@ double beat_of_extreme(const std::vector<Track>& tracks, double direction) {
     return beat;
 }
 
+// The sum of the tracks' extremes: an upper bound, as they may lie at different beats.
 std::optional<FigureFault> fault_in_limits(const AuthoredFigure& figure) {
     constexpr double kRounding = 1e-9;
     for (std::size_t i = 0; i < kControlCount; ++i) {
@@ -95,7 +98,7 @@ std::optional<FigureFault> fault_in_limits(const AuthoredFigure& figure) {
     return std::nullopt;
 }
 
-/// Steps of one foot in order, and the first one of the next repeat with that foot.
+/// The steps of one foot in order, followed by the first one that it makes in the next repeat.
 std::vector<FootStep> steps_of(const AuthoredFigure& figure, Side side) {
     std::vector<FootStep> steps;
     for (const FootStep& step : figure.steps) {
@@ -115,8 +118,8 @@ std::vector<FootStep> steps_of(const AuthoredFigure& figure, Side side) {
     return steps;
 }
 
-/// A step may leave the floor a little before the one before has settled, not before half of its
-/// own time in the air is left.
+/// Steps of a foot may overlap a little, as the later one is then shortened (separate() in
+/// step_layout.cpp), but at least half of its time in the air must be left.
 std::optional<FigureFault> fault_in_steps(const AuthoredFigure& figure) {
     constexpr double kLeastShare = 0.5;
     for (const Side side : kSides) {
@@ -139,10 +142,11 @@ std::optional<FigureFault> fault_in_steps(const AuthoredFigure& figure) {
     return std::nullopt;
 }
 
-/// Two feet in one place, or crossed knees behind one another, are not a stance.
+/// The balls of both feet must not be closer than a foot is wide.
 std::optional<FigureFault> fault_in_places(const AuthoredFigure& figure) {
     constexpr double kFootWidth = 4.0;  // cm; balls nearer than this stand on one another
     std::array<std::optional<glm::dvec2>, 2> places;
+    // Two rounds: at the start of the figure the other foot stands where its last step left it.
     for (int round = 0; round < 2; ++round) {
         for (const FootStep& step : figure.steps) {
             const auto s = static_cast<std::size_t>(step.foot);
@@ -150,6 +154,8 @@ std::optional<FigureFault> fault_in_places(const AuthoredFigure& figure) {
                 places[s] = *step.to;
             }
             const auto& other = places[1 - s];
+            // Only in figures that stay: in others places of different repeats are in different
+            // frames.
             if (figure.stays() && !figure.is_mirrored && places[s] && other &&
                 glm::length(*places[s] - *other) < kFootWidth) {
                 return FigureFault{step.line,

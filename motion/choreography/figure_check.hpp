@@ -1,3 +1,4 @@
+// Figure check: contradictions that can be found without making poses.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +9,16 @@
 
 namespace raks::motion {
 
-/// What contradicts itself in a figure, and where.
+/// A contradiction in a figure, and where it is.
 struct FigureFault {
-    std::size_t line = 0;
-    std::string message;  ///< "beat 3: ..."
+    std::size_t line = 0;  ///< in the file
+    std::string message;   ///< "beat 3: ..."
 };
 
-/// Keys outside the figure; values beyond a control's limits (its tracks added up); steps of one
-/// foot that land at one time or leave the floor before they have landed, also over the end of the
-/// figure into its repeat; a foot that bears weight while it is off the floor together with the
-/// other. Threads: any. Real-time: no.
+/// The first fault of a figure; none: it is sound. Checked in this order: keys outside the figure;
+/// the sum of a control's tracks beyond its limits; steps of one foot that leave the floor long
+/// before the step before has landed, also over the end of the figure into its repeat; feet that
+/// land on one another. Threads: any. Real-time: no.
 [[nodiscard]] std::optional<FigureFault> first_fault(const AuthoredFigure& figure);
 
 }  // namespace raks::motion

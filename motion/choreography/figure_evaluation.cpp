@@ -13,15 +13,17 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kGravity = 9.81;
+constexpr double kGravity = 9.81;  // m/s^2
 
-/// Softly at most `limit`, over about `width`.
+/// Soft minimum of value and limit; `width` is the width of the transition.
 double soft_least(double value, double limit, double width) noexcept {
     const double over = (value - limit) / width;
     constexpr double kFar = 30.0;
     return over > kFar ? limit : value - width * std::log1p(std::exp(over));
 }
 
+// One evaluation: feet and angles are fixed by the plan; the hips' place and height are found in
+// rounds.
 class Evaluation {
  public:
     Evaluation(const AuthoredFigure& figure,
@@ -40,9 +42,11 @@ class Evaluation {
     }
 
     void run() {
-        constexpr int kRounds = 3;
+        constexpr int kRounds = 3;  // of balance; each moves the mass less
         place_hips();
         fly();
+        // Balance shifts the hips sideways, which changes their height and the heels, so both are
+        // solved again.
         for (int round = 0; round < kRounds; ++round) {
             solve_heights();
             peel_heels();
@@ -56,9 +60,9 @@ class Evaluation {
 
     [[nodiscard]] std::vector<Pose>& poses() noexcept { return poses_; }
 
-    /// By foot and beat of the figure, the furthest.
+    /// The farthest miss of each foot and quarter beat, over all repeats.
     [[nodiscard]] std::vector<ReachMiss> misses() const {
-        constexpr double kLeast = 0.005;
+        constexpr double kLeast = 0.005;  // metres
         std::vector<ReachMiss> misses;
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);
@@ -83,22 +87,25 @@ class Evaluation {
     }
 
  private:
+    /// World rotation of the pelvis at frame i.
     [[nodiscard]] glm::dquat pelvis(std::size_t i) const {
         return glm::angleAxis(frames_[i].facing, glm::dvec3(0, 1, 0)) *
                frames_[i].pelvis.rotation();
     }
-    /// A place beside the body's front, on the floor.
+    /// A floor vector given as left and forward of the body's front.
     [[nodiscard]] glm::dvec2 turned(std::size_t i, double left, double forward) const {
         const double c = std::cos(frames_[i].facing);
         const double s = std::sin(frames_[i].facing);
         return {c * left + s * forward, c * forward - s * left};
     }
+    /// Distance from hip joint to ankle at frame i; metres.
     [[nodiscard]] double distance(std::size_t i, Side side, double extra_pitch) const {
         const PlannedFoot& foot = feet_.feet[static_cast<std::size_t>(side)][i];
         return glm::distance(hip_joint(skeleton_, side, pelvis(i), hips_[i]),
                              ankle_of(skeleton_, side, foot, extra_pitch));
     }
 
+    /// First guess of the hips: over the support, shifted as written.
     void place_hips() {
         for (std::size_t i = 0; i < hips_.size(); ++i) {
             const glm::dvec3& shift = frames_[i].hip_shift;
@@ -107,7 +114,7 @@ class Evaluation {
         }
     }
 
-    /// Height of the hips at which the ankle of `side` is `length` away.
+    /// Height of the hips at which the ankle of `side` is `length` from its hip joint (Pythagoras).
     [[nodiscard]] double height_for(std::size_t i,
                                     Side side,
                                     double length,
@@ -122,7 +129,7 @@ class Evaluation {
         return ankle.y + up - joint.y;
     }
 
-    /// The foot, or where it would stand if it did not swing: a swing does not lift the body.
+    /// The planned foot; a swinging one as if it stood, so that a swing does not lift the body.
     [[nodiscard]] PlannedFoot standing(std::size_t i, Side side) const {
         PlannedFoot foot = feet_.feet[static_cast<std::size_t>(side)][i];
         if (foot.is_swinging) {
@@ -132,9 +139,12 @@ class Evaluation {
         return foot;
     }
 
+    /// Heights of the hips: those at which the carrying knees have their bend, weighted between
+    /// both legs, smoothed, limited, plus the flight.
     void solve_heights() {
         constexpr double kHeightBlur = 0.05;  // beats
         std::vector<double> height;
+        // Eased, so that the height is smooth where all weight reaches one foot.
         for (std::size_t i = 0; i < hips_.size(); ++i) {
             const double length = legs_.at_bend(frames_[i].knee);
             const double left = ease(feet_.weight[i]);
@@ -144,6 +154,7 @@ class Evaluation {
         }
         height = blurred(height, plan_.frames_of(kHeightBlur));
         for (std::size_t i = 0; i < hips_.size(); ++i) {
+            // The written hip.y comes after smoothing, the cap after it: it must hold in the end.
             height[i] = capped(i, height[i] + frames_[i].hip_shift.y);
         }
         for (std::size_t i = 0; i < hips_.size(); ++i) {
@@ -151,15 +162,16 @@ class Evaluation {
         }
     }
 
-    /// No leg is stretched: softly under the height at which its knee keeps some bend. A foot that
-    /// bears nothing may have its heel up for it.
+    /// Limits the height so that no leg is stretched: each knee keeps kLeastBend, softly. A foot
+    /// without weight may raise its heel instead.
     [[nodiscard]] double capped(std::size_t i, double height) const {
         constexpr double kLeastBend = 13.0 * kDegree;
-        constexpr double kSoft = 0.01;
+        constexpr double kSoft = 0.01;  // metres
         constexpr double kHeelUp = 40.0 * kDegree;
         const double length = legs_.at_bend(kLeastBend);
         for (const Side side : kSides) {
             PlannedFoot foot = feet_.feet[static_cast<std::size_t>(side)][i];
+            // The flight lifts hips and feet alike, so it is left out here.
             foot.height -= foot.is_swinging ? flight_[i] : 0.0;
             const double weight = side == Side::left ? feet_.weight[i] : 1.0 - feet_.weight[i];
             foot.pitch = std::max(foot.pitch, kHeelUp * (1.0 - weight));
@@ -168,7 +180,7 @@ class Evaluation {
         return height;
     }
 
-    /// While both feet are off the floor the body flies, feet and all: up and down as things fall.
+    /// While both feet are off the floor, the body and both feet rise and fall in free flight.
     void fly() {
         constexpr double kBlur = 0.02;  // seconds
         flight_ = blurred(flight_heights(), kBlur * plan_.frames_per_second);
@@ -179,6 +191,8 @@ class Evaluation {
         }
     }
 
+    /// Height of free flight by frame: a parabola g t (T - t) / 2 over each stretch in which both
+    /// feet are lifted.
     [[nodiscard]] std::vector<double> flight_heights() const {
         std::vector<double> heights(hips_.size(), 0.0);
         const auto is_flying = [&](std::size_t i) {
@@ -201,7 +215,7 @@ class Evaluation {
         return heights;
     }
 
-    /// Lifts the heel of a standing foot as little as brings its ankle within reach.
+    /// Lifts the heel of each standing foot by the least angle that brings its ankle within reach.
     void peel_heels() {
         constexpr double kBlur = 0.035;  // seconds
         for (const Side side : kSides) {
@@ -215,7 +229,8 @@ class Evaluation {
         }
     }
 
-    /// Least heel lift with which the leg reaches the ankle; at most 60 degrees.
+    /// Least heel lift with which the leg reaches the ankle, by bisection; at most 60 degrees. The
+    /// distance falls as the heel rises.
     [[nodiscard]] double lift_for(std::size_t i, Side side) const {
         constexpr double kMost = 60.0 * kDegree;
         constexpr int kHalvings = 24;
@@ -228,6 +243,7 @@ class Evaluation {
         return high;
     }
 
+    /// Solves all poses from the hips, feet and angles.
     void set_poses() {
         for (std::size_t i = 0; i < poses_.size(); ++i) {
             Pose& pose = poses_[i];
@@ -240,11 +256,11 @@ class Evaluation {
         }
     }
 
-    /// Moves the hips so that the centre of mass comes over the support; a sway that is danced on
-    /// purpose stays by half.
+    /// Moves the hips so that the centre of mass comes over the support; of a written hip shift
+    /// half stays.
     void balance() {
-        constexpr double kBlur = 0.18;  // beats
-        constexpr double kOnPurpose = 0.5;
+        constexpr double kBlur = 0.18;      // beats; balance is slow
+        constexpr double kOnPurpose = 0.5;  // share of the written shift that counts as wanted
         std::vector<double> x;
         std::vector<double> z;
         for (std::size_t i = 0; i < poses_.size(); ++i) {
@@ -269,8 +285,8 @@ class Evaluation {
     const Skeleton& skeleton_;
     LegLengths legs_;
     std::vector<glm::dvec3> hips_;
-    std::vector<double> flight_;  // height over standing, by frame
-    std::array<std::vector<double>, 2> heel_lift_;
+    std::vector<double> flight_;  // height of hips and feet in free flight, by frame; metres
+    std::array<std::vector<double>, 2> heel_lift_;  // by Side and frame; radians
     std::vector<Pose> poses_;
 };
 

@@ -19,10 +19,10 @@
 namespace raks::motion {
 namespace {
 
-constexpr int kRepeats = 12;
-constexpr double kLeastKnee = 5.0;  // degrees
+constexpr int kRepeats = 12;        // evaluated to measure a figure
+constexpr double kLeastKnee = 5.0;  // degrees of bend; a straighter knee counts as locked
 
-/// Path of the hips seen from above, metres.
+/// Length of the hips' path over the floor, metres.
 double hip_path(const BodyTrack& track) {
     double path = 0.0;
     for (std::size_t i = 1; i < track.frames(); ++i) {
@@ -33,6 +33,7 @@ double hip_path(const BodyTrack& track) {
     return path;
 }
 
+// Adds a line where a value is outside its range; NaN counts as outside.
 void check_range(const std::optional<ValueRange>& range,
                  double value,
                  std::string_view what,
@@ -44,11 +45,13 @@ void check_range(const std::optional<ValueRange>& range,
     }
 }
 
-/// Between every two repeats, the median; metres.
+/// Median distance between every two repeats; metres.
 double distance_of_repeats(const FigureTake& take, const BodyTrack& track) {
     std::vector<FigureShape> shapes;
     for (int repeat = 0; repeat < take.repeats; ++repeat) {
         std::vector<double> times;
+        // The shape is resampled by these beat times; repeats cut off at the ends of the take give
+        // none.
         for (int beat = 0; beat <= take.beats; ++beat) {
             times.push_back((repeat * take.beats + beat - take.first_beat) *
                             take.tempo.seconds_per_beat());
@@ -60,7 +63,7 @@ double distance_of_repeats(const FigureTake& take, const BodyTrack& track) {
     return percentile(repeat_distances(shapes), 0.5);
 }
 
-/// Between the lines of thigh and shin; degrees.
+/// Bend of a knee: angle between thigh and shin, degrees.
 double knee_bend(const Skeleton& skeleton, const Pose& pose, Side side) noexcept {
     const Bone shin = on_side(Bone::left_lower_leg, side);
     const Bone foot = on_side(Bone::left_foot, side);
@@ -70,7 +73,7 @@ double knee_bend(const Skeleton& skeleton, const Pose& pose, Side side) noexcept
     return std::acos(std::clamp(glm::dot(thigh_line, shin_line), -1.0, 1.0)) * 180.0 / M_PI;
 }
 
-/// What each pose must hold to by itself.
+/// The measures of single poses: hands in the body, knees, joints.
 void measure_poses(const FigureTake& take, const Skeleton& skeleton, TakeMeasures& measures) {
     measures.hand_clearance = 1e9;
     measures.least_knee = 180.0;
@@ -108,6 +111,7 @@ TakeMeasures measure_take(const FigureTake& take, const Skeleton& skeleton) {
     constexpr double kCentimetres = 100.0;
     measures.hip_travel = kCentimetres * hip_path(track) / beats;
     const ContactReport contacts = contacts_of(track, 0.0);
+    // Contacts that last all the time (standing) have not begun.
     measures.toe_contacts =
         static_cast<double>(contacts.slips.size() - contacts.standing) * take.beats_per_bar / beats;
     measures.slip_p90 = contacts.slip_p90;
@@ -125,6 +129,7 @@ TakeMeasures measure_take(const FigureTake& take, const Skeleton& skeleton) {
 TakeMeasures measure_figure(const AuthoredDance& dance,
                             const AuthoredFigure& figure,
                             const Skeleton& skeleton) {
+    // A mirrored figure repeats after both sides.
     const int sides = figure.is_mirrored ? 2 : 1;
     EvaluationOptions options;
     options.written = options.tempo = dance.written;

@@ -1,3 +1,4 @@
+// Figure measures: what a danced figure measures, and whether that is as expected.
 #pragma once
 
 #include <span>
@@ -11,59 +12,61 @@
 
 namespace raks::motion {
 
-/// Clothes and flesh give way so far; metres.
+/// Depth of a hand in the body that clothes and flesh allow; metres.
 inline constexpr double kMostHandDepth = 0.015;
 
-/// Under it no delay between head and hands can be told: hands on strings, or still in the air.
+/// Likeness below which no delay between head and hands can be measured: the hands move
+/// independently, or are still.
 inline constexpr double kLeastHandLikeness = 0.1;
 
-/// A figure danced over and over, from wherever the poses come.
+/// Poses of a figure danced several times, whatever made them.
 struct FigureTake {
-    std::span<const Pose> poses;
-    double frames_per_second = 60.0;
-    Bpm tempo{120.0};
-    double first_beat = 0.0;  ///< beat of pose 0, <= 0; the first repeat begins at beat 0
-    int beats = 4;            ///< of a repeat, both sides of a mirrored figure together
-    int repeats = 1;
-    int beats_per_bar = 4;
+    std::span<const Pose> poses;      ///< equidistant in time
+    double frames_per_second = 60.0;  ///< of the poses
+    Bpm tempo{120.0};                 ///< at which they are danced
+    double first_beat = 0.0;          ///< beat of pose 0, <= 0; the first repeat begins at beat 0
+    int beats = 4;                    ///< of one repeat; a mirrored figure counts both sides as one
+    int repeats = 1;                  ///< in the poses
+    int beats_per_bar = 4;            ///< of the dance
 };
 
 /// What a figure does, danced several times at the written tempo.
 struct TakeMeasures {
-    double hip_travel = 0.0;     ///< path of the hips over the floor, cm a beat
-    double toe_contacts = 0.0;   ///< contacts of both toes that begin, a bar
-    double hand_delay = 0.0;     ///< of the hands behind the head, beats; hand_timing.hpp
-    double hand_likeness = 0.0;  ///< how much they go as the head goes, [0, 1]
-    double jerk_rms = 0.0;       ///< m/s^3, motion/evaluate/dance_metrics.hpp
-    double jerk_p999 = 0.0;
-    double slip_p90 = 0.0;         ///< metres a contact
-    double repeat_distance = 0.0;  ///< between two repeats, median; repeat_distance.hpp; metres
-    double hand_clearance = 0.0;   ///< of hands from the body, least; negative: deep in it; metres
-    std::string hand_near;         ///< "left hand, trunk, beat 2.5": where that is
-    double least_knee = 0.0;       ///< straightest knee, degrees of bend
-    double joint_excess = 0.0;     ///< beyond joint_limits.hpp, most; degrees
-    std::string joint;             ///< which
+    double hip_travel = 0.0;       ///< path of the hips over the floor, cm a beat
+    double toe_contacts = 0.0;     ///< contacts of both toes that begin, a bar
+    double hand_delay = 0.0;       ///< beats by which the hands follow the head; hand_timing.hpp
+    double hand_likeness = 0.0;    ///< correlation of their motion, [0, 1]
+    double jerk_rms = 0.0;         ///< m/s^3, motion/evaluate/dance_metrics.hpp
+    double jerk_p999 = 0.0;        ///< 99.9th percentile, m/s^3
+    double slip_p90 = 0.0;         ///< of a contact, 90th percentile; metres
+    double repeat_distance = 0.0;  ///< median distance of two repeats, metres; repeat_distance.hpp
+    /// Least distance of a hand from the body; negative: inside; metres
+    double hand_clearance = 0.0;
+    std::string hand_near;      ///< "left hand, trunk, beat 2.5": where that is
+    double least_knee = 0.0;    ///< bend of the straightest knee, degrees
+    double joint_excess = 0.0;  ///< greatest angle beyond joint_limits.hpp, degrees
+    std::string joint;          ///< which joint that is
 };
 
-/// Threads: workers. Real-time: no (some 10 ms).
+/// Measures a take. Threads: workers. Real-time: no (some 10 ms).
 [[nodiscard]] TakeMeasures measure_take(const FigureTake& take, const Skeleton& skeleton);
 
-/// Of the figure as it is written, danced with noise.
-
-/// Threads: workers. Real-time: no (some 10 ms).
+/// Evaluates a written figure with noise, 12 repeats at the written tempo (24 where it is
+/// mirrored), and measures it. Threads: workers. Real-time: no (some 10 ms).
 [[nodiscard]] TakeMeasures measure_figure(const AuthoredDance& dance,
                                           const AuthoredFigure& figure,
                                           const Skeleton& skeleton);
 
-/// What is outside the figure's expectations, one line each: `belly.toml: line 12: figure "drop":
-/// hips travel 0.4 cm a beat, expected 3 to 20`. Jerk: 350 m/s^3 rms and 2,000 (99.9 %) at most
-/// unless the file says otherwise.
+/// The measures outside the figure's expectations, one line each: `belly.toml: line 12: figure
+/// "drop": hips travel 0.4 cm a beat, expected 3 to 20`. The jerk is bounded by 350 m/s^3 rms and
+/// 2,000 (99.9 %) unless the file says otherwise.
 [[nodiscard]] std::vector<std::string> faults_in_measures(const AuthoredDance& dance,
                                                           const AuthoredFigure& figure,
                                                           const TakeMeasures& measures);
 
-/// What a danced body cannot do, one line each: hands more than kMostHandDepth in it, joints beyond
-/// their limits, knees locked. (Figures as written are held to it without noise: motion_check.hpp.)
+/// What no body could dance, one line each: hands more than kMostHandDepth inside it, joints beyond
+/// their limits, locked knees. (Written figures are also held to it without noise:
+/// motion_check.hpp.)
 [[nodiscard]] std::vector<std::string> faults_in_poses(const AuthoredDance& dance,
                                                        const AuthoredFigure& figure,
                                                        const TakeMeasures& measures);

@@ -11,12 +11,12 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kSole = 0.065;  // m: the middle of a standing foot lies so far behind its ball
+constexpr double kSole = 0.065;  // metres from the ball back to the middle of the sole
 
-/// The steps around a beat: the one that is under way or was last, and the next.
+/// The steps around a beat of one foot.
 struct StepsAround {
-    const PlacedStep* now = nullptr;   // begun
-    const PlacedStep* next = nullptr;  // not yet
+    const PlacedStep* now = nullptr;   // under way, or the last one; null: none yet
+    const PlacedStep* next = nullptr;  // the first that has not begun; null: none
 };
 
 StepsAround steps_around(const std::vector<PlacedStep>& steps, double beat) {
@@ -28,19 +28,22 @@ StepsAround steps_around(const std::vector<PlacedStep>& steps, double beat) {
     return around;
 }
 
-/// Pitch of a foot on the floor, between its steps.
+/// Pitch of a foot on the floor: settles after the last step, then peels to the pitch at which the
+/// next one leaves.
 double standing_pitch(const StepsAround& around, double beat) {
     const double pitch = settled_pitch(around.now, beat);
     if (around.next == nullptr) {
         return pitch;
     }
     const PlacedStep& next = *around.next;
-    constexpr double kAtOnce = 1e-6;
+    constexpr double kAtOnce = 1e-6;  // beats, against division by zero
     const double time = std::clamp(time_standing(around.now, next), kAtOnce, kPeelTime);
     const double peeled = ease(1.0 - (next.start - beat) / time);
     return pitch + peeled * (next.leaves - settled_pitch(around.now, next.start));
 }
 
+// Place, yaw and pitch follow ease(); the height is a bump whose peak lies a little after the
+// middle.
 void set_swing(const PlacedStep& step, double beat, PlannedFoot& foot) {
     const double u = std::clamp((beat - step.start) / (step.end - step.start), 0.0, 1.0);
     const double moved = ease(u);
@@ -52,6 +55,7 @@ void set_swing(const PlacedStep& step, double beat, PlannedFoot& foot) {
     foot.pitch = step.leaves + moved * (landing_pitch(step.on) - step.leaves);
 }
 
+// One foot at one beat; before its first step it stands at the first place.
 PlannedFoot foot_at(const std::vector<PlacedStep>& steps,
                     double beat,
                     double heel,
@@ -75,12 +79,14 @@ PlannedFoot foot_at(const std::vector<PlacedStep>& steps,
     return foot;
 }
 
-/// Share of a change that has happened: a Hann window's integral.
+/// Share of a weight change that has happened, s from -0.5 to 0.5: integral of a Hann window.
 double hann_step(double s) {
     s = std::clamp(s, -0.5, 0.5);
     return 0.5 + s + std::sin(2.0 * M_PI * s) / (2.0 * M_PI);
 }
 
+// Weight on the left foot by frame: the changes are added in order of time, so overlapping ones
+// blend.
 std::vector<double> weight_of(const RepeatPlan& plan, std::vector<WeightChange> changes) {
     std::stable_sort(
         changes.begin(), changes.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
@@ -98,8 +104,11 @@ std::vector<double> weight_of(const RepeatPlan& plan, std::vector<WeightChange> 
 
 glm::dvec2 forward(double yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 
+// The support: between the middle of the stance (over = 0) and the weighted mean of both soles
+// (over = 1).
 void set_support(const RepeatPlan& plan, FootPlan& feet) {
-    constexpr double kSupportBlur = 0.07;  // beats
+    constexpr double kSupportBlur = 0.07;  // beats; takes the edges off the swings
+    // Beats; the body turns later and more evenly than the feet
     constexpr double kFacingBlur = 0.22;
     const double over = plan.figure->style.over;
     std::vector<double> x;
@@ -124,6 +133,7 @@ void set_support(const RepeatPlan& plan, FootPlan& feet) {
     }
 }
 
+// The skeleton's foot points are those of the left foot.
 glm::dvec3 foot_local(glm::vec3 left, Side side) {
     return {side == Side::left ? left.x : -left.x, left.y, left.z};
 }
@@ -138,7 +148,8 @@ glm::dvec3 ankle_of(const Skeleton& skeleton,
                     Side side,
                     const PlannedFoot& foot,
                     double extra_pitch) noexcept {
-    // The joint of the toes over the ball: about it the foot rolls while the toes stay flat.
+    // The foot rolls about the joint of the toes, which lies over the ball, while the toes stay
+    // flat.
     const glm::dvec3 ball_local = foot_local(skeleton.offsets[index_of(Bone::left_toes)], side);
     const double over_floor = ball_local.y - static_cast<double>(skeleton.ball.y);
     const glm::dvec3 ball{foot.ball.x, over_floor + foot.height, foot.ball.y};
@@ -146,6 +157,7 @@ glm::dvec3 ankle_of(const Skeleton& skeleton,
     if (pitch >= 0.0) {
         return ball - foot_rotation(foot.yaw, pitch) * ball_local;
     }
+    // Toes up: it rolls about the heel, which is where it would be with a flat foot.
     const glm::dvec3 heel_local = foot_local(skeleton.heel, side);
     const glm::dvec3 heel = ball + foot_rotation(foot.yaw, 0.0) * (heel_local - ball_local);
     return heel - foot_rotation(foot.yaw, pitch) * heel_local;

@@ -10,35 +10,36 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// Where the feet are, from the steps alone: section 3 and 4 of the evaluation in
-/// docs/choreography.md.
+/// Foot plan: places and angles of the feet by frame, from the steps alone; sections 3 and 4 of the
+/// evaluation in docs/choreography.md.
 namespace raks::motion {
 
 /// One foot at one frame; metres and radians in the world.
 struct PlannedFoot {
-    glm::dvec2 ball{};    ///< x and z on the floor
-    double height = 0.0;  ///< of the ball over the floor; 0 in contact (but for a raised heel's)
-    double yaw = 0.0;     ///< of the toes, 0 to the front
-    double pitch = 0.0;   ///< > 0: heel up, about the ball; < 0: toes up, about the heel
-    double heel = 0.0;    ///< pitch that is danced on purpose, part of `pitch`
-    bool is_swinging = false;  ///< also a slide
-    bool is_lifted = false;    ///< swings and does not slide
+    glm::dvec2 ball{};         ///< x and z on the floor
+    double height = 0.0;       ///< of the ball over the floor; 0 in contact (a raised heel aside)
+    double yaw = 0.0;          ///< of the toes, 0 to the front
+    double pitch = 0.0;        ///< > 0: heel up, about the ball; < 0: toes up, about the heel
+    double heel = 0.0;         ///< part of `pitch` that the heel's control asks for
+    bool is_swinging = false;  ///< between start and end of a step, slides too
+    bool is_lifted = false;    ///< swings without sliding
 };
 
-/// By frame.
+/// Both feet and the weight, by frame.
 struct FootPlan {
     std::array<std::vector<PlannedFoot>, 2> feet;  ///< by Side
-    std::vector<double> weight;                    ///< on the left foot, [0, 1]
-    std::vector<double> facing;                    ///< smoothed mean of the feet's yaw, radians
-    std::vector<glm::dvec2> support;  ///< where the body's weight belongs, metres on the floor
+    std::vector<double> weight;                    ///< share on the left foot, [0, 1]
+    std::vector<double> facing;                    ///< smoothed mean yaw of both feet, radians
+    std::vector<glm::dvec2> support;  ///< point on the floor over which the body belongs, metres
 };
 
+/// Plans the feet of all frames. Threads: any. Real-time: no.
 [[nodiscard]] FootPlan plan_feet(const RepeatPlan& plan);
 
 /// Rotation of a foot bone with this yaw and pitch.
 [[nodiscard]] glm::dquat foot_rotation(double yaw, double pitch) noexcept;
 
-/// Where the ankle is; `extra_pitch` lifts the heel further.
+/// Place of the ankle joint; metres, world. `extra_pitch` lifts the heel further; radians.
 [[nodiscard]] glm::dvec3 ankle_of(const Skeleton& skeleton,
                                   Side side,
                                   const PlannedFoot& foot,

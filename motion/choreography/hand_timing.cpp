@@ -10,14 +10,15 @@
 namespace raks::motion {
 namespace {
 
-using Moves = std::vector<glm::dvec3>;  // metres a frame
+using Moves = std::vector<glm::dvec3>;  // displacements by frame, metres
 
+// Index of a bone among the track's joints.
 std::size_t index_in_body(Bone bone) {
     return static_cast<std::size_t>(std::find(kBodyBones.begin(), kBodyBones.end(), bone) -
                                     kBodyBones.begin());
 }
 
-/// How a joint moves from frame to frame, less how it drifts.
+/// Displacements of a joint from frame to frame, without their mean (the drift).
 Moves moves_of(const BodyTrack& track, Bone bone) {
     const std::size_t joint = index_in_body(bone);
     Moves moves;
@@ -32,13 +33,14 @@ Moves moves_of(const BodyTrack& track, Bone bone) {
     return moves;
 }
 
-/// How alike the head and a hand go, by how many frames the hand follows, from -reach on, added to
-/// `likeness`; both moves' size, added to `most`: what `likeness` were if they were one.
+/// Adds the cross-correlation of head and hand to `likeness`, by shift from -reach to reach frames;
+/// adds the product of both norms to `most`, the correlation that equal motion would have.
 void add_likeness(const Moves& head,
                   const Moves& hand,
                   std::ptrdiff_t reach,
                   std::vector<double>& likeness,
                   double& most) {
+    // Only frames for which every shift exists, so that all shifts sum equally many terms.
     const auto end = static_cast<std::ptrdiff_t>(head.size()) - reach;
     double head_square = 0.0;
     double hand_square = 0.0;
@@ -55,8 +57,8 @@ void add_likeness(const Moves& head,
     most += std::sqrt(head_square * hand_square);
 }
 
-/// Of a curve of likeness: the middle of what lies about its peak and is nearly as high. (The very
-/// peak of a flat one is wherever noise has it.)
+/// Centroid of the part around the peak that exceeds kNearlyAsHigh of it, weighted by the excess.
+/// (The exact peak of a flat curve is set by noise.)
 double middle_of_peak(const std::vector<double>& likeness) {
     constexpr double kNearlyAsHigh = 0.8;
     const auto peak = std::max_element(likeness.begin(), likeness.end());
@@ -86,7 +88,7 @@ HandTiming hand_timing(const BodyTrack& track, double frames_a_beat) {
     }
     const double best = *std::max_element(likeness.begin(), likeness.end());
     if (!(best > 0.0)) {
-        return {};  // one of them stands, or they go against each other at every shift
+        return {};  // head or hands stand still, or correlate negatively at every shift
     }
     return {(middle_of_peak(likeness) - static_cast<double>(reach)) / frames_a_beat, best / most};
 }

@@ -8,15 +8,17 @@
 namespace raks::motion {
 namespace {
 
+// A joint, or several in a row, whose total angle of rotation is limited; degrees.
 struct JointLimit {
     std::string_view name;
-    std::array<Bone, 3> bones;  // in a row, what turns together
+    std::array<Bone, 3> bones;  // the first `count` in a row turn together
     int count;
     double lowest;
     double highest;
 };
 
-// After ranges in people (American Academy of Orthopaedic Surgeons), sums of axes a little over.
+// After the ranges of people's joints (American Academy of Orthopaedic Surgeons); sums over several
+// axes are a little wider.
 constexpr std::array<JointLimit, 14> kLimits = {{
     {"trunk", {Bone::spine, Bone::chest, Bone::upper_chest}, 3, 0, 85},
     {"neck", {Bone::neck, Bone::head, Bone::head}, 2, 0, 75},
@@ -34,6 +36,7 @@ constexpr std::array<JointLimit, 14> kLimits = {{
     {"right wrist", {Bone::right_hand, {}, {}}, 1, 0, 95},
 }};
 
+// Angle of the product of the bones' rotations, degrees; |w| takes the shorter way round.
 double turn_of(const Pose& pose, const JointLimit& limit) noexcept {
     glm::quat rotation = kNoRotation;
     for (int i = 0; i < limit.count; ++i) {

@@ -1,3 +1,4 @@
+// Joint limits: ranges of people's joints.
 #pragma once
 
 #include <optional>
@@ -7,21 +8,22 @@
 
 namespace raks::motion {
 
-/// How far a joint of a pose lies beyond what people's joints do.
+/// A joint of a pose that lies beyond what people's joints do.
 struct JointExcess {
     std::string_view joint;  ///< "left knee"
-    double degrees = 0.0;    ///< where it is
-    double lowest = 0.0;     ///< and where it must be
-    double highest = 0.0;
+    double degrees = 0.0;    ///< its angle
+    double lowest = 0.0;     ///< least allowed
+    double highest = 0.0;    ///< greatest allowed
 
+    /// Degrees beyond the nearer limit; negative: within.
     [[nodiscard]] double beyond() const noexcept {
         return degrees > highest ? degrees - highest : lowest - degrees;
     }
 };
 
-/// The joint that is furthest out; none: all within. Bends of knees (never locked: 3 to 150
-/// degrees) and elbows; turns, all axes together, of trunk, neck, hips, ankles and wrists.
-/// Threads: any. Real-time: yes.
+/// The joint furthest beyond its limits; none: all are within. Checked are the bends of knees
+/// (never locked: 3 to 150 degrees) and elbows, and the total turns of trunk, neck, hips, ankles,
+/// collarbones and wrists. Threads: any. Real-time: yes.
 [[nodiscard]] std::optional<JointExcess> worst_joint(const Pose& pose) noexcept;
 
 }  // namespace raks::motion

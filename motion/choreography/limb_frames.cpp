@@ -21,18 +21,21 @@ glm::dvec3 offset_of(const Skeleton& skeleton, Bone bone) noexcept {
     return glm::dvec3(skeleton.offsets[index_of(bone)]);
 }
 
+// Stores a rotation that was computed in double precision.
 void set(Pose& pose, Bone bone, const glm::dquat& rotation) noexcept {
     pose.rotation(bone) = glm::quat(glm::normalize(rotation));
 }
 
-/// Axes from a direction and another one that is roughly square to it.
+/// Orthonormal axes: the first direction, the second one made perpendicular to it, and their cross
+/// product.
 glm::dmat3 axes_of(const glm::dvec3& first, const glm::dvec3& second) noexcept {
     const glm::dvec3 a = glm::normalize(first);
     const glm::dvec3 b = glm::normalize(second - a * glm::dot(second, a));
     return {a, b, glm::cross(a, b)};
 }
 
-/// The rotation that brings `from` to `to` and, as far as that allows, `from_side` to `to_side`.
+/// The rotation that turns `from` to `to` exactly and `from_side` to `to_side` as far as that
+/// allows.
 glm::dquat aligned(const glm::dvec3& from,
                    const glm::dvec3& from_side,
                    const glm::dvec3& to,
@@ -40,7 +43,8 @@ glm::dquat aligned(const glm::dvec3& from,
     return glm::quat_cast(axes_of(to, to_side) * glm::transpose(axes_of(from, from_side)));
 }
 
-/// Where the middle joint of two bones lies, from their root; `pole` says to which side.
+/// Vector from the root to the middle joint of two bones (law of cosines); `pole` gives the side to
+/// which it bends.
 glm::dvec3 middle_joint(const glm::dvec3& to_end,
                         const glm::dvec3& pole,
                         double upper,
@@ -52,6 +56,7 @@ glm::dvec3 middle_joint(const glm::dvec3& to_end,
     return line * along + side * std::sqrt(std::max(0.0, upper * upper - along * along));
 }
 
+// Product of local rotations down a chain.
 glm::dquat world_rotation(const Pose& pose, std::initializer_list<Bone> chain) noexcept {
     glm::dquat rotation{1, 0, 0, 0};
     for (const Bone bone : chain) {
@@ -60,26 +65,27 @@ glm::dquat world_rotation(const Pose& pose, std::initializer_list<Bone> chain) n
     return rotation;
 }
 
+// A share of a rotation, along the same axis.
 glm::dquat share_of(const glm::dquat& rotation, double share) noexcept {
     return glm::slerp(glm::dquat(1, 0, 0, 0), rotation, share);
 }
 
 double sign_of(Side side) noexcept { return side == Side::left ? 1.0 : -1.0; }
 
-/// Softly at most `limit`, over about `width`.
+/// Soft minimum of value and limit; `width` is the width of the transition.
 double soft_least(double value, double limit, double width) noexcept {
     const double over = (value - limit) / width;
-    constexpr double kFar = 30.0;
+    constexpr double kFar = 30.0;  // beyond it exp() gains nothing and may overflow
     return over > kFar ? limit : value - width * std::log1p(std::exp(over));
 }
 
-/// Softly at least 0.
+/// Soft maximum of value and 0.
 double soft_positive(double value, double width) noexcept {
     return -soft_least(-value, 0.0, width);
 }
 
-/// Toes stay flat on the floor under a raised heel, and in the air bend no more than the floor
-/// makes them.
+/// Bend of the toes, radians: flat on the floor under a raised heel, and in the air only as far as
+/// the floor still forces them.
 double toe_bend(const Skeleton& skeleton, const PlannedFoot& foot, double pitch) noexcept {
     const double toes = static_cast<double>(skeleton.toe_tip.z - skeleton.ball.z);
     const double free = std::asin(std::clamp(foot.height / toes, 0.0, 1.0));
@@ -108,13 +114,14 @@ void set_trunk(const Skeleton& skeleton,
                const BodyFrame& frame,
                const glm::dvec3& hips,
                Pose& pose) noexcept {
-    constexpr double kSpine = 0.36;
-    constexpr double kChest = 0.32;
+    constexpr double kSpine = 0.36;  // share of the bend between pelvis and chest...
+    constexpr double kChest = 0.32;  // ... in the lower two joints; the third takes the rest
     const glm::dquat facing = glm::angleAxis(frame.facing, kY);
     const glm::dquat pelvis = facing * frame.pelvis.rotation();
     const glm::dquat chest = facing * frame.chest.rotation();
     const glm::dquat head = facing * frame.head.rotation();
-    // Between chest and upper chest the slide is taken back, so that it turns nothing.
+    // The slide tilts the spine; the upper chest takes the tilt back, so that the chest moves
+    // without turning.
     const double lever = glm::length(offset_of(skeleton, Bone::chest)) +
                          glm::length(offset_of(skeleton, Bone::upper_chest));
     const auto angle = [&](double slide) {
@@ -130,6 +137,7 @@ void set_trunk(const Skeleton& skeleton,
     set(pose, Bone::spine, spine);
     set(pose, Bone::chest, middle);
     set(pose, Bone::upper_chest, glm::conjugate(pelvis * spine * middle) * chest);
+    // Neck and head take half of the head's turn each.
     const glm::dquat nod = glm::conjugate(chest) * head;
     const glm::dquat neck = share_of(nod, 0.5);
     set(pose, Bone::neck, neck);
@@ -141,19 +149,21 @@ void set_leg(const Skeleton& skeleton,
              const PlannedFoot& foot,
              double extra_pitch,
              Pose& pose) noexcept {
-    constexpr double kSoftPull = 0.014;
-    constexpr double kFootShare = 0.7;
+    constexpr double kSoftPull = 0.014;  // metres of transition
+    constexpr double kFootShare = 0.7;   // of the knee's direction; the rest is the pelvis'
     const LegLengths lengths = leg_lengths(skeleton);
     const glm::dquat pelvis(pose.rotation(Bone::hips));
     const glm::dvec3 joint = hip_joint(skeleton, side, pelvis, glm::dvec3(pose.hips_position));
     glm::dvec3 to_ankle = ankle_of(skeleton, side, foot, extra_pitch) - joint;
     const double wanted = glm::length(to_ankle);
+    // A standing foot must not move: it is cut off sharply, and peel_heels() prevents that.
     const double pull = foot.is_swinging ? soft_least(wanted, lengths.reach(), kSoftPull) : wanted;
     to_ankle *= std::min(pull, lengths.reach()) / wanted;
 
     const glm::dvec3 pole =
         kFootShare * (foot_rotation(foot.yaw, 0.0) * kZ) + (1.0 - kFootShare) * (pelvis * kZ);
     const glm::dvec3 knee = middle_joint(to_ankle, pole, lengths.thigh, lengths.shin);
+    // Axis of the knee, which both bones keep.
     const glm::dvec3 hinge = glm::cross(pole, to_ankle);
     const Bone upper = on_side(Bone::left_upper_leg, side);
     const Bone lower = on_side(Bone::left_lower_leg, side);
@@ -169,9 +179,9 @@ void set_leg(const Skeleton& skeleton,
 }
 
 void set_arm(const Skeleton& skeleton, Side side, const BodyFrame& frame, Pose& pose) noexcept {
-    constexpr double kClavicleShare = 0.19;
-    constexpr double kClavicleFrom = -35.0 * kDegree;
-    constexpr double kClavicleSoft = 6.0 * kDegree;
+    constexpr double kClavicleShare = 0.19;  // of the arm's lift that the collarbone takes...
+    constexpr double kClavicleFrom = -35.0 * kDegree;  // ... above this angle
+    constexpr double kClavicleSoft = 6.0 * kDegree;    // transition
     const double sign = sign_of(side);
     const ArmAngles& arm = frame.arms[static_cast<std::size_t>(side)];
     const Bone clavicle = on_side(Bone::left_shoulder, side);
@@ -186,12 +196,15 @@ void set_arm(const Skeleton& skeleton, Side side, const BodyFrame& frame, Pose& 
     const glm::dquat shoulder = chest * glm::angleAxis(sign * raised, kZ);
 
     const glm::dquat held = glm::angleAxis(frame.facing, kY) * frame.arm_frame.rotation();
+    // Direction from shoulder to hand, in the arms' frame.
     const glm::dvec3 line = held * glm::dvec3(sign * std::cos(arm.up) * std::cos(arm.front),
                                               std::sin(arm.up),
                                               std::cos(arm.up) * std::sin(arm.front));
     const double a = glm::length(offset_of(skeleton, lower));
     const double b = glm::length(offset_of(skeleton, end));
+    // Distance from shoulder to hand at this bend (law of cosines).
     const double reach = std::sqrt(a * a + b * b + 2.0 * a * b * std::cos(arm.bend));
+    // At elbow angle 0 the elbow points down, out and back.
     const glm::dvec3 down = held * glm::dvec3(sign * 0.45, -1.0, -0.55);
     const glm::dvec3 pole = glm::angleAxis(-sign * arm.elbow, line) *
                             glm::normalize(down - line * glm::dot(down, line));
@@ -201,7 +214,7 @@ void set_arm(const Skeleton& skeleton, Side side, const BodyFrame& frame, Pose& 
     const glm::dquat upper_world = aligned(offset_of(skeleton, lower), rest_hinge, elbow, hinge);
     const glm::dquat lower_world =
         aligned(offset_of(skeleton, end), rest_hinge, reach * line - elbow, hinge);
-    // The forearm takes half of the palm's turn, as bones do.
+    // The palm's turn is shared by forearm and wrist, as radius and ulna turn.
     const glm::dquat half_turn = glm::angleAxis(-0.5 * arm.hand_turn, kX);
     set(pose, clavicle, glm::conjugate(chest) * shoulder);
     set(pose, upper, glm::conjugate(shoulder) * upper_world);
@@ -213,6 +226,8 @@ void set_arm(const Skeleton& skeleton, Side side, const BodyFrame& frame, Pose& 
 glm::dvec3 centre_of_mass(const Skeleton& skeleton, const Pose& pose) noexcept {
     const WorldPose world = world_pose(skeleton, pose);
     const auto at = [&](Bone bone) { return glm::dvec3(world.position(bone)); };
+    // Trunk and head, then the limbs of both sides: shares of the mass at points along the
+    // segments.
     glm::dvec3 sum =
         0.142 * at(Bone::hips) + 0.139 * at(Bone::chest) +
         0.216 * glm::mix(at(Bone::upper_chest), at(Bone::neck), 0.4) +

@@ -14,8 +14,9 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kMostMiss = 0.02;  // metres; what heels and soft knees do not hide
+constexpr double kMostMiss = 0.02;  // metres; up to here heel lift and soft knees hide it
 
+// The farthest miss, if it is more than kMostMiss.
 const ReachMiss* worst_miss(const EvaluatedFigure& evaluated) {
     const auto worst = std::max_element(
         evaluated.misses.begin(), evaluated.misses.end(), [](const auto& a, const auto& b) {
@@ -25,12 +26,14 @@ const ReachMiss* worst_miss(const EvaluatedFigure& evaluated) {
     return is_far ? &*worst : nullptr;
 }
 
+// Beat within the figure of a frame.
 double beat_of(const EvaluatedFigure& evaluated, std::size_t frame) {
     const double beat =
         evaluated.first_beat + static_cast<double>(frame) * evaluated.beats_per_frame;
     return beat - evaluated.beats * std::floor(beat / evaluated.beats);
 }
 
+// The joint furthest beyond its limits, and when.
 struct JointFault {
     JointExcess joint;
     double beat = 0.0;
@@ -47,6 +50,7 @@ std::optional<JointFault> worst_joint_of(const EvaluatedFigure& evaluated) {
     return worst;
 }
 
+// The hand deepest in the body, and when.
 struct HandFault {
     HandClearance hand;
     double beat = 0.0;
@@ -64,7 +68,7 @@ std::optional<HandFault> deepest_hand_of(const EvaluatedFigure& evaluated,
     return deepest;
 }
 
-/// Of all tempos, the worst of each kind.
+/// The worst of each kind over all tempi.
 struct WorstFaults {
     std::optional<ReachMiss> miss;
     std::optional<JointFault> joint;
@@ -113,13 +117,15 @@ std::vector<std::string> lines_of(const AuthoredDance& dance,
 std::vector<std::string> faults_in_motion(const AuthoredDance& dance,
                                           const AuthoredFigure& figure,
                                           const Skeleton& skeleton) {
-    constexpr double kFramesPerSecond = 30.0;
+    constexpr double kFramesPerSecond = 30.0;  // half the usual rate, for speed
     WorstFaults worst;
     for (const Bpm tempo : {dance.slowest, dance.written, dance.fastest}) {
         EvaluationOptions options;
         options.written = dance.written;
         options.tempo = tempo;
+        // One of each side.
         options.repeats = figure.is_mirrored ? 2 : 1;
+        // Without noise, so that a figure fails for what is written, not by chance.
         options.noise = 0.0;
         options.frames_per_second = kFramesPerSecond;
         const EvaluatedFigure evaluated = evaluate_figure(figure, skeleton, options);

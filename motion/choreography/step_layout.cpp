@@ -12,15 +12,16 @@ namespace raks::motion {
 namespace {
 
 constexpr double kCentimetre = 0.01;
-constexpr double kLandingSpeed = 0.3;  // m/s: under it a foot has landed
-constexpr double kStepSpeed = 0.6;     // after having been so fast
-constexpr double kLatest = 0.2;        // of the time in the air: so much may a swing end later
-constexpr double kInPlace = 0.04;      // m: a shorter step is one in place
+constexpr double kLandingSpeed = 0.3;  // m/s; landing detection: the foot falls under it...
+constexpr double kStepSpeed = 0.6;     // ... after having been faster than this (foot_events.hpp)
+constexpr double kLatest = 0.2;        // longest delay of a swing's end, as a share of its air time
+constexpr double kInPlace = 0.04;      // metres; a shorter step stays in place
 constexpr double kTouchPitch = 28.0 * kDegree;
 constexpr double kHeelTouchPitch = -18.0 * kDegree;
-constexpr double kSettleTime = 0.28;  // beats after a step
+constexpr double kSettleTime = 0.28;  // beats after a step until the foot is settled
 
-/// Where a repeat's figure frame stands.
+/// Place and heading of a repeat's figure frame on the floor; calling it takes a place of the
+/// figure to the world.
 struct FloorFrame {
     glm::dvec2 origin{};
     double yaw = 0.0;
@@ -32,26 +33,31 @@ struct FloorFrame {
     }
 };
 
+// Each foot turns outward: positive yaw is to the left.
 double toe_out(const AuthoredFigure& figure, Side side) {
     return (side == Side::left ? 1.0 : -1.0) * figure.style.toe_out * kDegree;
 }
 
+// Place of a foot at rest in the figure's frame.
 glm::dvec2 stance_of(const AuthoredFigure& figure, Side side) {
     return {(side == Side::left ? 0.5 : -0.5) * figure.style.stance * kCentimetre, 0.0};
 }
 
-/// Speed falls under kLandingSpeed at the share `s` of the swing; what comes after it is later than
-/// the beat.
+/// Share of the air time that a swing needs after its detected landing, which is where its speed
+/// falls under kLandingSpeed. A swing ends later by this, so that its landing lies on the beat. 0
+/// for a step too slow to be detected.
 double share_after_landing(double distance, double seconds) {
-    constexpr double kPeakOfEase = 1.875;
+    constexpr double kPeakOfEase = 1.875;  // peak slope of ease()
     if (kPeakOfEase * distance < kStepSpeed * seconds) {
         return 0.0;
     }
+    // The speed of ease() is 30 (s (1 - s))^2 distance / seconds; solved for the later s.
     const double q = std::sqrt(kLandingSpeed * seconds / (30.0 * distance));
     const double s = 0.5 * (1.0 + std::sqrt(1.0 - 4.0 * q));
     return std::min(1.0 - s, kLatest);
 }
 
+// Touches rest with heel or toes up; everything else goes flat.
 double resting_pitch(FootLanding on) {
     switch (on) {
         case FootLanding::touch:
@@ -63,11 +69,11 @@ double resting_pitch(FootLanding on) {
     }
 }
 
-/// The heel rises before the foot leaves the floor, more for a longer step.
+/// Pitch to which the heel rises before the foot leaves the floor, more for a longer step.
 double peel_pitch(const PlacedStep& step) {
-    constexpr double kLeast = 12.0;
-    constexpr double kPerMetre = 60.0;
-    constexpr double kMost = 40.0;
+    constexpr double kLeast = 12.0;     // degrees
+    constexpr double kPerMetre = 60.0;  // degrees a metre
+    constexpr double kMost = 40.0;      // degrees
     if (step.slides()) {
         return kLeast * kDegree;
     }
@@ -75,13 +81,14 @@ double peel_pitch(const PlacedStep& step) {
     return std::min(kMost, kLeast + kPerMetre * distance) * kDegree;
 }
 
-/// With less time than it needs the heel rises less.
+/// The pitch at which the foot leaves: the heel rises less where it stands shorter than kPeelTime.
 double leaving_pitch(const PlacedStep* before, const PlacedStep& step) {
     const double rests = settled_pitch(before, step.start);
     const double share = std::clamp(time_standing(before, step) / kPeelTime, 0.0, 1.0);
     return rests + share * (std::max(rests, peel_pitch(step)) - rests);
 }
 
+// Walks through all repeats in order, as a step starts where the last one of its foot ended.
 class StepPlacer {
  public:
     explicit StepPlacer(const RepeatPlan& plan) : plan_(plan), figure_(*plan.figure) {
@@ -100,6 +107,7 @@ class StepPlacer {
                 add(figure_.steps[i], i, repeat);
             }
         }
+        // Sorted per foot first: repeats may overlap at their ends.
         for (auto& steps : layout_.steps) {
             separate(steps);
         }
@@ -107,7 +115,8 @@ class StepPlacer {
     }
 
  private:
-    /// The frame of a repeat: moved by travel and turn from that of repeat 0 on, and back before.
+    /// The frame of a repeat: travel and turn of all repeats from 0 on applied in order, or undone
+    /// for negative ones. Mirrored repeats travel and turn the other way.
     [[nodiscard]] FloorFrame frame_of(int repeat) const {
         FloorFrame frame;
         const auto travel = [&](int of) {
@@ -128,8 +137,8 @@ class StepPlacer {
         return frame;
     }
 
-    /// Beats off the floor. A jump, both feet at once, is no longer at a slow tempo: it would be
-    /// higher than anyone leaps in passing.
+    /// Air time of a step, beats. That of a jump (both feet at once) is limited in seconds: at a
+    /// slow tempo it would be higher than anyone leaps in passing.
     [[nodiscard]] double air_of(const FootStep& step) const {
         constexpr double kTogether = 0.1;        // beats
         constexpr double kLongestFlight = 0.28;  // seconds: 10 cm
@@ -141,6 +150,7 @@ class StepPlacer {
                        : step.air;
     }
 
+    /// Places one step of one repeat; the foot's place and yaw go on from here.
     void add(const FootStep& step, std::size_t index, int repeat) {
         const bool is_mirrored = plan_.is_mirrored(repeat);
         const Side side =
@@ -158,22 +168,25 @@ class StepPlacer {
         placed.to = place_[s];
         placed.to_yaw = yaw_[s];
         const double distance = glm::length(placed.to - placed.from);
-        constexpr double kLeastLift = 2.5;  // cm
-        constexpr double kLiftShare = 0.07;
+        constexpr double kLeastLift = 2.5;   // cm
+        constexpr double kLiftShare = 0.07;  // of the distance, added to the least lift
         placed.lift =
             step.lift ? *step.lift * kCentimetre : kLeastLift * kCentimetre + kLiftShare * distance;
         const double lands = step.at + step.land + repeat * figure_.beats;
         const double air = air_of(step);
         const double seconds = air * plan_.tempo.seconds_per_beat();
+        // The detected landing lies at `lands`; the swing ends a little later.
         placed.end = lands + share_after_landing(distance, seconds) * air;
         placed.start = placed.end - air;
         layout_.steps[s].push_back(placed);
         if (step.weight) {
+            // The weight shifts around the landing.
             layout_.weights.push_back({0.5 * (lands + placed.end),
                                        side == Side::left ? *step.weight : 1.0 - *step.weight});
         }
     }
 
+    /// Where a step lands, in the world, with noise.
     glm::dvec2 target(const FootStep& step,
                       std::size_t index,
                       int repeat,
@@ -185,11 +198,13 @@ class StepPlacer {
             return place_[s];
         }
         glm::dvec2 local = kCentimetre * glm::dvec2(sign * step.to->x, step.to->y);
+        // Only steps of a figure that stays shrink with the tempo; others would not fit their
+        // travel.
         if (figure_.stays()) {
             const glm::dvec2 stance = stance_of(figure_, side);
             local = stance + plan_.size * (local - stance);
         }
-        // A foot that stays where it is does not begin to wander.
+        // A foot that stays in place keeps its noise; otherwise it would wander step by step.
         const glm::dvec2 wanted = frame(local);
         if (!has_place_[s] || glm::length(wanted - planned_[s]) >= kInPlace) {
             const CounterRandom random = plan_.random(Draw::places, index);
@@ -202,7 +217,8 @@ class StepPlacer {
         return wanted + aside_[s];
     }
 
-    /// A foot leaves the floor no sooner than it has landed, and as it stood.
+    /// Sorts one foot's steps, shortens those that begin before the last one has landed, and sets
+    /// the pitch at which each leaves.
     static void separate(std::vector<PlacedStep>& steps) {
         std::stable_sort(
             steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.end < b.end; });
@@ -218,10 +234,10 @@ class StepPlacer {
     const AuthoredFigure& figure_;
     StepLayout layout_;
     std::array<glm::dvec2, 2> place_{};    // in the world, by Side
-    std::array<glm::dvec2, 2> planned_{};  // the same without noise
-    std::array<glm::dvec2, 2> aside_{};
-    std::array<bool, 2> has_place_{};
-    std::array<double, 2> yaw_{};
+    std::array<glm::dvec2, 2> planned_{};  // the same without noise, by Side
+    std::array<glm::dvec2, 2> aside_{};    // noise of the place, by Side
+    std::array<bool, 2> has_place_{};      // whether that noise was drawn, by Side
+    std::array<double, 2> yaw_{};          // of the toes, by Side
 };
 
 }  // namespace
@@ -251,6 +267,7 @@ double settled_pitch(const PlacedStep* step, double beat) noexcept {
     if (step == nullptr) {
         return 0.0;
     }
+    // From the pitch at landing to that at rest.
     const double lands = landing_pitch(step->on);
     const double settled = ease((beat - step->end) / kSettleTime);
     return lands + settled * (resting_pitch(step->on) - lands);

@@ -10,8 +10,9 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::size_t kMostSteps = 512;
+constexpr std::size_t kMostSteps = 512;  // of one figure
 
+// -1 in the file stands for "no change", which an absent key cannot: absent means 1.
 void read_weight(const toml::table& table, TomlComplaints& complaints, FootStep& step) {
     constexpr double kNoChange = -1.0;
     double weight = 1.0;
@@ -24,6 +25,7 @@ void read_weight(const toml::table& table, TomlComplaints& complaints, FootStep&
     step.weight = weight == kNoChange ? std::nullopt : std::optional<double>(weight);
 }
 
+// The names are in the order of FootLanding.
 void read_landing(const toml::table& table, TomlComplaints& complaints, FootStep& step) {
     static constexpr std::array<std::string_view, 5> kLandings = {
         "ball", "flat", "heel", "touch", "heeltouch"};
@@ -39,6 +41,8 @@ void read_landing(const toml::table& table, TomlComplaints& complaints, FootStep
     step.on = static_cast<FootLanding>(found - kLandings.begin());
 }
 
+// A landing may be written up to a beat before the figure, where the step begins in the repeat
+// before.
 FootStep read_step(const toml::table& table,
                    TomlComplaints& complaints,
                    const AuthoredFigure& figure) {
@@ -90,6 +94,7 @@ void read_steps(const toml::table& table, TomlComplaints& complaints, AuthoredFi
         }
         figure.steps.push_back(read_step(*step, complaints, figure));
     }
+    // Stable: of two steps at the same beat the written order decides.
     std::stable_sort(figure.steps.begin(),
                      figure.steps.end(),
                      [](const FootStep& a, const FootStep& b) { return a.at < b.at; });

@@ -1,4 +1,5 @@
-// Tracks of one control over many repeats: keys through one spline, snaps, waves, noise.
+// Evaluates the tracks of one control over many repeats: keys through one spline, snaps, waves,
+// noise.
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +9,17 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kFade = 0.25;      // beats over which a wave goes over to the next repeat's
-constexpr double kKeyNoise = 0.6;   // of vary, for keys
-constexpr double kWaveNoise = 1.2;  // and for the size of waves
-constexpr double kLeastBack = 0.2;  // beats that an overshoot takes back, at least
-constexpr double kBackShare = 1.2;  // of the move
+constexpr double kFade = 0.25;      // beats over which a repeat's wave is faded into the next one's
+constexpr double kKeyNoise = 0.6;   // factor of `vary` for keys
+constexpr double kWaveNoise = 1.2;  // factor of `vary` for the amplitude of waves
+constexpr double kLeastBack = 0.2;  // shortest time in which an overshoot is taken back, beats
+constexpr double kBackShare = 1.2;  // the same as a share of the move's length
 constexpr double kTwoPi = 2.0 * M_PI;
 
-/// One control in one repeat: whose tracks it takes, and how.
+/// Which control's tracks a control takes in one repeat, and with which sign: a mirrored repeat
+/// uses those of the other side.
 struct Source {
-    Control control = Control::hip_x;  // where it is written
+    Control control = Control::hip_x;  // whose tracks are taken
     double sign = 1.0;
 };
 
@@ -28,6 +30,7 @@ Source source_of(const RepeatPlan& plan, Control control, int repeat) {
     return {mirrored(control), info_of(control).mirror_sign};
 }
 
+// Arm, elbow or hand of the left: their amplitude is reduced by the style's `asym`.
 bool is_left_arm(Control control) {
     const ControlGroup group = info_of(control).group;
     return control < Control::right_shoulder_up &&
@@ -35,6 +38,7 @@ bool is_left_arm(Control control) {
             group == ControlGroup::hand);
 }
 
+// Arms and head have timing noise of their own (RepeatPlan::arm_beats).
 bool follows_arm_clock(Control control) {
     switch (info_of(control).group) {
         case ControlGroup::arm:
@@ -48,6 +52,7 @@ bool follows_arm_clock(Control control) {
     }
 }
 
+// Lags add up along the chain from arm to hand.
 double group_lag(const DanceStyle& style, ControlGroup group) {
     switch (group) {
         case ControlGroup::chest:
@@ -65,7 +70,7 @@ double group_lag(const DanceStyle& style, ControlGroup group) {
     }
 }
 
-/// Noise that is added in the control's own unit.
+/// Deviation of the slow noise that is added, in the control's own unit. Knees and heels get none.
 double wander_size(const DanceStyle& style, Control control) {
     const ControlInfo& info = info_of(control);
     if (control == Control::hip_y) {
@@ -92,7 +97,7 @@ double wander_size(const DanceStyle& style, Control control) {
     }
 }
 
-/// One track position of a control ("the second track") through all repeats.
+/// One slot (first track, second track, ...) of a control through all repeats.
 class TrackLine {
  public:
     TrackLine(const RepeatPlan& plan, Control control, std::size_t slot)
@@ -110,17 +115,20 @@ class TrackLine {
     }
 
  private:
+    /// Standard normal number `which` of a repeat, for this control and slot.
     [[nodiscard]] double normal(int repeat, std::uint64_t which) const {
         return plan_.random(Draw::repeat, 64 * index_of(control_) + slot_)
             .normal(RepeatPlan::number_of(repeat, which));
     }
+    /// Relative noise of a track.
     [[nodiscard]] double vary(const Track& track) const {
         return plan_.noise * plan_.figure->style.vary * track.vary;
     }
+    /// Share of the amplitude that this control dances.
     [[nodiscard]] double arm_share() const {
         return is_left_arm(control_) ? 1.0 - plan_.figure->style.asym : 1.0;
     }
-    /// Beats behind.
+    /// Beats by which the track follows the music.
     [[nodiscard]] double lag(const Track& track) const {
         return track.lag.value_or(group_lag(plan_.figure->style, info_of(control_).group));
     }
@@ -128,7 +136,8 @@ class TrackLine {
         return follows_arm_clock(control_) ? plan_.arm_beats[frame] : plan_.beats[frame];
     }
 
-    /// The keys of a repeat with this repeat's noise, in beats of the whole.
+    /// The keys of one repeat with its noise; beats count through all repeats. Only the distance
+    /// from the keys' mean is scaled, so that the posture stays.
     [[nodiscard]] std::vector<TrackKey> keys_of(int repeat, const Track& track) const {
         double mean = 0.0;
         for (const TrackKey& key : track.keys) {
@@ -153,13 +162,15 @@ class TrackLine {
     }
     static bool is_wave(const Track* track) { return track != nullptr && !track->has_keys(); }
 
+    /// One spline through the keys of all repeats, so that they join smoothly.
     void add_splines(std::vector<double>& values) const {
         std::vector<double> at;
         std::vector<double> knots;
         const Track* written = nullptr;
         for (int repeat = plan_.first_repeat; repeat <= plan_.last_repeat; ++repeat) {
             const Track* const track = track_of(repeat);
-            if (!is_spline(track)) {  // a mirrored repeat may have another kind: here it adds none
+            // Where a mirrored repeat has another kind, it adds nothing here
+            if (!is_spline(track)) {
                 at.push_back(repeat * plan_.figure->beats);
                 knots.push_back(0.0);
                 continue;
@@ -179,7 +190,8 @@ class TrackLine {
         }
     }
 
-    /// Moves that add up: each keeps still, then goes, a little too far, and comes back.
+    /// Snaps, as moves that add up: each rests for a share of its time, moves, overshoots and comes
+    /// back.
     void add_snaps(std::vector<double>& values) const {
         struct Move {
             double end;
@@ -218,7 +230,7 @@ class TrackLine {
             for (const Move& move : moves) {
                 const double since = beat_at(i) - (move.end - move.length);
                 if (since <= 0.0) {
-                    break;  // they begin in order
+                    break;  // moves begin in order
                 }
                 const double back = std::max(kLeastBack, kBackShare * move.length);
                 values[i] += move.by * ((1.0 + move.over) * ease(since / move.length) -
@@ -227,6 +239,8 @@ class TrackLine {
         }
     }
 
+    /// The value of one repeat's wave at a frame. The skew shifts the phase so that peaks get
+    /// shorter than troughs.
     [[nodiscard]] double wave_of(int repeat, std::size_t frame) const {
         const Track* const track = track_of(repeat);
         if (!is_wave(track)) {
@@ -236,8 +250,9 @@ class TrackLine {
         if (track->wave == 0.0) {
             return sign * track->rest;
         }
-        // Counted within the figure: a wave begins anew with each repeat.
-        // A wave quicker than the beat wanders the less: else repeats of a shimmy would not agree.
+        // Phase counts within the figure: a wave begins anew with each repeat. A wave faster than
+        // the beat gets less of the timing noise; otherwise repeats of a shimmy would lose their
+        // common phase.
         const double music = plan_.music_beats[frame];
         const double beat = music + std::min(1.0, track->every) * (beat_at(frame) - music);
         const double local = beat - repeat * plan_.figure->beats;
@@ -247,7 +262,7 @@ class TrackLine {
                                          std::cos(p + track->skew * std::sin(p)));
     }
 
-    /// Each repeat's own wave, one faded into the next over the first quarter of a beat.
+    /// Each repeat's own wave, cross-faded with the next one's over kFade beats.
     void add_waves(std::vector<double>& values) const {
         const double beats = plan_.figure->beats;
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -267,6 +282,8 @@ class TrackLine {
     std::size_t slot_;
 };
 
+// Slow noise over the whole evaluation, with a knot every three quarters of a figure or 3 beats,
+// whichever is longer.
 void add_wander(const RepeatPlan& plan, Control control, std::vector<double>& values) {
     const double size = plan.noise * wander_size(plan.figure->style, control);
     if (size == 0.0) {
@@ -288,6 +305,7 @@ void add_wander(const RepeatPlan& plan, Control control, std::vector<double>& va
 
 std::vector<double> control_values(const RepeatPlan& plan, Control control) {
     std::vector<double> values(plan.frames(), 0.0);
+    // The mirror image may have more tracks.
     const std::size_t slots = std::max(plan.figure->tracks(control).size(),
                                        plan.figure->tracks(mirrored(control)).size());
     for (std::size_t slot = 0; slot < slots; ++slot) {

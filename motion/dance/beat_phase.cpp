@@ -7,23 +7,26 @@ namespace raks::motion {
 namespace {
 
 constexpr double kMostCorrection = 0.2;  // of the rate
-constexpr double kGain = 2.5;            // of the error, a second
-constexpr double kApart = 1.0;           // beats
-constexpr int kApartHops = 100;
-constexpr double kPause = 1.0;       // beats before a figure's end
-constexpr double kMostSlew = 0.025;  // of the rate, a hop
-// A rate in the middle of those that are chosen: 0.70 to 1.40. Of two that are as far from 1, the
-// slower looks calm, the faster hurried.
+constexpr double kGain = 2.5;            // of the error in beats, a second
+constexpr double kApart = 1.0;       // beats of error that are re-anchored rather than danced off
+constexpr int kApartHops = 100;      // hops (1 s) that the error must last
+constexpr double kPause = 1.0;       // beats before a figure's end in which the phase may jump
+constexpr double kMostSlew = 0.025;  // change of the rate a hop, as a share of it
+// Middle of the chosen paces, 0.70 to 1.40 (geometric mean). Of two octaves whose pace is equally
+// far from 1, the slower looks calm, the faster hurried.
 constexpr double kMiddle = 0.99;
-constexpr double kKeepLow = 0.62;
+constexpr double kKeepLow = 0.62;  // an octave is kept in these wider limits (hysteresis)
 constexpr double kKeepHigh = 1.6;
-// So far beyond those a change waits for its moment: within two bars of a ramp of 5 % a second.
+// A change waits for a suitable moment while the pace is at most this factor beyond those limits;
+// in a ramp of 5 % a second that gives it two bars.
 constexpr double kMostWaiting = 1.15;
-constexpr double kNearMoment = 0.03;  // beats
+// Beats between the count 1 of both octaves that count as agreeing
+constexpr double kNearMoment = 0.03;
 
 bool is_between(double value, double low, double high) { return value >= low && value <= high; }
 
-/// What a change of the pace gains on the music while it is slewed; beats.
+/// Beats by which the phase deviates from the music while its rate is slewed linearly from one to
+/// another.
 double gained_in_slew(double from_rate, double to_rate) {
     const double change = from_rate - to_rate;
     return change * std::abs(change) / (2.0 * kMostSlew * to_rate) * to_seconds(kHop);
@@ -49,6 +52,7 @@ double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept {
     return best;
 }
 
+// The phase without any error: the music's beats since count 1, at this octave.
 Beats DancePhase::wanted(const BeatGrid& grid, StreamTime now) const noexcept {
     return octave_ * (grid.beats_at(now) - origin_);
 }
@@ -68,9 +72,9 @@ void DancePhase::change_octave(double octave,
                                const BeatGrid& grid,
                                const DanceMetre& metre,
                                StreamTime now) noexcept {
-    // From about where it is, but with count 1 on a downbeat again. Where the two agree, as they do
-    // once in two bars, no step leaves its beat; in a tempo far off there is no time to wait: what
-    // is missing is danced off, or re-anchored when it is more than a beat.
+    // Keeps about the phase, but puts count 1 on a downbeat again. Where both agree, as happens
+    // once in two bars, no step leaves its beat. At a tempo far off there is no time to wait: the
+    // error is danced off, or re-anchored when it is more than a beat.
     const Beats kept = grid.beats_at(now) - (1.0 / octave) * phase_;
     const double bars = (kept - grid.bar_origin).count() / grid.beats_per_bar;
     const double missing = octave * grid.beats_per_bar * (bars - std::round(bars));
@@ -96,8 +100,8 @@ bool DancePhase::advance(const BeatGrid& grid,
     const double hop = to_seconds(kHop);
     const double error = (wanted(grid, now) - phase_).count() - music_rate * hop;
     const double most = kMostCorrection * music_rate;
-    // Another octave does not change the pace at once: that would be a blow to every limb. What is
-    // gained meanwhile was thought of.
+    // A change of octave slews the rate, since a jump of it would jerk every limb. No correction
+    // meanwhile: change_octave() allowed for what the slew gains.
     const bool is_slewed = std::abs(rate_ - music_rate) > 1.25 * most;
     const double correction = is_slewed ? 0.0 : std::clamp(kGain * error, -most, most);
     const double slew = kMostSlew * music_rate;

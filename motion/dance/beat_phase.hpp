@@ -1,3 +1,4 @@
+// Beat phase: the dance's own clock, which follows the music's beats.
 #pragma once
 
 #include "base/beat_grid.hpp"
@@ -6,19 +7,19 @@
 
 namespace raks::motion {
 
-/// What a dance is written in.
+/// Tempo and metre in which a dance was learnt.
 struct DanceMetre {
-    Bpm learnt_tempo{120.0};
-    int beats_per_bar = 4;
+    Bpm learnt_tempo{120.0};  ///< at which its figures look as learnt
+    int beats_per_bar = 4;    ///< of the dance
 };
 
 /// The dance's own continuous clock: a phase in beats of the figure that follows the music's beats
-/// at the octave that suits the figure's learnt tempo.
+/// at the octave (half, same or double tempo) that suits the learnt tempo.
 ///
-/// It never runs backward: the phase's rate is the music's, corrected by at most +-20 %; an error
-/// that stays above one beat for a second is not danced off but re-anchored, on the last beat of a
-/// figure: no step lands there. Another octave begins where both have their count 1 on a downbeat.
-/// Threads: one. Real-time: yes.
+/// It never runs backward while it follows: its rate is the music's, corrected by at most +-20 %.
+/// An error that stays above one beat for a second is not danced off but re-anchored, during the
+/// last beat of a figure, where no step lands. A change of octave begins where the count 1 of both
+/// falls on a downbeat. Threads: one. Real-time: yes.
 class DancePhase {
  public:
     /// Starts the figure: its count 1 falls on `downbeat`.
@@ -27,8 +28,8 @@ class DancePhase {
                const DanceMetre& metre,
                StreamTime now) noexcept;
 
-    /// One hop on; `figure_end`: the phase at which the figure ends. True when it was re-anchored
-    /// (the caller smooths the jump).
+    /// One hop on; `figure_end`: the phase at which the figure ends. True when the phase was
+    /// re-anchored (the caller smooths the jump).
     bool advance(const BeatGrid& grid,
                  const DanceMetre& metre,
                  Beats figure_end,
@@ -59,9 +60,10 @@ class DancePhase {
     int hops_apart_ = 0;
 };
 
-/// The octave whose rate, tempo x octave / learnt, lies in [0.70, 1.40], or nearest to that; `now`
-/// is kept while its rate lies in [0.62, 1.6] (0: none yet). A
-/// dance in threes knows no octave but 1: half or twice as fast its count 1 would leave the bar's.
+/// The octave whose pace, tempo x octave / learnt tempo, lies in [0.70, 1.40], or nearest to that.
+/// The octave `now` is kept while its pace lies in [0.62, 1.6] (0: none yet), so that it does not
+/// flip to and fro. Odd metres know no octave but 1: at half or double speed count 1 would leave
+/// the downbeat. Threads: any. Real-time: yes.
 [[nodiscard]] double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept;
 
 }  // namespace raks::motion

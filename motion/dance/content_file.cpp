@@ -9,8 +9,8 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::string_view kBakedMagic = "raks-baked-1\n";
-constexpr std::uint32_t kMostFigures = 10'000;
+constexpr std::string_view kBakedMagic = "raks-baked-1\n";  // format and its version
+constexpr std::uint32_t kMostFigures = 10'000;              // against absurd counts
 
 void pack_pose(const Pose& pose, Packer& packer) {
     packer.put(pose.local_rotations);
@@ -26,6 +26,7 @@ Pose unpack_pose(Unpacker& unpacker) {
     return pose;
 }
 
+// Fields in a fixed order; unpack_figure() reads them in the same one.
 void pack_figure(const LibraryFigure& figure, Packer& packer) {
     packer.put_list(figure.name);
     packer.put(figure.beats);
@@ -89,6 +90,7 @@ std::string pack_content(const DanceContent& content) {
         pack_figure(figure, packer);
     }
     std::string bytes = packer.take();
+    // The hash of everything before it closes the file.
     const std::uint64_t sum = hash_of(bytes);
     bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
     return bytes;
@@ -101,6 +103,7 @@ Expected<DanceContent> unpack_content(std::string_view bytes,
     if (!bytes.starts_with(kBakedMagic) || bytes.size() < kBakedMagic.size() + sizeof sum) {
         return fail("is no dance that was solved");
     }
+    // The hash is compared before anything is parsed.
     std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
     bytes.remove_suffix(sizeof sum);
     if (hash_of(bytes) != sum) {

@@ -1,3 +1,4 @@
+// Content file: a solved dance as bytes for a cache.
 #pragma once
 
 #include <string>
@@ -8,13 +9,14 @@
 
 namespace raks::motion {
 
-/// What was solved of a dance as this machine stores it, with a sum that tells damage. For a cache:
-/// it fits the program that wrote it, the skeleton and the grammar that it was solved with.
-/// Threads: workers. Real-time: no.
+/// The solved content of a dance in this machine's byte order, with a hash that detects damage. For
+/// a cache: valid only for the program that wrote it and the skeleton and grammar that it was
+/// solved with. Threads: workers. Real-time: no.
 [[nodiscard]] std::string pack_content(const DanceContent& content);
 
-/// Reads it back; the same bits. `skeleton`, `grammar`: those that it was solved with.
-/// Errors: damaged, cut short, of another program; other figures than the grammar has.
+/// Reads what pack_content() wrote; the same bits. `skeleton`, `grammar`: those that it was solved
+/// with. Errors: damaged, cut short, of another program; other figures than the grammar has.
+/// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<DanceContent> unpack_content(std::string_view bytes,
                                                     const Skeleton& skeleton,
                                                     const FigureGrammar& grammar);

@@ -19,26 +19,26 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kWorkers = 2;
+constexpr std::size_t kWorkers = 2;  // threads that bake passages
+// Streams of random numbers, so that the draws stay independent
 constexpr std::uint64_t kPassageStream = 100;
 constexpr std::uint64_t kDetailStream = 1000;
 constexpr std::uint64_t kWaysStream = 2;
-constexpr int kLandingIterations =
-    2;  // looks at each passage, until its steps come down when people's did
-// Of the learnt tempo, at which steps that are means of people's are looked at. Such a step slows
-// before it rests, and lands the earlier the slower the dance is (0.30 m/s at any pace): halfway to
-// the slowest that is danced the errors at both ends are smallest.
+constexpr int kLandingIterations = 2;  // Passes of landing correction for each passage.
+// Pace (of the learnt tempo) at which the landings of mean steps are measured. Such a step slows
+// before it rests, so the slower the dance, the earlier it falls under the landing speed (0.30 m/s
+// at any pace). Halfway to the slowest pace danced, the errors at both ends are smallest.
 constexpr double kMeanAimPace = 0.85;
-// Of the missing accelerations (detail.hpp). More than all: the takes were learnt through a
-// low-pass of 10 Hz, their jerk is measured without. With these the whole body's jerk is people's
-// own at their tempo; steps are left softer, or they would be seen to land twice.
+// Factors of the missing accelerations (detail.hpp). Some exceed 1: the takes were learnt through a
+// low-pass of 10 Hz, while their jerk is measured without. With these the whole body's jerk equals
+// people's at their tempo. Steps get less, or a landing would be detected twice.
 constexpr double kTorsoDetail = 1.42;
 constexpr double kArmDetail = 0.95;
 constexpr double kPlaceDetail = 1.62;
 constexpr double kStepDetail = 0.4;
 
-/// Ways that close: figures that end turned by an odd number of half turns all turn about one
-/// point, so that two of them lead back; the others come back by themselves. The point is the
+/// Ways that close the dance: figures that end turned by an odd number of half turns all turn about
+/// one point, so that two of them lead back; the others come back by themselves. The point is the
 /// grammar's, or the mean of the figures' own.
 std::vector<FigurePath> closed_paths(std::span<const FigureModel> figures,
                                      const Skeleton& skeleton,
@@ -52,6 +52,7 @@ std::vector<FigurePath> closed_paths(std::span<const FigureModel> figures,
         if (way.half_turns % 2 != 0) {
             const double scale =
                 static_cast<double>(skeleton.hips_height()) / model.source_hips_height;
+            // Half a turn about a point displaces by twice the vector to it.
             sum += 0.5 * model.net_displacement * scale;
             odd += 1.0;
         }
@@ -71,7 +72,7 @@ std::vector<FigurePath> closed_paths(std::span<const FigureModel> figures,
     return ways;
 }
 
-/// One of a couple: its turn point in the middle of the stage.
+/// Stage of one of a couple: the point it turns about lies in the middle of the stage.
 FloorMove couple_of(std::span<const FigureModel> figures, const FigureGrammar* grammar) {
     const FigureGrammar::Place* const place =
         grammar != nullptr ? grammar->place_of(figures.front().role) : nullptr;
@@ -83,7 +84,7 @@ FloorMove couple_of(std::span<const FigureModel> figures, const FigureGrammar* g
     return move;
 }
 
-/// The same place a foot for all: their mean.
+/// Replaces each foot's start place by the mean over the figures that have one.
 void share_places(std::vector<StartPlaces>& places) {
     for (std::size_t s = 0; s < kSides.size(); ++s) {
         glm::vec2 sum{};
@@ -98,7 +99,8 @@ void share_places(std::vector<StartPlaces>& places) {
     }
 }
 
-/// Where the feet stand as each figure starts.
+/// Where the feet stand as each figure starts; the same for all unless the grammar gives figures
+/// stances of their own.
 std::vector<StartPlaces> start_places(std::span<const FigureModel> figures,
                                       const std::vector<FigureTracks>& tracks,
                                       const std::vector<FigurePath>& ways,
@@ -114,7 +116,8 @@ std::vector<StartPlaces> start_places(std::span<const FigureModel> figures,
     return places;
 }
 
-/// Where the first figure is danced, on average: in the middle of the stage, facing the audience.
+/// Moves the mean place and heading of the first figure to the middle of the stage, facing the
+/// audience.
 FloorMove stage_of(const LibraryFigure& figure) {
     glm::dvec2 centre{0.0, 0.0};
     glm::dvec2 facing{0.0, 0.0};
@@ -132,7 +135,7 @@ FloorMove stage_of(const LibraryFigure& figure) {
     return stage;
 }
 
-/// The stance that a figure begins from: between the balls, facing as the feet do.
+/// The stance that a figure begins from: midpoint of both balls, mean heading of the feet.
 FloorMove stance_before(const LibraryFigure& figure, const Skeleton& skeleton) {
     Pose pose;
     figure.passages.front().at(-FigurePassage::kMargin, pose);
@@ -150,7 +153,7 @@ FloorMove stance_before(const LibraryFigure& figure, const Skeleton& skeleton) {
     return stance;
 }
 
-/// Figures with a stance of their own begin where the first one would.
+/// Moves figures that have a stance of their own so that each begins where the first one would.
 void place_figures(const Skeleton& skeleton, std::vector<LibraryFigure>& figures) {
     const FloorMove first = stance_before(figures.front(), skeleton);
     for (LibraryFigure& figure : figures) {
@@ -158,7 +161,8 @@ void place_figures(const Skeleton& skeleton, std::vector<LibraryFigure>& figures
     }
 }
 
-/// Arms of varied positions keep their lengths, and stay where they can be mixed.
+/// Restores the arms of a varied figure of positions: bone lengths, and near enough to those learnt
+/// to be mixed.
 void hold_arms(const FigureModel& model,
                const PartModel& part,
                const FeatureTrack& learnt,
@@ -168,6 +172,7 @@ void hold_arms(const FigureModel& model,
     }
 }
 
+// Factor of the detail of one part.
 double detail_of(const PartModel& part) {
     if (part.features == FigureFeatures::positions) {
         return kPlaceDetail;
@@ -175,16 +180,17 @@ double detail_of(const PartModel& part) {
     return part.part == Part::upper ? kArmDetail : kTorsoDetail;
 }
 
+// All that baking a passage reads; shared by the workers, which only read it.
 struct Baking {
     std::span<const FigureModel> figures;
     const std::vector<FigureTracks>& tracks;
     const std::vector<FigurePath>& ways;
     const std::vector<Footing>& footings;
-    double lost = 0.0;  // detail.hpp
+    double lost = 0.0;  // detail_lost() of the dance
     const Skeleton& skeleton;
     Generator generator = Generator::trajectories;
 
-    /// Passage n of a figure; the first trajectory is danced as learnt.
+    /// Passage n of a figure; number 0 is danced as learnt, the others are varied.
     [[nodiscard]] FigurePassage passage(std::size_t figure, std::size_t n) const {
         if (generator == Generator::frames) {
             return FigurePassage(free_figure(
@@ -195,7 +201,8 @@ struct Baking {
         const std::uint64_t stream = kPassageStream + n * (kParts.size() + 1);
         for (const PartModel& part : figures[figure].parts) {
             const auto p = static_cast<std::size_t>(part.part);
-            // Legs step as learnt, aside; of positions they carry the hips.
+            // Legs step as learnt and are only shifted aside; but the lower part of positions
+            // carries the hips.
             if (n > 0 && (part.part != Part::lower || &part == &figures[figure].root_part())) {
                 vary(part, CounterRandom(figure, stream + p), varied[p]);
                 hold_arms(figures[figure], part, tracks[figure][p], varied[p]);
@@ -210,7 +217,7 @@ struct Baking {
         const FreeFigure stepping = free_figure(figures[figure], steps, ways[figure], skeleton);
         std::vector<Pose> body = free_poses(figures[figure], varied, ways[figure], skeleton);
         steady_body(figures[figure], body);
-        if (lost > 0.0) {  // whoever wrote a dance led its hands
+        if (lost > 0.0) {  // in a written dance the author led the hands
             lead_hands_round(skeleton, stepping.samples_per_beat, body);
         }
         meet_hands(
@@ -218,7 +225,8 @@ struct Baking {
         return planted(figure, stepping, body, n > 0 ? &places_of_steps : nullptr);
     }
 
-    /// With feet that come down when people's did.
+    /// Plants the feet, then corrects the landings: each pass measures them and aims the contacts
+    /// anew.
     [[nodiscard]] FigurePassage planted(std::size_t figure,
                                         const FreeFigure& steps,
                                         const std::vector<Pose>& body,
@@ -235,7 +243,7 @@ struct Baking {
     }
 };
 
-/// The value of a closed curve of bins at a phase, straight between their middles.
+/// Value of a closed curve of bins at a beat, interpolated linearly between the bins' middles.
 double value_of(std::span<const double> bins, double beat, int beats) noexcept {
     const auto size = static_cast<double>(bins.size());
     const double at = beat * size / beats - 0.5;
@@ -245,7 +253,7 @@ double value_of(std::span<const double> bins, double beat, int beats) noexcept {
     return bins[i] + share * (bins[(i + 1) % bins.size()] - bins[i]);
 }
 
-/// Where the figure says how far hands are closed.
+/// Sets the fingers where the figure tells how far each hand is closed.
 void shape_hands(const LibraryFigure& figure, double beat, Pose& pose) noexcept {
     for (const Side side : kSides) {
         const std::vector<double>& fist = figure.fist[static_cast<std::size_t>(side)];
@@ -301,8 +309,8 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                      skeleton,
                      grammar != nullptr ? grammar->starts : FigureGrammar::Starts::common);
 
-    // A dance was learnt from people or written, as a whole: a slow figure alone may look like
-    // either.
+    // Decided for the dance as a whole (the least over its figures): it was learnt from people or
+    // written, and a slow figure alone may look like either.
     double lost = 1.0;
     for (std::size_t i = 0; i < figures.size(); ++i) {
         lost = std::min(lost, detail_lost(figures[i], tracks[i]));
@@ -315,6 +323,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     constexpr std::size_t kPassages = DanceContent::kPassages;
     std::vector<std::optional<FigurePassage>> baked(figures.size() * kPassages);
     {
+        // Each worker takes every second passage; the block ends when all have joined.
         std::vector<std::jthread> workers;
         for (std::size_t first = 0; first < kWorkers; ++first) {
             workers.emplace_back([&baking, &baked, first] {
@@ -361,7 +370,7 @@ FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t n
     choice.figure = figure;
     choice.body = random.below(4 * number, kPassages);
     choice.arms[0] = random.below(4 * number + 1, kPassages);
-    // Another one.
+    // Never the same passage as the first.
     choice.arms[1] = (choice.arms[0] + 1 + random.below(4 * number + 2, kPassages - 1)) % kPassages;
     choice.arms_share = static_cast<float>(random.uniform(4 * number + 3));
     return choice;
@@ -373,13 +382,13 @@ Pose pose_of(const DanceContent& content, const FigureChoice& choice, double bea
     shape_hands(figure, beat, pose);
     figure.passages[choice.body].at(beat, pose);
     if (content.generator == Generator::frames) {
-        // One other draw's, or repeats would be the same one time in eight; a mean of two would not
-        // be as wide.
+        // Arms of another draw, so that repeats are not equal one time in eight. Not mixed: a mean
+        // of two draws would have less variance than one.
         figure.passages[choice.arms[0]].arms_at(beat, pose);
         return pose;
     }
-    // Mixed as turns away from the arms as learnt: straight between two passages the shorter way
-    // round may change from one moment to the next.
+    // Mixed as rotations relative to the learnt arms. Straight between two passages, the shorter
+    // way round may change from one moment to the next.
     Pose learnt = pose;
     Pose first = pose;
     Pose second = pose;

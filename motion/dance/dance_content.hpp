@@ -1,3 +1,4 @@
+// Dance content: all passages of a dance's figures, and how a choice of them becomes a pose.
 #pragma once
 
 #include <array>
@@ -19,39 +20,40 @@ namespace raks::motion {
 
 /// One figure in all the ways in which it can be danced.
 struct LibraryFigure {
-    std::string name;
-    int beats = 8;
-    FloorMove move;  ///< from its start to its end
-    /// From its frame to the dance's: so that the feet are where they were when it begins. (A frame
-    /// is that of the hips on count 1, which may be turned or aside.)
+    std::string name;  ///< as in the grammar
+    int beats = 8;     ///< length
+    FloorMove move;    ///< from its start to its end
+    /// From its frame to that of the dance, in which the feet of all figures begin at the same
+    /// place. (A figure's frame is that of the hips on count 1, which may be turned or aside.)
     FloorMove place;
-    bool turns_half = false;
+    bool turns_half = false;                  ///< ends half a turn from where it began
     std::array<std::vector<double>, 2> fist;  ///< as FigureModel has it
-    Nanos landing_delay{};  ///< of its steps at its learnt tempo; landing_delay.hpp
-    std::vector<FigurePassage> passages;
-    ArmMixes arms_mix{};
-    Bpm learnt_tempo{120.0};
-    SizeByTempo size_by_tempo;
-    FigureMiddle middle;
+    Nanos landing_delay{};                ///< of its steps at its learnt tempo; landing_delay.hpp
+    std::vector<FigurePassage> passages;  ///< DanceContent::kPassages; the first as learnt
+    ArmMixes arms_mix{};                  ///< which passages' arms may be mixed
+    Bpm learnt_tempo{120.0};              ///< mean over its repeats
+    SizeByTempo size_by_tempo;            ///< law of its size at other tempi
+    FigureMiddle middle;                  ///< what its movements scale about
 };
 
-/// What the dancer reads of a library.
+/// All that a dancer reads of a library.
 struct DanceContent {
-    /// Ways to dance each figure: two repeats then share legs and torso one time in eight, and
-    /// never the arms, which are mixed from two of them.
+    /// Passages of each figure. Two repeats share legs and torso one time in eight, and never the
+    /// arms, which are mixed from two passages.
     static constexpr int kPassages = static_cast<int>(kWays);
 
-    Generator generator = Generator::trajectories;
-    std::vector<LibraryFigure> figures;
-    FigureChooser chooser;
-    DanceMetre metre;  ///< its tempo: the mean of the figures'
-    FloorMove couple;  ///< the same, for one of a couple about the stage's centre
-    FloorMove stage;   ///< from the frame in which a figure starts: it faces the audience, centred
-    Pose rest;         ///< what no passage sets: softly bent fingers
-    Skeleton skeleton;
+    Generator generator = Generator::trajectories;  ///< that made the passages
+    std::vector<LibraryFigure> figures;             ///< in the order of the grammar's rules
+    FigureChooser chooser;                          ///< which figure comes next
+    DanceMetre metre;                               ///< its tempo: that of the figures' mean period
+    FloorMove couple;   ///< like `stage`, but one of a couple dances about the stage's centre
+    FloorMove stage;    ///< from a figure's start to the stage: centred, facing the audience
+    Pose rest;          ///< what no passage sets: softly bent fingers
+    Skeleton skeleton;  ///< that it was solved for
 };
 
-/// Errors: as DanceLibrary::build says. Threads: workers; two of its own. Real-time: no.
+/// Solves all figures. Errors: as DanceLibrary::build says. Threads: workers; starts two of its
+/// own. Real-time: no.
 [[nodiscard]] Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                                                   const Skeleton& skeleton,
                                                   const FigureGrammar* grammar,
@@ -59,20 +61,21 @@ struct DanceContent {
 
 /// How one figure is danced this time.
 struct FigureChoice {
-    std::size_t figure = 0;
+    std::size_t figure = 0;             ///< index in DanceContent::figures
     std::size_t body = 0;               ///< passage of legs and torso
     std::array<std::size_t, 2> arms{};  ///< passages that the arms are mixed from
     float arms_share = 0.0F;            ///< of the second
-    FigureSize size;
+    FigureSize size;                    ///< by tempo
 };
 
-/// The ways of number `number`, as large as learnt. Threads: any. Real-time: yes.
+/// Draws the passages of the figure that is the `number`-th of the dance; its size is as learnt.
+/// Threads: any. Real-time: yes.
 [[nodiscard]] FigureChoice choose_ways(std::size_t figure,
                                        std::uint64_t seed,
                                        std::uint64_t number) noexcept;
 
-/// The pose at a beat of a figure so danced, in the frame of its start.
-/// Threads: any. Real-time: yes.
+/// The pose at a beat of a figure danced by `choice`, in the frame of its start. Threads: any.
+/// Real-time: yes.
 [[nodiscard]] Pose pose_of(const DanceContent& content,
                            const FigureChoice& choice,
                            double beat) noexcept;

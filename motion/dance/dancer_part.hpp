@@ -1,3 +1,4 @@
+// Dancer part: what tells the dancers of an ensemble apart.
 #pragma once
 
 #include <cstdint>
@@ -5,18 +6,18 @@
 
 namespace raks::motion {
 
-class Repertoire;
+class Repertoire;  // motion/repertoire.hpp
 
 /// What one dancer of several does of its own.
 struct DancerPart {
-    std::uint64_t seed = 1;     ///< of the figures: the same dance the same row of figures
-    std::uint64_t ways = 1;     ///< of how each is danced
+    std::uint64_t seed = 1;     ///< of the choice of figures; equal seeds give equal sequences
+    std::uint64_t ways = 1;     ///< of how each figure is danced
     bool is_in_couple = false;  ///< stands by the couple's common point, facing the other
-    /// Of a couple: the other's dances. Both then keep to one metre, the mean of theirs: else one
-    /// of them would go over to another octave before the other does.
+    /// In a couple: the other's dances. Both then keep to one metre, the mean of theirs; otherwise
+    /// one of them would change octave before the other does. Null: alone.
     std::shared_ptr<const Repertoire> partner{};
     double aside = 0.0;  ///< to the left of the stage's centre; metres
-    int bars_late = 0;   ///< begins so many bars after it could
+    int bars_late = 0;   ///< starts this many bars after it could
 };
 
 }  // namespace raks::motion

@@ -13,9 +13,10 @@ constexpr double kUsualHops = 3000.0;  // half a minute
 constexpr double kQuietest = -60.0;    // LUFS: below it is silence, which says nothing of the music
 constexpr double kSpan = 10.0;         // LU between the calmest and the liveliest
 constexpr double kFit = 2.5;  // how much a figure's energy must fit: exp(-kFit |difference|)
-// How much rather one alone stays facing the audience, and turns back to it at once. Salsa then
-// shows its face (less than 60 degrees aside) for 0.64 to 0.78 of the time; 1 and 1: 0.38 to 0.46,
-// the back for up to four figures in a row; 4 and 4: 0.67 to 0.79, but hardly a travelling turn.
+// Weights by which a soloist prefers to stay facing the audience, and to turn back to it at once.
+// Salsa then shows its face (less than 60 degrees aside) for 0.64 to 0.78 of the time. With 1 and
+// 1: 0.38 to 0.46, and the back for up to four figures in a row; with 4 and 4: 0.67 to 0.79, but
+// hardly a travelling turn.
 constexpr double kStaysInFront = 3.0;
 constexpr double kTurnsBack = 30.0;
 
@@ -23,6 +24,7 @@ constexpr std::uint64_t kFigureStream = 1;
 
 }  // namespace
 
+// Two exponential means of the loudness; both start at the first one measured.
 void MusicEnergy::advance(const MusicState& music) noexcept {
     const double loudness = static_cast<double>(music.loudness_lufs);
     if (music.is_silent || loudness < kQuietest) {
@@ -40,6 +42,8 @@ double MusicEnergy::value() const noexcept {
     return std::clamp(0.5 + (now_ - usual_) / kSpan, 0.0, 1.0);
 }
 
+// The grammar's weight, times how well the energies fit, times the preference for facing the
+// audience.
 double FigureChooser::weight(std::size_t figure, const FigureMoment& moment) const noexcept {
     const double weight = grammar_.rules[moment.after].after[figure] *
                           std::exp(-kFit * std::abs(grammar_.rules[figure].energy - moment.energy));
@@ -72,9 +76,10 @@ std::size_t FigureChooser::next(const FigureMoment& moment,
     for (std::size_t figure = 0; figure < count; ++figure) {
         sum += weight_of(figure);
     }
-    if (!(sum > 0.0)) {  // the grammar knows but this one, and another was asked for
+    if (!(sum > 0.0)) {  // no other figure may follow, and another was asked for
         return (moment.after + 1) % count;
     }
+    // Draws by cumulative weights.
     double draw = sum * CounterRandom(seed, kFigureStream).uniform(number);
     for (std::size_t figure = 0; figure < count; ++figure) {
         draw -= weight_of(figure);

@@ -1,3 +1,4 @@
+// Figure chooser: which figure comes next.
 #pragma once
 
 #include <cstddef>
@@ -11,52 +12,56 @@
 
 namespace raks::motion {
 
-/// How lively the music is beside what it has been: follows the loudness of about two bars against
-/// that of the last half minute. Threads: one. Real-time: yes.
+/// How lively the music is compared with its recent past: follows the loudness of about two bars
+/// against that of the last half minute. Threads: one. Real-time: yes.
 class MusicEnergy {
  public:
+    /// One hop; silence is skipped.
     void advance(const MusicState& music) noexcept;
-    /// [0, 1]; 0.5 is as usual.
+    /// Liveliness in [0, 1]; 0.5 is as usual.
     [[nodiscard]] double value() const noexcept;
+    /// Forgets what came before.
     void reset() noexcept { *this = MusicEnergy(); }
 
  private:
-    double now_ = 0.0;    // LUFS, smoothed
-    double usual_ = 0.0;  // LUFS, of the last half minute
+    double now_ = 0.0;    // LUFS, smoothed over 2.5 s
+    double usual_ = 0.0;  // LUFS, smoothed over half a minute
     bool is_started_ = false;
 };
 
 /// What the user wants of the next figure.
 struct FigureWish {
-    bool is_another = false;            ///< not this one again
-    std::optional<std::size_t> figure;  ///< this one
-    bool is_locked = false;             ///< the same for as long as it lasts
+    bool is_another = false;            ///< any but the present one
+    std::optional<std::size_t> figure;  ///< this one; index in the grammar's rules
+    bool is_locked = false;             ///< repeat the present one as long as it is set
 };
 
-/// Where those are for whom one dances, seen by the dancer as a figure begins.
+/// Where the audience is, seen by the dancer as a figure begins.
 enum class Audience : std::uint8_t {
     none,    ///< one of a couple dances for the other
     ahead,   ///< seen from the front
     behind,  ///< seen from the back
 };
 
-/// For when a figure is chosen.
+/// The moment for which a figure is chosen.
 struct FigureMoment {
-    std::size_t after = 0;  ///< the figure that it comes after
-    double energy = 0.5;    ///< of the music, [0, 1]
-    Audience audience = Audience::none;
+    std::size_t after = 0;               ///< the figure that it comes after
+    double energy = 0.5;                 ///< of the music, [0, 1]
+    Audience audience = Audience::none;  ///< side from which the dancer is seen
 };
 
-/// Which figure comes next: by the grammar's weights, more often one as lively as the music, and
-/// one that ends towards the audience. Drawn by (seed, number of the figure): the same dance again
-/// from the same seed and music. Threads: any. Real-time: next yes.
+/// Chooses the next figure by the grammar's weights, favouring figures as lively as the music and
+/// those that end facing the audience. The draw depends on (seed, number of the figure), so the
+/// same seed and music give the same dance. Threads: any. Real-time: next yes.
 class FigureChooser {
  public:
-    FigureChooser() = default;
+    FigureChooser() = default;  ///< of no grammar; next() must not be called
     /// `turns_half`: by figure, whether it ends half a turn from where it began.
     FigureChooser(FigureGrammar grammar, std::vector<bool> turns_half)
         : grammar_(std::move(grammar)), turns_half_(std::move(turns_half)) {}
 
+    /// Index of the next figure; `number`: how many figures were begun. A wished figure comes
+    /// first, then the lock.
     [[nodiscard]] std::size_t next(const FigureMoment& moment,
                                    const FigureWish& wish,
                                    std::uint64_t seed,

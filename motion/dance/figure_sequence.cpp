@@ -10,40 +10,47 @@
 namespace raks::motion {
 namespace {
 
-// A foot that two figures plant farther apart than this would be seen to slide, metres.
+// Two figures may plant a foot this far apart, metres; beyond it the foot would visibly slide.
 constexpr float kSeenToSlide = 0.03F;
-// It goes over with the step that the next figure makes with it, so that this comes down when it
-// should, straight from where it stood if the last figure steps at the same time (a foot that
-// turned back half way up was seen to land there: 0.1 s early), else with the one that the last
-// figure makes, if they take as long as this at the learnt tempo (a foot that went over in half of
-// it was thrown); else by a step of its own. That lasts until the next figure plants the foot, if
-// it is under way as the join ends; else it is made by the left foot before the change, by the
-// right one after it. Beats, but for the first.
+// How a foot moves from one figure to the next, in order of preference: (1) during the next
+// figure's own step, if that takes at least 0.135 s; (2) during the last figure's step; (3) by an
+// added step.
+//
+// 0.135 s is kLeastSwing, measured at the learnt tempo; it also holds for (2), since a foot that
+// changes figures in half of that time is thrown. In (1), if the last figure steps at the same
+// time, the foot goes straight from where it stood: one that turned back half way up was detected
+// as a landing, 0.1 s early. In (3), the step lasts until the next figure plants the foot, if it is
+// in the air as the join ends; otherwise the left foot steps before the change and the right one
+// after it. Units: beats, except where given.
 constexpr double kLeastSwing = 0.135;  // seconds
-constexpr double kLatestSwing = 1.3;   // after the change: the end of a swing that began before
-constexpr double kCreeps = 0.2;        // before the margin's end, that it may seem to rest...
-constexpr float kCreepsUnder = 0.05F;  // metres: ... and have landed; higher it hangs in the air
-constexpr double kStepNearest = 0.1;
-constexpr double kStepFarthest = 0.7;
-constexpr double kLongestStep = 0.8;    // a longer one is as slow before its end as one that landed
-constexpr float kStepLift = 0.05F;      // metres, at the middle of the step
-constexpr int kFootSamples = 16;        // at both figures, over the time of the join
-constexpr float kStillMetres = 0.012F;  // metres that a foot moves between two looks, at most
+// Latest end, after the change, of a swing that began before it.
+constexpr double kLatestSwing = 1.3;
+// A swing may only seem to land if it ends less than this before the margin does...
+constexpr double kCreeps = 0.2;
+// ... with the foot lower than this, metres; a higher one still hangs in the air.
+constexpr float kCreepsUnder = 0.05F;
+constexpr double kStepNearest = 0.1;   // an added step lies between this...
+constexpr double kStepFarthest = 0.7;  // ... and this, before or after the change
+constexpr double kLongestStep = 0.8;   // a longer step gets slow enough to be detected as a landing
+constexpr float kStepLift = 0.05F;     // metres, at the middle of the step
+constexpr int kFootSamples = 16;       // samples of both figures over the join
+constexpr float kStillMetres = 0.012F;  // metres between two samples, up to which a foot rests
 
-/// Where a foot turns, and how it is turned, world.
+/// Pivot and rotation of a foot, world.
 struct FootPlace {
     glm::vec3 pivot{};
     glm::quat rotation{};
 };
 
-/// How far a foot has gone over from one figure to the next, and how high it is lifted for that.
+/// How far a foot has moved from one figure to the next, and how high it is lifted on the way.
 struct FootShare {
     float share = 0.0F;
-    float lift = 0.0F;              // metres
-    std::optional<glm::vec3> held;  // over where it stays; none: where the last figure has it
+    float lift = 0.0F;  // metres
+    // Place of the pivot (x, z) to start from; none: the last figure's
+    std::optional<glm::vec3> held;
 };
 
-/// Where a foot turns, world.
+/// The point about which a planted foot turns, world.
 glm::vec3 pivot_of(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
     const Bone foot = on_side(Bone::left_foot, side);
     return world.position(foot) + pivot_from_ankle(skeleton, side, world.rotation(foot));
@@ -53,12 +60,14 @@ FootPlace place_of(const Skeleton& skeleton, const WorldPose& world, Side side) 
     return {pivot_of(skeleton, world, side), world.rotation(on_side(Bone::left_foot, side))};
 }
 
+// Horizontal distance.
 float over_floor(const glm::vec3& a, const glm::vec3& b) noexcept {
     return glm::length(glm::vec2(a.x - b.x, a.z - b.z));
 }
 
-/// Between two poses, feet by their places in the world: rotations averaged down a leg would carry
-/// a foot that both have planted off its place. The paper plants none.
+/// Interpolates two poses, with the feet by their places in the world: rotations averaged down a
+/// leg would move a foot that both figures have planted. The paper's generator plants none, so
+/// there rotations suffice.
 Pose average(const DanceContent& content,
              const Pose& from,
              const Pose& to,
@@ -73,7 +82,8 @@ Pose average(const DanceContent& content,
     const WorldPose b = world_pose(skeleton, to);
     for (const Side side : kSides) {
         const FootShare& own = feet[static_cast<std::size_t>(side)];
-        // By where it turns: a foot that both plant there, its heel higher in one, stays.
+        // The pivot is interpolated, so that a foot that both plant there stays, though its heel be
+        // higher in one.
         FootPlace before = place_of(skeleton, a, side);
         if (own.held) {
             before.pivot = {own.held->x, before.pivot.y, own.held->z};
@@ -87,6 +97,7 @@ Pose average(const DanceContent& content,
             target.ankle.y += own.lift;
             pose.foot_contact[static_cast<std::size_t>(side)] = false;
         }
+        // The interpolated sole must not dip into the floor.
         const float standing = -lowest_of_sole(
             skeleton, side, target.rotation, pose.rotation(on_side(Bone::left_toes, side)));
         target.ankle.y = std::max(target.ankle.y, standing);
@@ -97,6 +108,7 @@ Pose average(const DanceContent& content,
 
 }  // namespace
 
+// All half turns of a dance are about the same point, so that of any such figure serves.
 FloorMove floor_of(const DanceContent& content, const FloorMove& stage, bool is_turned) noexcept {
     if (is_turned) {
         for (const LibraryFigure& figure : content.figures) {
@@ -144,6 +156,7 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
                                                      : Audience::ahead;
         const std::size_t figure = content_->chooser.next(
             {current_.choice.figure, energy, audience}, wish, part_.seed, number_ + 1);
+        // The next figure is drawn before the feet are planned: how a foot joins depends on both.
         next_ = {choose(figure, number_ + 1), end, is_turned, {}};
         const std::array<FootState, 2> feet = states_of_feet(current_, *next_);
         for (const Side side : kSides) {
@@ -153,6 +166,7 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
         wish.is_another = false;
         wish.figure.reset();
     }
+    // The change itself; the last figure is kept until its feet have joined.
     if (next_ && phase.count() >= end) {
         before_ = current_;
         current_ = *next_;
@@ -166,6 +180,7 @@ void FigureSequence::jump(Beats phase) noexcept {
     ++number_;
     current_ = {choose(0, number_), 0.0, is_turned, {}};
     const double beats = figure().beats;
+    // The first figure repeats from phase 0, so the phase tells its beat.
     current_.start = beats * std::floor(phase.count() / beats);
     before_.reset();
     next_.reset();
@@ -193,6 +208,8 @@ Pose FigureSequence::joined(const Danced& before,
     for (std::size_t s = 0; s < feet.size(); ++s) {
         const FootJoin& join = after.feet[s];
         feet[s].share = share;
+        // An own swing: the foot moves with it alone, by smootherstep, lifted by a parabola in its
+        // share.
         if (join.to > join.from) {
             const double u = (phase - after.start - join.from) / (join.to - join.from);
             const float own = smootherstep(static_cast<float>(u));
@@ -213,6 +230,7 @@ double FigureSequence::joined_until(const Danced& before, const Danced& after) c
     return std::max(margin_between(before, after), last.to);
 }
 
+// Samples the figure's contacts from the join's end on, as finely as the join.
 std::optional<double> FigureSequence::standing_from(const Danced& danced,
                                                     Side side,
                                                     double margin) const noexcept {
@@ -228,6 +246,8 @@ std::optional<double> FigureSequence::standing_from(const Danced& danced,
     return std::nullopt;
 }
 
+// Samples both figures over the join and notes for each foot how long it swings in each of them,
+// and how far apart its places are while it rests in both.
 std::array<FigureSequence::FootState, 2> FigureSequence::states_of_feet(
     const Danced& before, const Danced& after) const noexcept {
     const double margin = margin_between(before, after);
@@ -261,6 +281,7 @@ std::array<FigureSequence::FootState, 2> FigureSequence::states_of_feet(
     return feet;
 }
 
+// Chooses how a foot joins, in the order given above at kSeenToSlide.
 FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
                                                    const Danced& after,
                                                    Side side,
@@ -273,16 +294,20 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     if (join.lasts() >= least) {
         const Pose pose = pose_of(after, after.start + join.to);
         const WorldPose world = world_pose(content_->skeleton, pose);
+        // The swing seems to end just before the margin, but the figure plants the foot later: it
+        // only creeps near the floor. It then moves until it is planted.
         if (stands && margin - join.to <= kCreeps &&
             pivot_of(content_->skeleton, world, side).y < kCreepsUnder) {
             join.to = *stands;
             join.held = foot.since[0];
         } else if (last.lasts() > 0.0 && last.from > -margin && last.from < join.to &&
                    last.to > join.from) {
+            // Both step at once: straight from where it stood before the last figure's swing.
             join.held = last.from;
         }
         return join;
     }
+    // Both plant it at about the same place: it may move with the body.
     if (foot.apart <= kSeenToSlide) {
         return {};
     }
@@ -294,6 +319,7 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
         const double from = std::max(scale * kStepNearest, *stands - scale * kLongestStep);
         return {from, *stands, true, foot.since[0]};
     }
+    // One foot after the other, or both would be in the air.
     const double first = side == Side::left ? -kStepFarthest : kStepNearest;
     return {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
 }
@@ -306,6 +332,7 @@ Pose FigureSequence::at(Beats phase) const noexcept {
     return pose;
 }
 
+// Joins may outlast the margin, so the one before is asked first.
 Pose FigureSequence::free_at(double at) const noexcept {
     if (before_ && at < current_.start + joined_until(*before_, current_)) {
         return joined(*before_, current_, at);

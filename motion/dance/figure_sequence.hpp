@@ -1,3 +1,4 @@
+// Figure sequence: joins figures into one continuous dance.
 #pragma once
 
 #include <cstdint>
@@ -11,68 +12,71 @@
 
 namespace raks::motion {
 
-/// A dance as a row of figures over one continuous phase: the one that is danced, the one before
-/// and, from kDecided beats before its end, the one that comes. Over FigurePassage::kMargin beats
-/// on either side of a change (half a figure of one beat) both are danced and averaged (Ofli 2008,
-/// 5), the feet by their places; a foot that the two plant apart steps over, one that the next
-/// figure still has under way goes over until that plants it. Threads: one. Real-time: yes.
+/// A dance as a row of figures over one continuous phase. It keeps the present figure, the one
+/// before and, from kDecided beats before the end, the next one. Within FigurePassage::kMargin
+/// beats on either side of a change (half a figure of one beat) both figures are danced and
+/// averaged (Ofli 2008, 5); feet are averaged by their places. A foot that the two figures plant
+/// apart takes a step over; one that the next figure still has in the air moves over until that
+/// figure plants it. Threads: one. Real-time: yes.
 class FigureSequence {
  public:
-    static constexpr double kDecided = 2.0;  ///< beats
+    /// Beats before its end at which the next figure is chosen
+    static constexpr double kDecided = 2.0;
 
-    /// Begins with the library's first figure, its count 1 at phase 0. `stands_turned`: an
-    /// earlier dance left the dancer half a turn away.
+    /// Begins with the library's first figure, its count 1 at phase 0. `stage`: from a figure's
+    /// start to the world. `stands_turned`: an earlier dance left the dancer half a turn away.
     void start(const DanceContent& content,
                const FloorMove& stage,
                const DancerPart& part,
                bool stands_turned) noexcept;
 
-    /// At which figures are danced that are chosen from now on: they may be smaller when it is
-    /// fast.
+    /// The tempo for figures chosen from here on: at a fast one they may be smaller.
     void set_tempo(Bpm tempo) noexcept { tempo_ = tempo; }
-    /// The phase went on to here: goes over into the next figure, chooses what follows.
+    /// Advances to a phase: changes to the next figure when it is due and chooses the one after.
+    /// `energy`: of the music, [0, 1]. `wish`: cleared as far as it was granted.
     void advance(Beats phase, double energy, FigureWish& wish) noexcept;
-    /// The phase was set anew as a figure ended: the first figure, which hardly turns and travels,
-    /// from the beat of it that this is.
+    /// The phase was re-anchored as a figure ended: goes on with the first figure, which hardly
+    /// turns and travels, at the beat of it that fits the phase.
     void jump(Beats phase) noexcept;
 
-    /// The pose at a phase up to kDecided after the last advance, in the world.
+    /// The pose in the world at a phase up to kDecided after the last advance.
     [[nodiscard]] Pose at(Beats phase) const noexcept;
 
+    /// The present figure.
     [[nodiscard]] const LibraryFigure& figure() const noexcept {
         return content_->figures[current_.choice.figure];
     }
-    /// Beats since its count 1.
+    /// Beats since the present figure's count 1.
     [[nodiscard]] double beat(Beats phase) const noexcept { return phase.count() - current_.start; }
-    /// The phase at which it ends.
+    /// The phase at which the present figure ends.
     [[nodiscard]] Beats end() const noexcept { return Beats(end_of(current_)); }
-    /// Whether the figure that is danced began half a turn away from the first.
+    /// Whether the present figure began half a turn away from the first.
     [[nodiscard]] bool is_turned() const noexcept { return current_.is_turned; }
     /// How many figures were begun before this one.
     [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
  private:
-    /// When a foot goes over from one figure to the next; beats from the change, equal: as the body
-    /// does.
+    /// When a foot moves from one figure's place to the next's; beats from the change. `from` equal
+    /// to `to`: together with the body.
     struct FootJoin {
         double from = 0.0;
         double to = 0.0;
-        bool is_lifted = false;  // neither figure steps with it meanwhile: it steps over
-        // From here on it stays over where the last figure had it, until it goes over.
+        bool is_lifted = false;  // by an added step, as neither figure steps with it then
+        // From this beat on the foot keeps the place that the last figure gave it, until `from`.
         double held = std::numeric_limits<double>::infinity();
         [[nodiscard]] double lasts() const noexcept { return to - from; }
     };
-    /// What a foot does in two figures about the change from one to the other.
+    /// What one foot does in both figures around the change between them.
     struct FootState {
-        float apart = 0.0F;                ///< while it rests in both, at most; metres
-        std::array<FootJoin, 2> swings{};  ///< by figure: the longest
-        std::array<double, 2> since{};  ///< by figure: when it last rested; beats from the change
+        float apart = 0.0F;  ///< largest distance between its places while it rests in both; metres
+        std::array<FootJoin, 2> swings{};  ///< by figure: its longest swing
+        std::array<double, 2> since{};  ///< by figure: when it rested last; beats from the change
     };
     struct Danced {
         FigureChoice choice;
         double start = 0.0;  // phase of its count 1
         bool is_turned = false;
-        std::array<FootJoin, 2> feet{};  // from the figure before
+        std::array<FootJoin, 2> feet{};  // how each foot came from the figure before
     };
     [[nodiscard]] FigureChoice choose(std::size_t figure, std::uint64_t number) const noexcept;
     [[nodiscard]] std::array<FootState, 2> states_of_feet(const Danced& before,
@@ -81,17 +85,18 @@ class FigureSequence {
                                      const Danced& after,
                                      Side side,
                                      const FootState& foot) const noexcept;
-    /// When the figure plants a foot that is under way at `margin`; beats after its start. None: it
-    /// stands there then, or later than a join may last.
+    /// When the figure plants a foot that is in the air at `margin`; beats after its start. None:
+    /// the foot stands at `margin` already, or is planted later than a join may last.
     [[nodiscard]] std::optional<double> standing_from(const Danced& danced,
                                                       Side side,
                                                       double margin) const noexcept;
     [[nodiscard]] double end_of(const Danced& danced) const noexcept;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
     [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
-    /// Before hands are kept out of the body.
+    /// The pose before clear_hands().
     [[nodiscard]] Pose free_at(double phase) const noexcept;
-    /// Beats on either side of a change in which both are danced: two joins never meet.
+    /// Beats on either side of a change in which both figures are danced; short enough that two
+    /// joins never meet.
     [[nodiscard]] double margin_between(const Danced& before, const Danced& after) const noexcept;
     /// Beats after a change until which a foot may still be on its way.
     [[nodiscard]] double joined_until(const Danced& before, const Danced& after) const noexcept;
@@ -109,7 +114,8 @@ class FigureSequence {
     std::optional<Danced> next_;
 };
 
-/// From where a figure starts to the world, for a dancer who stands turned or not.
+/// Move from a figure's start to the world, for a dancer who stands half a turn away or not.
+/// Threads: any. Real-time: yes.
 [[nodiscard]] FloorMove floor_of(const DanceContent& content,
                                  const FloorMove& stage,
                                  bool is_turned) noexcept;

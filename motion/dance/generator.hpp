@@ -1,3 +1,4 @@
+// Generator: which synthesis makes a figure's motion.
 #pragma once
 
 #include <array>
@@ -6,13 +7,14 @@
 
 namespace raks::motion {
 
-/// How a figure's motion is made out of its states.
+/// How a figure's motion is generated from its states.
 enum class Generator : std::uint8_t {
     /// The most likely trajectory, varied smoothly, with planted feet.
     trajectories,
     /// The paper's (Ofli 2008, section 5): one Gaussian draw a frame, smoothed; feet free.
     frames,
 };
+/// Names, in the order of Generator.
 inline constexpr std::array<std::string_view, 2> kGeneratorNames = {"trajectories", "frames"};
 
 }  // namespace raks::motion

@@ -12,20 +12,22 @@ namespace raks::motion {
 namespace {
 
 constexpr float kTiny = 1e-6F;
-// Hands that hold one another are no further apart by themselves; beyond the second they have let
-// go. Metres. (Beyond 1.6 m and more they are dragged along: 10,400 m/s^3 and more.)
+// Distances between the hands, metres: up to the first they hold fully, beyond the second they have
+// let go. (Released beyond 1.6 m or more they are dragged along: 10,400 m/s^3 and more.)
 constexpr float kHeld = 0.3F;
 constexpr float kReleased = 1.3F;
-constexpr float kGrip = 0.06F;  // between both wrists
-// Where they would meet nearer to a shoulder than the first they let go, wholly clear of it they
-// are beyond the second, of the arm's length: a place that passes a shoulder by sweeps round it.
+constexpr float kGrip = 0.06F;  // between both wrists, metres
+// Distances of the meeting point from a shoulder, of the arm's length: nearer than the first they
+// let go, beyond the second the shoulder does not matter. A point that passes close by a shoulder
+// sweeps round it, and the arm with it.
 constexpr float kAtShoulder = 0.2F;
 constexpr float kClearOfShoulder = 0.8F;
-constexpr double kSigma = 8.0;  // hops, of the mean over time
-// No nearer to the shoulder, of the arm's length (the elbow bent by 127 degrees), and how softly.
+constexpr double kSigma = 8.0;  // hops; deviation of the mean's weights over time
+// Shortest distance of a hand from its shoulder, of the arm's length (elbow bent by 127 degrees),
+// and that limit's softness.
 constexpr float kNearest = 0.45F;
 constexpr float kNearestSoftly = 0.2F;
-// No farther (by 37 degrees).
+// Longest distance (elbow bent by 37 degrees), and its softness.
 constexpr float kFarthest = 0.95F;
 constexpr float kFarthestSoftly = 0.15F;
 
@@ -34,8 +36,8 @@ float length_of(const WorldPose& world, const Limb& arm) noexcept {
     return glm::distance(arm.root, elbow) + glm::distance(elbow, world.position(arm.end));
 }
 
-/// A hand's way to where both meet, as far as its own arm likes to go: nearer to the shoulder the
-/// elbow would fly round, farther it would snap straight.
+/// The target of a hand, limited to the distances that its own arm reaches comfortably: nearer to
+/// the shoulder the elbow would fly round, farther it would snap straight.
 glm::vec3 within_reach(const WorldPose& world, const Limb& arm, const glm::vec3& target) noexcept {
     const float length = length_of(world, arm);
     const glm::vec3 line = target - arm.root;
@@ -48,6 +50,7 @@ glm::vec3 within_reach(const WorldPose& world, const Limb& arm, const glm::vec3&
     return arm.root - line * (soft_max(-held, -farthest, kFarthestSoftly * length) / reach);
 }
 
+// World poses of both, and the arms whose hands meet.
 struct Couple {
     WorldPose lead;
     WorldPose follow;
@@ -88,6 +91,7 @@ void join_hands(const Skeleton& skeleton, float hold, Pose& lead, Pose& follow) 
     const glm::vec3 other = couple.follow.position(couple.right.end);
     const float apart = std::max(glm::distance(own, other), kTiny);
     const float left = std::max(0.0F, 1.0F - kGrip / apart);
+    // Each hand goes half of what is missing beyond the grip.
     const glm::vec3 half_way = 0.5F * hold * left * (other - own);
     solve_limb(skeleton, couple.left, within_reach(couple.lead, couple.left, own + half_way), lead);
     solve_limb(skeleton,
@@ -96,6 +100,7 @@ void join_hands(const Skeleton& skeleton, float hold, Pose& lead, Pose& follow) 
                follow);
 }
 
+// A truncated Gaussian, normalised over both sides.
 HandHold::HandHold() noexcept {
     double sum = 0.0;
     for (int away = -kAround; away <= kAround; ++away) {
@@ -114,6 +119,7 @@ void HandHold::reset() noexcept {
 
 void HandHold::advance(const Skeleton& skeleton, PoseTrack& lead, PoseTrack& follow) noexcept {
     const HopIndex now = lead.newest_final();
+    // After a gap the remembered wishes belong to other moments.
     if (now != newest_ + 1) {
         known_ = 0;
     }
@@ -135,6 +141,7 @@ void HandHold::advance(const Skeleton& skeleton, PoseTrack& lead, PoseTrack& fol
     for (HopIndex hop = now; hop <= last; ++hop) {
         float hold = 0.0F;
         for (HopIndex other = hop - kAround; other <= hop + kAround; ++other) {
+            // Beyond the known range the nearest known wish is repeated.
             hold += weight_[static_cast<std::size_t>(std::abs(other - hop))] *
                     at(std::clamp(other, first, last));
         }

@@ -1,3 +1,4 @@
+// Hand hold: the joined hands of a couple.
 #pragma once
 
 #include <array>
@@ -9,27 +10,29 @@
 
 namespace raks::motion {
 
-/// How firmly the lead's left hand and the follow's right would hold one another as they are, 0 to
-/// 1: they let go the further apart they are, and where they would meet at a shoulder.
-/// Threads: any. Real-time: yes.
+/// How firmly the lead's left hand and the follow's right hand should hold one another in these
+/// poses, 0 to 1: less the further they are apart, and not where they would meet close to a
+/// shoulder. Threads: any. Real-time: yes.
 [[nodiscard]] float wish_to_hold(const Skeleton& skeleton,
                                  const Pose& lead,
                                  const Pose& follow) noexcept;
 
-/// Brings both hands that share of the way to one another, as far as the arms like to reach.
-/// Threads: any. Real-time: yes.
+/// Moves both hands by the share `hold` of the way to one another, as far as the arms reach
+/// comfortably. Threads: any. Real-time: yes.
 void join_hands(const Skeleton& skeleton, float hold, Pose& lead, Pose& follow) noexcept;
 
-/// The hands of a couple over time. A turn sweeps a hand away at 5 m/s: let go as fast as that, an
-/// arm is thrown (10,000 m/s^3). So the hold is a mean over what the next and the last 0.2 s wish:
-/// the next are predicted poses. Threads: one owner. Real-time: yes.
+/// The hold of a couple over time. A turn sweeps a hand away at 5 m/s, and an arm released as fast
+/// as that is thrown (10,000 m/s^3). So the hold is a weighted mean over the wishes of the next and
+/// the last 0.2 s; the next ones come from predicted poses. Threads: one owner. Real-time: yes.
 class HandHold {
  public:
+    /// Nothing known yet.
     HandHold() noexcept;
+    /// Forgets the wishes of the last hops.
     void reset() noexcept;
 
-    /// One hop: joins the hands in the newest final poses and all predicted ones, which know the
-    /// less of what comes the further ahead they are.
+    /// One hop: joins the hands in the newest final poses and in all predicted ones. The farther
+    /// ahead a pose lies, the fewer later wishes it can use.
     void advance(const Skeleton& skeleton, PoseTrack& lead, PoseTrack& follow) noexcept;
 
  private:
@@ -37,8 +40,8 @@ class HandHold {
 
     std::array<float, kAround + 1> weight_{};  // by hops away
     std::array<float, kAround> before_{};  // wishes of the last final hops; hop h in slot h % size
-    HopIndex newest_ = -1;                 // hop of the latest of them
-    int known_ = 0;                        // how many
+    HopIndex newest_ = -1;                 // latest hop of these
+    int known_ = 0;                        // how many of these are valid
 };
 
 }  // namespace raks::motion

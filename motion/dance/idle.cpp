@@ -13,7 +13,7 @@ constexpr float kToesOut = 0.16F;   // radians
 constexpr float kBent = 0.985F;     // hips' height, of standing straight: soft knees
 constexpr float kSway = 0.022F;     // metres of the hips to each side
 constexpr float kArmsDown = 1.28F;  // radians from the T-pose
-constexpr float kElbows = 0.35F;
+constexpr float kElbows = 0.35F;    // radians of bend
 // Periods in seconds whose ratio is no simple fraction: the pose does not repeat for minutes.
 constexpr double kSwayPeriod = 5.3;
 constexpr double kTurnPeriod = 8.7;
@@ -38,12 +38,14 @@ Pose idle_pose(const Skeleton& skeleton, StreamTime time) noexcept {
     Pose pose;
     pose.hips_position = {
         kSway * sway, kBent * skeleton.hips_height() - 0.004F * sway * sway, 0.006F * turn};
+    // Spine and chest lean against the hips' roll.
     pose.rotation(Bone::hips) = about(0.05F * turn, kY) * about(0.035F * sway, kZ);
     pose.rotation(Bone::spine) = about(-0.03F * sway, kZ) * about(0.02F, kX);
     pose.rotation(Bone::chest) = about(-0.03F * sway, kZ) * about(-0.012F * breath, kX);
     pose.rotation(Bone::upper_chest) = about(-0.012F * breath, kX);
     pose.rotation(Bone::neck) = about(0.02F * sway, kZ) * about(0.04F, kX);
     pose.rotation(Bone::head) = about(-0.07F * turn, kY) * about(0.03F * breath, kX);
+    // Arms: mirrored by the sign of the rotations about y and z.
     for (const Side side : kSides) {
         const float sign = side == Side::left ? 1.0F : -1.0F;
         pose.rotation(on_side(Bone::left_shoulder, side)) = about(sign * 0.015F * breath, kZ);

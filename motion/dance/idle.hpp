@@ -1,3 +1,4 @@
+// Idle: standing while there is no music.
 #pragma once
 
 #include "base/time.hpp"

@@ -9,13 +9,14 @@ namespace {
 
 constexpr double kForgotten = 2.0;  // seconds: 1e-4 of the difference is left
 
-/// Its logarithm, by its sign: of q and -q one is the shorter way round.
+/// Rotation vector (axis x angle) of q as its sign says: of q and -q one is the shorter way round.
 glm::vec3 rotation_vector(const glm::quat& q) noexcept {
     const glm::vec3 axis(q.x, q.y, q.z);
     const float sine = glm::length(axis);
     return sine < 1e-6F ? 2.0F * axis : axis * (2.0F * std::atan2(sine, q.w) / sine);
 }
 
+// The inverse; first order for small angles.
 glm::quat rotation_of(const glm::vec3& vector) noexcept {
     const float angle = glm::length(vector);
     if (angle < 1e-6F) {
@@ -57,6 +58,7 @@ Pose Inertialization::apply(const Pose& pose, Nanos elapsed) const noexcept {
     if (!is_active(elapsed)) {
         return pose;
     }
+    // Critically damped decay: x(t) = (x0 (1 + y t) + v0 t) exp(-y t).
     const double y = 2.0 * std::log(2.0) / kHalfLife;
     const double decay = std::exp(-y * t);
     const auto a = static_cast<float>(decay * (1.0 + y * t));

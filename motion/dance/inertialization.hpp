@@ -1,3 +1,4 @@
+// Inertialization: hides a sudden change of motion.
 #pragma once
 
 #include <array>
@@ -7,22 +8,25 @@
 
 namespace raks::motion {
 
-/// Makes a sudden change of the motion smooth: the difference between what was shown and what comes
-/// decays as a critically damped spring, with its speed at the change (Bollo 2016,
+/// Smooths a sudden change of motion: the difference between what was shown and what comes decays
+/// like a critically damped spring that starts with the difference's own speed (Bollo 2016,
 /// "Inertialization: high-performance animation transitions in Gears of War"; half-life form:
 /// Holden 2020). Threads: one. Real-time: yes.
 class Inertialization {
  public:
-    static constexpr double kHalfLife = 0.15;  ///< seconds: jerk at the rest of the dance's level
+    /// Seconds; the jerk is then that of the rest of the dance
+    static constexpr double kHalfLife = 0.15;
 
-    /// The motion changes at this moment from `shown` (`shown_before` one hop earlier) to `next`.
+    /// The motion changes at this moment from `shown` to `next`; the other two poses are of one hop
+    /// earlier.
     void start(const Pose& shown,
                const Pose& shown_before,
                const Pose& next,
                const Pose& next_before) noexcept;
+    /// Drops the difference.
     void clear() noexcept { is_active_ = false; }
 
-    /// Whether anything is left of the difference then.
+    /// Whether anything is left of the difference `elapsed` after the change.
     [[nodiscard]] bool is_active(Nanos elapsed) const noexcept;
 
     /// `pose` with what is left of the difference `elapsed` after the change.
@@ -33,7 +37,7 @@ class Inertialization {
         glm::vec3 value{};
         glm::vec3 speed{};  ///< per second
     };
-    std::array<Offset, kBoneCount> rotations_{};  // rotation vectors
+    std::array<Offset, kBoneCount> rotations_{};  // rotation vectors, radians
     Offset hips_{};
     bool is_active_ = false;
 };

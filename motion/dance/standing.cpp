@@ -11,17 +11,19 @@
 namespace raks::motion {
 namespace {
 
-// Farther than this a foot cannot go in one step without crossing or lunging.
+// Farther than this a foot cannot go in one step without crossing the other or lunging; then it
+// takes two.
 constexpr double kNearMetres = 0.35;
 constexpr double kNearRadians = 0.8;
 constexpr double kSecondsAStep = 0.33;
 constexpr float kLift = 0.06F;        // metres at the middle of a step
-constexpr double kSpeedDecay = 18.0;  // 1/s: of what speed a foot had
+constexpr double kSpeedDecay = 18.0;  // 1/s; decay of the speed that a foot had
 
 double turn_between(const FloorMove& from, const FloorMove& to) noexcept {
     return std::remainder(to.heading - from.heading, 2.0 * M_PI);
 }
 
+// Steps of both feet together.
 std::size_t steps_between(const FloorMove& from, const FloorMove& to) noexcept {
     const bool is_near = std::abs(turn_between(from, to)) < kNearRadians &&
                          glm::length(to.offset - from.offset) < kNearMetres;
@@ -65,10 +67,12 @@ void Standing::settle(const Skeleton& skeleton,
             {world.position(bone), world.rotation(bone)},
             (world.position(bone) - before.position(bone)) * static_cast<float>(kHopsPerSecond)};
     }
-    // A foot in the air comes down first.
+    // The higher foot steps first: it may be in the air.
     Side side = feet_[0].from.ankle.y > feet_[1].from.ankle.y ? Side::left : Side::right;
     const std::size_t count = step_count_;
     for (std::size_t i = 0; i < count; ++i) {
+        // Of four steps the first lands halfway, the second at three quarters, the last two at the
+        // end.
         const double share =
             count == 2 ? 1.0
                        : std::min(1.0, static_cast<double>(i + 2) / static_cast<double>(count));
@@ -90,6 +94,8 @@ Pose Standing::at(const Skeleton& skeleton, StreamTime time) const noexcept {
     return place(share)(idle_pose(skeleton, time));
 }
 
+// Applies the steps of one foot that have begun, one after the other; their lift is a parabola in
+// the share.
 FootTarget Standing::foot(Side side, double elapsed, bool& stands) const noexcept {
     const Foot& own = feet_[static_cast<std::size_t>(side)];
     FootTarget at = own.from;
@@ -108,6 +114,7 @@ FootTarget Standing::foot(Side side, double elapsed, bool& stands) const noexcep
             stands = false;
         }
     }
+    // What speed the foot had fades out: t exp(-a t) starts with slope 1 and returns to zero.
     at.ankle += own.speed * static_cast<float>(elapsed * std::exp(-kSpeedDecay * elapsed));
     return at;
 }

@@ -1,3 +1,4 @@
+// Standing: standing still, and settling from a dance.
 #pragma once
 
 #include <array>
@@ -11,15 +12,16 @@
 
 namespace raks::motion {
 
-/// Standing while there is nothing to dance to, and how a dancer comes to stand: the body goes and
-/// turns from where the dance ended to where it stands, the feet step there one after the other,
-/// none slides. Threads: one. Real-time: yes.
+/// Standing while there is nothing to dance to, and how a dancer comes to stand: the body moves and
+/// turns from where the dance ended to where it shall stand, while the feet step there one after
+/// the other; none slides. Threads: one. Real-time: yes.
 class Standing {
  public:
-    /// Stands at a place of the floor since ever.
+    /// Stands settled at a place of the floor.
     void stand(const FloorMove& place) noexcept;
 
-    /// From the pose shown now (and one hop before) of a dance that ended at `from`, to `to`.
+    /// Starts to settle from the pose shown now (and the one a hop before) at floor place `from` to
+    /// `to`.
     void settle(const Skeleton& skeleton,
                 const Pose& shown,
                 const Pose& shown_before,
@@ -29,11 +31,12 @@ class Standing {
 
     /// How long it takes to settle from one place to another.
     [[nodiscard]] static Nanos duration(const FloorMove& from, const FloorMove& to) noexcept;
+    /// Whether all steps of settling are over.
     [[nodiscard]] bool is_settled(StreamTime time) const noexcept;
 
-    /// The pose then, feet as if it stood there already.
+    /// The pose at `time`, its feet as if it stood there already.
     [[nodiscard]] Pose at(const Skeleton& skeleton, StreamTime time) const noexcept;
-    /// Sets both legs of a pose that still goes over to at() to where the feet are on their way.
+    /// Solves both legs of a pose so that its feet are where their steps have brought them.
     void plant(const Skeleton& skeleton, StreamTime time, Pose& pose) const noexcept;
 
  private:

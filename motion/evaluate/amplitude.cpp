@@ -9,6 +9,7 @@
 namespace raks::motion {
 namespace {
 
+// Largest horizontal distance of any two places.
 double widest(const Places& places) {
     double widest = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -20,6 +21,7 @@ double widest(const Places& places) {
     return widest;
 }
 
+// The places of the counted frames in [first, last).
 Places counted_places(const Places& places,
                       std::size_t first,
                       std::size_t last,
@@ -33,6 +35,7 @@ Places counted_places(const Places& places,
     return counted;
 }
 
+// Highest speed of the counted frames; filtered first, as differences amplify noise.
 double peak_speed(const Places& places,
                   double frames_per_second,
                   std::size_t first,
@@ -56,7 +59,9 @@ Amplitude amplitude_of(const BodyTrack& track,
                        const MetricFrames& frames) {
     Amplitude amplitude;
     amplitude.hips_travel = widest(counted_places(joint_places(track, kHips), first, last, frames));
+    // Keeps the larger of both feet.
     const auto raise = [](double& highest, double value) { highest = std::max(highest, value); };
+    // Of the stretch, divided by the pace frame by frame.
     const auto peak = [&](const Places& places) {
         return peak_speed(places, track.frames_per_second, first, last, frames);
     };

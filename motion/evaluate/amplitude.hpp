@@ -1,3 +1,4 @@
+// Amplitude: how large one figure is danced.
 #pragma once
 
 #include <cstddef>
@@ -6,27 +7,29 @@
 
 namespace raks::motion {
 
-/// How large one figure is danced.
+/// Size of the movements in one stretch of a dance.
 struct Amplitude {
-    double hips_travel = 0.0;     ///< largest distance over the floor of two places of the hips; m
-    double toe_travel = 0.0;      ///< the same of a toe tip, the larger of both feet; m
-    double peak_toe_speed = 0.0;  ///< the faster of both feet, under the filter 1-4-6-4-1; m/s
-    /// The same of the foot's point kBall from the ankle: bodies whose feet end elsewhere compare
-    /// there.
+    /// Largest distance over the floor between two places of the hips; metres
+    double hips_travel = 0.0;
+    double toe_travel = 0.0;      ///< the same of a toe tip, the larger of both feet; metres
+    double peak_toe_speed = 0.0;  ///< the faster foot, filtered by 1-4-6-4-1; m/s
+    /// Peak speed of the point kBall from the ankle, m/s: comparable between bodies whose feet have
+    /// different lengths.
     double peak_ball_speed = 0.0;
 };
 
-/// Metres from the ankle towards the toe tip: where the feet of the salsa takes end.
+/// Distance from the ankle towards the toe tip, metres: the length of the feet in the salsa takes.
 inline constexpr double kBall = 0.126;
 
-/// Of frames [first, last); `last` <= the track's frames. Speeds are divided by the pace. Frames
-/// that are not counted are left out. Threads: workers. Real-time: no (quadratic in the frames).
+/// Amplitude over frames [first, last); `last` <= the track's frames. Speeds are divided by the
+/// pace. Frames that are not counted are left out. Threads: workers. Real-time: no (quadratic in
+/// the frames).
 [[nodiscard]] Amplitude amplitude_of(const BodyTrack& track,
                                      std::size_t first,
                                      std::size_t last,
                                      const MetricFrames& frames = {});
 
-/// Highest speed of a toe tip, m/s, of all frames counted.
+/// Highest speed of a toe tip over all counted frames, divided by the pace; m/s.
 [[nodiscard]] double peak_toe_speed(const BodyTrack& track, const MetricFrames& frames = {});
 
 }  // namespace raks::motion

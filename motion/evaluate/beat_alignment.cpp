@@ -10,7 +10,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kKernelFrames = 3.0;
+constexpr double kKernelFrames = 3.0;      // s of the score
 constexpr double kSmoothingFrames = 5.0;   // Bailando
 constexpr std::size_t kMinimumOrder = 10;  // FACT: frames to each side
 
@@ -70,6 +70,7 @@ std::vector<double> minima(const std::vector<double>& values, std::size_t order)
     return found;
 }
 
+// The beats within the track, in fractional frames.
 std::vector<double> beats_in_frames(const BodyTrack& track, std::span<const double> beat_times) {
     std::vector<double> frames;
     for (const double time : beat_times) {
@@ -81,7 +82,8 @@ std::vector<double> beats_in_frames(const BodyTrack& track, std::span<const doub
     return frames;
 }
 
-// Mean score of each of `beats` to the nearest of `others`.
+// Mean over `beats` of the score of the distance to the nearest of `others`; 0 without beats on
+// either side.
 double mean_score(const std::vector<double>& beats, const std::vector<double>& others) {
     if (beats.empty() || others.empty()) {
         return 0.0;
@@ -100,7 +102,7 @@ double mean_score(const std::vector<double>& beats, const std::vector<double>& o
 }  // namespace
 
 double motion_beat_alignment(const BodyTrack& track, std::span<const double> beat_times) {
-    // The speed into a frame: the first has none and stands still.
+    // FACT counts the speed of a frame as that into it; the first frame has none and gets zero.
     std::vector<double> speed = summed_speeds(track);
     speed.insert(speed.begin(), 0.0);
     return mean_score(minima(speed, kMinimumOrder), beats_in_frames(track, beat_times));
@@ -109,6 +111,7 @@ double motion_beat_alignment(const BodyTrack& track, std::span<const double> bea
 double music_beat_alignment(const BodyTrack& track, std::span<const double> beat_times) {
     std::vector<double> speed = summed_speeds(track);
     for (double& value : speed) {
+        // A factor does not move the minima; kept as in Bailando's program.
         value /= static_cast<double>(kBodyBones.size());
     }
     return mean_score(beats_in_frames(track, beat_times),

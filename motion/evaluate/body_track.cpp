@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::array<Bone, 2> kFeet = {Bone::left_foot, Bone::right_foot};
 
-// Where a foot ends: the toes' joint or end site, else the foot's.
+// Tip of a foot: end site of the toes' joint, or of the foot's where there are no toes; without an
+// end site the joint itself.
 glm::dvec3 end_of_foot(const MotionClip& clip,
                        const HumanoidMapping& mapping,
                        const ClipWorldPose& world,
@@ -50,6 +51,7 @@ Expected<BodyTrack> body_track(const MotionClip& clip, double metres_per_unit) {
     if (!mapping) {
         return tl::unexpected(mapping.error());
     }
+    // Metrics sum over all 19 joints, so none may be missing.
     for (const Bone bone : kBodyBones) {
         if (!mapping->joint(bone)) {
             return fail("the body has no " + std::string(kBoneNames[index_of(bone)]) +
@@ -82,6 +84,7 @@ std::vector<Pose> resampled(std::span<const Pose> poses, double from, double to)
     const double last = static_cast<double>(poses.size() - 1);
     for (std::size_t i = 0;; ++i) {
         const double at = static_cast<double>(i) * from / to;
+        // Ends at the last pose: nothing is extrapolated.
         if (at > last) {
             return result;
         }

@@ -1,3 +1,4 @@
+// Body track: joints and feet of a moving body in the world.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@
 
 namespace raks::motion {
 
-/// The 19 joints that dance metrics look at: body and limbs, no fingers and toes.
+/// The 19 joints that dance metrics use: body and limbs, no fingers and toes.
 inline constexpr std::array<Bone, 19> kBodyBones = {
     Bone::hips,
     Bone::spine,
@@ -40,26 +41,28 @@ inline constexpr std::array<Bone, 19> kBodyBones = {
 /// Index of the hips in kBodyBones.
 inline constexpr std::size_t kHips = 0;
 
-/// Places of a moving body in the world, metres, y up: what metrics are computed from, whether it
-/// was captured or danced.
+/// Places of a moving body in the world, metres, y up: the input of all metrics, whether it was
+/// captured or generated.
 struct BodyTrack {
-    double frames_per_second = 60.0;
+    double frames_per_second = 60.0;                                ///< of the frames below
     std::vector<std::array<glm::dvec3, kBodyBones.size()>> joints;  ///< by frame
     std::vector<std::array<SourceFoot, 2>> feet;                    ///< by frame and Side
 
+    /// Number of frames.
     [[nodiscard]] std::size_t frames() const noexcept { return joints.size(); }
 };
 
-/// Of poses on our skeleton. Threads: workers. Real-time: no.
+/// The track of poses on a skeleton. Threads: workers. Real-time: no.
 [[nodiscard]] BodyTrack body_track(const Skeleton& skeleton,
                                    std::span<const Pose> poses,
                                    double frames_per_second);
 
-/// Of a recorded clip in its own skeleton. Errors: no humanoid, or one of the 19 joints missing
-/// (named). Threads: workers. Real-time: no.
+/// The track of a recorded clip in its own skeleton. Errors: no humanoid, or one of the 19 joints
+/// missing (named). Threads: workers. Real-time: no.
 [[nodiscard]] Expected<BodyTrack> body_track(const MotionClip& clip, double metres_per_unit);
 
-/// Poses that come at `from` a second as they are at `to` a second (interpolated).
+/// Poses resampled from `from` to `to` frames a second, by interpolation. Threads: any. Real-time:
+/// no.
 [[nodiscard]] std::vector<Pose> resampled(std::span<const Pose> poses, double from, double to);
 
 }  // namespace raks::motion

@@ -12,11 +12,12 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::string_view kIdle = "idle";
+constexpr std::string_view kIdle = "idle";    // a figure's name: not danced
 constexpr std::string_view kOther = "other";  // danced, but no figure that repeats
-constexpr double kLongFault = 0.5;            // seconds
-constexpr double kCountSlack = 2.0;           // frames: labels are whole frames, counts are not
+constexpr double kLongFault = 0.5;   // seconds; longer faults of head or hands alone are not masked
+constexpr double kCountSlack = 2.0;  // frames; labels are whole frames, counts fractional
 
+// The tables of a plan, with the role's labels only.
 struct Tables {
     std::map<std::string, std::vector<FigureLabel>> labels;  // by take
     std::vector<CountTime> counts;
@@ -55,11 +56,13 @@ Expected<Tables> load_tables(const CapturedDancePlan& plan) {
     return tables;
 }
 
-/// "60_03" is take "60_03", and one of the pair "03".
+/// Whether a name in the count table means this take: "60_03" is take "60_03", or half of the pair
+/// "03".
 bool is_of_take(const std::string& name, const std::string& take) {
     return name == take || name == take.substr(take.find('_') + 1);
 }
 
+// Whether a fault concerns head or hands alone; `joints` as the table names them.
 bool is_head_or_hands_alone(std::string_view joints) {
     while (!joints.empty()) {
         const std::size_t end = std::min(joints.find(','), joints.size());
@@ -72,13 +75,15 @@ bool is_head_or_hands_alone(std::string_view joints) {
     return true;
 }
 
+// Sets frames [from, to), as far as there are such.
 void mark(std::vector<bool>& counted, std::size_t from, std::size_t to, bool value) {
     for (std::size_t f = from; f < std::min(to, counted.size()); ++f) {
         counted[f] = value;
     }
 }
 
-/// Between the first and the last figure, but for idling and faults.
+/// By frame whether it counts: between the first and the last figure, without idle stretches and
+/// faults.
 std::vector<bool> danced_frames(const BodyTrack& track,
                                 const std::string& take,
                                 const std::vector<FigureLabel>& labels,
@@ -92,12 +97,14 @@ std::vector<bool> danced_frames(const BodyTrack& track,
             last = std::max(last, label.end);
         }
     }
+    // The order matters: idle stretches and faults are taken out of what is danced.
     mark(counted, first, last, true);
     for (const FigureLabel& label : labels) {
         if (label.figure == kIdle) {
             mark(counted, label.start, label.end, false);
         }
     }
+    // The fault's last frame is included, hence + 1.
     for (const CaptureFault& fault : faults) {
         const double seconds = static_cast<double>(fault.to - fault.from) / track.frames_per_second;
         if (fault.take == take && !(seconds > kLongFault && is_head_or_hands_alone(fault.joints))) {
@@ -107,8 +114,8 @@ std::vector<bool> danced_frames(const BodyTrack& track,
     return counted;
 }
 
-/// Seconds of the label's counts and of the next figure's count 1: from the table where it has all
-/// of them, else evenly.
+/// Times in seconds of the label's counts and of the next figure's count 1: from the table where it
+/// has all of them, otherwise evenly spaced.
 std::vector<double> count_times(const FigureLabel& label,
                                 const std::vector<CountTime>& counts,
                                 double frames_per_second) {
@@ -121,7 +128,9 @@ std::vector<double> count_times(const FigureLabel& label,
             times.push_back(count.frame / frames_per_second);
         }
     }
+    // Its counts, and the next figure's count 1.
     const auto wanted = static_cast<std::size_t>(label.beats) + 1;
+    // A count missing or doubled would shift all later ones.
     if (times.size() != wanted) {
         times.clear();
         for (std::size_t k = 0; k < wanted; ++k) {
@@ -132,6 +141,8 @@ std::vector<double> count_times(const FigureLabel& label,
     return times;
 }
 
+// Adds the counts of a label for which there is a model of the same length; labels that start in
+// the middle of a figure are left out.
 void add_counts(const FigureLabel& label,
                 const std::vector<double>& times,
                 std::span<const FigureModel> models,
@@ -146,6 +157,7 @@ void add_counts(const FigureLabel& label,
     }
 }
 
+// Measures one take.
 CapturedDance measured(const BodyTrack& track,
                        const std::string& take,
                        const Tables& tables,
@@ -154,6 +166,7 @@ CapturedDance measured(const BodyTrack& track,
     const std::vector<FigureLabel>& labels = tables.labels.at(take);
     DanceSubject subject;
     subject.frames.counted = danced_frames(track, take, labels, tables.faults);
+    // All counts of the take, also those outside its figures: the metrics cut them to the track.
     for (const CountTime& count : tables.counts) {
         if (is_of_take(count.take, take)) {
             subject.beat_times.push_back(count.frame / track.frames_per_second);
@@ -161,6 +174,7 @@ CapturedDance measured(const BodyTrack& track,
     }
     std::vector<AudibleCount> counts;
     for (const FigureLabel& label : labels) {
+        // Only sure labels of figures are repeats.
         if (label.figure != kIdle && label.figure != kOther &&
             label.confidence >= plan.min_confidence) {
             auto times = count_times(label, tables.counts, track.frames_per_second);
@@ -193,6 +207,7 @@ Expected<std::vector<CapturedDance>> measure_captured(const CapturedDancePlan& p
         if (!track) {
             return fail((plan.folder / (take + ".bvh")).string() + ": " + track.error().message);
         }
+        // A take without a single frame that counts has no measures.
         const std::vector<bool> danced = danced_frames(*track, take, labels, tables->faults);
         if (std::find(danced.begin(), danced.end(), true) != danced.end()) {
             dances.push_back(measured(*track, take, *tables, plan, models));

@@ -1,3 +1,4 @@
+// Captured dance: measures people's takes with the metrics of this folder.
 #pragma once
 
 #include <filesystem>
@@ -14,30 +15,31 @@
 
 namespace raks::motion {
 
-/// Clips of people and what is known of them: see label_tables.hpp.
+/// Takes of people and their tables (label_tables.hpp).
 struct CapturedDancePlan {
-    std::filesystem::path folder;  ///< TAKE.bvh
-    std::filesystem::path labels;
+    std::filesystem::path folder;  ///< of the clips, TAKE.bvh
+    std::filesystem::path labels;  ///< table of figures
+    /// Table of counts; none: counts are even within a label
     std::optional<std::filesystem::path> counts;
-    std::optional<std::filesystem::path> faults;
-    DanceRole role = DanceRole::lead;
-    std::optional<double> frames_per_second;  ///< instead of the file's
-    double metres_per_unit = 1.0;
-    double min_confidence = 0.7;  ///< of a repeat, to be compared with others and landings
+    std::optional<std::filesystem::path> faults;  ///< table of capture faults
+    DanceRole role = DanceRole::lead;             ///< whose clips are measured
+    std::optional<double> frames_per_second;      ///< overrides the files'
+    double metres_per_unit = 1.0;                 ///< of the clips
+    double min_confidence = 0.7;  ///< of a label, to count as a repeat and for landings
 };
 
-/// One take: from its first figure to its last, without what is labelled idle and without faults;
-/// "other" is danced, but no figure.
+/// Measures of one take, from its first figure to its last, without idle stretches and faults. What
+/// is labelled "other" counts as dancing, but not as a figure.
 struct CapturedDance {
-    std::string take;
-    DanceMeasures measures;
-    LandingReport landing;  ///< against the learnt offsets of `models`
-    JerkByPace jerk_by_pace;
+    std::string take;         ///< name
+    DanceMeasures measures;   ///< all metrics but landings
+    LandingReport landing;    ///< against the learnt landings of `models`
+    JerkByPace jerk_by_pace;  ///< jerk if it were danced at other tempi
 };
 
-/// Takes of the role that have labels, by name. The counts stand for the music's beats. A fault of
-/// more than half a second in head or hands alone (a take's head is wrong throughout) is not
-/// masked; a take that is all fault is left out. Errors: of the readers; no take.
+/// Measures all takes of the role that have labels, by name. The counts serve as the music's beats.
+/// A fault of more than half a second in head or hands alone is not masked (one take's head is
+/// wrong throughout); a take that is all fault is left out. Errors: of the readers; no take.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::vector<CapturedDance>> measure_captured(
     const CapturedDancePlan& plan, std::span<const FigureModel> models);

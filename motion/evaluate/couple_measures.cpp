@@ -11,6 +11,7 @@
 namespace raks::motion {
 namespace {
 
+// Horizontal angle between where the hips face and where the other one is, [0, pi].
 double angle_past(const WorldPose& who, const glm::vec3& other) {
     const glm::vec3 ahead = who.rotation(Bone::hips) * glm::vec3(0.0F, 0.0F, 1.0F);
     const glm::vec3 to = other - who.position(Bone::hips);
@@ -23,6 +24,7 @@ double angle_past(const WorldPose& who, const glm::vec3& other) {
 double body_clearance(const Skeleton& skeleton, const Pose& one, const Pose& other) {
     float least = 1e9F;
     const BodyCapsules others = body_capsules(world_pose(skeleton, other));
+    // Nine capsules against nine: cheap enough without a hierarchy.
     for (const Capsule& a : body_capsules(world_pose(skeleton, one))) {
         for (const Capsule& b : others) {
             least = std::min(least, nearness(a, b).metres);

@@ -1,3 +1,4 @@
+// Couple measures: hands, facing and distance of a couple.
 #pragma once
 
 #include <span>
@@ -8,18 +9,19 @@
 
 namespace raks::motion {
 
-/// Two who dance together.
+/// Measures of a couple, by frame.
 struct CoupleMeasures {
-    std::vector<double> hands;    ///< lead's left wrist to follow's right, by frame; metres
-    std::vector<double> facing;   ///< how far either looks past the other, by frame; radians
-    std::vector<double> closest;  ///< skin to skin, by frame; metres, negative: into one another
+    std::vector<double> hands;    ///< from the lead's left wrist to the follow's right one; metres
+    std::vector<double> facing;   ///< the larger angle by which one looks past the other; radians
+    std::vector<double> closest;  ///< distance of their skins; metres; negative: inside one another
 };
 
-/// How near the bodies are, trunks, heads and legs with the mannequin's girth (hands and arms hold
-/// one another); metres, negative: so deep into one another. Threads: any. Real-time: no.
+/// Distance between two bodies' skins (trunk, head and legs with the mannequin's girth; hands and
+/// arms are left out, as they hold one another); metres; negative: inside one another. Threads:
+/// any. Real-time: no.
 [[nodiscard]] double body_clearance(const Skeleton& skeleton, const Pose& one, const Pose& other);
 
-/// As many poses of both. Threads: workers. Real-time: no.
+/// Measures a couple; as many poses of both. Threads: workers. Real-time: no.
 [[nodiscard]] CoupleMeasures measure_couple(const Skeleton& skeleton,
                                             std::span<const Pose> lead,
                                             std::span<const Pose> follow);

@@ -16,6 +16,7 @@ struct Stretch {
     std::size_t last = 0;
 };
 
+// From the first counted frame to the last.
 Stretch counted_stretch(const BodyTrack& track, const MetricFrames& frames) {
     Stretch stretch{0, track.frames()};
     while (stretch.first < stretch.last && !frames.is_counted(stretch.first)) {
@@ -27,6 +28,7 @@ Stretch counted_stretch(const BodyTrack& track, const MetricFrames& frames) {
     return stretch;
 }
 
+// A track of these frames alone.
 BodyTrack cut(const BodyTrack& track, const Stretch& stretch) {
     const auto first = static_cast<std::ptrdiff_t>(stretch.first);
     const auto last = static_cast<std::ptrdiff_t>(stretch.last);
@@ -35,16 +37,19 @@ BodyTrack cut(const BodyTrack& track, const Stretch& stretch) {
             {track.feet.begin() + first, track.feet.begin() + last}};
 }
 
+// The measures of a figure, added at the end when there are none yet.
 FigureMeasures& measures_of(std::vector<FigureMeasures>& figures, const std::string& name) {
     const auto found = std::find_if(
         figures.begin(), figures.end(), [&](const auto& figure) { return figure.figure == name; });
     return found != figures.end() ? *found : figures.emplace_back(FigureMeasures{name, {}, {}});
 }
 
+// Adds one repeat, unless it reaches beyond the track or holds a frame that does not count.
 void add_repeat(const BodyTrack& track,
                 const MetricFrames& frames,
                 const FigureRepeatTimes& repeat,
                 std::vector<FigureMeasures>& figures) {
+    // None where the repeat reaches beyond the track.
     auto shape = figure_shape(track, repeat.count_times);
     if (!shape) {
         return;
@@ -70,8 +75,10 @@ DanceMeasures measure_dance(const BodyTrack& track, const DanceSubject& subject)
     measures.contacts = contacts_of(track, subject.floor_height, subject.frames);
     measures.peak_toe_speed = peak_toe_speed(track, subject.frames);
     const Stretch stretch = counted_stretch(track, subject.frames);
+    // The metrics that cannot skip frames get the counted stretch alone.
     const BodyTrack danced = cut(track, stretch);
     std::vector<double> beats = subject.beat_times;
+    // Beats count from the cut track's first frame.
     for (double& beat : beats) {
         beat -= static_cast<double>(stretch.first) / track.frames_per_second;
     }
@@ -98,6 +105,7 @@ DanceMeasures pooled(std::span<const DanceMeasures> dances) {
         append(jerks, dance.jerk.samples);
         append(contacts.slips, dance.contacts.slips);
         append(contacts.toe_speeds, dance.contacts.toe_speeds);
+        // Shares and scores are averaged over the dances, not weighted by their length.
         contacts.share += dance.contacts.share / n;
         contacts.lowest_toe = std::min(contacts.lowest_toe, dance.contacts.lowest_toe);
         all.peak_toe_speed = std::max(all.peak_toe_speed, dance.peak_toe_speed);
@@ -112,6 +120,7 @@ DanceMeasures pooled(std::span<const DanceMeasures> dances) {
             sum.shapes.insert(sum.shapes.end(), figure.shapes.begin(), figure.shapes.end());
         }
     }
+    // Statistics are computed from the joined samples, not averaged.
     all.jerk = jerk_of_samples(std::move(jerks));
     all.pfc = percentile(pfcs, 0.5);
     summarize(contacts);

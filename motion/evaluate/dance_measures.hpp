@@ -9,47 +9,49 @@
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/repeat_distance.hpp"
 
-/// All metrics of this folder of one dance but its landings: the same figures for people and for
-/// our dancer.
+/// Dance measures: all metrics of this folder, except landings, for one dance; the same ones for
+/// people and for the dancer.
 namespace raks::motion {
 
 /// One whole repeat of a figure.
 struct FigureRepeatTimes {
-    std::string figure;
+    std::string figure;               ///< name
     std::vector<double> count_times;  ///< seconds: its counts and the next figure's count 1
 };
 
+/// Measures of the repeats of one figure.
 struct FigureMeasures {
-    std::string figure;
+    std::string figure;                 ///< name
     std::vector<Amplitude> amplitudes;  ///< by repeat
     std::vector<FigureShape> shapes;    ///< by repeat
 };
 
+/// Measures of one dance, or of several pooled.
 struct DanceMeasures {
-    JerkReport jerk;
-    ContactReport contacts;
-    double peak_toe_speed = 0.0;  ///< divided by the pace
-    double bas_motion = 0.0;      ///< FACT's form
-    double bas_music = 0.0;       ///< Bailando's form
-    double pfc = 0.0;
-    double skating_ratio = 0.0;
-    std::vector<FigureMeasures> figures;  ///< by name, in the order in which they came first
+    JerkReport jerk;                      ///< dance_metrics.hpp
+    ContactReport contacts;               ///< dance_metrics.hpp
+    double peak_toe_speed = 0.0;          ///< divided by the pace; m/s
+    double bas_motion = 0.0;              ///< beat alignment in FACT's form
+    double bas_music = 0.0;               ///< beat alignment in Bailando's form
+    double pfc = 0.0;                     ///< physical foot contact (foot_skating.hpp)
+    double skating_ratio = 0.0;           ///< foot_skating.hpp
+    std::vector<FigureMeasures> figures;  ///< one a name, in the order of their first repeats
 };
 
-/// What is measured, besides the track.
+/// What is measured of a track.
 struct DanceSubject {
-    MetricFrames frames;
-    std::vector<FigureRepeatTimes> repeats;
-    std::vector<double> beat_times;      ///< of the music; seconds
-    std::optional<double> floor_height;  ///< as in contacts_of
+    MetricFrames frames;                     ///< that count, and their pace
+    std::vector<FigureRepeatTimes> repeats;  ///< whole repeats of figures
+    std::vector<double> beat_times;          ///< of the music; seconds
+    std::optional<double> floor_height;      ///< metres; as in contacts_of()
 };
 
-/// BAS, PFC and skating ratio know no frames to leave out: they are of the stretch from the first
-/// counted frame to the last. Threads: workers. Real-time: no.
+/// Measures a dance. BAS, PFC and skating ratio cannot leave single frames out, so they cover the
+/// stretch from the first counted frame to the last. Threads: workers. Real-time: no.
 [[nodiscard]] DanceMeasures measure_dance(const BodyTrack& track, const DanceSubject& subject);
 
-/// Several dances as one: samples pooled, peaks the highest, BAS and skating ratio the mean, PFC
-/// the median (one fault changes it tenfold).
+/// Pools several dances: samples are joined, peaks are maxima, BAS and skating ratio means, and PFC
+/// the median (a single fault changes it tenfold). Threads: workers. Real-time: no.
 [[nodiscard]] DanceMeasures pooled(std::span<const DanceMeasures> dances);
 
 }  // namespace raks::motion

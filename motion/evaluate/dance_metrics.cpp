@@ -12,9 +12,9 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kContactSpeed = 0.25;   // m/s
-constexpr double kContactHeight = 0.05;  // metres
-constexpr std::size_t kContactFrames = 4;
+constexpr double kContactSpeed = 0.25;     // m/s
+constexpr double kContactHeight = 0.05;    // metres
+constexpr std::size_t kContactFrames = 4;  // shortest contact that counts as a slip
 
 double mean(const std::vector<double>& values) {
     return values.empty() ? 0.0
@@ -22,9 +22,9 @@ double mean(const std::vector<double>& values) {
                                 static_cast<double>(values.size());
 }
 
-// A third difference from frame f on sees f to f + 3, and the filter two more to each side: all
-// must be there, or it would see the body stop dead where the track ends. A track as it is is
-// measured to its ends, as the reference program does.
+// Whether the third difference at frame f, which uses frames f to f + 3 and the filter two more to
+// each side, lies within counted frames; otherwise the body would seem to stop dead where a stretch
+// ends. A track without such marks is measured to its ends, as the reference program does.
 bool has_sound_neighbours(const MetricFrames& frames, std::size_t f, std::size_t count) {
     if (frames.counted.empty()) {
         return true;
@@ -40,7 +40,7 @@ bool has_sound_neighbours(const MetricFrames& frames, std::size_t f, std::size_t
     return true;
 }
 
-// Largest distance over the floor from where the toe came down.
+// Slip of one contact: largest distance over the floor from where the toe came down.
 double slip(const Places& toe, std::size_t begin, std::size_t end) {
     double furthest = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -50,6 +50,7 @@ double slip(const Places& toe, std::size_t begin, std::size_t end) {
     return furthest;
 }
 
+// One slip for each run of touching frames that is long enough.
 void add_slips(const Places& toe, const std::vector<bool>& touches, ContactReport& report) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= touches.size(); ++i) {
@@ -71,6 +72,7 @@ double percentile(std::vector<double> values, double share) {
         return 0.0;
     }
     std::sort(values.begin(), values.end());
+    // numpy's "linear" interpolation between order statistics.
     const double at = share * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(at);
     const std::size_t above = std::min(below + 1, values.size() - 1);
@@ -92,6 +94,7 @@ JerkReport jerk_of(const BodyTrack& track, const MetricFrames& frames) {
             }
             const glm::dvec3 third =
                 places[f + 3] - 3.0 * places[f + 2] + 3.0 * places[f + 1] - places[f];
+            // The pace in the middle of the four frames.
             jerks.push_back(cube * glm::length(third) / std::pow(frames.pace_at(f + 1), 3.0));
         }
     }
@@ -130,6 +133,7 @@ ContactReport contacts_of(const BodyTrack& track,
         std::transform(toe.begin(), toe.end(), heights.begin(), [](const glm::dvec3& place) {
             return place.y;
         });
+        // Low, but no outlier: the floor of a capture is not known exactly.
         const double floor = floor_height.value_or(percentile(heights, 0.05));
         const std::vector<double> speed = speeds(toe, track.frames_per_second);
         std::vector<bool> touches(toe.size());
@@ -140,6 +144,7 @@ ContactReport contacts_of(const BodyTrack& track,
             ++measured;
             touches[f] = speed[f] < kContactSpeed && heights[f] - floor < kContactHeight;
             lowest = std::min(lowest, heights[f] - floor);
+            // The pace scales what is reported, not what decides.
             if (touches[f]) {
                 toe_speeds.push_back(speed[f] / frames.pace_at(f));
             }

@@ -6,66 +6,69 @@
 
 #include "motion/evaluate/body_track.hpp"
 
-/// How smooth a dance is and how well its feet stand. Places are smoothed by the binomial filter
-/// 1-4-6-4-1 over frames first, so figures belong to a frame rate: compare at 60 a second.
+/// Dance metrics: how smooth a dance is and how well its feet stand. Places are first smoothed by
+/// the binomial filter 1-4-6-4-1 over frames, so results depend on the frame rate: compare at 60 a
+/// second.
 namespace raks::motion {
 
-/// What of a track is measured, and against which tempo. Empty vectors: all of it, as it is.
+/// Which frames of a track count, and at which pace. Empty vectors: all count, at pace 1.
 struct MetricFrames {
-    /// By frame: belongs to the dance. False for idling and where the capture is wrong; what a
-    /// metric would compute from such a frame is left out.
+    /// By frame: belongs to the dance. False while idling and where the capture is wrong; values
+    /// that depend on such a frame are left out.
     std::vector<bool> counted;
-    /// By frame: tempo danced / tempo learnt, > 0. Speeds are divided by it and jerks by its cube:
-    /// the same figure danced faster moves faster, and is no less smooth.
+    /// By frame: tempo danced / tempo learnt, > 0. Speeds are divided by it and jerks by its cube,
+    /// because a figure danced faster moves faster without being less smooth.
     std::vector<double> pace;
 
+    /// Whether a frame counts.
     [[nodiscard]] bool is_counted(std::size_t frame) const noexcept {
         return counted.empty() || counted[frame];
     }
+    /// The pace at a frame.
     [[nodiscard]] double pace_at(std::size_t frame) const noexcept {
         return pace.empty() ? 1.0 : pace[frame];
     }
 };
 
-/// Third difference of the 19 joints' places; m/s^3.
+/// Jerk: third difference of the 19 joints' places; m/s^3.
 struct JerkReport {
-    double rms = 0.0;
-    double p999 = 0.0;  ///< 99.9th percentile over joints and frames
-    double highest = 0.0;
+    double rms = 0.0;             ///< over joints and frames
+    double p999 = 0.0;            ///< 99.9th percentile over joints and frames
+    double highest = 0.0;         ///< over joints and frames
     std::vector<double> samples;  ///< joint by joint, for pooling over takes
 };
-/// Zero for less than 4 frames. Differences whose filter reaches over the ends are left out where
-/// `frames` says what is counted: what is cut out of a dance does not stop dead.
-/// Threads: workers. Real-time: no.
+/// Measures the jerk; zero for fewer than 4 frames. Where `frames` says what counts, differences
+/// whose filter reaches over the ends of a counted stretch are left out, since a dance that is cut
+/// does not really stop there. Threads: workers. Real-time: no.
 [[nodiscard]] JerkReport jerk_of(const BodyTrack& track, const MetricFrames& frames = {});
-/// Of samples gathered from several tracks.
+/// The report of samples gathered from several tracks.
 [[nodiscard]] JerkReport jerk_of_samples(std::vector<double> samples);
 
-/// Contact: toe tip slower than 0.25 m/s and lower than 5 cm over the floor; a contact counts from
-/// 4 frames on. The speed that decides is the one seen, whatever the pace.
+/// Contacts of the toes: the tip is slower than 0.25 m/s and lower than 5 cm over the floor, for at
+/// least 4 frames. The speed that decides is the actual one, not divided by the pace.
 struct ContactReport {
-    double share = 0.0;         ///< of the time in contact, mean of both feet
-    std::vector<double> slips;  ///< metres: how far a toe tip moves over the floor in one contact
-    std::size_t standing = 0;   ///< of those, contacts that last from the first frame on
+    double share = 0.0;         ///< share of the time in contact, mean of both feet
+    std::vector<double> slips;  ///< by contact: how far the toe tip moves over the floor; metres
+    std::size_t standing = 0;   ///< how many contacts last from the first frame on
     std::vector<double> toe_speeds;  ///< in contact, by frame and foot; m/s
-    double slip_median = 0.0;
-    double slip_p90 = 0.0;
-    double slip_p95 = 0.0;
-    double toe_speed_mean = 0.0;  ///< in contact; m/s
-    double toe_speed_p95 = 0.0;
-    double lowest_toe = 0.0;  ///< the smoothed toe tips' least height over the floor; metres
+    double slip_median = 0.0;        ///< of `slips`
+    double slip_p90 = 0.0;           ///< 90th percentile of `slips`
+    double slip_p95 = 0.0;           ///< 95th percentile of `slips`
+    double toe_speed_mean = 0.0;     ///< in contact; m/s
+    double toe_speed_p95 = 0.0;      ///< 95th percentile of `toe_speeds`
+    double lowest_toe = 0.0;  ///< least height of the smoothed toe tips over the floor; metres
 };
-/// `floor_height`: of the floor, metres; none: each foot's own 5th percentile of toe height, for
-/// captured motion. Threads: workers. Real-time: no.
+/// Measures the contacts. `floor_height` in metres; none: each foot's own 5th percentile of toe
+/// height, for captured motion. Threads: workers. Real-time: no.
 [[nodiscard]] ContactReport contacts_of(const BodyTrack& track,
                                         std::optional<double> floor_height = std::nullopt,
                                         const MetricFrames& frames = {});
 
-/// Fills in what follows from `slips` and `toe_speeds`: for contacts of several dances.
+/// Computes the statistics of `slips` and `toe_speeds`, for contacts joined from several dances.
 void summarize(ContactReport& report);
 
-/// The value below which `share` of the values lie, interpolated between neighbours as numpy does;
-/// 0 when empty.
+/// Percentile: the value below which `share` of the values lie, interpolated linearly as numpy
+/// does; 0 when empty.
 [[nodiscard]] double percentile(std::vector<double> values, double share);
 
 }  // namespace raks::motion

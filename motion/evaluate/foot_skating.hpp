@@ -2,8 +2,8 @@
 
 #include "motion/evaluate/body_track.hpp"
 
-/// Two published figures for feet that slide, at 30 frames a second: a track of another rate is
-/// thinned to every round(rate / 30)th frame first.
+/// Two published metrics for sliding feet, defined at 30 frames a second: a track of another rate
+/// is thinned to every round(rate / 30)th frame first.
 namespace raks::motion {
 
 /// Physical foot contact (PFC; Tseng 2023, EDGE, eval_pfc.py), times 10,000, in its units of
@@ -14,10 +14,10 @@ namespace raks::motion {
 /// Threads: workers. Real-time: no.
 [[nodiscard]] double physical_foot_contact(const BodyTrack& track);
 
-/// Foot skating ratio (Li 2024, Lodge, foot_skating.py), mean of both feet: of the frames with the
-/// ankle at most 8 cm and the toe tip at most 5 cm over the floor (5th percentile of the toe tip's
-/// height), the share in which either has |vx + vz| / 2 over 1 cm a frame. (Slides along one
-/// diagonal escape it.)
+/// Foot skating ratio (Li 2024, Lodge, foot_skating.py), mean of both feet: among the frames with
+/// the ankle at most 8 cm and the toe tip at most 5 cm over the floor (5th percentile of the toe
+/// tip's height), the share in which either has |vx + vz| / 2 over 1 cm a frame. (Slides along one
+/// diagonal cancel out and are missed.) Threads: workers. Real-time: no.
 [[nodiscard]] double foot_skating_ratio(const BodyTrack& track);
 
 }  // namespace raks::motion

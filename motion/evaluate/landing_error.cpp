@@ -10,10 +10,11 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kEarliest = -0.4;  // beats from the count, as learn_feet has it
-constexpr double kFarthest = 0.5;   // beats from when it is due
-constexpr double kNearEnd = 1.0;    // seconds
-constexpr double kNear = 0.080;     // seconds
+// Beats from a count to the start of its window, as in learn_feet()
+constexpr double kEarliest = -0.4;
+constexpr double kFarthest = 0.5;  // beats between a landing and the learnt one
+constexpr double kNearEnd = 1.0;   // seconds from the track's ends without counts
+constexpr double kNear = 0.080;    // seconds; limit of within_80_ms
 
 // Seconds to the next count; the last one lasts as long as the one before.
 double beat_at(std::span<const double> count_times, std::size_t k) {
@@ -21,14 +22,15 @@ double beat_at(std::span<const double> count_times, std::size_t k) {
     return count_times[first + 1] - count_times[first];
 }
 
-/// A landing that people make at a count, and when it is due.
+/// A learnt landing at one count of this dance.
 struct DueLanding {
     const AudibleCount* audible = nullptr;
-    double time = 0.0;             // seconds
-    std::optional<double> landed;  // of the landing that lies nearest, seconds
+    double time = 0.0;             // seconds at which it is due
+    std::optional<double> landed;  // seconds of the nearest landing matched with it
 };
 
-/// Each landing goes to the due one that is nearest to it, and counts there if no other is nearer.
+/// Matches each landing with the due one nearest to it (in beats); of several, a due one keeps the
+/// nearest.
 void give_landings(std::span<const double> times, std::vector<DueLanding>& due) {
     for (const double time : times) {
         const auto away = [&](const DueLanding& one) {
@@ -47,7 +49,7 @@ void give_landings(std::span<const double> times, std::vector<DueLanding>& due) 
     }
 }
 
-/// Landings in the time of the counts.
+/// Number of landings within the windows of the counts.
 std::size_t landings_within(std::span<const double> times, std::span<const AudibleCount> counts) {
     return static_cast<std::size_t>(std::count_if(times.begin(), times.end(), [&](double time) {
         return std::any_of(counts.begin(), counts.end(), [&](const AudibleCount& audible) {
@@ -57,7 +59,7 @@ std::size_t landings_within(std::span<const double> times, std::span<const Audib
     }));
 }
 
-/// Counts that are not so near the track's ends that the low-pass has no future there.
+/// Counts at least kNearEnd from the track's ends.
 std::vector<AudibleCount> judged_counts(const BodyTrack& track,
                                         std::span<const AudibleCount> counts) {
     const double end = static_cast<double>(track.frames() - 1) / track.frames_per_second;
@@ -99,6 +101,7 @@ LandingReport landing_errors(const BodyTrack& track,
     }
     std::vector<AudibleCount> counts;
     for (std::size_t k = 0; k < count_times.size(); ++k) {
+        // Counts start over with each repeat.
         const std::size_t count = k % static_cast<std::size_t>(figure.beats);
         counts.push_back({&figure, count, count_times[k], beat_at(count_times, k)});
     }
@@ -115,6 +118,7 @@ LandingReport landing_errors(const BodyTrack& track,
     const std::vector<AudibleCount> judged = judged_counts(track, counts);
     for (const Side side : kSides) {
         std::vector<double> times = landings(track.feet, side, track.frames_per_second);
+        // From frames to seconds.
         for (double& time : times) {
             time /= track.frames_per_second;
         }
@@ -122,6 +126,7 @@ LandingReport landing_errors(const BodyTrack& track,
         for (const AudibleCount& audible : judged) {
             const LandingOffset& offset =
                 audible.figure->landings[static_cast<std::size_t>(side)][audible.count];
+            // Only landings that people share have a moment to be compared with.
             if (offset.is_one(least_repeats, audible.figure->repeats)) {
                 due.push_back(
                     {&audible, audible.time + offset.median.count() * audible.beat, std::nullopt});
@@ -141,6 +146,7 @@ LandingReport landing_errors(const BodyTrack& track,
                                        *one.landed - one.time,
                                        one.audible->figure});
         }
+        // What was not matched is unexpected.
         const std::size_t all = landings_within(times, judged);
         report.unexpected += all - std::min(all, expected);
     }

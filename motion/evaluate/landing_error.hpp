@@ -1,3 +1,4 @@
+// Landing error: how exactly steps come down with the music.
 #pragma once
 
 #include <cstddef>
@@ -9,51 +10,53 @@
 
 namespace raks::motion {
 
-/// One step that came down.
+/// One landing that was matched with a learnt one.
 struct Landing {
-    Side side = Side::left;
-    int count = 1;       ///< of the figure, 1..beats
-    double time = 0.0;   ///< seconds from the track's first frame
-    double error = 0.0;  ///< seconds after count + learnt offset; early is negative
-    const FigureModel* figure = nullptr;  ///< never null in a report
+    Side side = Side::left;  ///< which foot
+    int count = 1;           ///< of the figure, 1..beats
+    double time = 0.0;       ///< seconds from the track's first frame
+    double error = 0.0;  ///< seconds after the learnt landing (count + offset); early is negative
+    const FigureModel* figure = nullptr;  ///< danced then; never null in a report
 };
 
-/// Landings against the music: DESIGN 5's measure of synchrony.
+/// Landings against the music: the measure of synchrony between feet and beats.
 struct LandingReport {
-    std::vector<Landing> landings;  ///< those at counts where people land with that foot
-    std::size_t unexpected = 0;     ///< landings at any other count
-    std::size_t missing = 0;        ///< counts where people land and this dance did not
+    std::vector<Landing> landings;  ///< at counts where people land with that foot
+    std::size_t unexpected = 0;     ///< landings at other counts
+    std::size_t missing = 0;        ///< counts at which people land and this dance does not
     double mean = 0.0;              ///< of the errors; seconds
     double deviation = 0.0;         ///< standard deviation of the errors; seconds
-    double within_80_ms = 0.0;      ///< share
+    double within_80_ms = 0.0;      ///< share of the errors of at most 80 ms
 };
 
-/// Fills in what follows from `landings`: for those of several dances.
+/// Computes the statistics of `landings`, for landings joined from several dances.
 void summarize(LandingReport& report);
 
-/// One count of a figure as it sounded.
+/// One count of a figure in the music.
 struct AudibleCount {
-    const FigureModel* figure = nullptr;  ///< danced then; never null
+    const FigureModel* figure = nullptr;  ///< that is danced then; never null
     std::size_t count = 0;                ///< from 0, < figure->beats
     double time = 0.0;                    ///< seconds from the track's first frame
-    double beat = 0.0;                    ///< seconds to the next count
+    double beat = 0.0;                    ///< length of the beat, seconds
 };
 
-/// Where each foot comes down (foot_events.hpp: speed under 0.30 m/s after a step over 0.60, 8 Hz)
-/// against the counts of the music and the figure's learnt offset for that foot and count.
+/// Detects where each foot comes down (foot_events.hpp: speed under 0.30 m/s after a step over
+/// 0.60, 8 Hz) and compares that with the counts of the music plus the figure's learnt offset for
+/// that foot and count.
 ///
-/// `count_times`: seconds of the counts heard, from a count 1 on, ascending; not the dancer's own
-/// phase. Counts near the track's ends (1 s) are left out: the low-pass has no future there. A
-/// landing belongs to the learnt one (count + offset) that is nearest, at most half a beat away:
-/// steps between the beats lie where the windows of two counts meet. Offsets learnt from less than
-/// `least_repeats` landings are not expected, nor where a foot comes down twice a count.
-/// Threads: workers. Real-time: no.
+/// `count_times`: seconds of the music's counts (not of the dancer's own phase), from a count 1 on,
+/// ascending. Counts within 1 s of the track's ends are left out, as the low-pass needs motion on
+/// both sides. A landing is matched with the nearest learnt one (count + offset), at most half a
+/// beat away; a fixed window around each count would split steps that fall between two beats.
+/// Offsets learnt from fewer than `least_repeats` landings, or of a foot that comes down twice a
+/// count, are not expected. Threads: workers. Real-time: no.
 [[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
                                            const FigureModel& figure,
                                            std::span<const double> count_times,
                                            int least_repeats = 3);
 
-/// The same where the figure, or the tempo, changes on the way: each count with its own figure.
+/// The same for a dance whose figure or tempo changes: each count has its own figure. Threads:
+/// workers. Real-time: no.
 [[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
                                            std::span<const AudibleCount> counts,
                                            int least_repeats = 3);

@@ -9,6 +9,7 @@
 namespace raks::motion {
 
 Places smoothed(const Places& places) {
+    // Binomial coefficients, which sum to 1.
     constexpr std::array<double, 5> kTaps = {1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
     const auto last = static_cast<std::ptrdiff_t>(places.size()) - 1;
     Places result(places.size(), glm::dvec3(0.0));
@@ -54,6 +55,7 @@ Places foot_places(const BodyTrack& track, Side side, double from_ankle) {
     for (std::size_t f = 0; f < track.frames(); ++f) {
         const glm::dvec3& ankle = track.feet[f][static_cast<std::size_t>(side)].ankle;
         const double length = glm::distance(ankle, places[f]);
+        // A foot shorter than that ends at its tip.
         if (length > from_ankle) {
             places[f] = glm::mix(ankle, places[f], from_ankle / length);
         }

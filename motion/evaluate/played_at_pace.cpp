@@ -6,7 +6,7 @@
 namespace raks::motion {
 namespace {
 
-/// A place between the frames of one point, by its four neighbours.
+/// Catmull-Rom interpolation of one point at a fractional frame; the ends are repeated.
 template <typename PlaceAt>
 glm::dvec3 between(const PlaceAt& place_at, std::size_t frames, double at) {
     const auto last = static_cast<std::ptrdiff_t>(frames) - 1;
@@ -24,6 +24,7 @@ glm::dvec3 between(const PlaceAt& place_at, std::size_t frames, double at) {
     return ((a * t + b) * t + 0.5 * (p2 - p0)) * t + p1;
 }
 
+// Frames of the result, none beyond the last original one.
 std::size_t frames_played(std::size_t frames, double pace) {
     return frames == 0 ? 0 : static_cast<std::size_t>(static_cast<double>(frames - 1) / pace) + 1;
 }
@@ -56,6 +57,7 @@ MetricFrames frames_at_pace(const MetricFrames& frames, std::size_t count, doubl
     MetricFrames played;
     for (std::size_t f = 0; f < frames_played(count, pace); ++f) {
         const double at = static_cast<double>(f) * pace;
+        // A frame counts if both original ones around it do.
         const std::size_t below = std::min(static_cast<std::size_t>(at), count - 1);
         const std::size_t above = std::min(below + 1, count - 1);
         played.counted.push_back(frames.is_counted(below) && frames.is_counted(above));

@@ -9,6 +9,7 @@
 namespace raks::motion {
 namespace {
 
+// Index of a bone in kBodyBones.
 std::size_t index_in_body(Bone bone) {
     return static_cast<std::size_t>(std::find(kBodyBones.begin(), kBodyBones.end(), bone) -
                                     kBodyBones.begin());
@@ -16,11 +17,14 @@ std::size_t index_in_body(Bone bone) {
 
 using Joints = std::array<glm::dvec3, kBodyBones.size()>;
 
+// Joints in the frame of the pelvis: its front is square to the line between the leg sockets, seen
+// from above.
 std::array<glm::dvec3, kShapeJoints> heading_local(const Joints& joints) {
     static const std::size_t left = index_in_body(Bone::left_upper_leg);
     static const std::size_t right = index_in_body(Bone::right_upper_leg);
     const glm::dvec3& hips = joints[index_in_body(Bone::hips)];
     const glm::dvec3 to_left = joints[left] - joints[right];
+    // Never zero, should that line be vertical.
     const double length = std::max(std::hypot(to_left.x, to_left.z), 1e-9);
     const double cosine = to_left.x / length;
     const double sine = to_left.z / length;
@@ -51,11 +55,13 @@ std::optional<FigureShape> figure_shape(const BodyTrack& track,
         const double count = static_cast<double>(phase * (count_times.size() - 1)) /
                              static_cast<double>(kShapePhases);
         const auto before = static_cast<std::size_t>(count);
+        // Linear between two counts, so repeats at different tempi compare phase by phase.
         const double time =
             count_times[before] +
             (count - std::floor(count)) * (count_times[before + 1] - count_times[before]);
         const double frame = time * track.frames_per_second;
         const auto f = static_cast<std::size_t>(frame);
+        // Turned first, then interpolated: between two frames the heading hardly changes.
         const auto from = heading_local(track.joints[f]);
         const auto to = heading_local(track.joints[std::min(f + 1, track.frames() - 1)]);
         for (std::size_t j = 0; j < kShapeJoints; ++j) {

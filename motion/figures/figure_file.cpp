@@ -15,8 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Field = models::JsonDocument::Field;
-constexpr std::size_t kMaxModelBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxModelBytes = std::size_t{64} << 20U;  // 64 MiB
 
+// The field names are those of the structs, in their order.
 Json json_of(const FigureState& state) {
     return {{"mean", state.mean},
             {"variance", state.variance},
@@ -26,6 +27,7 @@ Json json_of(const FigureState& state) {
             {"delta_delta_variance", state.delta_delta_variance}};
 }
 
+// Fields with their default value are left out of the file.
 Json json_of(const PartModel& part) {
     Json json;
     json["part"] = kPartNames[static_cast<std::size_t>(part.part)];
@@ -33,6 +35,7 @@ Json json_of(const PartModel& part) {
     for (const JointFeature& joint : part.joints) {
         Json& one = json["joints"].emplace_back();
         one["bone"] = kBoneNames[index_of(joint.bone)];
+        // Places have no mean rotation.
         if (part.features == FigureFeatures::angles) {
             const glm::dquat& q = joint.mean;
             one["mean"] = {q.w, q.x, q.y, q.z};
@@ -52,6 +55,7 @@ Json json_of(const PartModel& part) {
         json["state_covariances"] = part.state_covariances;
     }
     json["occurrence"] = part.occurrence;
+    // In beats, as everything that depends on time.
     json["stays"] = Json::array();
     for (const StateStay& stay : part.stays) {
         json["stays"].push_back(
@@ -67,6 +71,7 @@ Json json_of(const LandingOffset& landing) {
             {"deviation", landing.deviation.count()}};
 }
 
+// Rows of numbers; their lengths are validated later.
 std::vector<std::vector<double>> table_of(const Field& field) {
     std::vector<std::vector<double>> rows(field.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -75,17 +80,20 @@ std::vector<std::vector<double>> table_of(const Field& field) {
     return rows;
 }
 
+// Index of a name in a list of names; 0, with a complaint, for an unknown one.
 template <typename Names>
 std::size_t name_in(const Names& names, const Field& field) {
     const std::string text = field.text();
     const auto found = std::find(names.begin(), names.end(), text);
     if (found == names.end()) {
+        // The text is cut: a damaged file may hold anything.
         field.complain(fmt::format("is \"{:.40}\", which is unknown", text));
         return 0;
     }
     return static_cast<std::size_t>(found - names.begin());
 }
 
+// Positions have no mean rotation.
 JointFeature joint_of(const Field& field, FigureFeatures features) {
     JointFeature joint;
     joint.bone = static_cast<Bone>(name_in(kBoneNames, field["bone"]));
@@ -93,6 +101,7 @@ JointFeature joint_of(const Field& field, FigureFeatures features) {
         return joint;
     }
     const std::vector<double> q = field["mean"].numbers();
+    // In the order of the file, which is also that of glm's constructor.
     if (q.size() == 4) {
         joint.mean = {q[0], q[1], q[2], q[3]};
     } else {
@@ -101,6 +110,7 @@ JointFeature joint_of(const Field& field, FigureFeatures features) {
     return joint;
 }
 
+// Lengths are validated later.
 FigureState state_of(const Field& field) {
     return {field["mean"].numbers(),
             field["variance"].numbers(),
@@ -110,6 +120,7 @@ FigureState state_of(const Field& field) {
             field["delta_delta_variance"].numbers()};
 }
 
+// Files without a kind have a tied covariance.
 void read_covariances(const Field& field, PartModel& part) {
     part.covariance = table_of(field["covariance"]);
     if (!field.has("covariance_kind")) {
@@ -117,14 +128,16 @@ void read_covariances(const Field& field, PartModel& part) {
     }
     part.covariance_kind =
         static_cast<CovarianceKind>(name_in(kCovarianceKindNames, field["covariance_kind"]));
+    // By state; a diagonal is a matrix of one row.
     const Field matrices = field["state_covariances"];
     for (std::size_t k = 0; k < matrices.size(); ++k) {
         part.state_covariances.push_back(table_of(matrices[k]));
     }
 }
 
+// Files may lack the table of counts against states; then each state lies on its slice.
 void read_timing(const Field& field, const FigureModel& model, PartModel& part) {
-    if (!field.has("occurrence")) {  // learnt before it was kept
+    if (!field.has("occurrence")) {  // an older file
         if (!part.states.empty()) {
             set_sliced_timing(model.beats, model.samples_per_beat, part);
         }
@@ -138,6 +151,7 @@ void read_timing(const Field& field, const FigureModel& model, PartModel& part) 
     }
 }
 
+// One part; its number of states and features is validated later.
 PartModel part_of(const Field& field, const FigureModel& model) {
     PartModel part;
     part.features = model.features;
@@ -159,10 +173,12 @@ PartModel part_of(const Field& field, const FigureModel& model) {
     return part;
 }
 
+// Contact probabilities and landings, by side.
 void read_feet(const Field& root, FigureModel& model) {
     for (std::size_t side = 0; side < kSideNames.size(); ++side) {
         const Field contact = root["contact"][kSideNames[side]];
         const std::vector<double> chances = contact.numbers();
+        // The array has a fixed size, so the length is checked here, not by validate().
         if (chances.size() == kContactBins) {
             std::copy(chances.begin(), chances.end(), model.contact[side].begin());
         } else {
@@ -178,6 +194,7 @@ void read_feet(const Field& root, FigureModel& model) {
     }
 }
 
+// Captures know no fingers, so fists may be absent.
 void read_hands(const Field& root, FigureModel& model) {
     if (!root.has("fist")) {
         return;
@@ -187,6 +204,7 @@ void read_hands(const Field& root, FigureModel& model) {
     }
 }
 
+// Captured figures have no law of size.
 void read_size(const Field& root, FigureModel& model) {
     if (root.has("size_by_tempo")) {
         const Field size = root["size_by_tempo"];
@@ -194,6 +212,7 @@ void read_size(const Field& root, FigureModel& model) {
     }
 }
 
+// Reads all fields. Complaints collect in the document, whose finish() reports the first.
 FigureModel figure_of(const Field& root) {
     FigureModel model;
     model.name = root["name"].text();
@@ -209,11 +228,13 @@ FigureModel figure_of(const Field& root) {
     model.net_turn = root["net_turn"].number();
     model.source_hips_height = root["source_hips_height"].number();
     model.peak_toe_speed = root["peak_toe_speed"].number();
+    // Version 1 has no such field and means angles; it must be known before the parts are read.
     if (root.has("features")) {
         model.features = static_cast<FigureFeatures>(name_in(kFeaturesNames, root["features"]));
     }
     const Field parts = root["parts"];
     const std::size_t count = parts_of(model.features).size();
+    // Without the right parts nothing further can be read.
     if (parts.size() != count) {
         parts.complain(fmt::format("has {} entries, must have {}", parts.size(), count));
         return model;
@@ -227,6 +248,7 @@ FigureModel figure_of(const Field& root) {
     return model;
 }
 
+// An unusable model file is best made again, so the error says so.
 Error retrain(const std::string& name, const std::string& message) {
     return Error{fmt::format("{}: {}; train the figure again", name, message)};
 }
@@ -237,11 +259,13 @@ std::string figure_text(const FigureModel& model) {
     Json json;
     json["format"] = FigureModel::kFormat;
     const bool is_of_angles = model.features == FigureFeatures::angles;
+    // Angles keep version 1, which older programs can read.
     json["version"] = is_of_angles ? 1 : FigureModel::kVersion;
     json["name"] = model.name;
     json["dance"] = model.dance;
     json["role"] = kRoleNames[static_cast<std::size_t>(model.role)];
     json["attribution"] = model.attribution;
+    // Only version 2 has this field.
     if (!is_of_angles) {
         json["features"] = kFeaturesNames[static_cast<std::size_t>(model.features)];
     }
@@ -264,6 +288,7 @@ std::string figure_text(const FigureModel& model) {
         for (const LandingOffset& landing : model.landings[side]) {
             json["landings"][name].push_back(json_of(landing));
         }
+        // Absent where the hands are not known.
         if (!model.fist[side].empty()) {
             json["fist"][name] = model.fist[side];
         }
@@ -281,10 +306,12 @@ Expected<FigureModel> parse_figure(std::string_view json, const std::string& nam
     if (!document) {
         return fail(std::move(document.error()).in(name));
     }
+    // First the types of all fields, then their values.
     FigureModel model = figure_of(document->root());
     if (auto ok = document->finish(); !ok) {
         return fail(retrain(name, ok.error().message));
     }
+    // Values that no program should dance.
     if (auto ok = validate(model); !ok) {
         return fail(retrain(name, ok.error().message));
     }

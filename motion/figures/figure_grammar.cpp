@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 constexpr std::string_view kFormat = "raks-dance";
 constexpr std::int64_t kVersion = 1;
 constexpr std::array<std::string_view, 2> kStartsNames = {"common", "own"};  // by Starts
-constexpr double kLargestWeight = 1e6;
-constexpr std::size_t kMaxGrammarBytes = std::size_t{1} << 20U;
-constexpr std::size_t kLongestFigureName = 60;
-constexpr double kFarthest = 10.0;      // metres
-constexpr double kFarthestAside = 1.0;  // metres
+constexpr double kLargestWeight = 1e6;                           // of `seen` and `after`
+constexpr std::size_t kMaxGrammarBytes = std::size_t{1} << 20U;  // 1 MiB
+constexpr std::size_t kLongestFigureName = 60;                   // characters
+constexpr double kFarthest = 10.0;                               // metres to a turn point
+constexpr double kFarthestAside = 1.0;  // metres that a partner moves aside
 
-/// Reads one grammar; the first fault ends it.
+/// Reads one grammar; reading stops at the first fault.
 class GrammarReader {
  public:
     explicit GrammarReader(const std::string& name) : name_(name) {}
@@ -42,8 +42,9 @@ class GrammarReader {
         return grammar;
     }
 
-    /// Adds the figures of the file to those of `grammar`.
+    /// Adds the figures of the file to those of `grammar`, and gives the old ones weights for them.
     Expected<void> extend(const toml::table& root, FigureGrammar& grammar) {
+        // The head is checked, then dropped: the grammar keeps its own.
         FigureGrammar own;
         if (auto ok = read_head(root, own); !ok) {
             return ok;
@@ -52,6 +53,7 @@ class GrammarReader {
         if (auto ok = read_figures(root, grammar); !ok) {
             return ok;
         }
+        // The old figures know nothing of the new ones yet.
         for (std::size_t i = 0; i < known; ++i) {
             lead_on(grammar, known, grammar.rules[i].after);
         }
@@ -59,13 +61,15 @@ class GrammarReader {
     }
 
  private:
-    /// Weights of the figures from number `known` on, behind one that knew only those before.
+    /// Extends a rule that knows only the first `known` figures: each new one gets the mean of the
+    /// positive weights, times its `seen`.
     static void lead_on(const FigureGrammar& grammar,
                         std::size_t known,
                         std::vector<double>& after) {
         double sum = 0.0;
         double count = 0.0;
         for (std::size_t i = 0; i < known; ++i) {
+            // Mean over the followers that it has, not over all figures.
             sum += after[i];
             count += after[i] > 0.0 ? 1.0 : 0.0;
         }
@@ -74,6 +78,8 @@ class GrammarReader {
         }
     }
 
+    // Everything but figures. An absent key takes its default; one of the wrong type must be an
+    // error, hence the two different fallbacks of value_or().
     Expected<void> read_head(const toml::table& root, FigureGrammar& grammar) {
         if (auto ok = check_keys(root,
                                  {"format",
@@ -90,6 +96,7 @@ class GrammarReader {
         if (root["format"].value<std::string>() != std::string(kFormat)) {
             return fail(fmt::format("{}: format must be \"{}\"", name_, kFormat));
         }
+        // A newer version is most likely a newer program's file.
         const auto version = root["version"].value<std::int64_t>();
         if (!version || *version < 1 || *version > kVersion) {
             return fail(
@@ -98,10 +105,12 @@ class GrammarReader {
                             kVersion));
         }
         grammar.dance = root["dance"].value_or(std::string());
+        // [[figure]] tables arrive as an array of tables.
         const toml::array* const figures = root["figure"].as_array();
         if (grammar.dance.empty() || figures == nullptr || figures->empty()) {
             return fail(name_ + ": needs dance = \"...\" and at least one [[figure]]");
         }
+        // Of a wrong type: 0, which fails the range check below.
         const auto bar = root["beats_per_bar"].value_or<std::int64_t>(
             root.contains("beats_per_bar") ? 0 : grammar.beats_per_bar);
         if (bar < 2 || bar > 12) {
@@ -110,6 +119,7 @@ class GrammarReader {
         grammar.beats_per_bar = static_cast<int>(bar);
         const auto starts = root["starts"].value_or(
             std::string(root.contains("starts") ? "" : kStartsNames.front()));
+        // In the order of Starts.
         const auto named = std::find(kStartsNames.begin(), kStartsNames.end(), starts);
         if (named == kStartsNames.end()) {
             return fail(name_ + ": starts must be \"common\" or \"own\"");
@@ -123,7 +133,9 @@ class GrammarReader {
         return {};
     }
 
+    // Two passes: `after` may name figures that come later in the file.
     Expected<void> read_figures(const toml::table& root, FigureGrammar& grammar) {
+        // Figures that are there already when a grammar is extended.
         const std::size_t known = grammar.rules.size();
         const toml::array& figures = *root["figure"].as_array();
         for (const toml::node& node : figures) {
@@ -139,10 +151,12 @@ class GrammarReader {
         return {};
     }
 
+    // "FILE: line N", for messages.
     [[nodiscard]] std::string where(const toml::node& node) const {
         return fmt::format("{}: line {}", name_, node.source().begin.line);
     }
 
+    // An unknown key is most likely a typing error, so the nearest known one is suggested.
     Expected<void> check_keys(const toml::table& table,
                               const std::vector<std::string_view>& known) const {
         for (const auto& entry : table) {
@@ -154,11 +168,12 @@ class GrammarReader {
         return {};
     }
 
-    /// Beyond every bound where there is no number.
+    /// The number, or, where there is none, one that fails every range check.
     static double number_of(const toml::node_view<const toml::node>& value) {
         return value.value<double>().value_or(kLargestWeight);
     }
 
+    // [lead] or [follow]; either may be absent.
     Expected<void> read_place(const toml::table& root,
                               DanceRole role,
                               FigureGrammar& grammar) const {
@@ -178,6 +193,7 @@ class GrammarReader {
         FigureGrammar::Place place;
         place.role = role;
         place.turn_point = {number_of(point[0]), number_of(point[1])};
+        // Degrees in the file, radians in the grammar.
         const double degrees = table->contains("heading") ? number_of((*table)["heading"]) : 0.0;
         place.heading = degrees * M_PI / 180.0;
         if (!(std::abs(place.turn_point.x) <= kFarthest &&
@@ -193,6 +209,7 @@ class GrammarReader {
         return {};
     }
 
+    // One [[figure]] but for its `after`.
     Expected<void> read_figure(const toml::node& node, FigureGrammar& grammar) const {
         const toml::table* const table = node.as_table();
         if (table == nullptr) {
@@ -208,6 +225,7 @@ class GrammarReader {
         if (rule.figure.empty()) {
             return fail(where(node) + ": a figure needs a name");
         }
+        // Names are how rules refer to one another, so they must be unique.
         const bool is_known =
             std::any_of(grammar.rules.begin(), grammar.rules.end(), [&](const auto& other) {
                 return other.figure == rule.figure;
@@ -215,6 +233,7 @@ class GrammarReader {
         if (is_known) {
             return fail(fmt::format("{}: figure \"{}\" is there twice", where(node), rule.figure));
         }
+        // -1 stands for a wrong type and fails the check below.
         rule.energy = (*table)["energy"].value_or(table->contains("energy") ? -1.0 : 0.5);
         if (!(rule.energy >= 0.0 && rule.energy <= 1.0)) {
             return fail(where(node) + ": energy must be a number from 0 to 1");
@@ -224,6 +243,7 @@ class GrammarReader {
             return fail(where(node) + ": seen must be a number > 0");
         }
         for (std::size_t role = 0; role < kRoleNames.size(); ++role) {
+            // "lead_aside" and "follow_aside".
             const std::string key = fmt::format("{}_aside", kRoleNames[role]);
             if (!table->contains(key)) {
                 continue;
@@ -242,7 +262,8 @@ class GrammarReader {
         return {};
     }
 
-    /// Every other figure comes after this one; after the only one itself.
+    /// Weights of a figure without `after`: every other figure by its `seen`; a single figure
+    /// follows itself.
     static void follow_as_seen(FigureGrammar& grammar, std::size_t index) {
         std::vector<double>& after = grammar.rules[index].after;
         for (std::size_t i = 0; i < after.size(); ++i) {
@@ -250,11 +271,13 @@ class GrammarReader {
         }
     }
 
+    // The weights after figure `index`; figures not named get 0.
     Expected<void> read_followers(const toml::table& table,
                                   FigureGrammar& grammar,
                                   std::size_t index) const {
         std::vector<std::string_view> names;
         for (const FigureGrammar::Rule& rule : grammar.rules) {
+            // All figures, those of an extended grammar included.
             names.push_back(rule.figure);
         }
         std::vector<double>& after = grammar.rules[index].after;
@@ -272,6 +295,7 @@ class GrammarReader {
                     return fail(where(entry.second) + ": " +
                                 unknown_name("figure", entry.first.str(), names));
                 }
+                // A negative number stands for a wrong type.
                 const double weight = entry.second.value<double>().value_or(-1.0);
                 if (!(weight >= 0.0 && weight <= kLargestWeight)) {
                     return fail(fmt::format("{}: the weight of \"{}\" must be a number >= 0",
@@ -282,6 +306,7 @@ class GrammarReader {
                 sum += weight;
             }
         }
+        // Without any follower the dance could not go on.
         if (!(sum > 0.0)) {
             return fail(fmt::format("{}: nothing comes after \"{}\"; give it after = {{ ... }}",
                                     where(table),
@@ -306,6 +331,7 @@ FigureGrammar FigureGrammar::uniform(const std::vector<std::string>& figures) {
     for (std::size_t i = 0; i < figures.size(); ++i) {
         Rule rule;
         rule.figure = figures[i];
+        // Equal weights, but no figure directly after itself.
         rule.after.assign(figures.size(), 1.0);
         if (figures.size() > 1) {
             rule.after[i] = 0.0;
@@ -317,7 +343,9 @@ FigureGrammar FigureGrammar::uniform(const std::vector<std::string>& figures) {
 
 namespace {
 
-/// Hands the table of a TOML text to `read`, which returns an Expected of some kind.
+/// Parses TOML and passes the table to `read`, which returns an Expected; faults of the syntax
+/// become errors with their line. An empty header is looked for first, since toml++ may assert on
+/// it (toml_headers.hpp).
 template <typename Read>
 auto with_toml(std::string_view text, const std::string& name, const Read& read)
     -> decltype(read(toml::table())) {
@@ -352,8 +380,10 @@ Expected<void> extend_grammar(const fs::path& path, FigureGrammar& grammar) {
     if (!text) {
         return fail(std::move(text.error()));
     }
+    // A copy, so that an error leaves the grammar as it was.
     FigureGrammar extended = grammar;
     const std::string name = path.string();
+    // Errors carry the name of the file that extends.
     auto done = with_toml(*text, name, [&](const toml::table& root) {
         return GrammarReader(name).extend(root, extended);
     });
@@ -370,6 +400,7 @@ Expected<std::vector<std::string>> figures_in_grammar(std::string_view text,
         if (const toml::array* const figures = root["figure"].as_array()) {
             for (const toml::node& node : *figures) {
                 const toml::table* const table = node.as_table();
+                // A figure without a name counts with an empty one, so that positions stay.
                 names.push_back(table != nullptr ? (*table)["name"].value_or(std::string())
                                                  : std::string());
             }
@@ -379,6 +410,7 @@ Expected<std::vector<std::string>> figures_in_grammar(std::string_view text,
 }
 
 bool is_figure_name(std::string_view name) noexcept {
+    // Not std::isalnum, which depends on the locale.
     const auto is_fit = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                c == '-' || c == '_';

@@ -1,3 +1,4 @@
+// Figure grammar: which figures a dance has and how they follow one another.
 #pragma once
 
 #include <array>
@@ -14,75 +15,77 @@
 
 namespace raks::motion {
 
-/// How a dance goes from figure to figure: a bigram, and how lively each figure is.
+/// Transitions between the figures of a dance (a bigram), and how lively each figure is.
 struct FigureGrammar {
+    /// One figure and what may follow it.
     struct Rule {
-        std::string figure;
-        double energy = 0.5;        ///< [0, 1]: 0 for the quietest music, 1 for the loudest
-        double seen = 1.0;          ///< > 0: how often it occurs, where no rule says more
-        std::vector<double> after;  ///< by figure: weight that it comes after this one, >= 0
-        /// By DanceRole: how far one of a couple goes aside in the middle of the figure, so that
-        /// both have room; left, forward of where it starts; metres.
+        std::string figure;   ///< name
+        double energy = 0.5;  ///< liveliness, [0, 1]: 0 suits the quietest music, 1 the loudest
+        double seen = 1.0;    ///< > 0: weight of the figure after those whose rules do not list it
+        std::vector<double> after;  ///< by figure: weight that it follows this one, >= 0
+        /// By DanceRole: how far a partner moves aside in the middle of the figure, so that both
+        /// have room; left, forward of where it starts; metres.
         std::array<glm::dvec2, 2> aside{};
     };
-    /// Where one of a couple stands.
+    /// Where one partner of a couple stands.
     struct Place {
-        DanceRole role = DanceRole::lead;
-        /// About which its half-turn figures turn, seen from where they start: left, forward;
-        /// metres. The same point on the floor for both.
+        DanceRole role = DanceRole::lead;  ///< which partner
+        /// The point about which its half-turn figures turn, seen from where they start: left,
+        /// forward; metres. It is the same point on the floor for both partners.
         glm::dvec2 turn_point{0.0, 0.0};
         double heading = 0.0;  ///< on the stage, where figures start; radians
     };
     /// Where the feet stand as figures start.
     enum class Starts : std::uint8_t {
-        common,  ///< all in one place a foot: figures from people's takes begin alike
-        own,     ///< each in its own: written figures have a stance each, the dancer steps over
+        /// The same place for each foot in all figures: those learnt from takes begin alike
+        common,
+        own,  ///< each figure has its own stance, as written figures do; the dancer steps over
     };
-    std::string dance;
-    int beats_per_bar = 4;
-    Starts starts = Starts::common;
-    std::vector<Place> places;  ///< by role; none: each about its own
-    std::vector<Rule> rules;    ///< by figure; the dance begins with the first
+    std::string dance;               ///< the dance's label
+    int beats_per_bar = 4;           ///< 2 to 12
+    Starts starts = Starts::common;  ///< whether figures share a stance
+    std::vector<Place> places;       ///< one a role; none: each turns about its own point
+    std::vector<Rule> rules;         ///< one a figure; the dance begins with the first
 
-    /// Null: the dance has none for this role.
+    /// The place of a role; null: the dance has none.
     [[nodiscard]] const Place* place_of(DanceRole role) const noexcept;
 
-    /// Every figure after every other alike, none after itself unless it is alone.
+    /// All transitions between different figures with equal weight; a single figure follows itself.
     [[nodiscard]] static FigureGrammar uniform(const std::vector<std::string>& figures);
 };
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
-/// 12; 4 if left out), starts ("common" if left out, or "own"), and one [[figure]] each with name,
-/// energy, `seen` (1 if left out) and `after` = { figure = weight, ... }; without `after` every
-/// other figure follows as often as it is seen. For couples [lead] and [follow] with
-/// turn_point = [left, forward] and heading in degrees, and with a figure lead_aside and
-/// follow_aside = [left, forward].
+/// 12; default 4), starts ("common", the default, or "own"), and one [[figure]] each with name,
+/// energy, `seen` (default 1) and `after` = { figure = weight, ... }; without `after` every other
+/// figure follows, weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left,
+/// forward] and heading in degrees, and in a figure lead_aside and follow_aside = [left, forward].
 /// Errors, one line: not readable, not TOML, another format, a newer version, unknown keys and
-/// figures (the nearest is named), two figures of one name, weights that are negative or no
+/// figures (the nearest name is given), two figures of one name, weights that are negative or no
 /// numbers, a figure that nothing follows. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
+/// The same from text; `name` stands for the file in errors.
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);
 
-/// Adds the figures of another file to a grammar. What the file says besides figures is left
-/// aside. Its `after` may name figures of both; the figures of `grammar` go on to each new one with
-/// the mean of the weights that they have, times `seen`.
-/// Errors: as load_grammar; a figure that the grammar has already.
+/// Adds the figures of another file to a grammar; everything else in that file is ignored. Its
+/// `after` may name figures of both. After each old figure, a new one gets the mean of that
+/// figure's positive weights, times its own `seen`. Errors: as load_grammar; a figure that the
+/// grammar has already. After an error the grammar is unchanged.
 [[nodiscard]] Expected<void> extend_grammar(const std::filesystem::path& path,
                                             FigureGrammar& grammar);
 
-/// The names of the figures in the text of such a file, whatever their rules say: also of one that
-/// extends another. Errors: not TOML.
+/// The names of the figures in the text of such a file. Rules are not checked, so the file may
+/// extend another one. Errors: not TOML.
 [[nodiscard]] Expected<std::vector<std::string>> figures_in_grammar(std::string_view toml,
                                                                     const std::string& name);
 
-/// Letters, digits, '-' and '_', at most 60: a part of a file's name on any system.
+/// Letters, digits, '-' and '_', at most 60: valid as part of a file name on any system.
 [[nodiscard]] bool is_figure_name(std::string_view name) noexcept;
-/// "NAME" with the reason why it is none; for errors.
+/// An error message: the name in quotes and why it is not valid.
 [[nodiscard]] std::string why_no_figure_name(std::string_view name);
 
-/// A [[figure]] without `after`, as text of such a file.
+/// TOML text of a [[figure]] without `after`.
 [[nodiscard]] std::string figure_rule_text(std::string_view figure, double seen);
-/// A file without figures yet: its head, with comments for who edits it.
+/// TOML text of a file's head, without figures, with comments for its editor.
 [[nodiscard]] std::string grammar_head_text(const FigureGrammar& grammar);
 
 }  // namespace raks::motion

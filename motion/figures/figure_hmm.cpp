@@ -8,6 +8,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
                                              static_cast<Eigen::Index>(values.size()));
 }
 
+// A row or vector of Eigen as a list.
 template <typename Row>
 std::vector<double> list_of(const Row& row) {
     std::vector<double> list;
@@ -25,6 +26,7 @@ std::vector<std::vector<double>> rows_of(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
+// The inverse of covariance_type_of().
 CovarianceKind kind_of(models::CovarianceType type) noexcept {
     switch (type) {
         case models::CovarianceType::full:
@@ -66,6 +68,7 @@ models::GaussianHmm hmm_of(const PartModel& part) {
     hmm.initial = vector_of(part.initial);
     hmm.transition = matrix_of(part.transition);
     hmm.exit = vector_of(part.exit);
+    // One Gaussian a state: its mixture weight is 1.
     hmm.weights = Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(part.states.size()), 1);
     hmm.means.resize(static_cast<Eigen::Index>(part.states.size()),
                      static_cast<Eigen::Index>(part.dimension()));
@@ -78,6 +81,7 @@ models::GaussianHmm hmm_of(const PartModel& part) {
     }
     for (const std::vector<std::vector<double>>& rows : part.state_covariances) {
         const Eigen::MatrixXd matrix = matrix_of(rows);
+        // The file keeps a diagonal as one row, models/ as a column.
         const bool is_row = part.covariance_kind == CovarianceKind::diagonal;
         hmm.covariances.emplace_back(is_row ? Eigen::MatrixXd(matrix.transpose()) : matrix);
     }
@@ -92,6 +96,7 @@ void take_hmm(const models::GaussianHmm& hmm, const Eigen::MatrixXd& tied, PartM
         part.states[static_cast<std::size_t>(k)].mean = list_of(hmm.means.row(k));
     }
     part.transition = rows_of(hmm.transition);
+    // Kept for all kinds: variation and detail draw from it.
     part.covariance = rows_of(tied);
     part.covariance_kind = kind_of(hmm.covariance_type);
     part.state_covariances.clear();

@@ -29,19 +29,25 @@
 /// from +z towards +x (right-hand rule about +y).
 namespace raks::motion {
 
+/// Parts of the body, each with an HMM of its own.
 enum class Part : std::uint8_t { torso, upper, lower };
+/// All parts, in the order of the enumeration.
 inline constexpr std::array<Part, 3> kParts = {Part::torso, Part::upper, Part::lower};
+/// Names in files, by Part.
 inline constexpr std::array<std::string_view, 3> kPartNames = {"torso", "upper", "lower"};
 
 /// What the parts are made of: rotations of joints (torso, upper, lower), or their places in space
 /// (upper and lower; Ofli 2008, section 4.1: joint-position figures).
 enum class FigureFeatures : std::uint8_t { angles, positions };
+/// Names in files, by FigureFeatures.
 inline constexpr std::array<std::string_view, 2> kFeaturesNames = {"angles", "positions"};
 
-/// The parts of a figure, in the order of its file.
+/// The parts of a figure with such features, in the order of its file.
 [[nodiscard]] std::span<const Part> parts_of(FigureFeatures features) noexcept;
 
+/// Which partner of a couple.
 enum class DanceRole : std::uint8_t { lead, follow };
+/// Names in files, by DanceRole.
 inline constexpr std::array<std::string_view, 2> kRoleNames = {"lead", "follow"};
 
 /// How the body moves as a whole, in this order. Angles: the torso's first six features; three of
@@ -51,17 +57,17 @@ enum class RootFeature : std::uint8_t {
     velocity_forward,  ///< heading-local +z; metres a beat
     yaw_rate,          ///< radians a beat
     height,            ///< of the hips over the floor; metres
-    tilt_x,            ///< exponential map of the hips' rotation without its heading; radians.
-    tilt_z,            ///< (The part about the vertical is zero by definition and left out.)
+    tilt_x,            ///< exponential map of the hips' rotation without its heading, x; radians
+    tilt_z,  ///< the same, z (the part about the vertical is zero by definition and left out)
 };
-inline constexpr std::size_t kRootFeatures = 6;
-inline constexpr std::size_t kTravelFeatures = 3;
+inline constexpr std::size_t kRootFeatures = 6;    ///< of angles
+inline constexpr std::size_t kTravelFeatures = 3;  ///< of positions: those of travel alone
 
 /// A joint that is a feature, three numbers. Angles: the exponential map (axis x angle, radians, in
 /// the joint's frame) of `mean^-1 * local rotation`. Positions: its place (x left, y up, z forward)
 /// seen from the point on the floor under the hips, heading as they do; metres of the source body.
 struct JointFeature {
-    Bone bone = Bone::hips;
+    Bone bone = Bone::hips;               ///< whose joint
     glm::dquat mean{1.0, 0.0, 0.0, 0.0};  ///< unit; angles only
 };
 
@@ -72,37 +78,39 @@ struct JointFeature {
 /// (Tokuda et al. 2000, windows of three samples). At the ends of a figure the neighbours come
 /// from the motion around it. `mean` is also the mean of the HMM's emission.
 struct FigureState {
-    std::vector<double> mean;
-    std::vector<double> variance;  ///< > 0
-    std::vector<double> delta_mean;
-    std::vector<double> delta_variance;  ///< > 0
-    std::vector<double> delta_delta_mean;
+    std::vector<double> mean;                  ///< of the value
+    std::vector<double> variance;              ///< > 0
+    std::vector<double> delta_mean;            ///< of delta
+    std::vector<double> delta_variance;        ///< > 0
+    std::vector<double> delta_delta_mean;      ///< of delta_delta
     std::vector<double> delta_delta_variance;  ///< > 0
 };
 
 /// Covariance of the states' emissions: one for all states (the paper's), or one for each.
 enum class CovarianceKind : std::uint8_t { tied, full, diagonal };
+/// Names in files, by CovarianceKind.
 inline constexpr std::array<std::string_view, 3> kCovarianceKindNames = {
     "tied", "full", "diagonal"};
 
 /// How long a state lasts in the repeats it was learnt from.
 struct StateStay {
-    Beats mean{};
+    Beats mean{};       ///< over the repeats
     Beats deviation{};  ///< standard deviation between repeats
 };
 
 /// A left-to-right HMM of one part of the body, with its states on equal slices of the phase:
 /// state k of N spans [k, k+1) x beats / N.
 struct PartModel {
-    Part part = Part::torso;
-    FigureFeatures features = FigureFeatures::angles;
-    std::vector<JointFeature> joints;  ///< after the root features
-    std::vector<FigureState> states;   ///< N, at least 1
+    Part part = Part::torso;                           ///< which part
+    FigureFeatures features = FigureFeatures::angles;  ///< as the figure's
+    std::vector<JointFeature> joints;                  ///< after the root features
+    std::vector<FigureState> states;                   ///< N, at least 1
 
     std::vector<double> initial;                  ///< N, sums to 1
     std::vector<std::vector<double>> transition;  ///< N x N; row + its exit sums to 1
     std::vector<double> exit;  ///< N: chance that the figure ends after the state
     std::vector<std::vector<double>> covariance;  ///< D x D, of all states; positive definite
+    /// Whether states have covariances of their own
     CovarianceKind covariance_kind = CovarianceKind::tied;
     /// Unless tied, of each state: full D x D, positive definite; diagonal 1 x D, > 0.
     std::vector<std::vector<std::vector<double>>> state_covariances;
@@ -137,8 +145,8 @@ struct PartModel {
 /// When one foot lands at one count: distance from the count, late is positive. (Landing: the
 /// foot's speed, mean of ankle and toe tip, falls under 0.30 m/s after a step over 0.6 m/s.)
 struct LandingOffset {
-    int repeats = 0;  ///< how many repeats had one; 0: this foot does not step here
-    Beats median{};
+    int repeats = 0;    ///< how many repeats had one; 0: this foot does not step here
+    Beats median{};     ///< over the landings
     Beats deviation{};  ///< standard deviation
 
     /// Whether there is one moment at which the foot should come down: at least `least` of the
@@ -154,27 +162,28 @@ using FigureLandings = std::array<std::vector<LandingOffset>, 2>;
 
 inline constexpr std::size_t kContactBins = 64;  ///< over one figure
 
+/// One figure: name, timing, parts and feet.
 struct FigureModel {
-    static constexpr std::string_view kFormat = "raks-figure";
+    static constexpr std::string_view kFormat = "raks-figure";  ///< of the file
     static constexpr int kVersion = 2;  ///< of positions; angles are written as version 1
 
-    std::string name;   ///< "basic"
-    std::string dance;  ///< "salsa", a genre label
-    DanceRole role = DanceRole::lead;
-    std::string attribution;
+    std::string name;                  ///< "basic"
+    std::string dance;                 ///< "salsa", a genre label
+    DanceRole role = DanceRole::lead;  ///< whose steps these are
+    std::string attribution;           ///< of the takes it was learnt from
 
     int beats = 8;              ///< length; 1 to 64
     int samples_per_beat = 24;  ///< 4 to 200
     Bpm learnt_tempo{120.0};    ///< mean over the repeats
     int repeats = 0;            ///< how many it was learnt from
 
-    FigureFeatures features = FigureFeatures::angles;
-    std::vector<PartModel> parts;  ///< parts_of(features)
+    FigureFeatures features = FigureFeatures::angles;  ///< of all parts
+    std::vector<PartModel> parts;                      ///< parts_of(features)
 
     /// From the first sample to the sample at phase `beats`: place in metres in the heading frame
     /// of the start (x left, y forward), and turn in radians.
     glm::dvec2 net_displacement{0.0, 0.0};
-    double net_turn = 0.0;
+    double net_turn = 0.0;  ///< see above
 
     /// Height of the hips over the sole in the source's T-pose, the hips' joint where the built-in
     /// mannequin has it in the pelvis; metres. Lengths of the root's features scale by (target's
@@ -191,12 +200,12 @@ struct FigureModel {
     /// How far each hand is closed, [0, 1] (motion/skeleton/hand_shape.hpp), by Side: one number,
     /// or kContactBins as of `contact`; none: not known, captures have no fingers.
     std::array<std::vector<double>, 2> fist;
-    SizeByTempo size_by_tempo;  ///< of captured figures nothing is known
-    FigureLandings landings;
+    SizeByTempo size_by_tempo;  ///< zero for captured figures: nothing is known
+    FigureLandings landings;    ///< learnt landings, by Side and count
 
-    /// A part that the figure has: positions have no torso.
+    /// A part of the figure, which must exist: positions have no torso.
     [[nodiscard]] const PartModel& part(Part which) const noexcept;
-    /// The part that says how the body moves as a whole.
+    /// The part whose first features are the root features.
     [[nodiscard]] const PartModel& root_part() const noexcept;
     /// T: samples of one figure.
     [[nodiscard]] std::size_t samples() const noexcept {
@@ -211,8 +220,9 @@ struct FigureModel {
 [[nodiscard]] std::vector<Bone> default_joints(Part part,
                                                FigureFeatures features = FigureFeatures::angles);
 
-/// Checks everything the dancer relies on. The error names the first wrong field, its value and
-/// what it must be: `parts[0].states[3].variance[0] is -0.2, must be > 0`.
+/// Checks everything that the dancer relies on. The error names the first wrong field, its value
+/// and what it must be: `parts[0].states[3].variance[0] is -0.2, must be > 0`. Threads: any.
+/// Real-time: no.
 [[nodiscard]] Expected<void> validate(const FigureModel& model);
 
 /// Reads and validates a model file (JSON, at most 64 MiB). Errors, one line: not readable, not

@@ -7,6 +7,7 @@
 namespace raks::motion {
 namespace {
 
+// Joint positions of the torso belong to the upper part.
 constexpr std::array<Part, 2> kPositionParts = {Part::upper, Part::lower};
 
 std::vector<Bone> bones_of_angles(Part part) {
@@ -31,8 +32,9 @@ std::vector<Bone> bones_of_angles(Part part) {
     return {};
 }
 
-/// The hips' joint itself stands over the origin of its own heading, at a height that follows from
-/// the sockets of the legs: it tells nothing more, and a constant dimension buys any likelihood.
+/// Joints whose place is a feature. The hips are left out: they lie over the origin of their own
+/// frame, at a height that follows from the leg sockets. They would add no information, and the
+/// likelihood of a constant feature grows without bound.
 std::vector<Bone> bones_of_positions(Part part) {
     switch (part) {
         case Part::torso:
@@ -77,6 +79,7 @@ std::vector<Bone> default_joints(Part part, FigureFeatures features) {
 const PartModel& FigureModel::part(Part which) const noexcept {
     const auto found = std::find_if(
         parts.begin(), parts.end(), [which](const PartModel& one) { return one.part == which; });
+    // Validated models have all parts of their kind.
     RAKS_ASSERT(found != parts.end());
     return *found;
 }

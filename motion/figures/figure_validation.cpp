@@ -11,10 +11,11 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kLargest = 1e6;  ///< of any number in a figure: far beyond what a body does
-constexpr std::size_t kMaxStates = 256;
-constexpr double kUnitTolerance = 1e-6;
+constexpr double kLargest = 1e6;  ///< limit of any number in a figure, far beyond what a body does
+constexpr std::size_t kMaxStates = 256;  // of one part
+constexpr double kUnitTolerance = 1e-6;  // of unit quaternions and sums of probabilities
 
+// In all checks `name` is the field's path, such as "parts[0].states[3]", for the error.
 Expected<void> check_size(const std::string& name, std::size_t found, std::size_t wanted) {
     if (found != wanted) {
         return fail(fmt::format("{} has {} numbers, must have {}", name, found, wanted));
@@ -22,7 +23,7 @@ Expected<void> check_size(const std::string& name, std::size_t found, std::size_
     return {};
 }
 
-/// `wanted` numbers in [-kLargest, kLargest].
+/// Exactly `wanted` numbers in [-kLargest, kLargest]; NaN fails.
 Expected<void> check_numbers(const std::string& name,
                              const std::vector<double>& values,
                              std::size_t wanted) {
@@ -30,6 +31,7 @@ Expected<void> check_numbers(const std::string& name,
         return ok;
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
+        // Written so that NaN fails as well.
         if (!(std::abs(values[i]) <= kLargest)) {
             return fail(
                 fmt::format("{}[{}] is {}, must lie within +-{}", name, i, values[i], kLargest));
@@ -38,6 +40,7 @@ Expected<void> check_numbers(const std::string& name,
     return {};
 }
 
+// The same, but positive.
 Expected<void> check_variances(const std::string& name,
                                const std::vector<double>& values,
                                std::size_t wanted) {
@@ -52,7 +55,9 @@ Expected<void> check_variances(const std::string& name,
     return {};
 }
 
+// Means and variances of value, delta and delta-delta: D numbers each.
 Expected<void> check_state(const std::string& name, const FigureState& state, std::size_t d) {
+    // The three windows have the same shape, so one loop checks them.
     const struct {
         const char* name;
         const std::vector<double>& mean;
@@ -74,8 +79,10 @@ Expected<void> check_state(const std::string& name, const FigureState& state, st
     return {};
 }
 
-/// Whole bodies are made from positions: each of their joints is needed, once and in its order.
+/// Joints of positions: the whole body is built from them, so each must be there, once and in its
+/// order.
 Expected<void> check_places(const std::string& name, const PartModel& part) {
+    // Compared joint by joint, so that the error names the first that differs.
     const std::vector<Bone> bones = default_joints(part.part, part.features);
     for (std::size_t j = 0; j < bones.size(); ++j) {
         if (j >= part.joints.size() || part.joints[j].bone != bones[j]) {
@@ -86,6 +93,7 @@ Expected<void> check_places(const std::string& name, const PartModel& part) {
     return check_size(name + ".joints", part.joints.size(), bones.size());
 }
 
+// Joints of angles: means must be unit quaternions.
 Expected<void> check_joints(const std::string& name, const PartModel& part) {
     if (part.features == FigureFeatures::positions) {
         return check_places(name, part);
@@ -93,6 +101,7 @@ Expected<void> check_joints(const std::string& name, const PartModel& part) {
     for (std::size_t j = 0; j < part.joints.size(); ++j) {
         const glm::dquat& q = part.joints[j].mean;
         const double length = std::sqrt(glm::dot(q, q));
+        // A quaternion of another length would scale the bone as well as turn it.
         if (!(std::abs(length - 1.0) <= kUnitTolerance)) {
             return fail(
                 fmt::format("{}.joints[{}].mean has length {}, must be 1", name, j, length));
@@ -101,11 +110,13 @@ Expected<void> check_joints(const std::string& name, const PartModel& part) {
     return {};
 }
 
-/// Covariances of the states themselves, where there are such.
+/// Covariances of the states, which must be there unless the covariance is tied: number, shape and
+/// definiteness.
 Expected<void> check_state_covariances(const std::string& name, const PartModel& part) {
     const bool is_tied = part.covariance_kind == CovarianceKind::tied;
     const std::size_t d = part.dimension();
     const std::size_t wanted = is_tied ? 0 : part.states.size();
+    // A diagonal is stored as its one row of variances.
     const std::size_t rows = part.covariance_kind == CovarianceKind::diagonal ? 1 : d;
     if (part.state_covariances.size() != wanted) {
         return fail(fmt::format("{}.state_covariances has {} entries, must have {}",
@@ -120,6 +131,7 @@ Expected<void> check_state_covariances(const std::string& name, const PartModel&
                 "{} has {} rows, must have {}", which, part.state_covariances[k].size(), rows));
         }
         const bool is_full = part.covariance_kind == CovarianceKind::full;
+        // Entries of a full matrix may be negative, those of a diagonal may not.
         const auto check_row = is_full ? &check_numbers : &check_variances;
         for (std::size_t i = 0; i < rows; ++i) {
             if (auto ok =
@@ -135,7 +147,7 @@ Expected<void> check_state_covariances(const std::string& name, const PartModel&
     return {};
 }
 
-/// Counts against states, and how long the states last.
+/// Occurrence table (beats x states, rows sum to 1) and lengths of the states.
 Expected<void> check_timing(const std::string& name, const PartModel& part, int beats) {
     const std::size_t n = part.states.size();
     if (part.occurrence.size() != static_cast<std::size_t>(beats)) {
@@ -147,6 +159,7 @@ Expected<void> check_timing(const std::string& name, const PartModel& part, int 
         if (auto ok = check_size(row, part.occurrence[c].size(), n); !ok) {
             return ok;
         }
+        // Each count's shares over all states.
         double sum = 0.0;
         for (std::size_t k = 0; k < n; ++k) {
             const double share = part.occurrence[c][k];
@@ -163,6 +176,7 @@ Expected<void> check_timing(const std::string& name, const PartModel& part, int 
         return ok;
     }
     for (std::size_t k = 0; k < n; ++k) {
+        // No state lasts longer than the figure.
         const double lengths[] = {part.stays[k].mean.count(), part.stays[k].deviation.count()};
         for (std::size_t i = 0; i < 2; ++i) {
             if (!(lengths[i] >= 0.0 && lengths[i] <= beats)) {
@@ -178,12 +192,14 @@ Expected<void> check_timing(const std::string& name, const PartModel& part, int 
     return {};
 }
 
+// Shapes before values: the HMM's own validation needs matrices of the right size.
 Expected<void> check_part(const std::string& name, const PartModel& part, int samples) {
     const std::size_t n = part.states.size();
     const std::size_t d = part.dimension();
     if (auto ok = check_joints(name, part); !ok) {
         return ok;
     }
+    // More states than samples would leave some of them without a slice.
     if (n < 1 || n > kMaxStates || n > static_cast<std::size_t>(samples)) {
         return fail(
             fmt::format("{}.states has {} entries, must have 1 to {}",
@@ -192,9 +208,11 @@ Expected<void> check_part(const std::string& name, const PartModel& part, int sa
                         std::min<std::size_t>(
                             kMaxStates, samples > 0 ? static_cast<std::size_t>(samples) : 1)));
     }
+    // Without features there is nothing to draw.
     if (d == 0) {
         return fail(fmt::format("{}.joints is empty, must name at least one joint", name));
     }
+    // Gaussians of all states, by window.
     for (std::size_t k = 0; k < n; ++k) {
         if (auto ok = check_state(fmt::format("{}.states[{}]", name, k), part.states[k], d); !ok) {
             return ok;
@@ -229,18 +247,21 @@ Expected<void> check_part(const std::string& name, const PartModel& part, int sa
             return ok;
         }
     }
+    // Draws and likelihoods need its Cholesky factor.
     if (!models::is_positive_definite(matrix_of(part.covariance))) {
         return fail(fmt::format("{}.covariance is not positive definite", name));
     }
     if (auto ok = check_state_covariances(name, part); !ok) {
         return ok;
     }
+    // Probabilities: in [0, 1], and each state's row and exit sum to 1.
     if (auto ok = models::validate(hmm_of(part)); !ok) {
         return fail(fmt::format("{}.{}", name, ok.error().message));
     }
     return {};
 }
 
+// Single numbers of the figure.
 Expected<void> check_head(const FigureModel& model) {
     if (model.beats < 1 || model.beats > 64) {
         return fail(fmt::format("beats is {}, must be 1 to 64", model.beats));
@@ -249,6 +270,7 @@ Expected<void> check_head(const FigureModel& model) {
         return fail(
             fmt::format("samples_per_beat is {}, must be 4 to 200", model.samples_per_beat));
     }
+    // Bounds far beyond any dance: they catch wrong units and damaged files.
     const RangeCheck ranges[] = {{"learnt_tempo", model.learnt_tempo.bpm(), 20.0, 400.0},
                                  {"net_displacement[0]", model.net_displacement.x, -100.0, 100.0},
                                  {"net_displacement[1]", model.net_displacement.y, -100.0, 100.0},
@@ -258,9 +280,11 @@ Expected<void> check_head(const FigureModel& model) {
     return check(ranges);
 }
 
+// Fists: none for both hands, or for each a constant or a curve.
 Expected<void> check_hands(const FigureModel& model) {
     for (std::size_t side = 0; side < kSideNames.size(); ++side) {
         const std::vector<double>& fist = model.fist[side];
+        // Both hands or none, or one would be drawn shaped and the other relaxed.
         if (fist.empty() != model.fist[0].empty() ||
             (fist.size() > 1 && fist.size() != kContactBins)) {
             return fail(fmt::format("fist.{} has {} numbers, must have 1 or {}, or both hands none",
@@ -278,6 +302,7 @@ Expected<void> check_hands(const FigureModel& model) {
     return {};
 }
 
+// Exponents of both laws must be finite and in range; size_at() limits their effect.
 Expected<void> check_size_by_tempo(const SizeByTempo& size) {
     constexpr double kSteepest = 2.0;
     for (const auto& [name, exponent] : {std::pair("body", size.body), {"arms", size.arms}}) {
@@ -289,6 +314,7 @@ Expected<void> check_size_by_tempo(const SizeByTempo& size) {
     return {};
 }
 
+// Contact probabilities, and one landing offset for each count.
 Expected<void> check_feet(const FigureModel& model) {
     for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t j = 0; j < kContactBins; ++j) {
@@ -305,6 +331,7 @@ Expected<void> check_feet(const FigureModel& model) {
             return ok;
         }
         for (std::size_t c = 0; c < landings.size(); ++c) {
+            // A landing lies within the figure before or after its count.
             if (!(std::abs(landings[c].median.count()) <= model.beats)) {
                 return fail(fmt::format("{}[{}].median is {}, must lie within +-{}",
                                         name,
@@ -331,6 +358,7 @@ Expected<void> validate(const FigureModel& model) {
     if (auto ok = check_head(model); !ok) {
         return ok;
     }
+    // Parts must come in the order that the rest of the program expects.
     const std::span<const Part> parts = parts_of(model.features);
     if (model.parts.size() != parts.size()) {
         return fail(

@@ -10,6 +10,8 @@ namespace {
 
 using Feet = std::span<const std::array<SourceFoot, 2>>;
 
+// Speed by frame of the point that `place` gives: each axis is low-pass filtered, then
+// differentiated (central, one-sided at the ends).
 template <typename Place>
 std::vector<double> speed_of(std::size_t count,
                              double frames_per_second,
@@ -26,6 +28,7 @@ std::vector<double> speed_of(std::size_t count,
     }
     std::vector<double> speed(count, 0.0);
     for (std::size_t i = 0; i < count && count > 1; ++i) {
+        // One-sided differences at both ends.
         const std::size_t before = i > 0 ? i - 1 : 0;
         const std::size_t after = std::min(i + 1, count - 1);
         double square = 0.0;
@@ -37,7 +40,7 @@ std::vector<double> speed_of(std::size_t count,
     return speed;
 }
 
-/// Runs of true shorter than `shortest` become false.
+/// Sets runs of true that are shorter than `shortest` to false.
 void drop_short_runs(std::vector<bool>& flags, std::size_t shortest) {
     std::size_t start = 0;
     for (std::size_t i = 0; i <= flags.size(); ++i) {
@@ -99,8 +102,10 @@ std::vector<double> landings(Feet feet,
     std::vector<double> moments;
     bool is_stepping = false;
     for (std::size_t i = 1; i < speed.size(); ++i) {
+        // Hysteresis: a foot that trembles about the landing speed lands only once.
         is_stepping = is_stepping || speed[i] > rules.step_speed;
         if (is_stepping && speed[i] < rules.landing_speed) {
+            // Where the line between both frames crosses the limit.
             const double past = (speed[i - 1] - rules.landing_speed) / (speed[i - 1] - speed[i]);
             moments.push_back(static_cast<double>(i - 1) + past);
             is_stepping = false;

@@ -8,37 +8,42 @@
 #include "motion/skeleton/humanoid.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 
-/// What the feet of recorded motion do: contacts and landings.
+/// Foot events: contacts and landings of recorded or evaluated motion. A contact is a toe at rest
+/// on the floor; a landing is the moment when a step's speed falls under a limit. The feet passed
+/// in are by frame and Side, metres, over a floor at y = 0.
 namespace raks::motion {
 
+/// Limits of the detectors; the defaults are those that figures are learnt and evaluated with.
 struct FootRules {
-    double contact_speed = 0.25;        ///< toe slower than this touches; m/s
-    double contact_height = 0.05;       ///< and lower than this over the floor; metres
-    std::size_t contact_frames = 4;     ///< and for at least so long
-    double contact_low_pass_hz = 10.0;  ///< of the speed
-    double landing_speed = 0.30;        ///< falling under this is a landing; m/s
-    double step_speed = 0.60;           ///< after having been over this
-    double landing_low_pass_hz = 8.0;
+    double contact_speed = 0.25;        ///< a toe slower than this is in contact, m/s
+    double contact_height = 0.05;       ///< if it is also lower than this over the floor, metres
+    std::size_t contact_frames = 4;     ///< and for at least this many frames
+    double contact_low_pass_hz = 10.0;  ///< cutoff of the filter before that speed
+    double landing_speed = 0.30;        ///< a foot that falls under this lands, m/s
+    double step_speed = 0.60;           ///< if it was faster than this since its last landing, m/s
+    double landing_low_pass_hz = 8.0;   ///< cutoff of the filter before that speed
 };
 
-/// Speeds of one foot by frame: central differences of the filtered place.
+/// Speed of the toe tip by frame, m/s: central differences of the low-pass filtered place. Threads:
+/// any. Real-time: no.
 [[nodiscard]] std::vector<double> toe_speed(std::span<const std::array<SourceFoot, 2>> feet,
                                             Side side,
                                             double frames_per_second,
                                             double low_pass_hz);
-/// Mean of ankle's and toe tip's.
+/// Mean of the speeds of ankle and toe tip by frame, m/s.
 [[nodiscard]] std::vector<double> foot_speed(std::span<const std::array<SourceFoot, 2>> feet,
                                              Side side,
                                              double frames_per_second,
                                              double low_pass_hz);
 
-/// By frame: does the toe rest on the floor?
+/// By frame: whether the toe is in contact.
 [[nodiscard]] std::vector<bool> toe_contacts(std::span<const std::array<SourceFoot, 2>> feet,
                                              Side side,
                                              double frames_per_second,
                                              const FootRules& rules = {});
 
-/// Moments, in frames, at which the foot's speed falls under the landing speed after a step.
+/// Landings: moments in fractional frames, rising, at which the foot's speed falls under the
+/// landing speed after a step.
 [[nodiscard]] std::vector<double> landings(std::span<const std::array<SourceFoot, 2>> feet,
                                            Side side,
                                            double frames_per_second,

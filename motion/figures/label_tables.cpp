@@ -13,9 +13,10 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20U;
-constexpr double kLastFrame = 1e9;
+constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20U;  // 64 MiB
+constexpr double kLastFrame = 1e9;                              // so that frames fit an int
 
+// Cells between separators; empty ones count.
 std::vector<std::string_view> split(std::string_view line, char separator) {
     std::vector<std::string_view> cells;
     for (;;) {
@@ -28,11 +29,13 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
     }
 }
 
-/// Walks over the rows of a table; remembers the first fault.
+/// Walks over the rows of a table. It remembers the first fault only, so that callers may read a
+/// whole row before they look.
 class Table {
  public:
     Table(std::string_view text, const std::string& name) : rest_(text), name_(name) {
         if (next_line()) {
+            // The first line with content names the columns.
             for (std::size_t i = 0; i < cells_.size(); ++i) {
                 columns_.emplace(std::string(cells_[i]), i);
             }
@@ -41,6 +44,7 @@ class Table {
         }
     }
 
+    /// Complains about columns that are missing.
     void require(std::initializer_list<const char*> columns) {
         for (const char* column : columns) {
             if (!has(column)) {
@@ -53,6 +57,7 @@ class Table {
     /// Moves to the next row; false at the end or after a fault.
     bool next() { return !fault_ && next_line(); }
 
+    /// The cell of a column, which must exist, in this row.
     [[nodiscard]] std::string text(const std::string& column) {
         const std::size_t at = columns_.at(column);
         if (at >= cells_.size()) {
@@ -61,14 +66,17 @@ class Table {
         }
         return std::string(cells_[at]);
     }
+    /// The cell as a number in [lowest, highest]; after a complaint `lowest`, a valid value.
     [[nodiscard]] double number(const std::string& column, double lowest, double highest) {
         const std::string cell = text(column);
         double value = 0.0;
+        // from_chars does not depend on the locale, and the whole cell must be the number.
         const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
         if (error != std::errc() || end != cell.data() + cell.size()) {
             complain(fmt::format("{} is \"{:.20}\", must be a number", column, cell));
             return lowest;
         }
+        // NaN fails, too.
         if (!(value >= lowest && value <= highest)) {
             complain(
                 fmt::format("{} is {:.20}, must lie in [{}, {}]", column, cell, lowest, highest));
@@ -76,6 +84,7 @@ class Table {
         }
         return value;
     }
+    /// The cell as an integer.
     [[nodiscard]] int whole(const std::string& column, double lowest, double highest) {
         const double value = number(column, lowest, highest);
         if (value != std::floor(value)) {
@@ -83,10 +92,12 @@ class Table {
         }
         return static_cast<int>(value);
     }
+    /// The cell as a frame number.
     [[nodiscard]] std::size_t frame(const std::string& column) {
         return static_cast<std::size_t>(whole(column, 0, kLastFrame));
     }
 
+    /// Records a fault in this row, unless there is one already.
     void complain(const std::string& what) {
         if (!fault_) {
             fault_ = Error{fmt::format("{}: line {}: {}", name_, line_, what)};
@@ -96,17 +107,20 @@ class Table {
     [[nodiscard]] const std::optional<Error>& fault() const noexcept { return fault_; }
 
  private:
+    /// Records a fault that has no row.
     void complain_about_file(const std::string& what) {
         if (!fault_) {
             fault_ = Error{fmt::format("{}: {}", name_, what)};
         }
     }
+    /// Moves to the next line with content and splits it into cells.
     bool next_line() {
         while (!rest_.empty()) {
             const std::size_t end = std::min(rest_.find('\n'), rest_.size());
             std::string_view line = rest_.substr(0, end);
             rest_.remove_prefix(std::min(end + 1, rest_.size()));
             ++line_;
+            // Tables from Windows end their lines with CRLF.
             if (!line.empty() && line.back() == '\r') {
                 line.remove_suffix(1);
             }
@@ -118,14 +132,15 @@ class Table {
         return false;
     }
 
-    std::string_view rest_;
+    std::string_view rest_;  // what is not read yet
     std::string name_;
-    std::size_t line_ = 0;
-    std::vector<std::string_view> cells_;
-    std::map<std::string, std::size_t> columns_;
+    std::size_t line_ = 0;                        // number of the line last read
+    std::vector<std::string_view> cells_;         // of that line; views into the text
+    std::map<std::string, std::size_t> columns_;  // index by name
     std::optional<Error> fault_;
 };
 
+// Lead, with a complaint, where the role is unknown.
 DanceRole role_in(Table& table) {
     const std::string role = table.text("role");
     const auto found = std::find(kRoleNames.begin(), kRoleNames.end(), role);
@@ -136,6 +151,7 @@ DanceRole role_in(Table& table) {
     return static_cast<DanceRole>(found - kRoleNames.begin());
 }
 
+// One row of a label table.
 FigureLabel label_in(Table& table) {
     FigureLabel label;
     label.line = table.line();
@@ -145,8 +161,10 @@ FigureLabel label_in(Table& table) {
     label.end = table.frame("end");
     label.figure = table.text("figure");
     label.beats = table.has("beats") ? table.whole("beats", 1, 64) : 0;
+    // Without a length at least one beat is assumed.
     const std::size_t beats = static_cast<std::size_t>(std::max(label.beats, 1));
     if (table.has("start_count")) {
+        // A count lies within the figure; without its length only the longest figure limits it.
         label.start_count = table.whole("start_count", 1, label.beats == 0 ? 64 : label.beats);
     }
     if (table.has("confidence")) {
@@ -164,8 +182,10 @@ FigureLabel label_in(Table& table) {
     return label;
 }
 
-/// One fault line when two labels of the same take overlap.
+/// The first overlap between two labels of one take: labels of a take are sorted by start, so only
+/// neighbours need comparing.
 std::optional<Error> overlap_in(const std::vector<FigureLabel>& labels, const std::string& name) {
+    // By take.
     std::map<std::string, std::vector<const FigureLabel*>> takes;
     for (const FigureLabel& label : labels) {
         takes[label.take].push_back(&label);
@@ -191,6 +211,7 @@ std::optional<Error> overlap_in(const std::vector<FigureLabel>& labels, const st
     return std::nullopt;
 }
 
+// Reads a file and passes it to one of the parsers.
 template <typename Parse>
 auto load(const std::filesystem::path& path, const Parse& parse)
     -> decltype(parse(std::string_view(), std::string())) {
@@ -218,6 +239,7 @@ Expected<std::vector<FigureLabel>> parse_labels(std::string_view text,
     if (table.fault()) {
         return fail(*table.fault());
     }
+    // Faults of single rows come first.
     if (const std::optional<Error> fault = overlap_in(labels, name)) {
         return fail(*fault);
     }
@@ -226,15 +248,18 @@ Expected<std::vector<FigureLabel>> parse_labels(std::string_view text,
 
 Expected<std::vector<CountTime>> parse_counts(std::string_view text, const std::string& name) {
     Table table(text, name);
+    // Counts may be common to a pair of takes, lead's and follow's.
     const std::string take = table.has("take_pair") ? "take_pair" : "take";
     table.require({take.c_str(), "count", "frame"});
     std::vector<CountTime> counts;
+    // Last frame by take.
     std::map<std::string, double> last;
     while (table.next()) {
         CountTime time{table.text(take),
                        table.whole("count", 1, 64),
                        table.number("frame", -kLastFrame, kLastFrame)};
         const auto found = last.find(time.take);
+        // Counts follow one another in time.
         if (found != last.end() && !(time.frame > found->second)) {
             table.complain(fmt::format(
                 "frame is {}, must be after the count before ({})", time.frame, found->second));

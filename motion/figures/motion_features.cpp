@@ -9,6 +9,7 @@
 namespace raks::motion {
 namespace {
 
+// Column of a root feature.
 constexpr std::size_t column(RootFeature feature) noexcept {
     return static_cast<std::size_t>(feature);
 }
@@ -27,6 +28,7 @@ glm::dvec2 turned(const glm::dvec2& local, double heading) noexcept {
 /// The same angle in (-pi, pi].
 double wrapped(double angle) noexcept { return std::remainder(angle, 2.0 * M_PI); }
 
+// Place and heading of the hips on the floor.
 RootPlace place_of(const Pose& pose) noexcept {
     return {{static_cast<double>(pose.hips_position.x), static_cast<double>(pose.hips_position.z)},
             heading_of(glm::dquat(pose.rotation(Bone::hips)))};
@@ -38,22 +40,25 @@ void write(const glm::dvec3& value, std::span<double> row, std::size_t at) noexc
     row[at + 2] = value.z;
 }
 
-/// The first three of RootFeature.
+/// Writes the first three root features: velocities and yaw rate from pose i to the next, a beat.
 void write_travel(std::span<const Pose> poses,
                   std::size_t i,
                   double samples_per_beat,
                   std::span<double> row) {
+    // The last pose has no next one: it repeats the step before.
     const std::size_t from = i + 1 < poses.size() ? i : i - 1;
     const RootPlace a = place_of(poses[from]);
     const RootPlace b = place_of(poses[from + 1]);
+    // The shorter way round: between two samples nobody turns half a turn.
     const double turn = wrapped(b.heading - a.heading);
+    // In the heading halfway through the turn, so that a circle has a constant velocity.
     const glm::dvec2 step = turned(b.position - a.position, -(a.heading + turn / 2));
     row[column(RootFeature::velocity_left)] = step.x * samples_per_beat;
     row[column(RootFeature::velocity_forward)] = step.y * samples_per_beat;
     row[column(RootFeature::yaw_rate)] = turn * samples_per_beat;
 }
 
-/// The other three.
+/// Writes the other three root features: height and tilts.
 void write_stance(const Pose& pose, std::span<double> row) {
     row[column(RootFeature::height)] = static_cast<double>(pose.hips_position.y);
     const glm::dquat hips(pose.rotation(Bone::hips));
@@ -62,6 +67,7 @@ void write_stance(const Pose& pose, std::span<double> row) {
     row[column(RootFeature::tilt_z)] = tilt.z;
 }
 
+// Rotations relative to each joint's mean, where the exponential map is nearly linear.
 void write_angles(const Pose& pose, const PartModel& part, std::span<double> row) {
     std::size_t at = 0;
     for (const JointFeature& joint : part.joints) {
@@ -71,6 +77,7 @@ void write_angles(const Pose& pose, const PartModel& part, std::span<double> row
     }
 }
 
+// Places seen from the point on the floor under the hips, in their heading.
 void write_places(const Pose& pose,
                   const PartModel& part,
                   const Skeleton& body,
@@ -90,6 +97,7 @@ void write_places(const Pose& pose,
 }  // namespace
 
 glm::dvec3 exponential_map(const glm::dquat& rotation) noexcept {
+    // Of q and -q the one with the smaller angle.
     const glm::dquat q = rotation.w < 0.0 ? -rotation : rotation;
     const glm::dvec3 v(q.x, q.y, q.z);
     const double sine = std::sqrt(glm::dot(v, v));
@@ -106,6 +114,7 @@ glm::dquat rotation_from(const glm::dvec3& exponential_map) noexcept {
 }
 
 double heading_of(const glm::dquat& rotation) noexcept {
+    // Swing-twist decomposition about y.
     return wrapped(2.0 * std::atan2(rotation.y, rotation.w));
 }
 
@@ -113,9 +122,11 @@ glm::dquat mean_rotation(std::span<const glm::dquat> rotations, std::span<const 
     RAKS_ASSERT(rotations.size() == weights.size());
     Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
     for (std::size_t i = 0; i < rotations.size(); ++i) {
+        // The outer product does not change with the sign of q.
         const Eigen::Vector4d q(rotations[i].w, rotations[i].x, rotations[i].y, rotations[i].z);
         sum += weights[i] * q * q.transpose();
     }
+    // No weight at all: no rotation.
     if (sum.isZero(0.0)) {
         return {1.0, 0.0, 0.0, 0.0};
     }
@@ -160,6 +171,7 @@ std::vector<RootPlace> integrate_root(const FeatureTrack& root,
         const double turn = row[column(RootFeature::yaw_rate)] / samples_per_beat;
         const glm::dvec2 step(row[column(RootFeature::velocity_left)],
                               row[column(RootFeature::velocity_forward)]);
+        // Midpoint rule: the inverse of write_travel().
         places[i + 1].heading = places[i].heading + turn;
         places[i + 1].position = places[i].position + turned(step * (scale / samples_per_beat),
                                                              places[i].heading + turn / 2);
@@ -177,16 +189,19 @@ std::vector<RootPlace> integrate_root(const FeatureTrack& root,
         return {start};
     }
     const double n = static_cast<double>(rows);
+    // The turn is corrected before the steps are integrated, as it changes their directions.
     double turn = 0.0;
     for (std::size_t i = 0; i < rows; ++i) {
         turn += root.row(i)[column(RootFeature::yaw_rate)] / samples_per_beat;
     }
+    // Each row turns a little more or less, so that all together turn by net.turn.
     FeatureTrack steered = root;
     for (std::size_t i = 0; i < rows; ++i) {
         steered.row(i)[column(RootFeature::yaw_rate)] += (net.turn - turn) / n * samples_per_beat;
     }
     std::vector<RootPlace> places = integrate_root(steered, samples_per_beat, start, scale);
     const glm::dvec2 end = start.position + turned(net.displacement * scale, start.heading);
+    // What is still missing in place grows linearly over the figure.
     const glm::dvec2 missing = end - places[rows].position;
     for (std::size_t i = 0; i <= rows; ++i) {
         places[i].position += missing * (static_cast<double>(i) / n);
@@ -203,6 +218,7 @@ void apply_features(std::span<const double> row,
     if (part.part == Part::torso) {
         const glm::dvec3 tilt(
             row[column(RootFeature::tilt_x)], 0.0, row[column(RootFeature::tilt_z)]);
+        // Heading from the integrated place, tilt from the row.
         pose.rotation(Bone::hips) = glm::quat(turn_about_y(place.heading) * rotation_from(tilt));
         pose.hips_position = glm::vec3(glm::dvec3(
             place.position.x, row[column(RootFeature::height)] * scale, place.position.y));

@@ -1,3 +1,4 @@
+// Range check: numbers that must lie in a range.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,13 +11,14 @@ namespace raks::motion {
 
 /// A value that must lie in [lowest, highest]; NaN never does.
 struct RangeCheck {
-    const char* name;
-    double value;
-    double lowest;
-    double highest;
+    const char* name;  ///< for the error
+    double value;      ///< to be checked
+    double lowest;     ///< least allowed
+    double highest;    ///< greatest allowed
 };
 
-/// Errors: the first that does not lie in its range, by name.
+/// Checks values in order. Errors: the first one outside its range, by name. Threads: any.
+/// Real-time: no.
 [[nodiscard]] inline Expected<void> check(std::span<const RangeCheck> ranges) {
     for (const RangeCheck& range : ranges) {
         if (!(range.value >= range.lowest && range.value <= range.highest)) {

@@ -1,3 +1,4 @@
+// Size by tempo: how large a figure is danced at another tempo.
 #pragma once
 
 #include <algorithm>
@@ -7,15 +8,15 @@
 
 namespace raks::motion {
 
-/// How a figure grows smaller as the music gets faster: at another tempo its movements are
-/// (learnt / tempo)^exponent as large. 0: it is danced as learnt at any tempo, as what was captured
-/// at one is; 1: hands and feet are as fast at any.
+/// How a figure gets smaller as the music gets faster: at another tempo its movements are scaled by
+/// (learnt / tempo)^exponent. 0: the learnt size at any tempo, as for figures captured at one
+/// tempo; 1: hands and feet keep their speed.
 struct SizeByTempo {
     double body = 0.0;  ///< steps, hips, trunk and head; exponent, [0, 2]
-    double arms = 0.0;  ///< the same for arms: 0 where hands have to meet
+    double arms = 0.0;  ///< the same for arms; 0 where hands have to meet
 };
 
-/// The size at a tempo; [0.6, 1.15]. Threads: any. Real-time: yes.
+/// The factor at a tempo, limited to [0.6, 1.15]. Threads: any. Real-time: yes.
 [[nodiscard]] inline double size_at(double exponent, Bpm learnt, Bpm tempo) noexcept {
     constexpr double kSmallest = 0.6;
     constexpr double kLargest = 1.15;

@@ -1,3 +1,4 @@
+// Source body: the skeleton behind a figure's joint positions.
 #pragma once
 
 #include "motion/figures/figure_model.hpp"
@@ -5,8 +6,8 @@
 
 namespace raks::motion {
 
-/// The built-in skeleton at the size of the body that a figure was learnt from: what its positions
-/// are the joints of.
+/// The built-in skeleton, scaled to the body that a figure was learnt from: the joints whose
+/// positions are its features. Threads: any. Real-time: yes.
 [[nodiscard]] Skeleton source_body(const FigureModel& model) noexcept;
 
 }  // namespace raks::motion

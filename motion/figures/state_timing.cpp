@@ -6,6 +6,7 @@
 namespace raks::motion {
 namespace {
 
+// Mean and standard deviation over the repeats.
 StateStay stay_of(const std::vector<double>& lengths) {
     const double count = static_cast<double>(lengths.size());
     const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / count;
@@ -28,6 +29,7 @@ std::vector<std::vector<double>> count_occurrence(const StatePaths& paths,
                                            std::vector<double>(states, 0.0));
     for (const std::vector<std::size_t>& path : paths) {
         for (std::size_t t = 0; t < path.size(); ++t) {
+            // Each sample adds its share of the count, over all repeats; so rows sum to 1.
             table[t / a_beat][path[t]] += 1.0 / samples_of_count;
         }
     }

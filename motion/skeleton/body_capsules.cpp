@@ -13,7 +13,7 @@ constexpr float kTrunkRadius = 0.085F;
 constexpr float kHeadRadius = 0.08F;
 constexpr float kThighRadius = 0.07F;
 constexpr float kShinRadius = 0.05F;
-constexpr float kHeadHeight = 0.14F;  // of the head's middle over its joint and below its crown
+constexpr float kHeadHeight = 0.14F;  // from the head's joint up to the middle of the head
 constexpr float kForearmRadius = 0.03F;
 constexpr float kHandRadius = 0.02F;  // half its thickness: a palm may rest on the body
 
@@ -38,7 +38,7 @@ BodyCapsules body_capsules(const WorldPose& world) noexcept {
     return capsules;
 }
 
-// Ericson 2005, "Real-Time Collision Detection", 5.1.9.
+// Nearest points of two segments: Ericson 2005, "Real-Time Collision Detection", 5.1.9.
 Nearness nearness(const Capsule& one, const Capsule& other) noexcept {
     const glm::vec3 a = one.to - one.from;
     const glm::vec3 b = other.to - other.from;
@@ -50,8 +50,10 @@ Nearness nearness(const Capsule& one, const Capsule& other) noexcept {
     const float bc = glm::dot(b, between);
     const float slant = aa * bb - ab * ab;
     constexpr float kParallel = 1e-9F;
+    // Parameter on the first segment; any will do for parallel ones.
     const float first =
         slant > kParallel ? std::clamp((ab * bc - ac * bb) / slant, 0.0F, 1.0F) : 0.0F;
+    // Clamped on the second one, then the first is computed again for that.
     const float free = (ab * first + bc) / bb;
     const float second = std::clamp(free, 0.0F, 1.0F);
     const float s = std::clamp((ab * second - ac) / aa, 0.0F, 1.0F);

@@ -8,17 +8,18 @@
 
 #include <glm/vec3.hpp>
 
-/// The mannequin's girth: what bodies and hands run into.
+/// Body capsules: the mannequin's girth, for distances between hands and bodies.
 namespace raks::motion {
 
-/// A stretch of the body: everything within `radius` of a line; metres.
+/// A capsule: everything within `radius` of a line segment; metres.
 struct Capsule {
-    glm::vec3 from{};
-    glm::vec3 to{};
-    float radius = 0.0F;
+    glm::vec3 from{};     ///< one end of the segment
+    glm::vec3 to{};       ///< the other end
+    float radius = 0.0F;  ///< around the segment
 };
 
-/// Trunk (two flanks), thighs, shins and feet of both sides in turn, then the head.
+/// Names of the capsules: trunk (as two flanks), thigh, shin and foot of the left, then of the
+/// right side, then the head.
 inline constexpr std::array<std::string_view, 9> kBodyCapsuleNames = {"trunk",
                                                                       "left thigh",
                                                                       "left shin",
@@ -30,29 +31,30 @@ inline constexpr std::array<std::string_view, 9> kBodyCapsuleNames = {"trunk",
                                                                       "head"};
 using BodyCapsules = std::array<Capsule, kBodyCapsuleNames.size()>;
 
-/// In the world. Threads: any. Real-time: yes.
+/// The capsules of a pose, in the world. Threads: any. Real-time: yes.
 [[nodiscard]] BodyCapsules body_capsules(const WorldPose& world) noexcept;
 
-/// Where two capsules are nearest to one another.
+/// Nearest points of two capsules.
 struct Nearness {
-    glm::vec3 away{};     ///< from the other's line to the one's; metres
-    float metres = 0.0F;  ///< from skin to skin; negative: so deep into one another
+    glm::vec3 away{};     ///< from the other's segment to the first one's; metres
+    float metres = 0.0F;  ///< distance of the skins; negative: depth inside one another
 };
 
-/// Neither line is a point. Threads: any. Real-time: yes.
+/// The nearest points; neither segment may be a point. Threads: any. Real-time: yes.
 [[nodiscard]] Nearness nearness(const Capsule& one, const Capsule& other) noexcept;
 
-/// The half of a forearm next to the hand; the palm with the fingers' first joints.
+/// Capsules of one hand: the half of the forearm next to it, and the palm with the fingers' first
+/// joints. Threads: any. Real-time: yes.
 [[nodiscard]] std::array<Capsule, 2> hand_capsules(const WorldPose& world, Side side) noexcept;
 
-/// A hand, or the half of its forearm next to it, and what of the body is nearest to it.
+/// The body part nearest to a hand or its half of the forearm.
 struct HandClearance {
-    Side hand = Side::left;
-    std::string_view part;  ///< of kBodyCapsuleNames
-    double metres = 0.0;    ///< from skin to skin; negative: so deep in it
+    Side hand = Side::left;  ///< which hand
+    std::string_view part;   ///< one of kBodyCapsuleNames
+    double metres = 0.0;     ///< distance of the skins; negative: depth inside it
 };
 
-/// The hand that is deepest in, or nearest to, trunk, legs or head. Threads: any. Real-time: yes.
+/// The hand deepest inside, or nearest to, trunk, legs or head. Threads: any. Real-time: yes.
 [[nodiscard]] HandClearance hand_clearance(const Skeleton& skeleton, const Pose& pose) noexcept;
 
 }  // namespace raks::motion

@@ -1,3 +1,4 @@
+// BVH: reads and writes Biovision hierarchy files.
 #pragma once
 
 #include <filesystem>
@@ -12,22 +13,22 @@
 
 namespace raks::motion {
 
+/// How a BVH file is to be read.
 struct BvhOptions {
-    /// Frames per second to believe instead of the file's frame time (which may then even be 0).
-    /// > 0. The CMU salsa clips say 120 and mean 60.
+    /// Frames per second that override the file's frame time (which may then even be 0). > 0. (The
+    /// CMU salsa clips say 120 where 60 is right.)
     std::optional<double> frames_per_second;
 };
 
 /// Reads a Biovision hierarchy. Tolerant where the format is loose: any line ends, keyword case,
 /// blanks, byte order mark, wrapped rows, rotation orders and positions of each joint, missing end
-/// sites, a wrong frame count (warned), names used twice (warned), two roots (both read, warned).
-/// A joint's position channels replace its OFFSET. Numbers are those of the C locale.
+/// sites, a wrong frame count (warned), names used twice (warned), several roots (all read,
+/// warned). A joint's position channels replace its OFFSET. Numbers are those of the C locale.
 ///
-/// Refused, in one line with its line number: what is no BVH, unbalanced braces, unknown or
-/// miscounted channels, rows that do not fit the channels, numbers that are not finite or above
-/// 1e6, a frame time that is not positive (unless the rate is given), more than 1,000 joints, 100
-/// levels or 10 million declared frames. Memory follows the size of the text, never a declared
-/// count.
+/// Errors, one line with its line number: not a BVH file, unbalanced braces, unknown or miscounted
+/// channels, rows that do not fit the channels, numbers that are not finite or above 1e6, a frame
+/// time that is not positive (unless the rate is given), more than 1,000 joints, 100 levels or 10
+/// million declared frames. Memory follows the size of the text, never a declared count.
 ///
 ///     const auto clip = read_bvh("walk.bvh", {.frames_per_second = 60.0});
 ///     if (!clip) { report(clip.error().message); }
@@ -35,7 +36,7 @@ struct BvhOptions {
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<MotionClip> read_bvh(const std::filesystem::path& path,
                                             const BvhOptions& options = {});
-/// The same from text; `name` stands in errors.
+/// The same from text; `name` stands for the file in errors.
 [[nodiscard]] Expected<MotionClip> parse_bvh(std::string_view text,
                                              std::string_view name,
                                              const BvhOptions& options = {});

@@ -11,11 +11,13 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kMaxJoints = 1000;
+constexpr std::size_t kMaxJoints = 1000;  // limits against files that are no skeleton
 constexpr std::size_t kMaxDepth = 100;
 constexpr std::array<std::string_view, 6> kChannelNames = {
     "xposition", "yposition", "zposition", "xrotation", "yrotation", "zrotation"};
 
+// Reads keywords and braces in any layout: several may share a line, and a brace may stand on the
+// next one. A stack holds the joints that are open.
 class HierarchyReader {
  public:
     explicit HierarchyReader(BvhText& text) : text_(text) {}
@@ -31,6 +33,7 @@ class HierarchyReader {
     }
 
  private:
+    /// The first line must be HIERARCHY.
     Expected<void> parse_head() {
         if (text_.is_at_end()) {
             return text_.fault("is empty");
@@ -47,6 +50,7 @@ class HierarchyReader {
         return {};
     }
 
+    /// Reads lines until MOTION.
     Expected<void> parse_hierarchy() {
         for (; !text_.is_at_end(); text_.advance()) {
             const auto& [line, number] = text_.line();
@@ -65,6 +69,7 @@ class HierarchyReader {
                    : text_.fault(text_.line_number(), "the file ends inside the HIERARCHY");
     }
 
+    /// At MOTION all braces must be closed.
     Expected<void> end_hierarchy(std::size_t line) {
         if (!stack_.empty() || is_waiting_for_brace_) {
             return text_.fault(line, "unbalanced braces: a closing brace is missing before MOTION");
@@ -111,6 +116,7 @@ class HierarchyReader {
         return text_.fault(line, "unknown keyword \"" + word.substr(0, 40) + "\"");
     }
 
+    /// ROOT or JOINT with its name.
     Expected<void> open_joint(bool is_root, std::string_view& rest, std::size_t line) {
         if (is_root != stack_.empty()) {
             return text_.fault(line, is_root ? "ROOT inside another joint" : "ROOT expected");
@@ -122,7 +128,8 @@ class HierarchyReader {
             return text_.fault(
                 line, fmt::format("more than {} joints or {} levels", kMaxJoints, kMaxDepth));
         }
-        // The name is the rest of the line: it may hold blanks. A brace may stand behind it.
+        // The name is the rest of the line, as it may hold blanks; an opening brace may end the
+        // line.
         std::string_view name = trimmed(rest);
         rest = {};
         if (!name.empty() && name.back() == '{') {
@@ -133,6 +140,7 @@ class HierarchyReader {
         const std::size_t index = hierarchy_.joints.size();
         ClipJoint joint;
         joint.name = std::string(name);
+        // A root is its own parent.
         joint.parent = stack_.empty() ? index : stack_.back().joint;
         hierarchy_.joints.push_back(std::move(joint));
         hierarchy_.channels.emplace_back();
@@ -141,6 +149,7 @@ class HierarchyReader {
         return {};
     }
 
+    /// End Site: only its OFFSET matters, the tip of the joint around it.
     Expected<void> open_end_site(std::string_view& rest, std::size_t line) {
         if (lower(take_word(rest)) != "site") {
             return text_.fault(line, "\"End\" must be \"End Site\"");
@@ -153,6 +162,7 @@ class HierarchyReader {
         return {};
     }
 
+    /// OFFSET x y z, of a joint or an end site.
     Expected<void> parse_offset(std::string_view& rest, std::size_t line) {
         if (stack_.empty()) {
             return text_.fault(line, "OFFSET outside a joint");
@@ -178,6 +188,7 @@ class HierarchyReader {
         return {};
     }
 
+    /// CHANNELS n and n names, in the order in which rows give their values.
     Expected<void> parse_channels(std::string_view& rest, std::size_t line) {
         if (stack_.empty() || stack_.back().is_end_site) {
             return text_.fault(line, "CHANNELS outside a joint");
@@ -213,6 +224,7 @@ class HierarchyReader {
         return {};
     }
 
+    // A joint or end site whose brace is open.
     struct Open {
         std::size_t joint = 0;
         bool is_end_site = false;
@@ -220,8 +232,8 @@ class HierarchyReader {
 
     BvhText& text_;
     BvhHierarchy hierarchy_;
-    std::vector<Open> stack_;
-    bool is_waiting_for_brace_ = false;
+    std::vector<Open> stack_;            // from the root down
+    bool is_waiting_for_brace_ = false;  // after a joint's name
 };
 
 }  // namespace

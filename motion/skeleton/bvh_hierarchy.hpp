@@ -1,3 +1,4 @@
+// BVH hierarchy: the part of a BVH file before MOTION.
 #pragma once
 
 #include <array>
@@ -23,15 +24,16 @@ enum class BvhChannel : std::uint8_t {
     z_rotation
 };
 
-/// What a BVH file says before MOTION.
+/// Joints and channels of a BVH file.
 struct BvhHierarchy {
-    std::vector<ClipJoint> joints;
+    std::vector<ClipJoint> joints;                  ///< parents before their children
     std::vector<std::vector<BvhChannel>> channels;  ///< by joint
-    std::size_t channel_count = 0;                  ///< of all joints
-    int roots = 0;
+    std::size_t channel_count = 0;                  ///< of all joints together: numbers in a frame
+    int roots = 0;                                  ///< number of ROOT joints
 };
 
-/// Reads from HIERARCHY to MOTION; `text` then stands behind it. Errors: line and what is wrong.
+/// Reads from HIERARCHY up to MOTION; `text` is then past that line. Errors: the line and what is
+/// wrong.
 [[nodiscard]] Expected<BvhHierarchy> read_bvh_hierarchy(BvhText& text);
 
 }  // namespace raks::motion

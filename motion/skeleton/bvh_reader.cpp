@@ -16,9 +16,9 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kMaxFrames = 1e7;
+constexpr double kMaxFrames = 1e7;  // declared; against damaged counts
 
-/// Reads what follows MOTION into a clip.
+/// Reads what follows MOTION into a clip whose joints are known.
 class MotionReader {
  public:
     MotionReader(BvhText& text,
@@ -38,6 +38,7 @@ class MotionReader {
     }
 
  private:
+    /// Frames, Frame Time, then the rows.
     Expected<void> parse_motion() {
         const std::size_t frames_line = text_.line_number();
         const auto frames_text = text_.value_of("frames");
@@ -61,6 +62,7 @@ class MotionReader {
         return parse_rows(static_cast<std::size_t>(frames));
     }
 
+    /// Seconds a frame; a given rate overrides whatever is there.
     Expected<void> parse_frame_time() {
         const std::size_t line = text_.line_number();
         const auto text = text_.value_of("frame time");
@@ -84,6 +86,8 @@ class MotionReader {
         return {};
     }
 
+    /// All numbers in one list, since rows may be wrapped; line breaks serve only for better
+    /// messages.
     Expected<void> parse_rows(std::size_t declared) {
         if (hierarchy_.channel_count == 0) {
             return text_.fault("has no channels");
@@ -98,6 +102,7 @@ class MotionReader {
             while (!trimmed(rest).empty()) {
                 const auto value = text_.number(take_word(rest), text_.line_number());
                 if (!value) {
+                    // Replaces the file's name in the message, which fault() adds again.
                     return text_.fault(fmt::format("frame {}: {}",
                                                    values.size() / hierarchy_.channel_count,
                                                    value.error().message.substr(name_.size() + 2)));
@@ -108,6 +113,7 @@ class MotionReader {
             is_even = is_even && (rows == 0 || size == row_size);
             row_size = size;
         }
+        // One line a frame, but of the wrong length: better said once than for frame 0.
         if (is_even && rows == declared && rows > 0 && row_size != hierarchy_.channel_count) {
             return text_.fault(fmt::format(
                 "rows have {} values for {} channels", row_size, hierarchy_.channel_count));
@@ -129,11 +135,13 @@ class MotionReader {
                                                declared)
                                  : fmt::format("declares {} frames and has {}", declared, there));
         }
+        // Never more than declared, but at least one frame of what is there.
         clip_.frame_count = std::min(there, std::max<std::size_t>(declared, 1));
         fill_frames(values);
         return {};
     }
 
+    /// Values to local rotations and positions, in the order of each joint's channels.
     void fill_frames(const std::vector<double>& values) {
         std::size_t next = 0;
         for (std::size_t frame = 0; frame < clip_.frame_count; ++frame) {
@@ -149,6 +157,7 @@ class MotionReader {
                     }
                     glm::dvec3 axis(0.0);
                     axis[code - 3] = 1.0;
+                    // Rotations multiply in the order of the channels: for "Z X Y" it is Rz Rx Ry.
                     rotation = rotation * glm::angleAxis(glm::radians(value), axis);
                 }
                 clip_.rotations.push_back(rotation);
@@ -181,6 +190,7 @@ class MotionReader {
 Expected<MotionClip> parse_bvh(std::string_view text,
                                std::string_view name,
                                const BvhOptions& options) {
+    // Editors on Windows put it before UTF-8.
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.substr(0, 3) == kByteOrderMark) {
         text.remove_prefix(3);

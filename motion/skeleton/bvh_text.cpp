@@ -8,7 +8,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kMaxNumber = 1e6;
+constexpr double kMaxNumber = 1e6;  // in file units or degrees: beyond it a file is damaged
 
 }  // namespace
 
@@ -27,7 +27,7 @@ tl::unexpected<Error> BvhText::fault(const std::string& what) const {
 }
 
 Expected<double> BvhText::number(std::string_view word, std::size_t line) const {
-    if (!word.empty() && word.front() == '+') {
+    if (!word.empty() && word.front() == '+') {  // from_chars knows no plus sign
         word.remove_prefix(1);
     }
     double value = 0.0;

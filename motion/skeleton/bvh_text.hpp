@@ -1,3 +1,4 @@
+// BVH text: lines, numbers and errors of a BVH file.
 #pragma once
 
 #include <cstddef>
@@ -10,25 +11,32 @@
 
 namespace raks::motion {
 
-/// The text of a BVH file, read line by line, and its faults. Views into the file's text.
+/// A cursor over the lines of a BVH file, which makes its errors. The lines are views into the
+/// file's text.
 class BvhText {
  public:
+    /// `name` stands for the file in errors; `text` must outlive this.
     BvhText(std::string_view text, std::string_view name)
         : lines_(split_lines(text)), name_(name) {}
 
+    /// Whether all lines are read.
     [[nodiscard]] bool is_at_end() const noexcept { return next_ >= lines_.size(); }
-    /// The line at hand; there must be one.
+    /// The present line; there must be one.
     [[nodiscard]] const Line& line() const { return lines_[next_]; }
+    /// Moves to the next line.
     void advance() noexcept { ++next_; }
-    /// Number of the line at hand, or of the last one.
+    /// Number of the present line, or at the end that of the last one.
     [[nodiscard]] std::size_t line_number() const noexcept;
 
+    /// An error in a line.
     [[nodiscard]] tl::unexpected<Error> fault(std::size_t line, const std::string& what) const;
+    /// An error of the whole file.
     [[nodiscard]] tl::unexpected<Error> fault(const std::string& what) const;
 
-    /// A word as a number. Errors: none, out of range, not finite.
+    /// A word as a number. Errors: no number, out of range, not finite.
     [[nodiscard]] Expected<double> number(std::string_view word, std::size_t line) const;
-    /// "Key words: value" at the line at hand, which is passed: the value's text.
+    /// The value of a line "Key words: value", which must be the present one and is then passed.
+    /// `key` in lower case. Errors: another line.
     [[nodiscard]] Expected<std::string_view> value_of(std::string_view key);
 
  private:

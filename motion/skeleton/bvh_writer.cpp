@@ -17,7 +17,7 @@ struct ZxyDegrees {
     double y = 0.0;
 };
 
-/// Angles with rotation = Rz Rx Ry.
+/// Euler angles in degrees, with rotation = Rz Rx Ry.
 ZxyDegrees zxy_of(const glm::quat& rotation) {
     const glm::dmat3 m = glm::mat3_cast(glm::dquat(glm::normalize(glm::dquat(rotation))));
     // glm indexes m[column][row].
@@ -27,6 +27,7 @@ ZxyDegrees zxy_of(const glm::quat& rotation) {
             glm::degrees(std::atan2(-m[0][2], m[2][2]))};
 }
 
+// Leaves need an end site.
 bool has_child(std::size_t bone) {
     for (std::size_t i = 1; i < kBoneParents.size(); ++i) {
         if (kBoneParents[i] == bone) {
@@ -36,6 +37,7 @@ bool has_child(std::size_t bone) {
     return false;
 }
 
+// One joint and, recursively, its children.
 void write_joint(const Skeleton& skeleton, std::size_t bone, int depth, std::string& text) {
     const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
     const glm::vec3& offset = skeleton.offsets[bone];
@@ -50,7 +52,7 @@ void write_joint(const Skeleton& skeleton, std::size_t bone, int depth, std::str
                                   "Zrotation Xrotation Yrotation\n"
                                 : "  CHANNELS 3 Zrotation Xrotation Yrotation\n");
     if (!has_child(bone)) {
-        // The tip of a leaf: on by two thirds of its own bone's length.
+        // The skeleton has no tips: a leaf ends two thirds of its own bone's length further on.
         text +=
             fmt::format("{0}  End Site\n{0}  {{\n{0}    OFFSET {1:.6f} {2:.6f} {3:.6f}\n{0}  }}\n",
                         indent,
@@ -66,7 +68,7 @@ void write_joint(const Skeleton& skeleton, std::size_t bone, int depth, std::str
     text += indent + "}\n";
 }
 
-/// Bones in the order in which write_joint writes them.
+/// Bones in depth-first order, in which write_joint() writes them: rows must follow it.
 void list_depth_first(std::size_t bone, std::vector<std::size_t>& order) {
     order.push_back(bone);
     for (std::size_t child = 1; child < kBoneParents.size(); ++child) {
@@ -76,6 +78,7 @@ void list_depth_first(std::size_t bone, std::vector<std::size_t>& order) {
     }
 }
 
+// A sum is finite only if all its terms are.
 bool is_finite(const Pose& pose) {
     for (const glm::quat& q : pose.local_rotations) {
         if (!std::isfinite(q.w + q.x + q.y + q.z)) {

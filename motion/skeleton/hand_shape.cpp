@@ -8,8 +8,8 @@ namespace {
 
 struct FingerCurl {
     Bone bone;        // left
-    double straight;  // degrees of an open hand
-    double fist;      // and of a fist
+    double straight;  // degrees of bend in an open hand
+    double fist;      // degrees of bend in a fist
 };
 constexpr std::array<FingerCurl, 15> kFingers = {{
     {Bone::left_index_proximal, 2, 72},
@@ -37,6 +37,7 @@ bool is_thumb(Bone left) noexcept {
 }  // namespace
 
 void set_hand_shape(Side side, double fist, Pose& pose) noexcept {
+    // Axes of the left hand, palms down in T-pose; the right one is the mirror image.
     constexpr glm::dvec3 kFingerAxis{0.0, 0.0, -1.0};
     constexpr glm::dvec3 kThumbAxis{0.0, -0.70710678, -0.70710678};
     for (const FingerCurl& finger : kFingers) {

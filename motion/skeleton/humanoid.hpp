@@ -1,3 +1,4 @@
+// Humanoid: bones, their names and parents, and the two sides of a body.
 #pragma once
 
 #include <array>
@@ -63,8 +64,9 @@ enum class Bone : std::uint8_t {
     right_little_intermediate,
     right_little_distal,
 };
-inline constexpr int kBoneCount = 52;
+inline constexpr int kBoneCount = 52;  ///< number of bones
 
+/// Index in arrays by bone.
 [[nodiscard]] constexpr std::size_t index_of(Bone bone) noexcept {
     return static_cast<std::size_t>(bone);
 }
@@ -132,10 +134,12 @@ inline constexpr std::array<std::uint8_t, kBoneCount> kBoneParents = {
     35, 36, 37, 38, 36, 40, 41, 36, 43, 44, 36, 46, 47, 36, 49, 50,
 };
 
+/// A side of the body, seen by the figure itself.
 enum class Side : std::uint8_t { left, right };
+/// Both sides, in the order of arrays "by Side".
 inline constexpr std::array<Side, 2> kSides = {Side::left, Side::right};
 
-/// The bone on the other side of the body; bones of the middle are their own.
+/// The bone on the other side of the body; bones of the trunk are their own mirror image.
 [[nodiscard]] constexpr Bone mirrored(Bone bone) noexcept {
     constexpr int kFirstLeft = static_cast<int>(Bone::left_upper_leg);
     constexpr int kFirstRight = static_cast<int>(Bone::right_upper_leg);

@@ -9,10 +9,12 @@ namespace {
 
 struct Name {
     Bone bone;
-    std::string_view names;  // of the left side, lower case, by blanks; the first that is there
+    // Left side, lower case, separated by blanks; the first one found counts
+    std::string_view names;
 };
 
-/// Middle and left names of the schemes: DAZ/Poser, CMU/MotionBuilder, Mixamo, Bandai Namco, VRM.
+/// Names of the trunk's and left side's bones in the known schemes: DAZ/Poser, CMU/MotionBuilder,
+/// Mixamo, Bandai Namco, VRM.
 constexpr std::array<Name, 26> kNames = {{
     {Bone::hips, "hip hips pelvis"},
     {Bone::spine, "abdomen lowerback spine"},
@@ -63,6 +65,7 @@ std::string right_name(std::string_view left) {
     return left.empty() ? std::string() : "r" + std::string(left.substr(1));
 }
 
+// The first joint whose name is one of `wanted`, translated to the side.
 std::optional<std::size_t> find_joint(const std::vector<std::string>& names,
                                       std::string_view wanted,
                                       Side side,
@@ -81,6 +84,7 @@ std::optional<std::size_t> find_joint(const std::vector<std::string>& names,
     return std::nullopt;
 }
 
+// Whether `ancestor` lies above `joint` in the clip.
 bool is_ancestor(const MotionClip& clip, std::size_t ancestor, std::size_t joint) {
     while (clip.joints[joint].parent != joint) {
         joint = clip.joints[joint].parent;
@@ -91,7 +95,7 @@ bool is_ancestor(const MotionClip& clip, std::size_t ancestor, std::size_t joint
     return false;
 }
 
-/// The bone whose joint is the nearest above `bone`'s in the humanoid tree.
+/// The nearest bone above `bone` that the clip has.
 std::optional<Bone> mapped_parent(const HumanoidMapping& mapping, Bone bone) {
     while (bone != Bone::hips) {
         bone = static_cast<Bone>(kBoneParents[index_of(bone)]);
@@ -102,7 +106,8 @@ std::optional<Bone> mapped_parent(const HumanoidMapping& mapping, Bone bone) {
     return std::nullopt;
 }
 
-/// Local rotations of the joints from just below `above` down to `joint`, multiplied.
+/// Product of the local rotations from just below `above` down to `joint`: helper joints between
+/// two bones are folded in.
 glm::dquat folded_rotation(const MotionClip& clip,
                            std::size_t frame,
                            std::optional<std::size_t> above,
@@ -115,7 +120,7 @@ glm::dquat folded_rotation(const MotionClip& clip,
     return rotation;
 }
 
-/// The tip of a foot in a frame's world: the end site of the toes or of the foot.
+/// Tip of a foot in the world: end site of the toes or of the foot, or the joint itself.
 glm::dvec3 toe_tip_of(const MotionClip& clip,
                       const HumanoidMapping& mapping,
                       Side side,
@@ -130,11 +135,13 @@ glm::dvec3 toe_tip_of(const MotionClip& clip,
     return {};
 }
 
+// Radians; pi for a vector without length, so that it fails every check.
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     const double length = glm::length(a) * glm::length(b);
     return length > 1e-12 ? std::acos(std::clamp(glm::dot(a, b) / length, -1.0, 1.0)) : M_PI;
 }
 
+// Copying local rotations is right only between T-poses.
 Expected<void> check_rest_pose(const HumanoidMapping& mapping,
                                const std::vector<glm::dvec3>& rest) {
     constexpr double kMostAway = 40.0 * M_PI / 180.0;
@@ -155,12 +162,14 @@ Expected<void> check_rest_pose(const HumanoidMapping& mapping,
     return {};
 }
 
+// The order statistic below, without interpolation; values must not be empty.
 double percentile(std::vector<double> values, double share) {
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + at, values.end());
     return values[static_cast<std::size_t>(at)];
 }
 
+// One frame on the humanoid; bones that the clip lacks stay at rest.
 Pose pose_of(const MotionClip& clip,
              const HumanoidMapping& mapping,
              std::size_t frame,
@@ -196,7 +205,7 @@ Expected<HumanoidMapping> map_humanoid(const MotionClip& clip) {
         for (const Side side : kSides) {
             const Bone bone = on_side(name.bone, side);
             if (auto joint = find_joint(names, name.names, side, is_middle)) {
-                // A joint can move one bone only, and must hang below the bone's parent.
+                // A joint moves one bone only, and must lie below the joint of the bone's parent.
                 const auto parent = mapped_parent(mapping, bone);
                 if (!parent || is_ancestor(clip, *mapping.joint(*parent), *joint)) {
                     mapping.joints[index_of(bone)] = joint;
@@ -240,6 +249,7 @@ Expected<RetargetedClip> retarget(const MotionClip& clip,
     const double unit = result.metres_per_unit;
     const std::size_t hips = *mapping->joint(Bone::hips);
 
+    // Sizes come from the rest pose, which does not depend on the motion.
     const std::vector<glm::dquat> upright(clip.joints.size(), glm::dquat(1.0, 0.0, 0.0, 0.0));
     const double rest_toe = std::min(toe_tip_of(clip, *mapping, Side::left, rest, upright).y,
                                      toe_tip_of(clip, *mapping, Side::right, rest, upright).y);
@@ -263,7 +273,7 @@ Expected<RetargetedClip> retarget(const MotionClip& clip,
             toe_heights.push_back(foot.toe_tip.y);
         }
     }
-    constexpr double kFloorShare = 0.05;
+    constexpr double kFloorShare = 0.05;  // a foot is on the floor for far more than 5 % of a dance
     result.floor_height = options.floor_height.value_or(percentile(toe_heights, kFloorShare));
     const glm::dvec3 floor(0.0, result.floor_height, 0.0);
     for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {

@@ -7,8 +7,8 @@ namespace raks::motion {
 namespace {
 
 constexpr double kLeastHeight = 0.5;  // metres of a standing body
-constexpr double kMostHeight = 2.5;
-constexpr double kUsualHeight = 1.7;
+constexpr double kMostHeight = 2.5;   // metres
+constexpr double kUsualHeight = 1.7;  // metres, where no unit fits
 
 }  // namespace
 
@@ -76,7 +76,8 @@ std::size_t leading_rest_frames(const MotionClip& clip) {
     if (clip.frame_count < 3) {
         return 0;
     }
-    // A T-pose has no rotation in any joint, which no recorded frame has; the next frame leaves it.
+    // A T-pose has no rotation in any joint, which no recorded frame has; the next frame leaves it
+    // by a jump.
     const auto largest_turn = [&](std::size_t frame, std::size_t other) {
         double largest = 0.0;
         for (std::size_t joint = 0; joint < clip.joints.size(); ++joint) {
@@ -92,7 +93,7 @@ std::size_t leading_rest_frames(const MotionClip& clip) {
         from_rest = std::max(from_rest, 2.0 * std::acos(std::min(1.0, w)));
     }
     constexpr double kRest = 0.01;  // radians
-    constexpr double kJump = 0.1;
+    constexpr double kJump = 0.1;   // radians
     return from_rest < kRest && largest_turn(0, 1) > kJump ? 1 : 0;
 }
 

@@ -5,6 +5,7 @@
 namespace raks::motion {
 
 glm::quat interpolate(const glm::quat& from, const glm::quat& to, float t) noexcept {
+    // q and -q are the same rotation: take the one on the shorter arc.
     const float sign = glm::dot(from, to) < 0.0F ? -t : t;
     return glm::normalize(from * (1.0F - t) + to * sign);
 }
@@ -24,6 +25,7 @@ Pose mirrored(const Pose& pose) noexcept {
     for (int i = 0; i < kBoneCount; ++i) {
         const Bone bone = static_cast<Bone>(i);
         const glm::quat& q = pose.rotation(mirrored(bone));
+        // In the mirror x = 0 rotations about y and z change sign.
         result.rotation(bone) = glm::quat(q.w, q.x, -q.y, -q.z);
     }
     result.hips_position = {-pose.hips_position.x, pose.hips_position.y, pose.hips_position.z};

@@ -18,6 +18,7 @@ void PoseTrack::append_final(HopIndex hop, const Pose& pose) noexcept {
 }
 
 void PoseTrack::set_predicted(int ahead, const Pose& pose) noexcept {
+    // In order: a gap would leave old poses between the new ones.
     RAKS_ASSERT(!is_empty() && ahead >= 1 && ahead <= kPredictedPoses && ahead <= predicted_ + 1);
     poses_[static_cast<std::size_t>(newest_final_ + ahead) % kSlots] = pose;
     predicted_ = std::max(predicted_, ahead);
@@ -45,6 +46,7 @@ Pose PoseTrack::at(StreamTime time) const noexcept {
     if (is_empty() || past_oldest.count() <= 0) {
         return at_hop(oldest_final());
     }
+    // The hop before the moment, and the share of the way to the next one.
     const HopIndex hop = oldest_final() + past_oldest / kHop;
     const float t =
         static_cast<float>((past_oldest % kHop).count()) / static_cast<float>(kHop.count());

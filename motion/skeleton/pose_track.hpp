@@ -1,3 +1,4 @@
+// Pose track: the poses that the dancer publishes.
 #pragma once
 
 #include <array>
@@ -8,15 +9,16 @@
 
 namespace raks::motion {
 
-/// What the dancer publishes: one pose every 10 ms; the last 0.6 s final, the next 0.2 s predicted
-/// (renewed every hop). Drawing asks it for the moment at which a picture is seen and heard: a past
-/// one in `play`, now or a little ahead with a microphone.
+/// The dancer's output: one pose every 10 ms, of which the last 0.6 s are final and the next 0.2 s
+/// predicted (renewed every hop). Rendering reads it at the moment when a frame will be seen: in
+/// the past in `play`, now or a little ahead with a microphone.
 ///
-/// A trivially copyable value (about 70 kB): it passes through LatestValue<PoseTrack>.
+/// A trivially copyable value (about 70 kB), so it passes through LatestValue<PoseTrack>. Threads:
+/// one at a time. Real-time: yes.
 class PoseTrack {
  public:
-    static constexpr int kFinalPoses = 60;
-    static constexpr int kPredictedPoses = 20;
+    static constexpr int kFinalPoses = 60;      ///< hops that are kept
+    static constexpr int kPredictedPoses = 20;  ///< hops ahead
 
     /// Empties the track.
     void clear() noexcept {
@@ -24,22 +26,24 @@ class PoseTrack {
         predicted_ = 0;
     }
 
-    /// Appends the final pose of the hop after the newest one (or of any hop when empty). What was
-    /// predicted is forgotten. Real-time: yes.
+    /// Appends the final pose of the hop after the newest one (or of any hop when empty) and drops
+    /// all predicted ones. Real-time: yes.
     void append_final(HopIndex hop, const Pose& pose) noexcept;
 
     /// Sets the predicted pose of hop newest_final() + ahead, ahead = 1..kPredictedPoses, in
     /// order. Real-time: yes.
     void set_predicted(int ahead, const Pose& pose) noexcept;
 
-    /// Puts another pose in the place of one that is there, final or predicted. Real-time: yes.
+    /// Replaces a pose of the track, final or predicted. Real-time: yes.
     void replace(HopIndex hop, const Pose& pose) noexcept;
 
+    /// Whether there is no pose.
     [[nodiscard]] bool is_empty() const noexcept { return newest_final_ < 0; }
     /// Hop of the newest final pose; -1 when empty.
     [[nodiscard]] HopIndex newest_final() const noexcept { return newest_final_; }
+    /// Hop of the oldest final pose; the track must not be empty.
     [[nodiscard]] HopIndex oldest_final() const noexcept;
-    /// Hop of the last pose there is, final or predicted.
+    /// Hop of the last pose, final or predicted.
     [[nodiscard]] HopIndex newest() const noexcept { return newest_final_ + predicted_; }
 
     /// The pose of one hop; hops outside the track give its nearest end. A T-pose when empty.

@@ -3,6 +3,7 @@
 namespace raks::motion {
 namespace {
 
+// Metres from the parent's joint, in the order of Bone.
 constexpr std::array<glm::vec3, kBoneCount> kMannequinOffsets = {{
     {0.0F, 0.93F, 0.0F},               // hips
     {0.0F, 0.085F, -0.008F},           // spine
@@ -89,6 +90,7 @@ WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept {
     WorldPose world;
     world.positions[0] = pose.hips_position;
     world.rotations[0] = pose.local_rotations[0];
+    // Parents come before their children, so one pass suffices.
     for (std::size_t i = 1; i < kBoneParents.size(); ++i) {
         const std::size_t parent = kBoneParents[i];
         world.positions[i] =
@@ -106,6 +108,7 @@ glm::vec3 foot_point(const WorldPose& world, Side side, glm::vec3 left_local) no
 }
 
 glm::vec3 toe_tip(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
+    // From the toes' own joint: they bend at the ball.
     glm::vec3 from_joint = skeleton.toe_tip - skeleton.offsets[index_of(Bone::left_toes)];
     if (side == Side::right) {
         from_joint.x = -from_joint.x;

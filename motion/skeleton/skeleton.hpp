@@ -1,3 +1,4 @@
+// Skeleton: bone lengths, and forward kinematics.
 #pragma once
 
 #include <array>
@@ -14,15 +15,16 @@ namespace raks::motion {
 /// Bone lengths of one humanoid in T-pose, in metres. All rest rotations are identity, so a bone's
 /// frame has the world's axes in T-pose.
 struct Skeleton {
-    /// From the parent bone's joint to this bone's joint; for hips the place in the world (its
-    /// height is the standing height of the hips).
+    /// Vector from the parent bone's joint to this bone's joint; for the hips their place in the
+    /// world (its y is the standing height of the hips).
     std::array<glm::vec3, kBoneCount> offsets{};
-    /// Ball of the foot, toe tip and heel on the sole, in the left foot bone's frame in T-pose
-    /// (mirrored for the right). Their y is the sole: rest height of the foot + y = 0, the floor.
+    /// Ball of the foot on the sole, in the left foot bone's frame in T-pose (mirrored for the
+    /// right). Its y is the sole: rest height of the foot + y = 0, the floor.
     glm::vec3 ball{};
-    glm::vec3 toe_tip{};
-    glm::vec3 heel{};
+    glm::vec3 toe_tip{};  ///< tip of the toes, likewise
+    glm::vec3 heel{};     ///< back of the heel, likewise
 
+    /// Standing height of the hips; metres.
     [[nodiscard]] float hips_height() const noexcept { return offsets[0].y; }
 };
 
@@ -34,12 +36,14 @@ struct Skeleton {
 
 /// Place and orientation of every bone in the world for one pose.
 struct WorldPose {
-    std::array<glm::vec3, kBoneCount> positions{};
-    std::array<glm::quat, kBoneCount> rotations{};
+    std::array<glm::vec3, kBoneCount> positions{};  ///< of the joints, by bone; metres
+    std::array<glm::quat, kBoneCount> rotations{};  ///< by bone
 
+    /// Place of a bone's joint.
     [[nodiscard]] const glm::vec3& position(Bone bone) const noexcept {
         return positions[index_of(bone)];
     }
+    /// Orientation of a bone.
     [[nodiscard]] const glm::quat& rotation(Bone bone) const noexcept {
         return rotations[index_of(bone)];
     }

@@ -6,18 +6,21 @@
 #include <string_view>
 #include <vector>
 
-/// Lines and words of a text format, as views into it. Locale plays no part.
+/// Lines and words of a text format, as views into the text; independent of the locale.
 namespace raks::motion {
 
+/// One line with content.
 struct Line {
-    std::string_view text;  // without blanks at its ends, never empty
-    std::size_t number = 0;
+    std::string_view text;   // without blanks at its ends, never empty
+    std::size_t number = 0;  ///< counted from 1
 };
 
+/// Whether a character separates words.
 [[nodiscard]] inline bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
 }
 
+/// The text without blanks at its ends.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) {
         text.remove_prefix(1);
@@ -28,6 +31,7 @@ struct Line {
     return text;
 }
 
+/// The text with ASCII letters in lower case.
 [[nodiscard]] inline std::string lower(std::string_view text) {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(), [](char c) {
@@ -36,7 +40,7 @@ struct Line {
     return result;
 }
 
-/// Takes the first word off.
+/// Takes the first word off the text; a brace is a word of its own. Empty at the end.
 inline std::string_view take_word(std::string_view& text) {
     text = trimmed(text);
     std::size_t end = 0;
@@ -49,7 +53,7 @@ inline std::string_view take_word(std::string_view& text) {
     return word;
 }
 
-/// Lines ended by LF, CR or CRLF; empty ones are passed over.
+/// The lines of a text that have content; lines end with LF, CR or CRLF.
 [[nodiscard]] inline std::vector<Line> split_lines(std::string_view text) {
     std::vector<Line> lines;
     std::size_t number = 1;

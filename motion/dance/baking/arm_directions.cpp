@@ -11,27 +11,28 @@
 namespace raks::motion {
 namespace {
 
-// How strongly a sample holds to its own direction against its two neighbours' (1): by a power of
-// its share of the whole length, and at least this. By the sixth a bone of 0.9 of its length is
+// Weight of a sample's own direction against its two neighbours' (1 together): a power of the found
+// length's share of the bone's, plus this. With the sixth power a bone of 0.9 of its length is
 // smoothed over a sample or two and one of 0.3 over a third of a beat.
 constexpr double kLeastTrust = 0.01;
-constexpr int kBonePower = 6;
-constexpr int kBendPower = 2;
-constexpr int kRounds = 150;
+constexpr int kBonePower = 6;  // for bones
+constexpr int kBendPower = 2;  // for the side of the elbow
+constexpr int kRounds = 150;   // Gauss-Seidel sweeps
 constexpr double kTiny = 1e-6;
-// Sine of the least bend of an elbow. Straighter, its plane, and with it the turn of the upper arm
-// about itself, would be noise; people's elbows hardly ever are.
+// Sine of the smallest bend of an elbow. In a straighter arm the elbow's plane, and with it the
+// upper arm's turn about itself, would be noise; people's elbows are hardly ever straighter.
 constexpr double kLeastBend = 0.25;
-constexpr double kFarthest = 0.5;  // radians of a varied arm's bones from where they were learnt
+// Radians; soft limit of a varied direction's distance from the learnt one
+constexpr double kFarthest = 0.5;
 
-/// Where a joint's three numbers begin in a row.
+/// Column at which a joint's three features begin.
 std::size_t column_of(const PartModel& part, Bone bone) {
     const auto joint = std::find_if(
         part.joints.begin(), part.joints.end(), [bone](const auto& j) { return j.bone == bone; });
     return part.root_features() + 3 * static_cast<std::size_t>(joint - part.joints.begin());
 }
 
-/// Where one arm lies in a row, and how long it is.
+/// Columns of one arm's joints in a row, and its bones' lengths (metres of the source body).
 struct ArmLayout {
     std::size_t shoulder = 0;
     std::size_t elbow = 0;
@@ -50,7 +51,8 @@ ArmLayout layout_of(const PartModel& part, const Skeleton& body, Side side) {
             static_cast<double>(glm::length(body.offsets[index_of(hand)]))};
 }
 
-/// Unit directions over the figure: of both bones, and to which side the elbow bends.
+/// Unit directions by sample: of both bones, and from the upper arm's line to where the elbow bends
+/// the lower arm.
 struct Arm {
     std::vector<glm::dvec3> uppers;
     std::vector<glm::dvec3> lowers;
@@ -61,12 +63,13 @@ glm::dvec3 vector_at(std::span<const double> row, std::size_t at) {
     return {row[at], row[at + 1], row[at + 2]};
 }
 
-/// Directions of vectors, at most about `length` long, that go on steadily where those say little.
+/// Smoothed unit directions of vectors whose full length is `length`; the shorter a vector, the
+/// more its neighbours count.
 std::vector<glm::dvec3> directions_of(const std::vector<glm::dvec3>& vectors,
                                       double length,
                                       int power) {
     const std::size_t size = vectors.size();
-    std::vector<glm::dvec3> own(size);  // weighed by trust
+    std::vector<glm::dvec3> own(size);  // times its weight
     std::vector<glm::dvec3> directions(size, glm::dvec3(0.0, -1.0, 0.0));
     for (std::size_t i = 0; i < size; ++i) {
         const double found = glm::length(vectors[i]);
@@ -76,7 +79,8 @@ std::vector<glm::dvec3> directions_of(const std::vector<glm::dvec3>& vectors,
         const double share = std::min(found / length, 1.0);
         own[i] = (kLeastTrust + std::pow(share, power)) * directions[i];
     }
-    // In place, so that a direction is drawn along the sphere from both sides (Gauss-Seidel).
+    // Gauss-Seidel: updated in place and normalised, so that a direction is drawn along the sphere
+    // from both sides.
     for (int round = 0; round < kRounds; ++round) {
         for (std::size_t i = 0; i < size; ++i) {
             const glm::dvec3 sum =
@@ -90,8 +94,8 @@ std::vector<glm::dvec3> directions_of(const std::vector<glm::dvec3>& vectors,
     return directions;
 }
 
-/// Draws unit directions towards those learnt, softly, so that no pair is further apart than
-/// kFarthest.
+/// Limits the angle between each direction and the learnt one to kFarthest, softly (tanh), along
+/// the great circle.
 void hold_near(const std::vector<glm::dvec3>& learnt, std::vector<glm::dvec3>& directions) {
     for (std::size_t i = 0; i < learnt.size(); ++i) {
         const glm::dvec3 across = directions[i] - learnt[i] * glm::dot(learnt[i], directions[i]);
@@ -106,7 +110,7 @@ void hold_near(const std::vector<glm::dvec3>& learnt, std::vector<glm::dvec3>& d
     }
 }
 
-/// How far the lower arm stands out from the upper arm's line.
+/// Component of the lower arm's direction across the upper arm: its length is the sine of the bend.
 std::vector<glm::dvec3> asides_of(const std::vector<glm::dvec3>& uppers,
                                   const std::vector<glm::dvec3>& lowers) {
     std::vector<glm::dvec3> asides;
@@ -116,7 +120,7 @@ std::vector<glm::dvec3> asides_of(const std::vector<glm::dvec3>& uppers,
     return asides;
 }
 
-/// The bone from one joint to another over the figure.
+/// The vector from one joint to another by sample.
 std::vector<glm::dvec3> vectors_of(const FeatureTrack& track, std::size_t from, std::size_t to) {
     std::vector<glm::dvec3> vectors;
     for (std::size_t i = 0; i < track.rows(); ++i) {
@@ -133,7 +137,7 @@ Arm arm_of(const FeatureTrack& track, const ArmLayout& at) {
     return arm;
 }
 
-/// The lower arm's direction, bent to its side and a little at least.
+/// The lower arm's direction, turned so that it bends towards `to_side` by kLeastBend at least.
 glm::dvec3 bent(const glm::dvec3& upper, const glm::dvec3& lower, const glm::dvec3& to_side) {
     const double along = glm::dot(upper, lower);
     const glm::dvec3 side = to_side - upper * glm::dot(upper, to_side);
@@ -146,6 +150,7 @@ glm::dvec3 bent(const glm::dvec3& upper, const glm::dvec3& lower, const glm::dve
     return std::copysign(std::sqrt(1.0 - bend * bend), along) * upper + (bend / found) * side;
 }
 
+// Rebuilds elbow and hand from the shoulder outward with the bones' own lengths.
 void write_arm(const Arm& arm, const ArmLayout& at, FeatureTrack& track) {
     for (std::size_t i = 0; i < track.rows(); ++i) {
         const std::span<double> row = track.row(i);

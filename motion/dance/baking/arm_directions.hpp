@@ -1,3 +1,4 @@
+// Arm directions: keeps arms of position features at their lengths.
 #pragma once
 
 #include "motion/figures/figure_model.hpp"
@@ -6,15 +7,16 @@
 
 namespace raks::motion {
 
-/// Gives the arms of an upper part of positions their lengths back, along the chain from the
-/// shoulder; `body` is the source's (source_body). A mean over repeats whose arms point elsewhere
-/// is shorter than an arm (down to a tenth in turns, where holds differ), and the shorter the less
-/// it knows where to point: there the direction comes from the moments around it, along the
-/// sphere. The track is a closed curve. Threads: workers. Real-time: no.
+/// Restores the lengths of both arms in the upper part of a figure of positions, along the chain
+/// from the shoulder; `body` is the source's (source_body). A mean over repeats whose arms point in
+/// different directions is shorter than an arm (down to a tenth in turns, where holds differ), and
+/// the shorter it is the less its direction means: there the direction is interpolated on the
+/// sphere from the samples around it. `track` is a closed curve. Threads: workers. Real-time: no.
 void restore_arms(const PartModel& part, const Skeleton& body, FeatureTrack& track);
 
-/// The same for a varied track; no bone, and no plane of an elbow, is turned far from `learnt`
-/// (restored), or arms could as well be mixed the other way round.
+/// The same for a varied track. Each bone's direction and each elbow's plane are held within half a
+/// radian of those of `learnt` (restored), so that arms of two passages can be mixed the shorter
+/// way round. Threads: workers. Real-time: no.
 void restore_arms_near(const FeatureTrack& learnt,
                        const PartModel& part,
                        const Skeleton& body,

@@ -5,9 +5,11 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kStep = 0.125;   // beats from look to look
-constexpr float kNearest = 0.5F;  // cosine of half the angle between two bones
+constexpr double kStep = 0.125;  // beats between samples
+// Cosine of half of 120 degrees, the dot product of two quaternions
+constexpr float kNearest = 0.5F;
 
+// The dot product is signed: with signs made to agree a negative one is the longer way round.
 bool can_mix(const FigurePassage& a, const FigurePassage& b, int beats) {
     for (double beat = -FigurePassage::kMargin; beat <= beats + FigurePassage::kMargin;
          beat += kStep) {

@@ -1,3 +1,4 @@
+// Arm mixes: which passages' arms may be averaged.
 #pragma once
 
 #include <array>
@@ -9,15 +10,16 @@
 
 namespace raks::motion {
 
-/// Ways to dance each figure.
+/// Number of passages (ways to dance it) of each figure.
 inline constexpr std::size_t kWays = 8;
 
-/// Which two passages of a figure have arms that can be mixed: [a][b].
+/// Whether the arms of passages a and b of a figure can be mixed: [a][b].
 using ArmMixes = std::array<std::bitset<kWays>, kWays>;
 
-/// Those whose arms are never so far apart that the other way round would soon be the shorter one
-/// (120 degrees of any bone). Their rotations' signs must agree (take_signs_of). `passages`: at
-/// most kWays, of a figure so many beats long. Threads: workers. Real-time: no.
+/// Two passages' arms can be mixed when no bone of theirs is ever 120 degrees or more apart; beyond
+/// that the shorter way round would soon change. Their quaternions' signs must agree
+/// (take_signs_of). `passages`: at most kWays, of a figure of `beats`. Threads: workers. Real-time:
+/// no.
 [[nodiscard]] ArmMixes arm_mixes(std::span<const FigurePassage> passages, int beats);
 
 }  // namespace raks::motion

@@ -1,3 +1,4 @@
+// Banded least squares, solved by Cholesky.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +10,20 @@
 
 namespace raks::motion {
 
-/// A sum of squares w (c^T x - m)^2 over a row of unknowns x, each over at most Bands + 1
-/// neighbours, and the x that makes it least: normal equations with Bands bands beside the
-/// diagonal, by Cholesky. Threads: one. Real-time: no (it allocates).
+/// Minimises a sum of squares w (c^T x - m)^2 over a row of unknowns x, where each term spans at
+/// most Bands + 1 neighbours: normal equations with Bands bands beside the diagonal, by Cholesky.
+/// Threads: one. Real-time: no (it allocates).
 template <std::size_t Bands>
 class BandedSystem {
  public:
+    /// Coefficients c of one term.
     using Coefficients = std::array<double, Bands + 1>;
 
+    /// `size`: number of unknowns.
     explicit BandedSystem(std::size_t size) : bands_(size), right_(size) {}
 
-    /// Adds weight (c^T x - mean)^2, c at unknowns first, first + 1, ...; those outside are left
-    /// out. weight >= 0; all terms together must hold every unknown.
+    /// Adds weight (c^T x - mean)^2, c at unknowns first, first + 1, ...; those outside the row are
+    /// left out. weight >= 0; all terms together must determine every unknown.
     void add(std::ptrdiff_t first, const Coefficients& c, double weight, double mean) {
         const auto size = static_cast<std::ptrdiff_t>(right_.size());
         for (std::size_t a = 0; a <= Bands; ++a) {
@@ -38,7 +41,7 @@ class BandedSystem {
         }
     }
 
-    /// The least squares' solution; the system is used up.
+    /// The least-squares solution. Call it once: it uses the system up.
     [[nodiscard]] std::vector<double> solve() {
         factor();
         const std::size_t size = right_.size();
@@ -58,9 +61,10 @@ class BandedSystem {
     }
 
  private:
-    static constexpr double kLeastDiagonal = 1e-12;  // of a sound system it is far larger
+    // Floor against rounding; a well-posed system lies far above it
+    static constexpr double kLeastDiagonal = 1e-12;
 
-    /// The lower triangle of Cholesky, in place.
+    /// Cholesky factor (lower triangle), in place.
     void factor() {
         for (std::size_t i = 0; i < bands_.size(); ++i) {
             for (std::size_t k = std::min(Bands, i); k > 0; --k) {

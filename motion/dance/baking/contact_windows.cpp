@@ -9,22 +9,24 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kSmoothBeats = 0.15;
-constexpr double kLeastGapBeats = 0.25;
-constexpr double kLeastContactBeats = 0.34;
-constexpr double kContactChance = 0.45;
-constexpr double kLandingReach = 0.75;  // beats between a contact's start and its landing
-constexpr int kLandingRepeats = 3;
-constexpr double kStepBeats = 0.4;  // that a step stands which people hardly rest on
-// Of a foot that passes: it stands so long at the least (less is not seen as a landing), and flies
-// on for so long (0.36 beats: as good; 0.42: it hardly stands).
+constexpr double kSmoothBeats = 0.15;        // deviation of the Gaussian over the probability
+constexpr double kLeastGapBeats = 0.25;      // shorter gaps between contacts are closed
+constexpr double kLeastContactBeats = 0.34;  // shorter contacts are dropped
+constexpr double kContactChance = 0.45;      // threshold of the smoothed probability
+// Beats; a landing this far from a contact's start is not its own
+constexpr double kLandingReach = 0.75;
+constexpr int kLandingRepeats = 3;  // repeats that must show a landing
+constexpr double kStepBeats = 0.4;  // length of the contact given to a landing without one
+// Of a passing foot, beats: its shortest stand (a shorter one is not detected as a landing), and
+// the flight that must be left for its next step (0.36 works as well; with 0.42 the foot hardly
+// stands).
 constexpr double kLeastStandBeats = 0.08;
 constexpr double kLeastFlightBeats = 0.38;
-// Beats from the landing (the foot falls under 0.30 m/s) until it stands still.
+// Beats from a landing, where the foot's speed falls under 0.30 m/s, until the foot is at rest.
 constexpr double kRestAfterLanding = 0.012;
 
-/// Beats of the figure on which a foot stands still after its landings, but for those of few
-/// repeats.
+/// Phases (beats) at which a foot is at rest after each of its landings. Landings of fewer than
+/// kLandingRepeats repeats are left out.
 std::vector<double> standing_beats(const std::vector<LandingOffset>& landings) {
     std::vector<double> beats;
     for (std::size_t count = 0; count < landings.size(); ++count) {
@@ -36,7 +38,7 @@ std::vector<double> standing_beats(const std::vector<LandingOffset>& landings) {
     return beats;
 }
 
-/// Beats from `from` to `to` on a closed figure, nearest way.
+/// Signed beats from `from` to `to` on a closed figure, the shorter way round.
 double beats_between(double from, double to, double beats) {
     const double apart = to - from;
     return apart - beats * std::round(apart / beats);
@@ -47,7 +49,7 @@ std::ptrdiff_t shift_floor(double samples_per_beat) {
     return static_cast<std::ptrdiff_t>(0.2 * samples_per_beat);
 }
 
-/// Runs of `value` in a closed row.
+/// Runs of `value` in a closed row; one run may go over the end. A row of nothing else is one run.
 std::vector<ContactWindow> runs_of(const std::vector<bool>& row, bool value) {
     std::vector<ContactWindow> runs;
     const std::size_t size = row.size();
@@ -84,7 +86,7 @@ Stand in_beats(const ContactWindow& window, double samples_per_beat) {
             static_cast<double>(window.length) / samples_per_beat};
 }
 
-/// The windows and steps that stand so, by their start.
+/// The windows together with `stands`, sorted by their first sample.
 std::vector<ContactWindow> with_stands(std::vector<ContactWindow> windows,
                                        const std::vector<Stand>& stands,
                                        bool is_passing,
@@ -101,8 +103,8 @@ std::vector<ContactWindow> with_stands(std::vector<ContactWindow> windows,
     return windows;
 }
 
-/// A step that comes down where no contact is (dancers spin on it, the toe hardly rests) stands for
-/// a moment, too: else it would slide through its landing.
+/// Adds a contact of kStepBeats for each landing that no window is near: dancers spin on that foot,
+/// its toe hardly rests, and without a contact the foot would slide through its landing.
 std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
                                       const std::vector<LandingOffset>& landings,
                                       double samples_per_beat,
@@ -112,6 +114,7 @@ std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
     for (const double landing : standing_beats(landings)) {
         const auto is_near = [&](const ContactWindow& window) {
             const Stand own = in_beats(window, samples_per_beat);
+            // Near: the landing lies within the window, or too close for another contact and a gap.
             return std::abs(beats_between(own.first + 0.5 * own.length, landing, beats)) <
                    0.5 * own.length + kStepBeats + kLeastGapBeats;
         };
@@ -135,6 +138,7 @@ std::vector<ContactWindow> contact_windows(const std::array<double, kContactBins
         row[i] = smooth[i * kContactBins / samples] > kContactChance;
     }
     const double samples_per_beat = static_cast<double>(samples) / beats;
+    // Gaps first: two halves of one contact must not be dropped each for being short.
     for (const ContactWindow& gap : runs_of(row, false)) {
         if (static_cast<double>(gap.length) < kLeastGapBeats * samples_per_beat) {
             fill(row, gap, true);
@@ -160,6 +164,8 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
                                               static_cast<double>(samples) / samples_per_beat);
             best = std::abs(away) < std::abs(best) ? away : best;
         }
+        // Only the start moves, so the length changes by as much; one that would get too short
+        // stays as it is.
         const auto shift = static_cast<std::ptrdiff_t>(std::lround(best * samples_per_beat));
         const auto length = static_cast<std::ptrdiff_t>(window.length) - shift;
         if (std::abs(best) < kLandingReach && length > shift_floor(samples_per_beat)) {
@@ -178,6 +184,8 @@ std::vector<ContactWindow> with_passing_steps(std::vector<ContactWindow> windows
     const double beats = static_cast<double>(samples) / samples_per_beat;
     std::vector<Stand> steps;
     for (const double landing : standing_beats(landings)) {
+        // It may stand until kLeastFlightBeats before the next window; not at all where a window
+        // has this landing already.
         double stands = kStepBeats;
         for (const ContactWindow& window : windows) {
             const Stand own = in_beats(window, samples_per_beat);

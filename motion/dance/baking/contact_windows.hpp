@@ -1,3 +1,4 @@
+// Contact windows: when each foot of a closed figure stands on the floor.
 #pragma once
 
 #include <array>
@@ -11,30 +12,34 @@ namespace raks::motion {
 /// A stretch of a closed figure in which one toe rests: samples first .. first + length - 1, modulo
 /// the number of samples.
 struct ContactWindow {
-    std::size_t first = 0;
-    std::size_t length = 0;
-    bool is_step = false;     ///< begins where people's steps come down
-    bool is_passing = false;  ///< of a foot that steps on at once
+    std::size_t first = 0;    ///< sample
+    std::size_t length = 0;   ///< samples
+    bool is_step = false;     ///< begins at a learnt landing
+    bool is_passing = false;  ///< of a foot that steps on at once (with_passing_steps)
 };
 
-/// Contacts of one side from the learnt chance of contact: smoothed over the phase, above one half,
-/// gaps below a quarter of a beat closed, contacts below a third of a beat dropped.
+/// Contact windows of one side from its learnt contact probability, by order of their start: the
+/// probability is smoothed over the phase and thresholded, then gaps below a quarter of a beat are
+/// closed and contacts below a third of a beat dropped. `samples`: of the whole figure. Threads:
+/// workers. Real-time: no.
 [[nodiscard]] std::vector<ContactWindow> contact_windows(
     const std::array<double, kContactBins>& chance, int beats, std::size_t samples);
 
-/// Moves the start of each contact to the learnt landing that it belongs to (at most half a beat
-/// away, shown by three repeats or more), so that the foot comes to rest when people's feet did. A
-/// window without one stays; a landing without a window gets a short one.
+/// Moves the start of each contact to the learnt landing nearest to it (less than kLandingReach
+/// beats away, from three repeats or more), so that the foot comes to rest when people's feet did;
+/// its end stays. A window without a landing stays; a landing without a window gets a short one.
+/// Threads: workers. Real-time: no.
 [[nodiscard]] std::vector<ContactWindow> start_at_landings(
     std::vector<ContactWindow> windows,
     const std::vector<LandingOffset>& landings,
     double samples_per_beat,
     std::size_t samples);
 
-/// Adds those of a foot that comes down between two contacts and steps on at once, within a beat:
-/// it rests for too short a time to be a contact by chance, and would creep from one to the other.
-/// It stands for as long as the next step leaves it. For dances whose repeats step alike: in a mean
-/// of people's, some of whom step there, such a landing is of few.
+/// Adds short contacts of a foot that comes down between two contacts and steps on within a beat.
+/// It rests too briefly for the contact probability to show it, and without a contact it would
+/// creep from one place to the other. It stands until the next step must leave. Only for dances
+/// whose repeats step alike: in a mean over people, some of whom step there, such a landing stands
+/// for a minority. Threads: workers. Real-time: no.
 [[nodiscard]] std::vector<ContactWindow> with_passing_steps(
     std::vector<ContactWindow> windows,
     const std::vector<LandingOffset>& landings,

@@ -11,18 +11,18 @@
 
 namespace raks::motion {
 namespace {
-// Cycles a beat (3 to 6 Hz in salsa). Quicker ones would be as strong, but a display shows little
-// of them and a filter takes them away; slower ones are variation's.
+// Band in cycles a beat (3 to 6 Hz in salsa). Faster ones would be as strong, but a display shows
+// little of them and a filter removes them; slower ones belong to the variation.
 constexpr double kLowest = 1.1;
 constexpr double kHighest = 2.1;
-// Of people's accelerations of the hips, rms.
+// Limits of detail_lost(), of people's accelerations of the hips, rms.
 constexpr double kAllLost = 0.6;
 constexpr double kAllKept = 0.8;
-constexpr double kMostMoved = 1.0;  // of what repeats differ by, rms
+constexpr double kMostMoved = 1.0;  // of the deviation between repeats, rms
 
 double square(double x) { return x * x; }
 
-/// Second differences of one feature, a closed curve.
+/// Second differences of one feature of a closed curve, per sample squared.
 std::vector<double> accelerations(const FeatureTrack& track, std::size_t feature) {
     const std::size_t rows = track.rows();
     std::vector<double> result(rows);
@@ -33,7 +33,8 @@ std::vector<double> accelerations(const FeatureTrack& track, std::size_t feature
     return result;
 }
 
-/// Mean square of the accelerations that people had there.
+/// Mean square of people's accelerations at a sample: variance plus squared mean of the state's
+/// delta-delta.
 double people_at(const PartModel& part, std::size_t feature, std::size_t i, std::size_t rows) {
     const FigureState& state = part.states[part.state_at(i, rows)];
     return state.delta_delta_variance[feature] + square(state.delta_delta_mean[feature]);
@@ -58,6 +59,7 @@ double detail_lost(const FigureModel& model, const FigureTracks& learnt) {
     for (std::size_t feature = 0; feature < kept.size(); ++feature) {
         kept[feature] = share_kept(model.root_part(), root_of(model, learnt), feature);
     }
+    // The median over the root's features: one feature alone may be still or noisy.
     std::sort(kept.begin(), kept.end());
     const double middle = kept[kept.size() / 2];
     return std::clamp((kAllKept - middle) / (kAllKept - kAllLost), 0.0, 1.0);
@@ -72,6 +74,7 @@ void add_detail(const PartModel& part,
     const auto first = static_cast<int>(std::ceil(kLowest * beats));
     const auto last = static_cast<int>(std::floor(kHighest * beats));
     const double harmonics = last - first + 1;
+    // Random cosine and sine amplitudes for each harmonic of the figure in the band.
     FeatureDraw draw(part);
     std::vector<std::array<Eigen::VectorXd, 2>> coefficients;
     for (int h = first; h <= last; ++h) {
@@ -82,6 +85,8 @@ void add_detail(const PartModel& part,
         const std::vector<double> own = accelerations(track, feature);
         std::vector<double> missing(rows);
         for (std::size_t i = 0; i < rows; ++i) {
+            // The missing mean square; smoothed over a slice, so that it does not step between
+            // states.
             missing[i] = people_at(part, feature, i, rows) - square(own[i]);
         }
         missing = smoothed(missing, slice);
@@ -95,6 +100,8 @@ void add_detail(const PartModel& part,
                 const auto& [cosine, sine] = coefficients[static_cast<std::size_t>(h - first)];
                 const auto at = static_cast<Eigen::Index>(feature);
                 const double angle = turn * static_cast<double>(i);
+                // The divisor is the gain of a second difference at this frequency: `curve` has
+                // unit acceleration in each harmonic.
                 curve += (cosine[at] * std::cos(angle) + sine[at] * std::sin(angle)) /
                          square(2.0 * std::sin(0.5 * turn));
             }
@@ -102,6 +109,7 @@ void add_detail(const PartModel& part,
             moved += square(added[i]);
             apart += part.states[part.state_at(i, rows)].variance[feature];
         }
+        // Scaled down where it would move farther than repeats differ.
         const double share = std::min(1.0, kMostMoved * std::sqrt(apart / moved));
         for (std::size_t i = 0; i < rows && moved > 0.0; ++i) {
             track.row(i)[feature] += share * added[i];

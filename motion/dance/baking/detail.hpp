@@ -5,24 +5,24 @@
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/motion_features.hpp"
 
-/// What is quick in a dance. A mean over repeats keeps their slow motion and loses the quick one
-/// (landings, impacts, the body's answer to them), which does not come at the same moment each
-/// time: its accelerations are a fifth to three quarters of people's. How strong they are is in the
-/// states (the mean square of the delta-delta, FigureState), how they lie is not. (The modulation
-/// spectrum's restoration: Takamichi et al. 2016, "Postfilters to modify the modulation spectrum
-/// for statistical parametric speech synthesis".)
+/// Detail: the quick motion of a dance. A mean over repeats keeps their slow motion and loses the
+/// quick one (landings, impacts, the body's response), which does not come at the same moment each
+/// time: a mean's accelerations are a fifth to three quarters of people's. The states know how
+/// strong they were (the mean square of the delta-delta, FigureState), but not their course.
+/// (Compare the modulation spectrum's restoration: Takamichi et al. 2016, "Postfilters to modify
+/// the modulation spectrum for statistical parametric speech synthesis".)
 namespace raks::motion {
 
-/// How much of the quick averaging took away from a figure, 0 to 1, by how the hips move: all of it
-/// where the track's accelerations are less than 0.6 of people's, nothing where they are 0.8.
-/// Repeats that are alike, as those of a written dance, lose nothing: what their states know
-/// besides is quicker than a state. Threads: workers. Real-time: no.
+/// How much quick motion averaging removed from a figure, 0 to 1, measured at the hips: 1 where the
+/// track's accelerations are below 0.6 of people's, 0 where they are above 0.8. Repeats that are
+/// alike, as those of a written dance, lose nothing: what the delta-delta holds in addition is
+/// faster than a state. Threads: workers. Real-time: no.
 [[nodiscard]] double detail_lost(const FigureModel& model, const FigureTracks& learnt);
 
-/// Adds curves of one to two cycles a beat, as strong at each moment as the
-/// states' accelerations there are more than the track's own, features together as the part's
-/// covariance says; no feature moves farther for it than repeats differ. `amount`: of the missing.
-/// Threads: workers. Real-time: no.
+/// Adds curves of about one to two cycles a beat with random phases. Their strength at each moment
+/// is the square root of what the states' mean squared accelerations there exceed the track's own
+/// by; features are correlated by the part's covariance; no feature moves farther (rms) than
+/// repeats differ. `amount`: factor of the missing acceleration. Threads: workers. Real-time: no.
 void add_detail(const PartModel& part,
                 const CounterRandom& random,
                 double amount,

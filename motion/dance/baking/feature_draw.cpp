@@ -6,6 +6,7 @@
 
 namespace raks::motion {
 
+// The Cholesky factor of the correlation matrix turns white noise into correlated features.
 FeatureDraw::FeatureDraw(const PartModel& part) {
     const auto size = static_cast<Eigen::Index>(part.dimension());
     Eigen::MatrixXd correlation(size, size);

@@ -1,3 +1,4 @@
+// Feature draw: correlated Gaussian draws of a part's features.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +11,18 @@
 
 namespace raks::motion {
 
-/// Normal numbers of a part's features, together as its covariance says, each of variance one.
+/// Draws normal vectors whose features are correlated as in the part's covariance, each of variance
+/// one. Threads: one. Real-time: no (it allocates).
 class FeatureDraw {
  public:
+    /// `part`: covariance positive definite, as validate() checks.
     explicit FeatureDraw(const PartModel& part);
-    /// Draws from `random` one after the other. As long as the part has features.
+    /// The next vector (D features); consecutive calls use consecutive numbers of `random`.
     [[nodiscard]] Eigen::VectorXd next(const CounterRandom& random);
 
  private:
-    Eigen::MatrixXd root_;  // lower triangle of the correlation
-    std::uint64_t draw_ = 0;
+    Eigen::MatrixXd root_;    // lower triangle of the correlation
+    std::uint64_t draw_ = 0;  // number of the next draw
 };
 
 }  // namespace raks::motion

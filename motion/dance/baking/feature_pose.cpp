@@ -15,12 +15,12 @@ namespace {
 constexpr glm::vec3 kLeft{1.0F, 0.0F, 0.0F};
 constexpr glm::vec3 kUp{0.0F, 1.0F, 0.0F};
 constexpr glm::vec3 kAhead{0.0F, 0.0F, 1.0F};
-// Sine of a limb's bend under which its plane is more noise than posture: there the direction that
-// the bone before carries over comes in, the more the straighter the limb is.
+// Sine of a limb's bend below which its plane is more noise than posture. Below it the direction
+// carried over from the parent bone is mixed in, the more the straighter the limb is.
 constexpr float kKnownBend = 0.3F;
-constexpr float kCarriedFoot = 0.1F;
+constexpr float kCarriedFoot = 0.1F;  // weight of the shin's sideways axis against a level sole
 
-constexpr float kPointsNowhere = 1e-5F;  // metres: places so near one another point nowhere
+constexpr float kPointsNowhere = 1e-5F;  // metres; shorter vectors have no direction
 
 /// Unit vector; `otherwise` where there is none.
 glm::vec3 unit(const glm::vec3& vector, const glm::vec3& otherwise) noexcept {
@@ -28,6 +28,7 @@ glm::vec3 unit(const glm::vec3& vector, const glm::vec3& otherwise) noexcept {
     return length > kPointsNowhere ? vector / length : otherwise;
 }
 
+// Right-handed orthonormal frame: x along `first`, y in the plane of both towards `second`.
 glm::mat3 frame_of(const glm::vec3& first, const glm::vec3& second) noexcept {
     const glm::vec3 x = unit(first, kLeft);
     const glm::vec3 across = glm::normalize(glm::cross(x, std::abs(x.y) < 0.9F ? kUp : kLeft));
@@ -35,21 +36,20 @@ glm::mat3 frame_of(const glm::vec3& first, const glm::vec3& second) noexcept {
     return {x, glm::cross(z, x), z};
 }
 
-/// A direction of a bone at rest and where it shall point.
+/// A direction of a bone at rest, in its own frame, and its wanted direction in the world.
 struct Pointing {
     glm::vec3 at_rest;
     glm::vec3 wanted;
 };
 
-/// The rotation that turns the first direction as it shall be, and the second as nearly as that
-/// leaves it.
+/// The rotation that turns the first direction exactly, and the second as nearly as that allows.
 glm::quat turned_to(const Pointing& first, const Pointing& second) noexcept {
     return glm::normalize(glm::quat_cast(frame_of(first.wanted, second.wanted) *
                                          glm::transpose(frame_of(first.at_rest, second.at_rest))));
 }
 
-/// How far a joint turns against its parent, radians: freely so far, and more and more softly,
-/// never beyond. Places that vary by themselves may ask for more than a neck gives.
+/// Soft limit of a joint's turn against its parent, radians: free up to `free`, then approaching
+/// `most`. Places that vary independently may ask for more than a neck can turn.
 struct JointReach {
     float free;
     float most;
@@ -58,6 +58,7 @@ constexpr JointReach kAnywhere{glm::radians(360.0F), glm::radians(360.0F)};
 constexpr JointReach kNeck{glm::radians(45.0F), glm::radians(70.0F)};
 constexpr JointReach kCollarbone{glm::radians(35.0F), glm::radians(55.0F)};
 
+// `wanted` drawn back to `parent` along the shorter arc until the limit is kept (tanh).
 glm::quat held(const glm::quat& parent, const glm::quat& wanted, const JointReach& reach) noexcept {
     const float angle = 2.0F * std::acos(std::min(1.0F, std::abs(glm::dot(parent, wanted))));
     if (angle <= reach.free) {
@@ -68,7 +69,7 @@ glm::quat held(const glm::quat& parent, const glm::quat& wanted, const JointReac
     return glm::slerp(parent, wanted, given / angle);
 }
 
-/// A body built from the hips outward: each bone's joint is placed by its parent, then the bone is
+/// Builds a body from the hips outward: each joint is placed by its parent, then its bone is
 /// turned.
 class Body {
  public:
@@ -98,17 +99,18 @@ class Body {
     [[nodiscard]] const glm::quat& rotation(Bone bone) const noexcept {
         return world_.rotations[index_of(bone)];
     }
-    /// Where the bone's joint is, its parent being turned.
+    /// Place of the bone's joint in the world, once its parent is turned.
     const glm::vec3& place(Bone bone) noexcept {
         glm::vec3& at = world_.positions[index_of(bone)];
         at = world_.position(parent_of(bone)) + rotation(parent_of(bone)) * offset(bone);
         return at;
     }
+    /// Sets the bone's world rotation, and the local one that gives it.
     void turn(Bone bone, const glm::quat& in_world) noexcept {
         world_.rotations[index_of(bone)] = in_world;
         pose_.rotation(bone) = glm::normalize(glm::conjugate(rotation(parent_of(bone))) * in_world);
     }
-    /// Points the bone at the place of `end`, turned about itself no more than needed.
+    /// Points the bone at the place of `end` without turning it about itself.
     void swing(Bone bone, Bone end, const JointReach& reach = kAnywhere) noexcept {
         const glm::quat& before = rotation(parent_of(bone));
         const glm::vec3 own = before * offset(end);
@@ -116,6 +118,7 @@ class Body {
         turn(bone, held(before, glm::normalize(rotation_between(own, line) * before), reach));
     }
 
+    /// Hips: their x axis along the line of the leg sockets, their up axis towards the spine.
     void set_hips() noexcept {
         const glm::vec3 rest_middle =
             0.5F * (offset(Bone::left_upper_leg) + offset(Bone::right_upper_leg));
@@ -128,6 +131,7 @@ class Body {
         pose_.hips_position = world_.positions[0] = middle - hips * rest_middle;
     }
 
+    /// Spine, chest and neck; the spine takes half of the twist between hips and shoulders.
     void set_trunk() noexcept {
         const glm::vec3 shoulders =
             unit(wanted(Bone::left_upper_arm) - wanted(Bone::right_upper_arm),
@@ -149,14 +153,15 @@ class Body {
                   kNeck));
     }
 
-    /// Points upper and lower bone of a limb. `bends_to`: where the lower bone goes, at rest, when
-    /// the limb bends.
+    /// Points the upper and lower bone of a limb. `bends_to`: direction at rest in which the lower
+    /// bone moves when the limb bends.
     void point_limb(Bone upper, Bone lower, Bone end, const glm::vec3& bends_to) noexcept {
         const glm::quat parent = rotation(parent_of(upper));
         const glm::vec3 own = glm::normalize(parent * offset(lower));
         const glm::vec3 line = unit(wanted(lower) - place(upper), own);
         const glm::quat carried = rotation_between(own, line) * parent;
         const glm::vec3 rest = (wanted(end) - wanted(lower)) / glm::length(offset(end));
+        // The lower bone's part across the upper one: its length is the sine of the bend.
         const glm::vec3 aside = rest - line * glm::dot(rest, line);
         const float unknown = std::max(0.0F, 1.0F - glm::length(aside) / kKnownBend);
         const glm::vec3 guessed = kKnownBend * unknown * unknown * (carried * bends_to);
@@ -180,6 +185,7 @@ class Body {
         point_limb(thigh, lower, foot, -kAhead);
         const glm::quat& hips = rotation(Bone::hips);
         const Limb leg{thigh, lower, foot, world_.position(thigh), hips, hips * kAhead};
+        // Bones that keep their lengths miss the ankle, so the leg is solved for it once more.
         const glm::quat shin = solve_limb(skeleton_, leg, wanted(foot), pose_);
         const glm::vec3 ahead = unit(wanted(toes) - wanted(foot), shin * kAhead);
         const glm::vec3 level = glm::cross(kUp, ahead);
@@ -194,6 +200,7 @@ class Body {
     WorldPose world_;
 };
 
+// Collects the parts' local places as world places, then builds the body from them.
 Pose pose_of_positions(const FigureModel& model,
                        const FigureTracks& tracks,
                        std::size_t row,

@@ -10,16 +10,18 @@
 namespace raks::motion {
 namespace {
 
-// A mean step slower than the first, m/s at its fastest, is hardly seen as one (0.6 by the rule of
-// landings, at any pace): it is danced as one reach. One faster than the second goes its own way.
+// Peak speeds of a mean step, m/s. Landing detection (0.6 m/s at any pace) hardly finds one below
+// the first, so that it is danced as one reach; one above the second keeps its own speed profile;
+// between them both are blended.
 constexpr double kSlowStep = 0.9;
 constexpr double kBriskStep = 1.3;
-// How long that reach takes, at the learnt tempo: small steps of people are no slower than others
-// (1.1 to 1.5 m/s at their fastest); the foot waits for them.
+// Duration of that reach at the learnt tempo; the foot waits before it. Small steps of people are
+// no slower than others (their peak is 1.1 to 1.5 m/s).
 constexpr double kQuickReach = 0.15;  // seconds
-constexpr float kAside = 0.035F;      // metres, deviation of a step's place between repeats
+constexpr float kAside = 0.035F;      // metres; deviation of a contact's place between repeats
 
-/// The contact of a foot that lies nearest to the figure's start; `size`: none near it.
+/// Index of the contact that shares most samples with the margin around the figure's start;
+/// windows.size(): none does.
 std::size_t contact_at_start(const std::vector<ContactWindow>& windows,
                              double samples_per_beat,
                              std::size_t samples) {
@@ -40,7 +42,8 @@ std::size_t contact_at_start(const std::vector<ContactWindow>& windows,
     return best;
 }
 
-/// The figure's contacts, also those of the beats around it.
+/// One foot's contacts over the figure and kBeatsAround beats on either side, in samples of
+/// `poses`.
 std::vector<PlannedContact> contacts_of(const FigureModel& model,
                                         Side side,
                                         const FigurePath& way,
@@ -62,18 +65,22 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     const auto whole = static_cast<std::ptrdiff_t>(samples);
     const std::ptrdiff_t around = kBeatsAround * samples_per_beat;
     std::vector<PlannedContact> planned;
+    // A foot that never leaves the floor has one contact over all beats.
     if (!windows.empty() && windows.front().length == samples) {  // it never leaves the floor
         PlannedContact& contact = planned.emplace_back();
         contact.window = {0, samples + 2 * static_cast<std::size_t>(around)};
         contact.place = start_place;
         return planned;
     }
+    // The closed figure is repeated as often as the beats around it may need.
     for (int turn = -2; turn <= 1; ++turn) {
         for (std::size_t w = 0; w < windows.size(); ++w) {
             const auto first = static_cast<std::ptrdiff_t>(windows[w].first) + turn * whole;
             const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(windows[w].length);
             const std::ptrdiff_t from = std::max(first, -around);
             const std::ptrdiff_t to = std::min(end, whole + around);
+            // What the ends cut to under a quarter of a beat is dropped: too short to plant a foot
+            // in.
             if (to - from < std::min<std::ptrdiff_t>(end - first, samples_per_beat / 4)) {
                 continue;
             }
@@ -83,6 +90,7 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
                               windows[w].is_step,
                               windows[w].is_passing};
             const std::ptrdiff_t centre = (first + end) / 2;
+            // The common place holds at the start, and, moved along the figure's way, at its end.
             if (w == at_start && start_place) {
                 if (std::abs(centre) < whole / 2) {
                     contact.place = *start_place;
@@ -99,9 +107,10 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     return planned;
 }
 
-/// How each step comes to its contact, at the learnt tempo: what of it is one reach, before which
-/// the foot rests, and when the foot comes to rest by itself, as landings are seen, but for those
-/// who never do. `speed`: of the free foot, by sample.
+/// Sets how each step that is a mean comes to its contact, at the learnt tempo: its weight of the
+/// reach profile (1 below kSlowStep, 0 above kBriskStep); how long the foot waits before that
+/// reach; and the sample at which the free foot comes to rest by itself by FootRules (none if it
+/// never does). `speed`: of the free foot by sample, m/s.
 void find_steps(const std::vector<double>& speed,
                 double samples_per_second,
                 std::vector<PlannedContact>& contacts) {
@@ -117,10 +126,12 @@ void find_steps(const std::vector<double>& speed,
             continue;
         }
         const auto begin = speed.begin();
+        // Peak between leaving the last contact and the start of this one.
         const auto fastest = std::max_element(begin + static_cast<std::ptrdiff_t>(left),
                                               begin + static_cast<std::ptrdiff_t>(window.first));
         contacts[c].reach =
             std::clamp((kBriskStep - *fastest) / (kBriskStep - kSlowStep), 0.0, 1.0);
+        // The contact before is prolonged, so that what is left of the flight lasts kQuickReach.
         if (window.is_step) {
             const double spare = std::max(0.0, static_cast<double>(window.first - left) - quick);
             before.length += static_cast<std::size_t>(contacts[c].reach * spare);
@@ -134,7 +145,7 @@ void find_steps(const std::vector<double>& speed,
     }
 }
 
-/// The contacts of both feet.
+/// The contacts of both feet, by Side.
 std::array<std::vector<PlannedContact>, 2> contacts_of(const FigureModel& model,
                                                        const FreeFigure& steps,
                                                        const FigurePath& way,
@@ -152,7 +163,8 @@ std::array<std::vector<PlannedContact>, 2> contacts_of(const FigureModel& model,
     return contacts;
 }
 
-/// Steps of one repeat do not fall where those of the last did.
+/// Shifts contacts without a common place by a draw each: steps of one repeat do not fall exactly
+/// where those of the last did.
 void step_aside(const CounterRandom& random, Side side, std::vector<PlannedContact>& contacts) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         if (!contacts[c].place) {

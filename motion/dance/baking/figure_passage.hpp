@@ -1,3 +1,4 @@
+// Figure passage: one figure, solved for the avatar's skeleton and sampled over its phase.
 #pragma once
 
 #include <array>
@@ -16,26 +17,29 @@
 
 namespace raks::motion {
 
-/// Where both balls rest when a figure begins, in the frame of its start; by Side.
+/// Where each foot's pivot rests when a figure begins: floor (x, z) in the frame of its start,
+/// metres; by Side; none: the foot does not rest there.
 using StartPlaces = std::array<std::optional<glm::vec2>, 2>;
 
-/// How the feet step.
+/// How the feet of a passage step.
 struct Footing {
-    StartPlaces places;       ///< as in all figures of the dance
-    FigureLandings landings;  ///< at which the contacts are aimed
-    bool is_mean = false;     ///< steps are means of repeats that differ, as people's do
+    StartPlaces places;       ///< where feet rest at the start and end of every figure of the dance
+    FigureLandings landings;  ///< where contacts begin
+    /// The steps are means of repeats that differ, as those learnt from people
+    bool is_mean = false;
 };
 
-/// One figure danced once, from kMargin before its count 1 to kMargin after its end, with planted
-/// feet, in the frame of its start. Immutable once made.
+/// One way to dance one figure, from kMargin before its count 1 to kMargin after its end, with
+/// planted feet, in the frame of its start (hips at the origin, heading 0). Immutable once made.
 class FigurePassage {
  public:
-    /// Beats before and after, over which it goes over into its neighbours.
+    /// Beats before and after the figure, over which it is blended with its neighbours.
     static constexpr double kMargin = 0.75;
 
-    /// The feet step as in `steps` and rest, each time, a little aside, as `random` says (none:
-    /// not); where the figure begins and ends at the footing's places. `body`: the poses above the
-    /// hips, as many as those of `steps`. Threads: workers. Real-time: no (some ms).
+    /// The feet step as in `steps`. Each contact is shifted a little aside by draws from `random`
+    /// (null: not shifted), but where the figure begins and ends the feet rest at the footing's
+    /// places. `body`: the poses above the hips, as many as those of `steps`. Threads: workers.
+    /// Real-time: no (some ms).
     FigurePassage(const FigureModel& model,
                   const FreeFigure& steps,
                   std::vector<Pose> body,
@@ -44,27 +48,31 @@ class FigurePassage {
                   const CounterRandom* random,
                   const Skeleton& skeleton);
 
-    /// The figure as it is: feet free, no contacts.
+    /// The figure as it is: feet are not planted, no contacts.
     explicit FigurePassage(const FreeFigure& figure);
 
-    /// The rotations in the one of both signs in which they lie nearer to those of `other` where
-    /// both begin; each goes on without a jump. So the way round from one passage to another stays
-    /// the same over the figure. Threads: workers. Real-time: no.
+    /// Negates a bone's quaternions (q and -q are the same rotation) where the first of them has a
+    /// negative dot product with the first one of `other`; within a passage signs are continuous.
+    /// Interpolation between the two passages then turns a bone the same way round over the whole
+    /// figure. Threads: workers. Real-time: no.
     void take_signs_of(const FigurePassage& other);
 
     /// Sets hips, body and contacts of `pose` at a beat in [-kMargin, beats + kMargin] (clamped);
     /// fingers stay. Threads: any. Real-time: yes.
     void at(double beat, Pose& pose) const noexcept;
-    /// Arms alone. Threads: any. Real-time: yes.
+    /// Sets the arms' rotations alone, at such a beat. Threads: any. Real-time: yes.
     void arms_at(double beat, Pose& pose) const noexcept;
 
-    /// As this machine stores it, for a cache. Threads: any. Real-time: no.
+    /// Appends the samples in this machine's byte order, for a cache. Threads: any. Real-time: no.
     void pack(Packer& packer) const;
-    /// Of what pack() wrote. Behind a fault of `unpacker` it is empty: ask that.
+    /// Reads what pack() wrote. After a fault of `unpacker` the passage is incomplete and must not
+    /// be used: check unpacker.is_good().
     [[nodiscard]] static FigurePassage unpack(Unpacker& unpacker);
 
-    /// The bones that move; the arms are the last kArmBones.
+    /// The bones that a passage moves, hips and trunk first, then legs; the arms are the last
+    /// kArmBones.
     static constexpr std::size_t kArmBones = 8;
+    /// In this order.
     static constexpr std::array<Bone, 22> kBones = {Bone::hips,
                                                     Bone::spine,
                                                     Bone::chest,
@@ -101,14 +109,16 @@ class FigurePassage {
         float share;
     };
     [[nodiscard]] Place place_of(double beat) const noexcept;
-    /// Takes the figure with its margins out of poses that begin kBeatsAround beats before it.
+    /// Keeps the figure with its margins out of `poses`, which begin kBeatsAround beats before it,
+    /// and makes the signs of each bone's quaternions continuous.
     void keep(const std::vector<Pose>& poses, int samples_per_beat);
 
     double samples_per_beat_ = 48.0;
     std::vector<Sample> samples_;
 };
 
-/// Where the balls rest around the start of this figure when it is danced as learnt.
+/// Where the feet rest around the start of this figure when it is danced as learnt: mean over the
+/// contact samples within kMargin of the start. Threads: workers. Real-time: no.
 [[nodiscard]] StartPlaces learnt_places(const FigureModel& model,
                                         const FigureTracks& tracks,
                                         const FigurePath& way,

@@ -12,17 +12,21 @@
 namespace raks::motion {
 namespace {
 
+// Index of the first arm bone in kBones
 constexpr std::size_t kArms = FigurePassage::kBones.size() - FigurePassage::kArmBones;
-constexpr std::size_t kTrunk = 6;  // hips to head come first
+constexpr std::size_t kTrunk = 6;  // bones from hips to head, which come first in kBones
 
-/// Soles lower than this, both, are no jump: a step of one foot while the other's heel rolls.
+/// Below this height of the lower sole there is no jump: one foot steps while the other's heel
+/// rolls.
 constexpr float kLeastFlight = 0.01F;  // metres
 
+// `rotation` scaled about `middle` (nlerp that may extrapolate), the shorter way round.
 glm::quat about(const glm::quat& middle, const glm::quat& rotation, float size) noexcept {
     const float sign = glm::dot(middle, rotation) < 0.0F ? -1.0F : 1.0F;
     return glm::normalize(middle * (1.0F - size) + rotation * (sign * size));
 }
 
+// Both feet of a pose, and how far it is off the floor.
 struct Feet {
     std::array<FootTarget, 2> targets;
     float flight = 0.0F;  // of the lower sole over the floor
@@ -42,6 +46,7 @@ Feet feet_of(const Skeleton& skeleton, const Pose& pose) noexcept {
                                                      feet.targets[s].rotation,
                                                      pose.rotation(on_side(Bone::left_toes, side)));
     }
+    // The soft limit begins at kLeastFlight; the second term takes off its value at height zero.
     feet.flight = soft_max(0.0F, std::min(soles[0], soles[1]) - kLeastFlight, 2.0F * kLeastFlight) -
                   soft_max(0.0F, -kLeastFlight, 2.0F * kLeastFlight);
     return feet;
@@ -54,7 +59,8 @@ FigureMiddle middle_of(const FigurePassage& passage,
                        bool comes_back,
                        const Skeleton& skeleton) {
     constexpr int kPerBeat = 16;
-    constexpr float kFar = 0.5F;  // cosine of half the angle: 120 degrees
+    // Cosine of half of 120 degrees, the dot product of two quaternions
+    constexpr float kFar = 0.5F;
     std::vector<Pose> poses(static_cast<std::size_t>(beats) * kPerBeat);
     FigureMiddle middle;
     middle.comes_back = comes_back;
@@ -71,6 +77,7 @@ FigureMiddle middle_of(const FigurePassage& passage,
         }
         for (std::size_t bone = 0; bone < sums.size(); ++bone) {
             const glm::quat& rotation = pose.rotation(FigurePassage::kBones[bone]);
+            // Summed with one sign: q and -q are the same rotation.
             const bool is_other = i > 0 && glm::dot(sums[bone], rotation) < 0.0F;
             sums[bone] = (i > 0 ? sums[bone] : 0.0F * rotation) + (is_other ? -rotation : rotation);
         }
@@ -87,11 +94,12 @@ FigureMiddle middle_of(const FigurePassage& passage,
 }
 
 FigureSize figure_size(const SizeByTempo& law, Bpm learnt, Bpm tempo) noexcept {
-    constexpr double kLowestFlight = 0.5;
-    constexpr double kHighestFlight = 1.15;  // no higher than one leaps in passing
+    constexpr double kLowestFlight = 0.5;    // lower limit: half
+    constexpr double kHighestFlight = 1.15;  // no higher than a casual leap
     FigureSize size;
     size.body = std::min(1.0F, static_cast<float>(size_at(law.body, learnt, tempo)));
     size.arms = std::min(1.0F, static_cast<float>(size_at(law.arms, learnt, tempo)));
+    // Height of a jump goes with the square of its time, g t^2 / 8.
     if (law.body > 0.0) {
         const double time = learnt.bpm() / tempo.bpm();
         size.flight = static_cast<float>(std::clamp(time * time, kLowestFlight, kHighestFlight));
@@ -114,6 +122,7 @@ void resize(const FigureMiddle& middle,
         }
     }
     const float flown = size.flight * feet.flight;
+    // A figure that travels keeps its way: scaled, it would not end where the next one begins.
     const auto sized = [&](const glm::vec3& place, const glm::vec3& centre) {
         return middle.comes_back ? glm::mix(centre, place, size.body) : place;
     };

@@ -1,3 +1,4 @@
+// Figure size: how large a figure is danced at another tempo.
 #pragma once
 
 #include <array>
@@ -11,41 +12,44 @@
 
 namespace raks::motion {
 
-/// How large a figure is danced, against how it was learnt.
+/// How large a figure is danced relative to how it was learnt; 1 is as learnt.
 struct FigureSize {
-    float body = 1.0F;
-    float arms = 1.0F;
-    /// Height of jumps: what goes up comes down in its time.
+    float body = 1.0F;  ///< hips, trunk and steps
+    float arms = 1.0F;  ///< arms
+    /// Height of jumps: falls with the square of the time that a beat leaves for them.
     float flight = 1.0F;
 
+    /// Whether resizing changes nothing.
     [[nodiscard]] bool is_as_learnt() const noexcept {
         return body == 1.0F && arms == 1.0F && flight == 1.0F;
     }
 };
 
-/// What a figure moves about.
+/// The mean posture that a figure moves about; resize() scales the distances from it.
 struct FigureMiddle {
-    Pose pose;                               ///< mean rotations and place of the hips
-    std::array<glm::vec3, 2> ankles{};       ///< mean places; by Side
-    std::bitset<kBoneCount> turns_about_it;  ///< bones that never turn far away from it
-    bool comes_back = false;                 ///< it ends where and as it began
+    Pose pose;  ///< mean rotations and mean place of the hips, jumps subtracted
+    std::array<glm::vec3, 2> ankles{};  ///< mean places in the frame of the start; by Side; metres
+    /// Bones that are never 120 degrees or more away from it
+    std::bitset<kBoneCount> turns_about_it;
+    bool comes_back = false;  ///< it ends at the place and heading where it began
 };
 
-/// Of a passage of so many beats; `comes_back`: by the grammar. Threads: workers. Real-time: no.
+/// The middle of a passage of a figure of `beats`; `comes_back` is copied. Threads: workers.
+/// Real-time: no.
 [[nodiscard]] FigureMiddle middle_of(const FigurePassage& passage,
                                      int beats,
                                      bool comes_back,
                                      const Skeleton& skeleton);
 
-/// The size of a figure that was learnt at one tempo and is danced at another. When the music is
-/// slower it is as learnt: its legs were planned to reach no farther.
-/// Threads: any. Real-time: yes.
+/// The size at `tempo` of a figure learnt at `learnt`, by its law. When the music is slower, body
+/// and arms stay as learnt, because the legs were planned to reach no farther. Threads: any.
+/// Real-time: yes.
 [[nodiscard]] FigureSize figure_size(const SizeByTempo& law, Bpm learnt, Bpm tempo) noexcept;
 
-/// A pose of the figure with its movements so large: rotations go so far away from their mean, hips
-/// and feet from their mean places. A foot stands as it stood, as long as the size stays the same;
-/// steps are lifted as high as before. Both feet off the floor: hips and feet fly as high as
-/// `flight` says. Threads: any. Real-time: yes.
+/// Scales the movements of a pose of the figure: rotations by their distance from the mean, hips
+/// and feet by that from their mean places. A standing foot stays in place as long as the size
+/// stays the same; steps are lifted as high as before. While both feet are off the floor hips and
+/// feet rise by the factor `flight`. Threads: any. Real-time: yes.
 void resize(const FigureMiddle& middle,
             const FigureSize& size,
             const Skeleton& skeleton,

@@ -15,31 +15,34 @@
 namespace raks::motion {
 namespace {
 
-// How smoothly heel and ball take turns in carrying the foot, and the hips sink; beats.
+// Deviations in beats of two Gaussians: that of the standing height of the ankle (the foot's weight
+// goes from heel to ball) and that of the sinking of the hips.
 constexpr double kHeightSigma = 0.04;
 constexpr double kSinkSigma = 0.14;
-constexpr float kDeepest = 0.002F;        // metres that a sole dips where that is smooth
-constexpr double kReleaseBeats = 0.3;     // beats until a foot that was let go is wholly free
-constexpr float kEasyReach = 0.98F;       // of a leg, x
-constexpr float kFloorSoftness = 0.02F;   // metres over the floor where a free foot feels it
-constexpr float kToeSoftness = 0.15F;     // radians of the heel's rise where the toes begin to bend
-constexpr float kMostToeBend = 0.9F;      // radians
-constexpr double kFlightBandwidth = 4.0;  // of a foot in the air, cycles a beat
+constexpr float kDeepest = 0.002F;     // metres that smoothing may let a sole dip into the floor
+constexpr double kReleaseBeats = 0.3;  // beats over which the lock fades beside a contact
+constexpr float kEasyReach = 0.98F;    // longest distance from hip to ankle, of the leg's length
+// Metres; width of the soft limit that keeps a free foot above the floor
+constexpr float kFloorSoftness = 0.02F;
+constexpr float kToeSoftness = 0.15F;     // radians of pitch over which the toes begin to bend
+constexpr float kMostToeBend = 0.9F;      // radians, upper limit of the bend
+constexpr double kFlightBandwidth = 4.0;  // low-pass of a foot in the air, cycles a beat
 
-/// One foot over the whole figure.
+/// One foot over the whole figure, one entry a sample.
 struct FootTrack {
-    std::vector<glm::vec3> ankle;
-    std::vector<glm::vec3> from_ball;  // of the ankle, from where the foot turns, in the world
-    std::vector<glm::quat> rotation;
-    std::vector<glm::quat> toes;  // local
-    std::vector<float> lock;      // 1 in contact, 0 free, between while it is taken up or let go
-    std::vector<float> standing;  // the ankle's height when the sole is on the floor
+    std::vector<glm::vec3> ankle;      // world
+    std::vector<glm::vec3> from_ball;  // from the pivot to the ankle, world
+    std::vector<glm::quat> rotation;   // of the foot bone, world
+    std::vector<glm::quat> toes;       // local
+    std::vector<float> lock;           // 1 in contact, 0 free, between the two while it fades
+    std::vector<float> standing;       // height of the ankle at which the sole is on the floor
 
     [[nodiscard]] std::size_t size() const { return ankle.size(); }
     [[nodiscard]] std::size_t at(std::ptrdiff_t i) const { return wrap(i, size()); }
 };
 
-/// How firmly each sample is held: 1 in the windows, down to 0 within `ramp` samples beside them.
+/// Lock by sample: 1 in the windows, easing to 0 over `ramp` samples beside them. Where two ramps
+/// overlap the firmer lock counts.
 std::vector<float> locks(const std::vector<PlannedContact>& contacts,
                          std::ptrdiff_t ramp,
                          std::size_t size) {
@@ -58,7 +61,8 @@ std::vector<float> locks(const std::vector<PlannedContact>& contacts,
     return lock;
 }
 
-/// Toes that stay flat while the heel is up over a planted ball.
+/// Local rotation of the toes that keeps them flat while the heel is up over a planted ball. It
+/// undoes the downward pitch of the toes, scaled by the lock.
 glm::quat toe_bend(const Skeleton& skeleton, const glm::quat& foot, float lock) {
     const glm::vec3 toe = foot * (skeleton.toe_tip - skeleton.ball);
     const float down = std::asin(std::clamp(-toe.y / glm::length(toe), -1.0F, 1.0F));
@@ -66,6 +70,8 @@ glm::quat toe_bend(const Skeleton& skeleton, const glm::quat& foot, float lock) 
     return glm::angleAxis(-lock * bend, glm::vec3(1, 0, 0));
 }
 
+// Fills one foot's track from its targets. The standing height is smoothed, since the lowest point
+// of the sole jumps from heel to ball; it stays within kDeepest of the exact height.
 FootTrack foot_track(const Skeleton& skeleton,
                      Side side,
                      const std::vector<PlannedContact>& contacts,
@@ -90,7 +96,7 @@ FootTrack foot_track(const Skeleton& skeleton,
     return track;
 }
 
-/// How far the ankle of a foot planted at `place` lies from the free one.
+/// Vector from the free ankle to that of a foot planted at `place`, at one sample.
 glm::vec3 shift_to(const FootTrack& track, const glm::vec3& place, std::ptrdiff_t sample) {
     const std::size_t i = track.at(sample);
     glm::vec3 planted = place + track.from_ball[i];
@@ -98,7 +104,7 @@ glm::vec3 shift_to(const FootTrack& track, const glm::vec3& place, std::ptrdiff_
     return planted - track.ankle[i];
 }
 
-/// Where the ball of the free foot is on average while it rests.
+/// Mean place of the pivot of the free foot over one window.
 glm::vec3 resting_place(const FootTrack& track, const ContactWindow& window) {
     glm::vec3 place{};
     for (std::size_t k = 0; k < window.length; ++k) {
@@ -108,14 +114,15 @@ glm::vec3 resting_place(const FootTrack& track, const ContactWindow& window) {
     return place;
 }
 
-/// How far from there it shall rest.
+/// Vector on the floor from the mean place `resting` to where the contact is planned.
 glm::vec3 aside_of(const PlannedContact& contact, const glm::vec3& resting) {
     const glm::vec2 own(resting.x, resting.z);
     const glm::vec2 aside = contact.place.value_or(own) + contact.aside - own;
     return {aside.x, 0.0F, aside.y};
 }
 
-/// Moves the ankles so that the ball rests in each window, and flies there between them.
+/// Moves the ankles so that the pivot rests in each window. Between two windows the shift of the
+/// first is eased into that of the next, then the flight is smoothed.
 void plant(const std::vector<PlannedContact>& contacts, double samples_per_beat, FootTrack& track) {
     std::vector<bool> rests(track.size());
     std::vector<glm::vec3> wanted = track.ankle;
@@ -127,10 +134,13 @@ void plant(const std::vector<PlannedContact>& contacts, double samples_per_beat,
         const glm::vec3 aside = aside_of(contact, place);
         const auto first = static_cast<std::ptrdiff_t>(contact.window.first);
         const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(contact.window.length) - 1;
+        // In contact: the pivot is pinned to its place, the ankle turns about it.
         for (std::ptrdiff_t i = first; i <= last; ++i) {
             wanted[track.at(i)] += shift_to(track, place, i) + aside;
             rests[track.at(i)] = true;
         }
+        // Samples from the last one of this contact to the first one of the next, round the closed
+        // curve.
         const auto rise = static_cast<std::ptrdiff_t>(
             track.at(static_cast<std::ptrdiff_t>(next.window.first) - last - 1) + 1);
         const glm::vec3 from = shift_to(track, place, last) + aside;
@@ -142,13 +152,16 @@ void plant(const std::vector<PlannedContact>& contacts, double samples_per_beat,
     }
     fly(rests, kFlightBandwidth / samples_per_beat, wanted);
     track.ankle = std::move(wanted);
+    // A planted sole (lock 1) is limited sharply, a free one softly, so that it does not kink
+    // there.
     for (std::size_t i = 0; i < track.size(); ++i) {
         const float softness = kFloorSoftness * (1.0F - track.lock[i]);
         track.ankle[i].y = soft_max(track.ankle[i].y, track.standing[i], softness);
     }
 }
 
-/// The same feet, planted where they are, with steps that rise once.
+/// Plants the feet a second time, after each step's speed got a single peak (rising_once). The feet
+/// are at their planned places already, so the contacts' places and asides are dropped.
 FootTrack planted_again(const Skeleton& skeleton,
                         Side side,
                         std::vector<PlannedContact> contacts,
@@ -168,7 +181,8 @@ FootTrack planted_again(const Skeleton& skeleton,
     return track;
 }
 
-/// Mean height of the soles in contact: what the hips must sink (positive) or rise.
+/// Mean height of the soles in contact over their standing height, both feet: what the hips must
+/// sink (positive) or rise; metres.
 float height_over_floor(const std::array<FootTrack, 2>& feet) {
     float sum = 0.0F;
     float count = 0.0F;
@@ -183,7 +197,8 @@ float height_over_floor(const std::array<FootTrack, 2>& feet) {
     return count > 0.0F ? sum / count : 0.0F;
 }
 
-/// How far the hips must sink at each sample so that both legs reach, smoothed so that they glide.
+/// How far the hips must sink at each sample so that both legs reach their ankles; metres, smoothed
+/// so that the hips glide.
 std::vector<float> sinking(const Skeleton& skeleton,
                            const std::array<FootTrack, 2>& feet,
                            const std::vector<Pose>& poses,
@@ -195,13 +210,16 @@ std::vector<float> sinking(const Skeleton& skeleton,
             const Bone thigh = on_side(Bone::left_upper_leg, side);
             const glm::vec3 hip = poses[i].hips_position +
                                   poses[i].rotation(Bone::hips) * skeleton.offsets[index_of(thigh)];
+            // Pythagoras: the ankle lies `aside` (squared) off the vertical through the hip, so a
+            // leg of length `reach` gets `down` metres deep there.
             const glm::vec3 line = feet[static_cast<std::size_t>(side)].ankle[i] - hip;
             const float aside = line.x * line.x + line.z * line.z;
             const float down = std::sqrt(std::max(0.0F, reach * reach - aside));
             sink[i] = std::max(sink[i], -line.y - down);
         }
     }
-    // The largest in the neighbourhood, then smoothed: never less than needed at a sample.
+    // First the maximum over two deviations to each side, then the Gaussian: by this order the
+    // smoothed curve hardly falls below what a sample needs.
     const auto around = static_cast<std::ptrdiff_t>(std::ceil(2.0 * sigma));
     std::vector<float> widened(sink.size());
     for (std::size_t i = 0; i < sink.size(); ++i) {
@@ -222,11 +240,14 @@ void lock_feet(const Skeleton& skeleton,
                std::vector<Pose>& poses) {
     const auto is_mean = [](const PlannedContact& contact) { return contact.is_mean; };
     std::array<FootTrack, 2> feet;
+    // Timing first: it changes which targets fall into the contact windows, where heights are
+    // measured.
     for (const Side side : kSides) {
         const std::size_t s = static_cast<std::size_t>(side);
         feet[s] = foot_track(
             skeleton, side, contacts[s], samples_per_beat, in_time(contacts[s], stepping[s]));
     }
+    // One constant for the whole figure, so that the hips keep their own rise and fall.
     const float height = height_over_floor(feet);
     for (Pose& pose : poses) {
         pose.hips_position.y -= height;
@@ -241,6 +262,7 @@ void lock_feet(const Skeleton& skeleton,
             feet[s] = planted_again(skeleton, side, contacts[s], samples_per_beat, feet[s]);
         }
     }
+    // Hips last, when the planted ankles are known; the legs are then solved from the sunken hips.
     const std::vector<float> sink = sinking(skeleton, feet, poses, kSinkSigma * samples_per_beat);
     for (std::size_t i = 0; i < poses.size(); ++i) {
         poses[i].hips_position.y -= sink[i];

@@ -1,3 +1,4 @@
+// Foot lock: plants the feet of one closed figure in their planned contacts.
 #pragma once
 
 #include <array>
@@ -14,31 +15,35 @@
 
 namespace raks::motion {
 
-/// A contact to be kept.
+/// One contact of a foot with the floor that the foot lock keeps.
 struct PlannedContact {
-    ContactWindow window;
-    std::optional<glm::vec2> place;  ///< of the ball on the floor (x, z); none: where it is
-    glm::vec2 aside{};               ///< from there; metres
-    bool is_mean = false;  ///< of repeats that step at different moments (step_timing.hpp)
-    /// Sample at which the foot comes to rest by itself, before or after the window's first.
+    ContactWindow window;  ///< samples in which the foot stands
+    /// Where the pivot rests on the floor (x, z); metres; none: at its own mean place
+    std::optional<glm::vec2> place;
+    glm::vec2 aside{};  ///< added to that place; metres (x, z)
+    /// The step before it is a mean of repeats that step at different moments (step_timing.hpp)
+    bool is_mean = false;
+    /// Sample at which the free foot comes to rest by itself; it may lie before or after
+    /// window.first.
     std::optional<double> arrival;
-    /// How far the step before it shall go at the speed of one reach, 0 to 1 (step_timing.hpp).
+    /// How much of the step before it takes the speed profile of one reach, 0 (none) to 1
+    /// (step_timing.hpp).
     double reach = 0.0;
 };
 
-/// Plants the feet of a closed figure: the hips' height is set so that the standing foot is on the
-/// floor, the ball of a foot in contact stays at its place, or where it is on average (the foot may
-/// turn about it), toes bend by the ball when the heel rises, no part of a sole goes below the
-/// floor, and the hips sink where a leg would not reach. Sets foot_contact. (Kovar, Schreiner,
-/// Gleicher 2002, "Footskate cleanup for motion capture editing".)
+/// Plants the feet of a closed figure (Kovar, Schreiner, Gleicher 2002, "Footskate cleanup for
+/// motion capture editing"). It shifts the hips by one height, so that the soles in contact are on
+/// the floor on average; holds the pivot of a foot in contact at its planned or own mean place (the
+/// foot may turn about it); bends the toes while the heel is up; keeps soles out of the floor; and
+/// lowers the hips where a leg would not reach. Sets foot_contact.
 ///
-/// The feet are `stepping`, by Side, a place a pose: they may be danced otherwise than `poses`
-/// above the hips, so that a repeat may sway more, and its steps stay steps. They are brought into
-/// time with the contacts first, and evened once they are planted (step_timing.hpp). What the lock
-/// moves an ankle by goes over from one contact to the next during the flight, which is the
-/// smoothest that leaves and meets both as they are (flight.hpp): nothing kinks where a foot is let
-/// go or taken up. `samples_per_beat` paces heights, flights and hips. Threads: workers. Real-time:
-/// no.
+/// `contacts`: by Side, in order of time. `stepping`: by Side, one target a pose; they may come
+/// from another track than `poses`, so that a varied body keeps the learnt steps. The steps are
+/// first brought into time with their contacts (in_time), and those that are means are evened after
+/// planting (rising_once). Between two contacts the ankle takes the path of least jerk that leaves
+/// and meets each with the contact's own speed and acceleration (flight.hpp): nothing kinks where a
+/// foot is released or taken up. `samples_per_beat`: rate of `poses`; it sets the widths of all
+/// smoothing. Threads: workers. Real-time: no.
 void lock_feet(const Skeleton& skeleton,
                const std::array<std::vector<PlannedContact>, 2>& contacts,
                double samples_per_beat,

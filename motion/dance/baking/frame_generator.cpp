@@ -11,13 +11,14 @@
 namespace raks::motion {
 namespace {
 
-// Of 60 frames a second. With a wider Gaussian (8) the jerk falls to a tenth of people's and the
-// feet slide no less.
+// Widths of both filters, 9 and 3 frames of 60 a second. A wider Gaussian (8 frames) reduces the
+// jerk to a tenth of people's, and the feet slide no less.
 constexpr double kMedianSeconds = 9.0 / 60.0;
 constexpr double kSigmaSeconds = 3.0 / 60.0;
-constexpr std::uint64_t kFrameStream = 1000;
+constexpr std::uint64_t kFrameStream = 1000;  // first random stream, apart from those of passages
 
-/// The part's chance to go on to the next state, at a count with these shares of the states.
+/// Chance of the part to go on to the next state, at a count whose row of the occurrence table is
+/// `shares`.
 double chance_to_go_on(const PartModel& part,
                        std::size_t state,
                        const std::vector<double>& shares) {
@@ -44,7 +45,8 @@ Eigen::MatrixXd matrix_of(const std::vector<std::vector<double>>& rows) {
     return matrix;
 }
 
-/// What turns white draws into those of a state: one matrix of all states, or one for each.
+/// Factors that turn white noise into a state's deviations: Cholesky factors of the covariances,
+/// one a state, or a single one where the covariance is tied.
 std::vector<Eigen::MatrixXd> deviations_of(const PartModel& part) {
     std::vector<Eigen::MatrixXd> roots;
     for (const auto& rows : part.state_covariances) {
@@ -62,7 +64,7 @@ std::vector<Eigen::MatrixXd> deviations_of(const PartModel& part) {
     return roots;
 }
 
-/// One draw a sample.
+/// One independent Gaussian draw from its state for each sample of the path.
 FeatureTrack draws_of(const PartModel& part,
                       const std::vector<std::size_t>& path,
                       const CounterRandom& random) {
@@ -84,7 +86,7 @@ FeatureTrack draws_of(const PartModel& part,
     return track;
 }
 
-/// Median of `window` (odd) values of a closed curve.
+/// Running median of `window` (odd) values of a closed curve.
 std::vector<double> medians(const std::vector<double>& values, std::size_t window) {
     const auto reach = static_cast<std::ptrdiff_t>(window / 2);
     std::vector<double> result(values.size());
@@ -101,6 +103,7 @@ std::vector<double> medians(const std::vector<double>& values, std::size_t windo
     return result;
 }
 
+// Median, then Gaussian, of each feature: the median takes outliers off before they are spread.
 void smooth(double samples_per_second, FeatureTrack& track) {
     const std::size_t window =
         2 * static_cast<std::size_t>(std::lround(0.5 * kMedianSeconds * samples_per_second)) + 1;

@@ -12,9 +12,10 @@
 namespace raks::motion {
 namespace {
 
-// Poses between the model's samples: then a pose every few ms needs no more than a straight line.
+// Poses for each sample of the model: so dense that linear interpolation between them suffices at
+// run time.
 constexpr int kFiner = 2;
-// Of bodies learnt as places, cycles a beat.
+// Low-pass bandwidths of figures of positions, cycles a beat.
 constexpr double kArmBandwidth = 2.0;
 constexpr double kTrunkBandwidth = 2.5;
 
@@ -37,14 +38,14 @@ FeetByFrame feet_of(const std::vector<Pose>& poses, const Skeleton& skeleton) {
     return feet;
 }
 
-/// Samples a second at the learnt tempo.
+/// Poses a second at the learnt tempo.
 double rate_of(const FigureModel& model) {
     return static_cast<double>(model.samples_per_beat) * kFiner *
            model.learnt_tempo.beats_per_second();
 }
 
-/// The faster toe tip at its fastest, at the learnt tempo, before feet are planted; metres a
-/// second.
+/// Peak speed of the faster toe tip at the learnt tempo, feet not planted; metres a second.
+/// Compared with FigureModel::peak_toe_speed, so it is filtered alike.
 double peak_toe_speed(const FigureModel& model,
                       const FigureTracks& tracks,
                       const Skeleton& skeleton) {
@@ -57,7 +58,7 @@ double peak_toe_speed(const FigureModel& model,
     for (const Side side : kSides) {
         const std::vector<double> speeds =
             toe_speed(feet, side, rate, FootRules{}.contact_low_pass_hz);
-        // Not where the figure joins itself.
+        // The ends are left out: there the figure joins a copy of itself.
         const auto around = static_cast<std::ptrdiff_t>(kBeatsAround * samples_per_beat);
         peak = std::max(peak, *std::max_element(speeds.begin() + around, speeds.end() - around));
     }
@@ -80,12 +81,15 @@ std::vector<Pose> free_poses(const FigureModel& model,
     const FeatureTrack& root = root_of(model, fine);
     std::vector<RootPlace> places = integrate_root(root, samples_per_beat, {}, scale, net);
     const auto rows = static_cast<std::ptrdiff_t>(root.rows());
+    // sin^2 and its slope are zero at both ends, so place and speed there stay.
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double half_way = std::sin(M_PI * static_cast<double>(i) / static_cast<double>(rows));
         places[i].position += half_way * half_way * way.aside;
     }
     std::vector<Pose> poses;
     const std::ptrdiff_t around = kBeatsAround * samples_per_beat;
+    // Beats around the figure are its own, moved by its way: back before the start, on after the
+    // end.
     for (std::ptrdiff_t i = -around; i < rows + around; ++i) {
         const FloorMove move = i < 0 ? inverse(way.move) : i >= rows ? way.move : FloorMove{};
         const auto row = static_cast<std::size_t>((i + rows) % rows);
@@ -102,7 +106,8 @@ FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton) {
     const auto widened = [&](double amount) {
         FigureTracks tracks = likely;
         for (const PartModel& part : model.parts) {
-            // Arms follow the hold, not the count: their speed is no measure.
+            // Arms follow the hold, not the count, so the toe speed says nothing of their
+            // amplitude.
             restore_variance(part,
                              part.part == Part::upper ? 1.0 : amount,
                              tracks[static_cast<std::size_t>(part.part)]);
@@ -115,6 +120,7 @@ FigureTracks learnt_tracks(const FigureModel& model, const Skeleton& skeleton) {
         return tracks;
     };
     const double scale = static_cast<double>(skeleton.hips_height()) / model.source_hips_height;
+    // Bisection: the toe speed grows with the amplitude.
     double low = 0.0;
     double high = 1.0;
     constexpr int kHalvings = 5;

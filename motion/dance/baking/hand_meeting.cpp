@@ -13,39 +13,42 @@
 namespace raks::motion {
 namespace {
 
-// Metres between palms: so near they meet, and from so far on they begin to.
+// Distances between palms, metres: below the first they meet; below the second they begin to.
 constexpr float kMeeting = 0.08F;
 constexpr float kApproach = 0.6F;
-// Between the middles of two palms that touch; and how far from that it is felt.
+// Distance between the middles of two touching palms, and the softness of that limit; metres.
 constexpr float kPalms = 0.035F;
 constexpr float kMeetingSoft = 0.015F;
-constexpr int kMeetingRounds = 2;  // the hand turns with its forearm, and the palm with it
+constexpr int kMeetingRounds = 2;  // the palm turns with the forearm, so one round falls short
 
+// Middle of the palm: between the wrist and the middle finger's first joint.
 glm::vec3 palm(const WorldPose& world, Side side) noexcept {
     return 0.5F * (world.position(on_side(Bone::left_hand, side)) +
                    world.position(on_side(Bone::left_middle_proximal, side)));
 }
 
-/// From the left palm to the right one, as the chest sees it.
+/// Vector from the left palm to the right one, in the chest's frame.
 glm::vec3 between_palms(const WorldPose& world) noexcept {
     return glm::conjugate(world.rotation(Bone::upper_chest)) *
            (palm(world, Side::right) - palm(world, Side::left));
 }
 
-/// 1: the hands meet; 0: they have nothing to do with one another.
+/// Weight of the meeting, smootherstep of the distance: 1 when the hands meet, 0 beyond kApproach.
 float nearness_of(const glm::vec3& between) noexcept {
     const float t =
         std::clamp((kApproach - glm::length(between)) / (kApproach - kMeeting), 0.0F, 1.0F);
     return t * t * t * (10.0F - t * (15.0F - 6.0F * t));
 }
 
-/// The same, but for hands that would be in one another: the right one stays to the right.
+/// The same vector, but with the right palm at least kPalms to the right of the left one (x is
+/// left), softly.
 glm::vec3 side_by_side(glm::vec3 between) noexcept {
     const float spare = -between.x - kPalms;
     between.x = -kPalms - 0.5F * (spare + std::sqrt(spare * spare + kMeetingSoft * kMeetingSoft));
     return between;
 }
 
+// Moves each palm by half of what is missing to `wanted`, weighted by `share`.
 void move_hands(const Skeleton& skeleton, const glm::vec3& wanted, float share, Pose& pose) {
     for (int round = 0; round < kMeetingRounds; ++round) {
         const WorldPose world = world_pose(skeleton, pose);

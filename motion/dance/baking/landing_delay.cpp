@@ -11,14 +11,15 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kFramesPerSecond = 60.0;
-constexpr int kLeastRepeats = 3;  // that a landing was learnt from
+constexpr double kFramesPerSecond = 60.0;  // at which passages are sampled to find their landings
+constexpr int kLeastRepeats = 3;           // that must have shown a landing
 
-constexpr double kMostAimed = 0.3;  // beats
+constexpr double kMostAimed = 0.3;  // beats from the learnt landing
 
 using FeetByFrame = std::vector<std::array<SourceFoot, 2>>;
 
-/// Both feet by frame, from `margin` beats before count 1 to as much after the end.
+/// Both feet by frame, from kMargin before count 1 to kMargin after the end: the detector filters
+/// the speed, so it needs motion around the figure.
 FeetByFrame feet_of(const FigureModel& model,
                     const FigurePassage& passage,
                     const Skeleton& skeleton,
@@ -39,14 +40,14 @@ FeetByFrame feet_of(const FigureModel& model,
     return feet;
 }
 
-/// A step that came down where people's does.
+/// A detected landing that was matched with a learnt one.
 struct Step {
     Side side = Side::left;
-    std::size_t count = 0;  // from 0
-    double late = 0.0;      // beats
+    std::size_t count = 0;  // of the learnt landing, from 0
+    double late = 0.0;      // beats after the learnt landing
 };
 
-/// The count at which people's step is due that lies nearest to `beat`.
+/// The count whose learnt landing lies nearest to `beat`, less than half a beat away.
 std::optional<std::size_t> nearest_count(const FigureModel& model, Side side, double beat) {
     constexpr double kFarthest = 0.5;  // beats
     const auto& offsets = model.landings[static_cast<std::size_t>(side)];
@@ -63,11 +64,13 @@ std::optional<std::size_t> nearest_count(const FigureModel& model, Side side, do
     return nearest;
 }
 
-/// `pace`: tempo danced / learnt.
+/// The landings of a passage at `pace` (tempo danced / learnt), at most one a foot and count: of
+/// two that match the same count the nearer one is kept.
 std::vector<Step> steps_of(const FigureModel& model,
                            const FigurePassage& passage,
                            const Skeleton& skeleton,
                            double pace) {
+    // The detector's limits are metres a second, so the passage is sampled at the danced speed.
     const double beats_a_frame = pace * model.learnt_tempo.beats_per_second() / kFramesPerSecond;
     const FeetByFrame feet = feet_of(model, passage, skeleton, beats_a_frame);
     std::vector<Step> steps;
@@ -114,6 +117,7 @@ Nanos landing_delay(const FigureModel& model,
     if (late.empty()) {
         return Nanos(0);
     }
+    // Upper median: one stray match does not move it.
     const auto middle = late.begin() + std::ssize(late) / 2;
     std::nth_element(late.begin(), middle, late.end());
     return nanos_from_seconds(*middle * model.learnt_tempo.seconds_per_beat());

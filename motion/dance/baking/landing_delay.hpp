@@ -1,3 +1,4 @@
+// Landing delay: measures when a passage's steps come down, and aims its contacts by that.
 #pragma once
 
 #include <span>
@@ -9,22 +10,22 @@
 
 namespace raks::motion {
 
-/// The learnt landings that contacts can be aimed at. A foot that comes down twice a count has no
-/// one moment at which it should; nor does one that jumps: at the top it is as slow as on the
-/// floor. Threads: workers. Real-time: no.
+/// The learnt landings that contacts can be aimed at; the others are set empty. A foot that comes
+/// down twice a count has no single moment to aim at, nor has one that jumps: at the top of a jump
+/// it is as slow as on the floor. Threads: workers. Real-time: no.
 [[nodiscard]] FigureLandings single_landings(const FigureModel& model);
 
 /// How much later a figure's steps come down in a passage, danced at its learnt tempo, than they
-/// were learnt to: the median over its counts (landing: foot_events.hpp; smoothing moves it either
-/// way). Zero without steps. Threads: workers. Real-time: no.
+/// were learnt to: the median over its steps (landing: foot_events.hpp). Smoothing shifts landings
+/// either way. Zero without steps. Threads: workers. Real-time: no.
 [[nodiscard]] Nanos landing_delay(const FigureModel& model,
                                   const FigurePassage& passage,
                                   const Skeleton& skeleton);
 
-/// Aims the contacts anew after a look at a passage that was made with `aimed`: earlier by what
-/// each step came down late, or later, danced at `pace` of the learnt tempo, against where people's
-/// did. No contact is moved farther than 0.3 beats from its learnt landing. Threads: workers.
-/// Real-time: no.
+/// One pass of landing correction. Measures the landings of `passage`, which was made with `aimed`,
+/// at `pace` of the learnt tempo, and moves each aimed landing earlier by as much as its step came
+/// down late (or later). No landing is moved farther than 0.3 beats from where it was learnt.
+/// Threads: workers. Real-time: no.
 void aim_landings(const FigureModel& model,
                   const FigurePassage& passage,
                   const Skeleton& skeleton,

@@ -13,11 +13,12 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kMostSlowed = 0.4;     // of a flight or a contact
-constexpr double kOneReach = 0.5;       // its share where a foot halts altogether
-constexpr double kHaltedBelow = 0.15;   // of the highest speed: less is no movement of its own
-constexpr double kShortestPath = 0.05;  // metres
-constexpr float kFootLength = 0.2F;     // metres, that turning moves it by
+constexpr double kMostSlowed = 0.4;  // longest delay, as a share of the flight or contact
+constexpr double kOneReach = 0.5;    // weight of the reach profile for a foot that halts altogether
+// Of the peak speed: slower than this is no movement of its own
+constexpr double kHaltedBelow = 0.15;
+constexpr double kShortestPath = 0.05;  // metres; a shorter flight is not retimed
+constexpr float kFootLength = 0.2F;     // metres; radius by which turning counts as path
 
 /// Samples of one flight: from the last one of a contact to the first one of the next.
 struct Flight {
@@ -25,6 +26,7 @@ struct Flight {
     std::ptrdiff_t length = 0;
 };
 
+// The flight that ends with contact `c`; the contacts are a closed row.
 Flight flight_before(const std::vector<PlannedContact>& contacts, std::size_t c, std::size_t size) {
     const ContactWindow& before = contacts[(c + contacts.size() - 1) % contacts.size()].window;
     const auto left = static_cast<std::ptrdiff_t>(before.first + before.length) - 1;
@@ -32,6 +34,7 @@ Flight flight_before(const std::vector<PlannedContact>& contacts, std::size_t c,
     return {left, static_cast<std::ptrdiff_t>(wrap(first - left, size))};
 }
 
+// The foot at a fractional sample of the closed curve.
 FootTarget place_at(const std::vector<FootTarget>& feet, double sample) {
     const auto from = static_cast<std::ptrdiff_t>(std::floor(sample));
     const FootTarget& a = feet[wrap(from, feet.size())];
@@ -40,13 +43,16 @@ FootTarget place_at(const std::vector<FootTarget>& feet, double sample) {
     return {glm::mix(a.ankle, b.ankle, share), glm::slerp(a.rotation, b.rotation, share)};
 }
 
+// Distance from one target to the next, metres: that of the ankles plus about the arc of the turn,
+// so that a foot that only pivots has a path, too.
 double between(const FootTarget& a, const FootTarget& b) {
     const float turn = 1.0F - std::abs(glm::dot(a.rotation, b.rotation));
     return static_cast<double>(glm::distance(a.ankle, b.ankle)) +
            static_cast<double>(kFootLength * std::sqrt(std::max(0.0F, 2.0F * turn)));
 }
 
-/// Slows the steps that come down too soon. (Late ones hurried would be faster than people's.)
+/// Delays steps that come down too soon, by changing the time at which each sample reads the curve.
+/// Late steps are left: hurried, they would be faster than people's.
 void wait(const std::vector<PlannedContact>& contacts, std::vector<double>& times) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const Flight flight = flight_before(contacts, c, times.size());
@@ -56,6 +62,8 @@ void wait(const std::vector<PlannedContact>& contacts, std::vector<double>& time
             continue;
         }
         const auto shorter = static_cast<double>(std::min(flight.length, rest));
+        // Negative: samples around the contact's start read an earlier moment. The shift grows over
+        // the flight and fades over the contact, so that time stays monotonic (kMostSlowed).
         const double apart = std::clamp(
             *contacts[c].arrival - static_cast<double>(first), -kMostSlowed * shorter, 0.0);
         for (std::ptrdiff_t k = -flight.length; k <= rest; ++k) {
@@ -66,11 +74,12 @@ void wait(const std::vector<PlannedContact>& contacts, std::vector<double>& time
     }
 }
 
-/// How much a flight halts on its way: 0 for one that speeds up and slows down once, 1 for one that
-/// stops in between. `path`: way by sample.
+/// How much a flight halts on its way, from 0 (its speed rises and falls once) to 1 (it stops in
+/// between). `path`: way covered by sample. At each sample the speed is compared with the smaller
+/// of the highest speed before and the highest after.
 double halt_of(const std::vector<double>& path) {
     const std::size_t steps = path.size() - 1;
-    std::vector<double> after(steps);  // fastest from here on
+    std::vector<double> after(steps);  // highest speed from here on
     double fastest = 0.0;
     for (std::size_t k = steps; k-- > 0;) {
         fastest = std::max(fastest, path[k + 1] - path[k]);
@@ -87,7 +96,7 @@ double halt_of(const std::vector<double>& path) {
     return halt;
 }
 
-/// The way of the foot over a flight, by sample from where it left.
+/// Length of the foot's path by sample of a flight, 0 where it left; metres.
 std::vector<double> path_of(const std::vector<FootTarget>& feet, const Flight& flight) {
     std::vector<double> path = {0.0};
     for (std::ptrdiff_t k = 1; k <= flight.length; ++k) {
@@ -97,7 +106,8 @@ std::vector<double> path_of(const std::vector<FootTarget>& feet, const Flight& f
     return path;
 }
 
-/// The same flight at another speed: `wanted` is how far along `path` it is by sample.
+/// Dances the flight at another speed: `wanted` is how far along `path` the foot is by sample. Each
+/// wanted length is looked up in `path`, so the places stay on the same curve.
 void fly_as(const std::vector<FootTarget>& feet,
             const Flight& flight,
             const std::vector<double>& path,
@@ -117,7 +127,8 @@ void fly_as(const std::vector<FootTarget>& feet,
     }
 }
 
-/// Evens one flight's speed along its path, as far as it halts.
+/// Blends a flight's speed profile with that of one reach (minimum jerk), the more the more it
+/// halts, but by `least` at least.
 void reach(const std::vector<FootTarget>& feet,
            const Flight& flight,
            double least,
@@ -136,8 +147,9 @@ void reach(const std::vector<FootTarget>& feet,
     fly_as(feet, flight, path, wanted, result);
 }
 
-/// Speeds that rise to one peak and fall from there: midway between the nearest such above and
-/// below those given, over the same way altogether.
+/// Speeds with a single peak over the same total way: the mean of the unimodal upper and lower
+/// envelopes, scaled. The envelopes are running maxima towards the peak and running minima away
+/// from it.
 std::vector<double> with_one_peak(const std::vector<double>& speeds) {
     const auto largest = [](double a, double b) { return std::max(a, b); };
     const auto least = [](double a, double b) { return std::min(a, b); };
@@ -160,7 +172,7 @@ std::vector<double> with_one_peak(const std::vector<double>& speeds) {
     return result;
 }
 
-/// One flight with one peak of speed.
+/// Replaces one flight's speeds by such with a single peak.
 void rise_once(const std::vector<FootTarget>& feet,
                const Flight& flight,
                std::vector<FootTarget>& result) {
@@ -169,6 +181,7 @@ void rise_once(const std::vector<FootTarget>& feet,
         return;
     }
     std::vector<double> speeds(path.size());
+    // The first element of adjacent_difference is the value itself, no speed: it is skipped.
     std::adjacent_difference(path.begin(), path.end(), speeds.begin());
     const std::vector<double> even = with_one_peak({speeds.begin() + 1, speeds.end()});
     std::vector<double> wanted = {0.0};
@@ -190,6 +203,7 @@ std::vector<FootTarget> in_time(const std::vector<PlannedContact>& contacts,
     for (const double time : times) {
         waiting.push_back(place_at(feet, time));
     }
+    // Each flight is read from the delayed curve and written to a copy of it.
     std::vector<FootTarget> result = waiting;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         const Flight flight = flight_before(contacts, c, feet.size());

@@ -9,14 +9,15 @@
 namespace raks::motion {
 namespace {
 
-// The figure is solved three times in a row and the middle one kept: its ends then know their
-// neighbours, as those of a dance that goes on.
+// The figure is solved three times in a row and the middle one kept, so that its ends are joined
+// like those of a dance that goes on.
 constexpr std::size_t kTurns = 3;
-// The states' variance holds what differs between takes (a hold, a stance), not only between
-// moments of one dance: taken as it is, the values weigh too little against the deltas, the motion
-// turns out too soft (a quarter of the humans' jerk) and a state is felt three beats away.
+// Weight of the static term. The states' variance also holds what differs between takes (a hold, a
+// stance), not only between moments of one dance. At weight 1 the means count too little against
+// the deltas: the motion turns out too soft (a quarter of people's jerk) and a state influences
+// values three beats away.
 constexpr double kStaticTrust = 6.0;
-constexpr double kMostLost = 0.6;  // of the variance: x 1.6 in amplitude
+constexpr double kMostLost = 0.6;  // of the variance: 1 / sqrt(1 - 0.6) = 1.6 in amplitude
 
 }  // namespace
 
@@ -32,6 +33,8 @@ FeatureTrack most_likely_trajectory(const PartModel& part, std::size_t samples) 
         for (std::size_t i = 0; i < kTurns * samples; ++i) {
             const FigureState& state = part.states[part.state_at(i % samples, samples)];
             const auto before = static_cast<std::ptrdiff_t>(i) - 1;
+            // Static, delta and delta-delta terms, each weighted by its inverse variance
+            // (FigureState's windows).
             system.add(before,
                        {0.0, 1.0, 0.0},
                        kStaticTrust / state.variance[feature],
@@ -61,10 +64,11 @@ void restore_variance(const PartModel& part, double amount, FeatureTrack& track)
         if (part.features == FigureFeatures::positions) {
             return feature >= part.root_features();
         }
-        // Height and tilts: the only angles whose mean is not zero by definition.
+        // Of the angles only height and tilts have a mean that is not zero by definition.
         return part.part == Part::torso &&
                feature >= static_cast<std::size_t>(RootFeature::height) && feature < kRootFeatures;
     };
+    // The hips' velocities left and forward.
     const auto is_of_travel = [&](std::size_t feature) {
         return feature < part.root_features() &&
                feature <= static_cast<std::size_t>(RootFeature::velocity_forward);

@@ -13,26 +13,28 @@
 namespace raks::motion {
 namespace {
 
-// Shares of the variance by harmonic of the figure, the constant first: with these the distance of
-// two repeats is people's own and the jerk rises by a few per cent only.
+// Shares of the variance by harmonic of the figure, the constant first. With these the distance
+// between two repeats is that of people's and the jerk rises by a few per cent only.
 constexpr std::array<double, 5> kHarmonics = {0.25, 0.3, 0.2, 0.15, 0.1};
-// Of the states' deviation. Their variance holds also what moves within a slice and what differs
-// between people's takes (stance, hold).
+// Scales of the states' deviation, by kind of feature. Their variance also holds what moves within
+// a slice and what differs between people's takes (stance, hold).
 constexpr double kTorso = 0.95;
 constexpr double kUpper = 1.3;
-constexpr double kFarthest = 1.8;       // deviations
-constexpr double kFarthestTurn = 1.0;   // radians of a joint
-constexpr double kFarthestPlace = 0.2;  // metres of a joint
-constexpr double kVelocity = 0.2;       // of the hips, or the legs would not reach their steps
-constexpr double kHeight = 0.15;        // it differs between takes, not between repeats
-constexpr double kArmPlaces = 2.0;      // bones that keep their length take half of it away
-constexpr double kTrunkPlaces = 1.2;    // with more, shoulders lean off their hips by 15 cm
-constexpr double kLowerPlaces = 0.6;    // the hips', that legs must reach the floor from
+constexpr double kFarthest = 1.8;       // deviations, soft limit of the curve
+constexpr double kFarthestTurn = 1.0;   // radians of a joint, soft limit
+constexpr double kFarthestPlace = 0.2;  // metres of a joint, soft limit
+constexpr double kVelocity = 0.2;     // of the hips; with more the legs would not reach their steps
+constexpr double kHeight = 0.15;      // it differs between takes, not between repeats
+constexpr double kArmPlaces = 2.0;    // restoring bone lengths removes half of it
+constexpr double kTrunkPlaces = 1.2;  // with more, the shoulders lean off the hips by 15 cm
+// Includes the hips', from which the legs must reach the floor
+constexpr double kLowerPlaces = 0.6;
 
 bool is_trunk(Bone bone) {
     return bone == Bone::spine || bone == Bone::chest || bone == Bone::neck || bone == Bone::head;
 }
 
+// The scale of one feature's variation.
 double amount_of(const PartModel& part, std::size_t feature) {
     if (part.features == FigureFeatures::positions) {
         if (feature < part.root_features()) {
@@ -53,7 +55,8 @@ double amount_of(const PartModel& part, std::size_t feature) {
     return feature == static_cast<std::size_t>(RootFeature::height) ? kHeight : kTorso;
 }
 
-/// The states' deviation of one feature over the phase, without their steps.
+/// Deviation of one feature over the phase, smoothed over a slice so that it does not step between
+/// states.
 std::vector<double> deviation_of(const PartModel& part, std::size_t feature, std::size_t samples) {
     std::vector<double> deviation(samples);
     for (std::size_t i = 0; i < samples; ++i) {
@@ -63,8 +66,8 @@ std::vector<double> deviation_of(const PartModel& part, std::size_t feature, std
     return smoothed(deviation, slice);
 }
 
-/// Holds every joint near its learnt rotation or place, softly: further round, an arm could as well
-/// be mixed the other way.
+/// Limits each joint's distance from its learnt rotation or place, softly (tanh): with a larger one
+/// the shorter way between two varied arms could change sides (arm_mixes.hpp).
 void hold_joints(const PartModel& part, const FeatureTrack& learnt, FeatureTrack& track) {
     const std::size_t first = part.root_features();
     const double farthest =

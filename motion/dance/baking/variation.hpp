@@ -1,3 +1,4 @@
+// Variation: how one repeat of a figure differs from the next.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +9,11 @@
 
 namespace raks::motion {
 
-/// Adds to a figure's trajectory what one repeat differs by from the next: for each feature a
-/// smooth curve over the phase (the first harmonics of the figure), as wide as the states' own
-/// variance, features together as the part's covariance says. White draws from the trajectory's
-/// posterior would shake the feet; people differ slowly.
-/// Closed, as the trajectory is. `random`: one stream a repeat and part.
-/// Threads: workers. Real-time: no.
+/// Adds to a figure's trajectory how one repeat differs from the next: for each feature a smooth
+/// curve over the phase (a constant and the first harmonics of the figure), scaled by the states'
+/// deviation and correlated between features by the part's covariance. (White draws from the
+/// trajectory's posterior would shake the feet; people differ slowly.) The track stays closed.
+/// `random`: one stream a repeat and part. Threads: workers. Real-time: no.
 void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& track);
 
 }  // namespace raks::motion

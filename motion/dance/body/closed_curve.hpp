@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-/// Small tools for values sampled over one figure that repeats for ever.
+/// Closed curves: values sampled over one figure that repeats for ever.
 namespace raks::motion {
 
 /// Index i modulo `size`, also for negative i.
@@ -13,7 +13,7 @@ namespace raks::motion {
     return static_cast<std::size_t>(((i % n) + n) % n);
 }
 
-/// Gaussian over a closed curve; sigma in samples, > 0.
+/// The values convolved with a Gaussian, over the ends; sigma in samples, > 0. Real-time: no.
 template <typename T>
 [[nodiscard]] std::vector<T> smoothed(const std::vector<T>& values, double sigma) {
     const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3.0 * sigma));

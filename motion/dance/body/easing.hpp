@@ -1,3 +1,4 @@
+// Easing functions.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Floor moves: rigid moves of a dancer on the floor.
 #pragma once
 
 #include <cmath>
@@ -11,17 +12,20 @@ namespace raks::motion {
 /// A rigid move on the floor: turn by `heading` about the origin (positive from +z to +x), then
 /// shift by `offset` (x left, y forward: the floor's x and z). Threads: any. Real-time: yes.
 struct FloorMove {
-    double heading = 0.0;  ///< radians
-    glm::dvec2 offset{0.0, 0.0};
+    double heading = 0.0;         ///< radians
+    glm::dvec2 offset{0.0, 0.0};  ///< metres
 
+    /// Turns a vector by the heading.
     [[nodiscard]] glm::dvec2 turned(const glm::dvec2& place) const noexcept {
         const double c = std::cos(heading);
         const double s = std::sin(heading);
         return {c * place.x + s * place.y, c * place.y - s * place.x};
     }
+    /// Moves a place.
     [[nodiscard]] glm::dvec2 operator()(const glm::dvec2& place) const noexcept {
         return turned(place) + offset;
     }
+    /// Moves a pose by its hips.
     [[nodiscard]] Pose operator()(Pose pose) const noexcept {
         const glm::dvec2 place = (*this)(glm::dvec2(pose.hips_position.x, pose.hips_position.z));
         pose.hips_position.x = static_cast<float>(place.x);
@@ -33,7 +37,7 @@ struct FloorMove {
     }
 };
 
-/// First `second`, then `first`.
+/// Composition: applies `second`, then `first`.
 [[nodiscard]] inline FloorMove operator*(const FloorMove& first, const FloorMove& second) noexcept {
     return {first.heading + second.heading, first(second.offset)};
 }
@@ -45,6 +49,7 @@ struct FloorMove {
             {pose.hips_position.x, pose.hips_position.z}};
 }
 
+/// The move that undoes `move`.
 [[nodiscard]] inline FloorMove inverse(const FloorMove& move) noexcept {
     FloorMove result{-move.heading, {}};
     result.offset = -result.turned(move.offset);

@@ -14,18 +14,20 @@
 namespace raks::motion {
 namespace {
 
-constexpr float kSoft = 0.035F;  // metres: from here on a hand feels the body
-// What decides where a hand goes that is deep inside, where the nearest skin says nothing; metres.
-// Much less, and a hand that passes through the trunk turns from one skin to the other within a
-// few ms: at 0.03 m with up to 8,200 m/s^3, at 0.12 m with 3,600 (salsa, lead and follow).
+constexpr float kSoft = 0.035F;  // metres; distance from the skin at which a hand is pushed first
+// Weight of the outward direction, metres. It decides where a hand goes that is deep inside, where
+// the nearest skin says nothing. Much smaller, and a hand that passes through the trunk turns from
+// one skin to the other within a few ms: at 0.03 m with up to 8,200 m/s^3, at 0.12 m with 3,600
+// (salsa, lead and follow).
 constexpr float kOutward = 0.12F;
-constexpr int kRounds = 2;  // out of one part may be into another
-constexpr float kLeastPush = 1e-5F;
+constexpr int kRounds = 2;           // a push out of one part may lead into another
+constexpr float kLeastPush = 1e-5F;  // metres; less is ignored
 
-// Over a figure: arms are drawn for one trunk and danced on others.
+// For lead_hands_round(): arms are drawn for one trunk and danced on others, so they keep more
+// distance.
 constexpr float kSpare = 0.04F;      // metres
-constexpr double kPushSigma = 0.15;  // beats, how smoothly a hand goes round the body
-constexpr int kClearings = 4;        // what is smoothed may be short of the skin
+constexpr double kPushSigma = 0.15;  // beats; deviation of the Gaussian over the pushes
+constexpr int kClearings = 4;        // rounds, as a smoothed push may fall short
 
 /// `depth`, rounded where it begins; once differentiable, 0 below -kSoft.
 float soft_depth(float depth) noexcept {
@@ -35,7 +37,7 @@ float soft_depth(float depth) noexcept {
     return depth >= kSoft ? depth : (depth + kSoft) * (depth + kSoft) / (4.0F * kSoft);
 }
 
-/// How far a hand must go that keeps `spare` metres off the skin.
+/// Vector by which a hand must move to stay `spare` metres off the skin; metres, world.
 glm::vec3 push_of(const std::array<Capsule, 2>& hand,
                   const BodyCapsules& body,
                   const glm::vec3& outward,
@@ -57,12 +59,14 @@ glm::vec3 push_of(const std::array<Capsule, 2>& hand,
     return push;
 }
 
-/// From the hips to where a hand of that side is in nobody's way, world.
+/// Direction from the hips in which nothing is in the way of a hand of that side: sideways and
+/// ahead; world.
 glm::vec3 outward_of(const WorldPose& world, Side side) noexcept {
     const float sign = side == Side::left ? 1.0F : -1.0F;
     return world.rotation(Bone::hips) * glm::vec3(0.6F * sign, 0.0F, 0.8F);
 }
 
+// Moves the wrist by `push`, the arm following.
 void push_hand(const Skeleton& skeleton,
                const WorldPose& world,
                Side side,
@@ -72,8 +76,8 @@ void push_hand(const Skeleton& skeleton,
     solve_limb(skeleton, arm, world.position(arm.end) + push, pose);
 }
 
-/// What each hand must go at each pose, in the frame of the hips: the largest of those nearby,
-/// smoothed.
+/// The pushes of one hand by pose, in the frame of the hips: the largest within about a deviation
+/// to each side, then smoothed, so that the result hardly falls below what a pose needs.
 std::vector<glm::vec3> smooth_pushes(const std::vector<glm::vec3>& pushes, double sigma) {
     const auto size = std::ssize(pushes);
     const auto around = static_cast<std::ptrdiff_t>(std::lround(sigma));
@@ -127,6 +131,8 @@ void lead_hands_round(const Skeleton& skeleton, double samples_per_beat, std::ve
                                                body_capsules(world),
                                                outward_of(world, side),
                                                kSpare);
+                // In the frame of the hips, so that a turn of the body does not rotate the pushes
+                // that are smoothed.
                 pushes.push_back(glm::conjugate(world.rotation(Bone::hips)) * push);
                 most = std::max(most, glm::dot(push, push));
             }

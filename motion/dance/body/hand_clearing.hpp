@@ -1,3 +1,4 @@
+// Hand clearing: keeps hands and forearms out of the body.
 #pragma once
 
 #include <vector>
@@ -7,15 +8,16 @@
 
 namespace raks::motion {
 
-/// Brings hands and forearms that are in trunk, thighs or head out of them, by the arm alone:
-/// repeats vary arms and body each by itself, and arms that hang would pass through the hips.
-/// Softly, from 3.5 cm before they touch: what moves smoothly still does. Threads: any. Real-time:
+/// Moves hands and forearms that are inside trunk, thighs or head out of them, by the arm alone:
+/// passages vary arms and body independently, so hanging arms may pass through the hips. It begins
+/// softly, 3.5 cm before they touch, so that smooth motion stays smooth. Threads: any. Real-time:
 /// yes.
 void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept;
 
-/// The same for poses in a row, with all of them in view: a hand that would cut
-/// through the body is led round it, with 2 cm to spare, over a third of a beat before and after.
-/// Pose by pose it is thrown out and back (up to 18,000 m/s^3). Threads: workers. Real-time: no.
+/// The same for a row of poses, with all of them known: a hand that would cut through the body is
+/// led round it, aiming 4 cm off the skin, and smoothly: the pushes are filtered over 0.15 beats
+/// (deviation). Pose by pose it would be thrown out and back (up to 18,000 m/s^3). Threads:
+/// workers. Real-time: no.
 void lead_hands_round(const Skeleton& skeleton, double samples_per_beat, std::vector<Pose>& poses);
 
 }  // namespace raks::motion

@@ -9,14 +9,17 @@ namespace raks::motion {
 glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
                            Side side,
                            const glm::quat& rotation) noexcept {
-    // With the ball's joint itself the toes' tip slips 3.1 cm where people's slips 2.4 (p90).
+    // Share of the toes' length ahead of the ball. At 0, the ball's joint itself, the tip of the
+    // toes slips 3.1 cm where people's slips 2.4 (90th percentile).
     constexpr float kBeforeBall = 0.65F;
-    constexpr float kSteepest = 0.5F;  // cosine of the toes' slope down to which they are laid flat
+    // Cosine of the slope up to which the toes are laid flat; steeper ones are shortened
+    constexpr float kSteepest = 0.5F;
     const glm::vec3 mirror{side == Side::left ? 1.0F : -1.0F, 1.0F, 1.0F};
     const glm::vec3 own_toes = skeleton.toe_tip - skeleton.ball;
     const float length = glm::length(own_toes);
     glm::vec3 toes = rotation * (mirror * own_toes);
     toes.y = 0.0F;
+    // Their horizontal part, at full length up to that slope.
     toes *= length / std::max(glm::length(toes), kSteepest * length);
     return rotation * (mirror * skeleton.ball) + kBeforeBall * toes;
 }
@@ -49,6 +52,7 @@ float lowest_of_sole(const Skeleton& skeleton,
             ? toes_rotation
             : glm::quat(toes_rotation.w, toes_rotation.x, -toes_rotation.y, -toes_rotation.z);
     const glm::vec3 toe_tip = toes + mirrored_toes * (skeleton.toe_tip - toes);
+    // The skeleton stores the left sole; the right one is its mirror image.
     float lowest = 1e9F;
     for (glm::vec3 point : {skeleton.ball, toe_tip, skeleton.heel}) {
         if (side == Side::right) {

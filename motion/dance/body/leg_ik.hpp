@@ -1,3 +1,4 @@
+// Leg inverse kinematics, and where the sole is.
 #pragma once
 
 #include "motion/dance/body/limb_ik.hpp"
@@ -6,14 +7,15 @@
 
 namespace raks::motion {
 
-/// Where a foot shall be, in the world.
+/// Target of a foot, in the world.
 struct FootTarget {
-    glm::vec3 ankle{};
+    glm::vec3 ankle{};                ///< place of the ankle joint; metres
     glm::quat rotation{kNoRotation};  ///< of the foot bone, in the world
 };
 
-/// Where a planted foot of this rotation turns, seen from its ankle, world: between the ball's
-/// joint and the toes' tip, as those lie flat while the heel is up.
+/// Vector from the ankle to the point about which a planted foot of this rotation turns, world:
+/// between the ball's joint and the tip of the toes as they lie flat while the heel is up. Threads:
+/// any. Real-time: yes.
 [[nodiscard]] glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
                                          Side side,
                                          const glm::quat& rotation) noexcept;
@@ -35,7 +37,7 @@ void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept;
                                    const glm::quat& foot_rotation,
                                    const glm::quat& toes_rotation) noexcept;
 
-/// Length of thigh and shin together.
+/// Length of thigh and shin together; metres.
 [[nodiscard]] float leg_length(const Skeleton& skeleton) noexcept;
 
 }  // namespace raks::motion

@@ -9,8 +9,9 @@ namespace raks::motion {
 namespace {
 
 constexpr float kTiny = 1e-6F;
-// Metres of knee or elbow beside the limb's line. (0.04: an arm thrown down nearly straight had its
-// elbow pulled back and let go within seven pictures, 4,332 m/s^3.)
+// Distance of knee or elbow from the limb's line, metres, below which its side is uncertain. (At
+// 0.04, an arm thrown down nearly straight had its elbow pulled back and released within seven
+// frames, 4,332 m/s^3.)
 constexpr float kStraight = 0.02F;
 
 }  // namespace
@@ -20,6 +21,8 @@ glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept 
     const glm::vec3 b = glm::normalize(to);
     const float w = 1.0F + glm::dot(a, b);
     if (w < kTiny) {
+        // Opposite directions: half a turn about x, an axis that is right for directions square to
+        // it.
         return glm::angleAxis(3.14159265F, glm::vec3(1, 0, 0));
     }
     const glm::vec3 axis = glm::cross(a, b);
@@ -56,10 +59,11 @@ glm::quat solve_limb(const Skeleton& skeleton,
     line /= wanted;
     const float distance =
         std::clamp(wanted, std::abs(upper - lower) + kTiny, kLongestReach * (upper + lower));
+    // Law of cosines: the middle joint lies `along` the line and `aside` of it.
     const float along = (upper * upper - lower * lower + distance * distance) / (2.0F * distance);
     const float aside = std::sqrt(std::max(0.0F, upper * upper - along * along));
-    // The middle joint's side: where it stands out from the limb's own line now, turned as the line
-    // is; ahead comes in, the more the straighter the limb is.
+    // The middle joint's side: where it lies off the limb's present line, turned with that line;
+    // `ahead` is mixed in, the more the straighter the limb is.
     const glm::vec3 own_line = glm::normalize(upper_vector + lower_vector);
     const glm::vec3 own_pole = upper_vector - own_line * glm::dot(upper_vector, own_line);
     const float unknown = std::max(0.0F, 1.0F - glm::length(own_pole) / kStraight);
@@ -69,6 +73,8 @@ glm::quat solve_limb(const Skeleton& skeleton,
 
     const glm::vec3 new_upper = line * along + pole * aside;
     const glm::vec3 new_lower = line * distance - new_upper;
+    // The upper bone takes the shortest turn, so it does not twist; the lower one follows it, then
+    // bends.
     const glm::quat turn = rotation_between(upper_vector, new_upper);
     const glm::quat new_upper_world = glm::normalize(turn * upper_world);
     const glm::quat bend = rotation_between(turn * lower_vector, new_lower);

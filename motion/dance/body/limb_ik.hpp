@@ -1,3 +1,4 @@
+// Two-bone inverse kinematics of arms and legs.
 #pragma once
 
 #include "motion/skeleton/pose.hpp"
@@ -14,21 +15,21 @@ inline constexpr float kLongestReach = 0.997F;
 
 /// Two bones in a row and what hangs on them: thigh, shin and foot, or arm, forearm and hand.
 struct Limb {
-    Bone upper = Bone::left_upper_leg;
-    Bone lower = Bone::left_lower_leg;
-    Bone end = Bone::left_foot;
-    glm::vec3 root{};               ///< joint of the upper bone in the world
-    glm::quat parent{kNoRotation};  ///< rotation in the world of the bone that it hangs on
-    glm::vec3 ahead{};              ///< where the middle joint goes from a straight limb, world
+    Bone upper = Bone::left_upper_leg;  ///< thigh or upper arm
+    Bone lower = Bone::left_lower_leg;  ///< shin or forearm
+    Bone end = Bone::left_foot;         ///< foot or hand
+    glm::vec3 root{};                   ///< joint of the upper bone in the world
+    glm::quat parent{kNoRotation};      ///< world rotation of the parent bone
+    glm::vec3 ahead{};  ///< direction in which the middle joint leaves a straight limb, world
 };
 
-/// An arm, its hand at the end; from a straight one the elbow goes behind, as the upper arm is
-/// turned. Threads: any. Real-time: yes.
+/// One arm of a pose; from a straight arm the elbow goes backward, as the upper arm is turned.
+/// Threads: any. Real-time: yes.
 [[nodiscard]] Limb arm_of(const WorldPose& world, Side side) noexcept;
 
 /// Turns both bones so that the end's joint reaches `target` in the world, as far as they do; the
-/// middle joint keeps its direction about the line from root to end. Returns the lower bone's
-/// rotation in the world then. Threads: any. Real-time: yes.
+/// middle joint keeps its side of the line from root to end. Returns the lower bone's new rotation
+/// in the world. Threads: any. Real-time: yes.
 glm::quat solve_limb(const Skeleton& skeleton,
                      const Limb& limb,
                      const glm::vec3& target,

@@ -9,7 +9,7 @@ struct Bend {
     Bone bone;  // left
     float radians;
 };
-// Index nearly straight, the others closing: a hand that is held up, not a fist.
+// Index finger nearly straight, the others closing more: a hand held up, not a fist.
 constexpr std::array<Bend, 15> kBends = {{
     {Bone::left_index_proximal, 0.16F},
     {Bone::left_index_intermediate, 0.22F},
