@@ -21,20 +21,22 @@
 namespace raks::audio {
 namespace {
 
-constexpr SampleRate kRhythmRate(OnsetDetector::kSampleRate);
-constexpr std::size_t kChunk = 256;  // input samples worked on at a time
-constexpr double kPassBand = 0.9;    // of the source's band that the resampler lets pass
-constexpr float kLoudest = 16.0F;
-constexpr float kLowestLevel = -120.0F;
-// Silence: quieter than this for longer than a beat at 50 BPM.
+constexpr SampleRate kRhythmRate(OnsetDetector::kSampleRate);  // 32 kHz
+constexpr std::size_t kChunk = 256;                            // input samples worked on at a time
+constexpr double kPassBand = 0.9;        // of the source's band that the resampler passes
+constexpr float kLoudest = 16.0F;        // samples beyond are clamped: 24 dB over full scale
+constexpr float kLowestLevel = -120.0F;  // dBFS of digital silence
+// Silence: a level below this (dBFS) for longer than a beat at 50 BPM takes (120 hops).
 constexpr float kSilentLevel = -58.0F;
 constexpr int kSilentHops = 130;
-constexpr std::size_t kLevelsKept = 8;
+constexpr std::size_t kLevelsKept = 8;  // hops: mfcc are of the hop kHopsBehind ago
 static_assert(kLevelsKept > MfccHops::kHopsBehind);
+// Bounds the states that one process() hands out.
 constexpr Nanos kLongestGap = std::chrono::seconds(10);
-// Shorter gaps keep the beat: it runs on blind.
+// The beat grid runs on over shorter gaps; after longer ones the beat is sought anew.
 constexpr Nanos kLongestBlindGap = std::chrono::milliseconds(200);
 
+// RMS level in dBFS; the small constant keeps silence finite.
 float level_of(std::span<const float> samples) noexcept {
     double energy = 0.0;
     for (const float sample : samples) {
@@ -44,6 +46,7 @@ float level_of(std::span<const float> samples) noexcept {
     return std::max(kLowestLevel, static_cast<float>(10.0 * std::log10(mean + 1e-12)));
 }
 
+// The genre fields without a model: one class, none, with probability 1.
 void leave_genre_unknown(MusicState& state) noexcept {
     state.genre_log_probability.fill(-20.0F);
     state.genre_log_probability.front() = 0.0F;  // of the one class: none
@@ -51,7 +54,7 @@ void leave_genre_unknown(MusicState& state) noexcept {
 
 }  // namespace
 
-/// The samples at 32 kHz run through a window; each time a hop's window is full its state is made.
+// The samples at 32 kHz run through a window of 1,024 samples; each hop of 320 makes one state.
 struct MusicAnalyzer::State {
     Resampler resampler;
     LoudnessMeter loudness;
@@ -61,26 +64,27 @@ struct MusicAnalyzer::State {
     BeatMethod beat_method = BeatMethod::pointer;
     NetworkInput network_input;
     std::optional<BeatDetector> beat_detector;
-    int lookahead = 0;  // hops
+    int lookahead = 0;  // hops by which the network's evidence is late
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
     std::optional<GenreRecognizer> recognizer;
-    DanceId hinted = DanceId::none;               // to the tracker
+    DanceId hinted = DanceId::none;               // last genre hint that the tracker got
     MfccVector mfcc{};                            // of the newest hop, normalized
     std::array<float, kLevelsKept> level_dbfs{};  // of the last hops, ring
 
-    std::vector<float> clean = std::vector<float>(kChunk);
+    std::vector<float> clean = std::vector<float>(kChunk);    // input without NaN
     std::vector<float> resampled = std::vector<float>(1536);  // a chunk at 8 kHz becomes 1024
-    std::vector<float> window = std::vector<float>(OnsetDetector::kWindow);
-    std::size_t filled = 0;  // samples in `window`
-    HopIndex next_hop = 0;
+    std::vector<float> window = std::vector<float>(OnsetDetector::kWindow);  // as of OnsetDetector
+    std::size_t filled = 0;                                                  // samples in `window`
+    HopIndex next_hop = 0;          // number of the next hop
     std::int64_t lost_samples = 0;  // at kRhythmRate, to be jumped over next; even
-    int quiet_hops = 0;             // heard in a row, to the newest
+    int quiet_hops = 0;             // hops in a row below kSilentLevel, at most kSilentHops
     bool has_sound = false;         // in any hop so far
-    bool is_discontinuity = false;
+    bool is_discontinuity = false;  // of the next state
     std::uint64_t bad_samples = 0;
 
     void reset() noexcept;
+    // Also before the first sound: a stream that starts with silence has had no beat.
     [[nodiscard]] bool is_silent() const noexcept {
         return quiet_hops == kSilentHops || !has_sound;
     }
@@ -123,6 +127,7 @@ void MusicAnalyzer::State::reset() noexcept {
     bad_samples = 0;
 }
 
+// NaN would stay in every filter for ever, so it must not get in.
 void MusicAnalyzer::State::clean_chunk(std::span<const float> input) noexcept {
     for (std::size_t i = 0; i < input.size(); ++i) {
         const bool is_good = std::isfinite(input[i]);
@@ -131,11 +136,12 @@ void MusicAnalyzer::State::clean_chunk(std::span<const float> input) noexcept {
     }
 }
 
+// Fills the window with samples at 32 kHz; the rest of it is kept for the next hop.
 void MusicAnalyzer::State::take(std::span<const float> rhythm, Sink& sink) noexcept {
     while (!rhythm.empty()) {
         const std::size_t count = std::min(window.size() - filled, rhythm.size());
         std::copy_n(rhythm.data(), count, window.begin() + static_cast<std::ptrdiff_t>(filled));
-        // Sample by sample the same for any blocks: the meter must not run ahead of the hop.
+        // Only the samples of this hop: the meter must not depend on how much came in at once.
         loudness.add(rhythm.first(count));
         filled += count;
         rhythm = rhythm.subspan(count);
@@ -147,13 +153,14 @@ void MusicAnalyzer::State::take(std::span<const float> rhythm, Sink& sink) noexc
     }
 }
 
+// One hop, in the order of dependence: level and silence, onset, beat, MFCC, genre.
 void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     MusicState state;
     state.hop = next_hop++;
     state.time = time_of_hop(state.hop);
     state.audio_end =
         state.time + kRhythmRate.time_of(OnsetDetector::kWindow / 2).time_since_epoch();
-    // The level of the hop itself: the samples around the window's middle.
+    // Level of the hop's own samples, in the middle of the window.
     state.level_dbfs = level_of(std::span(window).subspan(
         (OnsetDetector::kWindow - OnsetDetector::kHop) / 2, OnsetDetector::kHop));
     quiet_hops = state.level_dbfs < kSilentLevel ? std::min(quiet_hops + 1, kSilentHops) : 0;
@@ -174,6 +181,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     sink.on_state(state);
 }
 
+// The hop's evidence for the beat tracker; the network takes the same mel magnitudes as the onsets.
 void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept {
     TrackedHop tracked;
     tracked.hop = state.hop;
@@ -190,7 +198,7 @@ void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept
     tracker.advance(tracked, state);
 }
 
-/// The vector is some hops old: whether it is silence is said by the level of then.
+// The vector is some hops old, so the level of that time decides whether it is silence.
 void MusicAnalyzer::State::score_mfcc(const MusicState& state) noexcept {
     const auto place = [](HopIndex hop) { return static_cast<std::size_t>(hop) % kLevelsKept; };
     level_dbfs[place(state.hop)] = state.level_dbfs;
@@ -204,6 +212,7 @@ void MusicAnalyzer::State::score_mfcc(const MusicState& state) noexcept {
                             mfcc);
 }
 
+// Genre from the newest vector and magnitudes; the dance's tempi go to the tracker.
 void MusicAnalyzer::State::recognize(MusicState& state) noexcept {
     if (recognizer) {
         recognizer->advance(mfcc, onsets.mel_magnitudes(), state);
@@ -213,7 +222,8 @@ void MusicAnalyzer::State::recognize(MusicState& state) noexcept {
     hint_tempo(state.genre);
 }
 
-/// The tempi of the dance that is recognised are likelier, from the next hop on.
+// Makes the tempi of the recognised dance likelier, from the next hop on. A command that found no
+// room is tried again.
 void MusicAnalyzer::State::hint_tempo(DanceId genre) noexcept {
     const AnalyzerCommand hint{
         AnalyzerCommand::Kind::hint_genre, {}, static_cast<double>(index_of(genre))};
@@ -222,13 +232,13 @@ void MusicAnalyzer::State::hint_tempo(DanceId genre) noexcept {
     }
 }
 
-/// Stream time jumps over what was lost; the hops inside come out with the grid running on.
+// Moves stream time over lost audio; the hops inside it come out with the grid running on.
 void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
     if (lost_samples > kRhythmRate.index_at(StreamTime(kLongestBlindGap))) {
         tracker.jump();
         paper.jump();
     }
-    // The window as if silence had come in: only its count matters for the hops in the gap.
+    // Fills the window with silence: in the gap only the number of samples matters.
     std::int64_t left = lost_samples;
     lost_samples = 0;
     while (left > 0) {
@@ -236,7 +246,7 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
             std::min<std::int64_t>(static_cast<std::int64_t>(window.size() - filled), left);
         std::fill_n(window.begin() + static_cast<std::ptrdiff_t>(filled), count, 0.0F);
         filled += static_cast<std::size_t>(count);
-        // Two samples of the window are one of the MFCC's; the whole gap is even.
+        // 32 kHz to 16 kHz; the number of lost samples is even, so both clocks stay together.
         mfcc_hops.push_lost(static_cast<int>((left + 1) / 2 - (left - count + 1) / 2));
         left -= count;
         if (filled == window.size()) {
@@ -277,6 +287,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     if (auto prepared = state_->resampler.prepare(config.sample_rate, kRhythmRate); !prepared) {
         return prepared;
     }
+    // A genre model defines the MFCC that it was trained on.
     GenreFeatures features;
     features.cepstral_mean = config.cepstral_mean;
     state_->recognizer.reset();
@@ -296,6 +307,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     if (auto prepared = state_->loudness.prepare(kRhythmRate); !prepared) {
         return prepared;
     }
+    // Bands above the source's own limit hold nothing.
     state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
     state_->beat_detector.reset();
@@ -310,11 +322,13 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
 }
 
 void MusicAnalyzer::process(std::span<const float> mono, Sink& sink) noexcept RAKS_NONBLOCKING {
+    // Denormals in decaying filters would cost many times the ordinary time.
     const FlushToZeroScope flush_to_zero;
     State& state = *state_;
     if (state.lost_samples > 0) {
         state.jump_gap(sink);
     }
+    // In chunks, as the work space is fixed; the partition does not change any result.
     while (!mono.empty()) {
         const std::size_t count = std::min(mono.size(), kChunk);
         state.clean_chunk(mono.first(count));
@@ -341,12 +355,14 @@ void MusicAnalyzer::skip(Nanos lost) noexcept RAKS_NONBLOCKING {
         state.paper.jump();
         return;
     }
+    // Rounded up to an even number of samples, see jump_gap().
     const std::int64_t samples = kRhythmRate.index_at(StreamTime(std::min(lost, kLongestGap)));
     state.lost_samples += (samples + 1) / 2 * 2;
 }
 
 void MusicAnalyzer::reset() noexcept RAKS_NONBLOCKING { state_->reset(); }
 
+// The resampler's delay, and half a window after the hop's time.
 Nanos MusicAnalyzer::delay() const noexcept {
     return state_->resampler.delay() +
            kRhythmRate.time_of(OnsetDetector::kWindow / 2).time_since_epoch();

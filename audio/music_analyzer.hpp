@@ -11,30 +11,31 @@
 #include "base/realtime.hpp"
 #include "base/time.hpp"
 
-/// The one door of audio analysis: samples in, one MusicState every 10 ms out.
+/// Audio analysis: samples in, one MusicState every 10 ms out.
 namespace raks::audio {
 
-/// How the beat is found: the bar pointer, or the paper's method (audio/beat/paper_beat.hpp), which
-/// knows no bars and heeds no commands.
+/// Method of beat tracking: the bar pointer, or the paper's (audio/beat/paper_beat.hpp), which
+/// finds no bars and ignores commands.
 enum class BeatMethod : std::uint8_t { pointer, paper };
 
-class BeatNetwork;
-struct GenreModel;
+class BeatNetwork;  // audio/beat/network/beat_network.hpp
+struct GenreModel;  // audio/genre/genre_model.hpp
 
+/// What MusicAnalyzer::prepare() needs to know.
 struct AnalyzerConfig {
-    SampleRate sample_rate{48'000};  ///< of the samples that process() gets; 8 to 192 kHz
-    BeatMethod beat_method = BeatMethod::pointer;
-    /// Hears beats and bars (audio/beat/network/network_file.hpp loads the shipped one). None: the
-    /// onset strength alone leads, and bars are not known.
+    SampleRate sample_rate{48'000};                ///< of process()'s samples, 8 to 192 kHz
+    BeatMethod beat_method = BeatMethod::pointer;  ///< how beats are found
+    /// Network for beats and bars (audio/beat/network/network_file.hpp loads the shipped one).
+    /// Null: beats follow from the onset strength alone, and bars are not known.
     std::shared_ptr<const BeatNetwork> beat_network = nullptr;
-    CepstralMeanConfig cepstral_mean = {};  ///< of mfcc(); a genre model brings its own
-    /// Says which dance the music is (audio/genre/genre_file.hpp loads the shipped one). None:
-    /// always unknown.
+    CepstralMeanConfig cepstral_mean = {};  ///< of mfcc(); a genre model has its own
+    /// Model for the genre (audio/genre/genre_file.hpp loads the shipped one). Null: the genre is
+    /// always none.
     std::shared_ptr<const GenreModel> genre_model = nullptr;
     /// The dances that MusicState::genre numbers. The tempi of the recognised one become likelier
-    /// (hint_genre). None: the genre is always none.
+    /// (hint_genre). Null: the genre is always none.
     std::shared_ptr<const DanceList> dances = nullptr;
-    double genre_window = 3.0;  ///< seconds that the genre is judged by, 0.5 to 10
+    double genre_window = 3.0;  ///< seconds of music that the genre is scored on, 0.5 to 10
 };
 
 /// Beat, tempo, genre, loudness and silence of a stream of mono samples, causal and in real time.
@@ -43,27 +44,33 @@ struct AnalyzerConfig {
 ///     analyzer.prepare({.sample_rate = rate});        // once, checks, allocates
 ///     analyzer.process(block, sink);                  // every block, any size
 ///
-/// The same samples give the same states, bit for bit, whatever the blocks. A state depends on the
-/// samples before its time + delay() alone.
+/// The same samples give the same states, bit for bit, whatever the blocks. A state depends only on
+/// samples before its time + delay().
 /// Threads: one owner; prepare elsewhere before. Real-time: process, command, skip and reset yes.
 class MusicAnalyzer {
  public:
-    /// Gets each finished state, in order, on the thread of process().
+    /// Receives each finished state, in order, on the thread of process().
     class Sink {
      public:
+        /// Takes one state; mfcc() and mel_magnitudes() are of its hop meanwhile. Real-time: must
+        /// be.
         virtual void on_state(const MusicState& state) noexcept = 0;
 
      protected:
         ~Sink() = default;
     };
 
+    /// Call prepare() before anything else.
     MusicAnalyzer();
+    /// Frees all.
     ~MusicAnalyzer();
+    /// Movable, not copyable.
     MusicAnalyzer(MusicAnalyzer&&) noexcept;
+    /// As above.
     MusicAnalyzer& operator=(MusicAnalyzer&&) noexcept;
 
-    /// Errors: a sample rate outside 8 to 192 kHz; a genre model that is not valid, or a window
-    /// outside 0.5 to 10 s.
+    /// Sets everything up and starts a stream. Errors: a sample rate outside 8 to 192 kHz; a genre
+    /// model that is not valid, or a window outside 0.5 to 10 s.
     [[nodiscard]] Expected<void> prepare(const AnalyzerConfig& config);
 
     /// Takes the next samples, nominally in [-1, 1]; NaN and infinities count as 0, louder samples
@@ -74,27 +81,27 @@ class MusicAnalyzer {
     /// Queues a command (16 wait at most; more are dropped).
     void command(const AnalyzerCommand& command) noexcept RAKS_NONBLOCKING;
 
-    /// Audio was lost before the next sample: stream time goes on by `lost` (at most 10 s count).
-    /// The hops in the gap come out with the next process(), the grid running on; the first state
-    /// after it says is_discontinuity, and the tracker looks for the beat anew. With 0: a jump to
-    /// other audio (a seek).
+    /// Tells that audio was lost before the next sample: stream time goes on by `lost` (at most 10
+    /// s a call). The hops in the gap come out with the next process(), the grid running on; the
+    /// first state after it has is_discontinuity, and after more than 200 ms the beat is sought
+    /// anew. With 0: a jump to other audio (a seek), the beat is sought anew.
     void skip(Nanos lost) noexcept RAKS_NONBLOCKING;
 
-    /// Back to just-prepared.
+    /// Back to the state after prepare(). Commands and held tempi are forgotten.
     void reset() noexcept RAKS_NONBLOCKING;
 
     /// The state of hop n is complete when the samples before time_of_hop(n) + delay() are in.
     [[nodiscard]] Nanos delay() const noexcept;
 
-    /// MFCC-39 (features/mfcc.hpp) with the running cepstral mean taken off, as of the newest hop:
-    /// of the sound MfccHops::kAge before it. All 0 until the first is known; in a gap the last one
-    /// stays. Threads: the owner.
+    /// MFCC-39 (features/mfcc.hpp), running cepstral mean subtracted, at the newest hop: of the
+    /// sound MfccHops::kAge before it. All 0 until the first is known; in a gap the last one stays.
+    /// Threads: the owner.
     [[nodiscard]] const MfccVector& mfcc() const noexcept;
 
-    /// Magnitudes of the newest hop's mel bands (OnsetDetector). Threads: the owner.
+    /// Mel magnitudes of the newest hop, not normalized (OnsetDetector). Threads: the owner.
     [[nodiscard]] std::span<const float> mel_magnitudes() const noexcept;
 
-    /// Samples that were NaN or infinite, since reset().
+    /// Number of samples that were NaN or infinite since reset(). Threads: the owner.
     [[nodiscard]] std::uint64_t bad_samples() const noexcept;
 
  private:

@@ -6,18 +6,20 @@
 namespace raks::audio {
 namespace {
 
+// Probabilities of 2, 3, 4 and 6 beats a bar.
 constexpr std::array kMetrePrior = {0.16F, 0.2F, 0.62F, 0.02F};
-constexpr float kMetreChange = 0.02F;   // a bar
-constexpr float kLeak = 0.003F;         // a beat: the count may have been wrong
-constexpr float kPriorDownbeat = 0.3F;  // how often a beat is one
-constexpr float kTrust = 0.8F;          // beats of a bar are not heard independently
-constexpr float kLikeFirst = 0.5F;      // share of the bar's middles that sound like its first beat
-constexpr float kChangeTrust = 0.6F;    // ln of likelihood a standard deviation of change
-// What a network says, against how often it says so; beats heard with memory tell one another's.
+constexpr float kMetreChange = 0.02F;   // probability a bar
+constexpr float kLeak = 0.003F;         // share of the prior a beat: the bar may be counted wrong
+constexpr float kPriorDownbeat = 0.3F;  // share of downbeats among beats
+constexpr float kTrust = 0.8F;          // exponent: a bar's beats are not independent evidence
+constexpr float kLikeFirst = 0.5F;      // share of bar middles with the evidence of a downbeat
+constexpr float kChangeTrust = 0.6F;    // ln likelihood for one standard deviation of change
+// A network's probabilities are divided by how often each class occurs. The exponent is below 1, as
+// a recurrent network's answers on successive beats depend on each other.
 constexpr BarEvidence kUsual = {0.28F, 0.18F, 0.54F};
 constexpr float kNetworkTrust = 0.6F;
-constexpr float kLeastOfBar = 0.01F;
-constexpr float kStay = 1.3F;  // by which another place must be likelier to be told
+constexpr float kLeastOfBar = 0.01F;  // lowest probability of the network that counts
+constexpr float kStay = 1.3F;  // another place must be likelier by this factor to be published
 
 }  // namespace
 
@@ -34,7 +36,7 @@ void BarBelief::reset() noexcept RAKS_NONBLOCKING {
     confidence_ = 0.0F;
 }
 
-/// Every place moves on by one beat.
+// Prediction: every position moves on by one beat; at a bar's end the metre may change.
 void BarBelief::step() noexcept {
     std::array<float, kMetres.size()> arriving{};  // at a downbeat, by metre
     float total = 0.0F;
@@ -50,6 +52,7 @@ void BarBelief::step() noexcept {
         }
         places[0] =
             (1.0F - kMetreChange) * arriving[metre] + kMetreChange * total * kMetrePrior[metre];
+        // The leak to the prior lets a wrong count be left.
         for (int place = 0; place < beats; ++place) {
             float& value = places[static_cast<std::size_t>(place)];
             value = (1.0F - kLeak) * value + kLeak * kMetrePrior[metre] / static_cast<float>(beats);
@@ -57,6 +60,7 @@ void BarBelief::step() noexcept {
     }
 }
 
+// A step for each beat that the number moves on, bounded in case the grid was set anew.
 void BarBelief::next_beat(long number) noexcept RAKS_NONBLOCKING {
     constexpr long kMostSteps = 8;
     const long steps = has_beat_ ? std::clamp(number - number_, 0L, kMostSteps) : 1;
@@ -68,6 +72,7 @@ void BarBelief::next_beat(long number) noexcept RAKS_NONBLOCKING {
     tell();
 }
 
+// Ratio of posterior to prior probability, as a likelihood up to a factor.
 void BarBelief::observe_downbeat(float probability) noexcept RAKS_NONBLOCKING {
     const float downbeat = std::clamp(probability, 0.02F, 0.98F);
     const float first = std::pow(downbeat / kPriorDownbeat, kTrust);
@@ -75,6 +80,7 @@ void BarBelief::observe_downbeat(float probability) noexcept RAKS_NONBLOCKING {
     weigh(first, kLikeFirst * first + (1.0F - kLikeFirst) * other, other);
 }
 
+// Only first beats gain by a change: harmony and bass line change where bars begin.
 void BarBelief::observe_change(float deviations) noexcept RAKS_NONBLOCKING {
     weigh(std::exp(kChangeTrust * deviations), 1.0F, 1.0F);
 }
@@ -88,8 +94,8 @@ void BarBelief::observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKI
           likelihood(evidence.other, kUsual.other));
 }
 
-/// Likelihoods of what was heard of the last beat, at the first beat of a bar, in its middle (of 4
-/// and 6) and elsewhere.
+// Multiplies in the likelihoods of the last beat's evidence, for the first beat of a bar, the
+// middle of a bar of 4 or 6, and all others; then normalizes.
 void BarBelief::weigh(float first, float middle, float other) noexcept {
     float total = 0.0F;
     for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
@@ -109,6 +115,8 @@ void BarBelief::weigh(float first, float middle, float other) noexcept {
     tell();
 }
 
+// Chooses what is published: the most likely place, but another one than before only when it is
+// likelier by kStay, so that the bars do not flicker.
 void BarBelief::tell() noexcept {
     float best = 0.0F;
     float told = 0.0F;
@@ -117,6 +125,7 @@ void BarBelief::tell() noexcept {
     for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
         for (long place = 0; place < kMetres[metre]; ++place) {
             const float value = probability_[metre][static_cast<std::size_t>(place)];
+            // Whether this metre and position are the published ones.
             const bool is_told = kMetres[metre] == beats_per_bar_ &&
                                  (number_ - place - origin_) % beats_per_bar_ == 0;
             told = is_told ? value : told;
@@ -137,6 +146,7 @@ void BarBelief::tell() noexcept {
     confidence_ = changes ? best : told;
 }
 
+// Numbers of other beats make the probabilities useless; metre and hold stay.
 void BarBelief::recount(long origin) noexcept RAKS_NONBLOCKING {
     const bool was_held = is_held_;
     const int beats = beats_per_bar_;

@@ -7,58 +7,64 @@
 
 namespace raks::audio {
 
-/// Which beat of the bar comes next, and how many a bar has: a forward recursion over metre x
-/// position, one step a beat, fed with how much each beat sounded like a downbeat, how much the
-/// sound changed at it and what a network says of its place. The metre may change at a downbeat.
+/// Estimates the bar position of each beat and the number of beats a bar: a forward recursion over
+/// metre x position, one step a beat. Its evidence: the probability of a downbeat, the change of
+/// the sound at the beat, and a network's bar evidence. The metre may change at a downbeat.
 ///
 /// Threads: one. Real-time: yes.
 class BarBelief {
  public:
+    /// Starts from the prior of metres.
     BarBelief() noexcept { reset(); }
 
-    /// The next beat comes, and nothing is known of it yet: beat `number`, counted up by one each
-    /// time (a jump of the count moves the bar along).
+    /// Moves on to beat `number`, of which nothing is known yet. Numbers count up by one; where one
+    /// is skipped, the bar position moves along.
     void next_beat(long number) noexcept RAKS_NONBLOCKING;
 
-    /// The last beat was a downbeat with this probability, [0, 1]. The middle of a bar of 4 or 6
-    /// may sound like one, too: such bars are not taken for two short ones for that.
+    /// Evidence: the last beat was a downbeat with this probability, [0, 1]. The middle of a bar of
+    /// 4 or 6 may have the evidence of a downbeat, too, so such bars are not mistaken for two short
+    /// ones.
     void observe_downbeat(float probability) noexcept RAKS_NONBLOCKING;
 
-    /// The sound changed so much at the last beat, see BeatChange.
+    /// Evidence: how much the sound changed at the last beat, in standard deviations, see
+    /// BeatChange.
     void observe_change(float deviations) noexcept RAKS_NONBLOCKING;
 
-    /// A network's opinion of the last beat.
+    /// Evidence: a network's probabilities of the last beat's place in its bar.
     void observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKING;
 
-    /// The user says which beat is the first of a bar: held until reset().
+    /// The user sets beat `number` as a downbeat: held until reset().
     void hold(long number) noexcept RAKS_NONBLOCKING;
 
-    /// The beats were counted anew (at another octave): this one is a downbeat of the same bars.
+    /// The beats have other numbers from here on (half or double tempo); beat `origin` is a
+    /// downbeat of the same bars. The probabilities start anew.
     void recount(long origin) noexcept RAKS_NONBLOCKING;
 
+    /// Most likely metre: 2, 3, 4 or 6.
     [[nodiscard]] int beats_per_bar() const noexcept { return beats_per_bar_; }
     /// A beat number that is a downbeat.
     [[nodiscard]] long origin() const noexcept { return origin_; }
-    /// Probability of the place in the bar that is told.
+    /// Posterior probability of the published metre and position; 1 when held by the user.
     [[nodiscard]] float confidence() const noexcept { return confidence_; }
 
+    /// Back to the prior; releases hold().
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
-    static constexpr std::array kMetres = {2, 3, 4, 6};
+    static constexpr std::array kMetres = {2, 3, 4, 6};  // beats a bar
     static constexpr std::size_t kLongest = 6;
-    using Positions = std::array<float, kLongest>;
+    using Positions = std::array<float, kLongest>;  // probability by bar position
 
     void step() noexcept;
     void weigh(float first, float middle, float other) noexcept;
     void tell() noexcept;
 
-    std::array<Positions, kMetres.size()> probability_{};
-    long number_ = 0;
+    std::array<Positions, kMetres.size()> probability_{};  // by metre
+    long number_ = 0;                                      // of the last beat
     bool has_beat_ = false;
-    bool is_held_ = false;
-    int beats_per_bar_ = 4;
-    long origin_ = 0;
+    bool is_held_ = false;   // by the user
+    int beats_per_bar_ = 4;  // published
+    long origin_ = 0;        // published: number of a downbeat
     float confidence_ = 0.0F;
 };
 

@@ -6,9 +6,9 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kLeastCompared = 100;  // hops: a beat of every tempo
-constexpr float kSameBeats = 0.5F;   // share of the older's evidence that the younger has, too
-constexpr float kMoreBeats = 1.3F;   // the younger's evidence to the older's
+constexpr int kLeastCompared = 100;  // hops: at least one beat of any tempo
+constexpr float kSameBeats = 0.5F;   // share of the older stream's evidence that both have
+constexpr float kMoreBeats = 1.3F;   // ratio of the younger stream's evidence to the older one's
 
 }  // namespace
 
@@ -25,11 +25,13 @@ void BeatDetector::reset() noexcept RAKS_NONBLOCKING {
     trial_ = {};
 }
 
+// The other stream works only after a change: first to catch up, then in the comparison.
 BeatEvidence BeatDetector::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
     newest_ = (newest_ + 1) % kKept;
     recent_[newest_] = frame;
     const std::span<const float> inputs(frame);
     BeatNetworkStream& younger = streams_[1 - active_];
+    // The change is reported about a window late, so the new song's first hops are in the ring.
     if (change_.add(inputs.last<SoundChange::kBands>())) {
         younger.reset();
         trial_ = {};
@@ -38,17 +40,20 @@ BeatEvidence BeatDetector::next(const NetworkInput::Frame& frame) noexcept RAKS_
         ++behind_;
     }
     BeatEvidence evidence = streams_[active_].next(frame);
+    // No stream is catching up; the older one runs along only while the two are compared.
     if (behind_ == 0) {
         if (trial_.hops_left > 0) {
             compare(younger.next(frame).beat, evidence.beat);
         }
         return evidence;
     }
+    // Catch up: the hops in the ring, oldest first.
     BeatEvidence younger_evidence;
     for (std::size_t i = std::min(kCatchUp, behind_); i > 0; --i) {
         --behind_;
         younger_evidence = younger.next(recent_[(newest_ + kKept - behind_) % kKept]);
     }
+    // Caught up: the younger stream is used from here on, on trial.
     if (behind_ == 0) {
         active_ = 1 - active_;
         evidence = younger_evidence;
@@ -57,8 +62,8 @@ BeatEvidence BeatDetector::next(const NetworkInput::Frame& frame) noexcept RAKS_
     return evidence;
 }
 
-/// Back to the older stream where it was the same song, in which players came in or paused: the
-/// younger hears the same beats and others between them.
+// Returns to the older stream when it was the same song, in which players came in or paused: the
+// younger one has the same beats and others between them.
 void BeatDetector::compare(float older, float younger) noexcept {
     --trial_.hops_left;
     trial_.older += older;

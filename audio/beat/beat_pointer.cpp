@@ -12,22 +12,24 @@
 namespace raks::audio {
 namespace {
 
-constexpr double kTemplateSigma = 0.022;  // seconds: how sharp an onset lies on its place
-constexpr double kOnHalf = 0.35;
-constexpr double kOnQuarter = 0.12;
-// What counts as "the same hypothesis" around the best state.
+constexpr double kTemplateSigma = 0.022;  // seconds: how far onsets scatter around their place
+constexpr double kOnHalf = 0.35;          // height of the template half way between beats
+constexpr double kOnQuarter = 0.12;       // and at the quarters
+// Neighbourhood of the best state that counts as the same hypothesis.
 constexpr double kNearTempo = 0.06;  // ratio
 constexpr double kNearPhase = 0.12;  // beats
 
-// What the network says on the average hop, of each place in the beat; and the least that counts.
+// A network's mean probability of a beat over all hops, and the least one that counts.
 constexpr float kMeanEvidence = 0.04F;
 constexpr float kLeastEvidence = 1e-3F;
 
-constexpr double kLeastTransition = 1e-10;
+constexpr double kLeastTransition = 1e-10;  // smaller ones are 0: see the constructor
 
+// Hops in a beat; of 1 BPM: hops in a minute.
 double hops_of(double bpm) { return 60.0 * kHopsPerSecond / bpm; }
 
-/// Sum in eight strands: the compiler vectorizes it without changing the order of additions.
+// Sum in eight strands: the compiler vectorizes it, and the order of additions, and so the result,
+// is fixed.
 float sum_of(const std::vector<float>& values) noexcept {
     std::array<float, 8> strands{};
     std::size_t i = 0;
@@ -46,8 +48,8 @@ float sum_of(const std::vector<float>& values) noexcept {
     return total;
 }
 
-/// Index of the greatest, the first of equals. In strands, as above: 4 us less a hop than
-/// std::max_element.
+// Index of the greatest value, the first of equals. In strands as above: 4 us a hop faster than
+// std::max_element.
 std::size_t greatest(const std::vector<float>& values) noexcept {
     std::array<float, 16> strands{};  // probabilities: none is negative
     std::size_t i = 0;
@@ -63,14 +65,15 @@ std::size_t greatest(const std::vector<float>& values) noexcept {
     return static_cast<std::size_t>(std::find(values.begin(), values.end(), most) - values.begin());
 }
 
-/// How near a place is to an event, as wide as the network's evidence of one.
+// 1 at an event, falling off over the hops around it: as wide as the network's evidence of one.
 float bump(double hops_away) {
     constexpr double kSigma = 1.5;  // hops
     const double distance = hops_away / kSigma;
     return static_cast<float>(std::exp(-0.5 * distance * distance));
 }
 
-/// Template of one tempo: bumps at the beat (both ends), the half and the quarters, zero mean.
+// Template of the onset strength over one beat of this length: bumps at the beat (at both ends),
+// the half and the quarters; zero mean, so that steady onset strength favours no tempo.
 std::vector<float> beat_template(int hops) {
     const double period = hops / kHopsPerSecond;
     const double places[][2] = {{0.0, 1.0},
@@ -95,7 +98,7 @@ std::vector<float> beat_template(int hops) {
     return result;
 }
 
-/// The leak to the prior, and the factor of the onset strength.
+// One pass over all states: leak to the prior, times the likelihood of the onset strength.
 RAKS_SIMD_CLONES void weigh_flux(float* __restrict states,
                                  const float* prior,
                                  const float* shape,
@@ -108,6 +111,8 @@ RAKS_SIMD_CLONES void weigh_flux(float* __restrict states,
     }
 }
 
+// Times the likelihood of the network's evidence: one number for beats, one for halves and one for
+// all other places, blended by how near a state is to each.
 RAKS_SIMD_CLONES void weigh_evidence(float* __restrict states,
                                      const float* on_beat,
                                      const float* on_half,
@@ -125,12 +130,14 @@ RAKS_SIMD_CLONES void weigh_evidence(float* __restrict states,
 BeatPointer::BeatPointer(const BeatPointerConfig& config) : config_(config) {
     const double shortest = hops_of(config.highest_bpm);
     const double longest = hops_of(config.lowest_bpm);
+    // Tempi in log spacing, each a whole number of hops; equal neighbours at the fast end are one.
     for (int i = 0; i < config.tempi; ++i) {
         const double share = static_cast<double>(i) / (config.tempi - 1);
         const int hops =
             static_cast<int>(std::lround(shortest * std::pow(longest / shortest, share)));
         if (tempi_.empty() || hops != tempi_.back().hops) {
             tempi_.push_back({static_cast<int>(prior_.size()), hops});
+            // Log-normal tempo prior, spread evenly over the states of each tempo.
             const double octaves =
                 std::log2(hops_of(1.0) / hops / config.centre_bpm) / config.octaves;
             const float prior = static_cast<float>(std::exp(-0.5 * octaves * octaves) / hops);
@@ -148,13 +155,14 @@ BeatPointer::BeatPointer(const BeatPointerConfig& config) : config_(config) {
     for (float& value : prior_) {
         value /= total;
     }
+    // Transitions at a beat, each row normalized.
     for (const Tempo& from : tempi_) {
         std::vector<double> row;
         for (const Tempo& to : tempi_) {
             const double ratio = static_cast<double>(to.hops) / from.hops;
             const double weight = std::exp(-config.stiffness * std::abs(ratio - 1.0));
-            // Another octave is found by the leak alone: the smallest rest would grow, also where
-            // the user has ruled it out.
+            // Another octave is reached by the leak alone. A tiny transition probability would grow
+            // with the evidence, also where the user has ruled that tempo out.
             row.push_back(weight > kLeastTransition ? weight : 0.0);
         }
         const double sum = std::accumulate(row.begin(), row.end(), 0.0);
@@ -178,6 +186,7 @@ void BeatPointer::expect_any_tempo() noexcept RAKS_NONBLOCKING {
     std::copy(default_prior_.begin(), default_prior_.end(), prior_.begin());
 }
 
+// Tempo probabilities are kept, half mixed with the prior; the phase within a beat is unknown.
 void BeatPointer::open_positions() noexcept RAKS_NONBLOCKING {
     for (const Tempo& tempo : tempi_) {
         const auto first = probability_.begin() + tempo.first;
@@ -191,6 +200,8 @@ void BeatPointer::open_positions() noexcept RAKS_NONBLOCKING {
     normalize();
 }
 
+// Prediction: probability leaves the last state of each tempo and arrives at the first states of
+// all; everything else moves on by one state.
 void BeatPointer::move() noexcept {
     std::fill(arrivals_.begin(), arrivals_.end(), 0.0F);
     for (std::size_t from = 0; from < tempi_.size(); ++from) {
@@ -201,14 +212,17 @@ void BeatPointer::move() noexcept {
             arrivals_[to] += leaving * row[to];
         }
     }
+    // One copy moves all tempi, as their states follow each other; first states are set below.
     std::copy(probability_.begin(), probability_.end() - 1, moved_.begin() + 1);
     for (std::size_t i = 0; i < tempi_.size(); ++i) {
-        // What is ruled out is not reached by many small steps either.
+        // A tempo that is ruled out (prior 0) must not be reached by many small tempo changes
+        // either.
         const std::size_t beat = tempi_[i].state(0);
         moved_[beat] = prior_[beat] > 0.0F ? arrivals_[i] : 0.0F;
     }
 }
 
+// moved_ becomes the posterior.
 void BeatPointer::normalize() noexcept {
     const float scale = 1.0F / sum_of(moved_);
     for (std::size_t i = 0; i < moved_.size(); ++i) {
@@ -234,6 +248,8 @@ void BeatPointer::advance(float onset_strength) noexcept RAKS_NONBLOCKING {
 void BeatPointer::advance(float onset_strength,
                           const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING {
     move_and_weigh(static_cast<float>(config_.trust_beside) * onset_strength);
+    // Likelihoods of a beat, a half and neither: probability over mean probability, to the power
+    // of the trust, as neighbouring hops are not independent.
     const auto trust = static_cast<float>(config_.network_trust);
     const float neither = std::max(0.02F, 1.0F - evidence.beat - evidence.half);
     const float other = std::pow(neither / (1.0F - 2.0F * kMeanEvidence), trust);
@@ -255,6 +271,8 @@ void BeatPointer::advance_blind() noexcept RAKS_NONBLOCKING {
     normalize();
 }
 
+// Weighted means over the states near the best one: finer than a state, and stable where
+// probability is shared by neighbours.
 PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
     const auto best = static_cast<int>(greatest(probability_));
     const auto at =
@@ -272,13 +290,14 @@ PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
         if (std::abs(tempo.hops / best_hops - 1.0) > kNearTempo) {
             continue;
         }
+        // The same phase in another tempo's states.
         const int centre = static_cast<int>(std::lround(best_phase * tempo.hops));
         const int reach = static_cast<int>(kNearPhase * tempo.hops) + 1;
         for (int step = -reach; step <= reach; ++step) {
             const int position = ((centre + step) % tempo.hops + tempo.hops) % tempo.hops;
             const double p = static_cast<double>(probability_[tempo.state(position)]);
             double distance = position / static_cast<double>(tempo.hops) - best_phase;
-            distance -= std::round(distance);
+            distance -= std::round(distance);  // phases are circular
             mass += p;
             period += p * tempo.hops;
             offset += p * distance;
@@ -298,7 +317,7 @@ void BeatPointer::expect_tempo(double bpm) noexcept RAKS_NONBLOCKING {
         constexpr double kLeast = 1e-6;
         const double ratio = hops_of(bpm) / tempo.hops;
         const double distance = (ratio - 1.0) / 0.03;
-        // Nothing at all is left of other tempi: the smallest rest would grow again.
+        // Other tempi get exactly 0: the smallest rest would grow again.
         const float weight =
             std::abs(std::log(ratio)) < kReach
                 ? static_cast<float>(std::max(kLeast, std::exp(-0.5 * distance * distance)))
@@ -321,7 +340,7 @@ void BeatPointer::believe(double bpm, double phase) noexcept RAKS_NONBLOCKING {
             double off = i / static_cast<double>(tempo.hops) - phase;
             off = (off - std::round(off)) / kPhaseSigma;
             const std::size_t state = tempo.state(i);
-            // What is ruled out stays so: the smallest rest would grow again.
+            // A tempo that is ruled out stays so: the smallest rest would grow again.
             moved_[state] = prior_[state] > 0.0F
                                 ? static_cast<float>(weight * std::exp(-0.5 * off * off) + 1e-12)
                                 : 0.0F;
@@ -330,6 +349,7 @@ void BeatPointer::believe(double bpm, double phase) noexcept RAKS_NONBLOCKING {
     normalize();
 }
 
+// Zero in the prior keeps faster tempi from arriving at their beats, see move().
 void BeatPointer::expect_below(double bpm) noexcept RAKS_NONBLOCKING {
     for (const Tempo& tempo : tempi_) {
         const bool is_open = tempo.hops > hops_of(bpm);

@@ -7,40 +7,42 @@
 namespace raks::audio {
 namespace {
 
-// An onset is strongest in the window whose middle lies this much behind it; measured on clicks.
+// The onset strength is greatest in the window whose middle lies this much after the onset;
+// measured on clicks.
 constexpr double kOnsetLagHops = -0.05;
 
-// The filter that follows the believed phase: critically damped, about 0.17 s. With 0.07 a beat in
-// 77 moved by 5 ms between two sample rates.
+// Gains of the filter that follows the estimated phase: critically damped, time constant about 0.17
+// s. With a phase gain of 0.07, one beat in 77 moved by 5 ms between two sample rates.
 constexpr double kPhaseGain = 0.06;
 constexpr double kTempoGain = kPhaseGain * kPhaseGain / 4.0;
-constexpr double kTempoPull = 0.01;  // a hop, toward the believed period
-// Belief and grid may disagree this much before the grid is set anew; for as long as this.
+constexpr double kTempoPull = 0.01;  // a hop, toward the estimated tempo
+// The grid is set to the estimate at once after these differed by more than this for so long.
 constexpr double kApartPhase = 0.12;  // beats
 constexpr double kApartTempo = 0.10;  // ratio
 constexpr int kApartHops = 6;
-constexpr int kFirstHops = 150;  // until then the grid is set anew at once
-// Where a network hears nothing like a beat for longer than this, the belief slows and spreads: the
-// grid runs on by itself.
+constexpr int kFirstHops = 150;  // in the first hops the grid is set at once
+// After this many beats without evidence of a beat the grid runs on by itself: the pointer's
+// estimate slows down and spreads.
 constexpr double kLongestWithout = 1.1;  // beats
 constexpr double kSteadyBeats = 12.0;    // over which the tempo to run on with is averaged
 constexpr double kFirstSteady = 1.0;     // beats, after a grid was set anew
-constexpr double kSteadyReach = 0.05;    // ratio: further apart the tempo was changing
+constexpr double kSteadyReach = 0.05;    // ratio: beyond it the tempo was changing
 
-constexpr float kAnnounceConfidence = 0.02F;
-// What noise has on the beats, too, and what makes sure: of onset strength, of a network's
-// evidence.
+constexpr float kAnnounceConfidence = 0.02F;  // below it no beat is announced
+// Evidence on beats: at the first value as much as noise has, at the second certain; of the onset
+// strength and of a network.
 constexpr float kLeastStrength = 0.15F;
 constexpr float kFullStrength = 0.9F;
 constexpr float kLeastEvidence = 0.08F;
 constexpr float kFullEvidence = 0.35F;
-constexpr float kMassShare = 0.02F;
+constexpr float kMassShare = 0.02F;     // of a hop in the smoothed mass
 constexpr float kSilentDecay = 0.985F;  // a hop: confidence is gone after 2 s
 
 constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 constexpr Nanos kAnnounceLead = kHop;
-constexpr double kLeastGap = 0.45;  // of a beat between two announcements
+constexpr double kLeastGap = 0.45;  // of a beat, between two announcements
 
+// Difference of phases, in [-0.5, 0.5].
 double wrapped(double phase) { return phase - std::round(phase); }
 
 }  // namespace
@@ -77,7 +79,7 @@ void BeatTracker::set_bar_network(std::shared_ptr<const BarNetwork> network) {
     }
 }
 
-/// What was heard of bars belongs to other music, or to beats that were counted otherwise.
+// Bar evidence so far belongs to other music, or to beats that were numbered otherwise.
 void BeatTracker::forget_bars() noexcept {
     bar_input_.reset();
     bar_evidence_.reset();
@@ -94,11 +96,13 @@ void BeatTracker::jump() noexcept RAKS_NONBLOCKING {
     contrast_ = mass_ = confidence_ = 0.0F;
 }
 
+// Entry of a hop in the ring of recent hops; a negative hop number is valid, too.
 BeatTracker::HopEvidence& BeatTracker::evidence_at(HopIndex hop) noexcept {
     constexpr auto kCount = static_cast<HopIndex>(kRecent);
     return recent_[static_cast<std::size_t>((hop % kCount + kCount) % kCount)];
 }
 
+// Commands apply before the hop is evaluated. In silence the pointer moves on without evidence.
 void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING {
     position_ += beats_per_hop_;
     run_commands(time_of_hop(hop.hop));
@@ -123,13 +127,16 @@ void BeatTracker::advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_N
     publish(hop, state);
 }
 
+// Updates the pointer with the hop's evidence and lets the grid follow, or run on alone.
 void BeatTracker::track_tempo(const TrackedHop& hop) noexcept {
+    // Soft for longer than a beat lasts: no hop of it holds evidence.
     if (hop.quiet_hops * beats_per_hop_ > kLongestWithout) {
         pointer_.advance_blind();
         run_alone();
         return;
     }
     if (hop.has_evidence) {
+        // The evidence is of an earlier hop: the pointer takes that hop's onset strength with it.
         HopEvidence& then = evidence_at(hop.hop - hop.evidence_lag);
         then.evidence = hop.evidence;
         pointer_.advance(then.strength, hop.evidence);
@@ -139,6 +146,7 @@ void BeatTracker::track_tempo(const TrackedHop& hop) noexcept {
         hops_without_ = 0;
     }
     ++hops_with_evidence_;
+    // In the first hops a missing beat is no reason to run on: nothing is known yet.
     if (hops_with_evidence_ >= kFirstHops && hops_without_ * beats_per_hop_ > kLongestWithout) {
         run_alone();
         return;
@@ -148,21 +156,24 @@ void BeatTracker::track_tempo(const TrackedHop& hop) noexcept {
     keep_tempo(position_ - before);
 }
 
-/// The tempo to run on with is this one, whatever was averaged before.
+// Starts the average tempo at the present one.
 void BeatTracker::begin_tempo() noexcept {
     steady_rate_ = followed_rate_ = beats_per_hop_;
     steady_beats_ = kFirstSteady;
     drift_ = 0.0;
 }
 
-/// Averages the tempo, of which `moved` are this hop's beats, and keeps what the last beats told.
+// Updates the average tempo, the one to run on with; `moved`: beats that the grid moved in this
+// hop, corrections included.
 void BeatTracker::keep_tempo(double moved) noexcept {
-    if (std::abs(moved / beats_per_hop_ - 1.0) > 0.5) {  // set anew, not moved
+    if (std::abs(moved / beats_per_hop_ - 1.0) > 0.5) {  // the grid was set anew
         begin_tempo();
         return;
     }
     steady_beats_ = std::min(kSteadyBeats, steady_beats_ + beats_per_hop_);
     steady_rate_ += beats_per_hop_ / steady_beats_ * (moved - steady_rate_);
+    // Without evidence of beats the grid strays after the pointer's estimate: run_alone() takes
+    // that distance back.
     drift_ += moved - followed_rate_;
     if (hops_without_ == 0) {
         followed_rate_ = steady_rate_;
@@ -170,8 +181,9 @@ void BeatTracker::keep_tempo(double moved) noexcept {
     }
 }
 
-/// No beat is heard: on as the last beats told, without what the belief made of their absence until
-/// it was noticed.
+// Runs on at the average tempo of the last evident beats, and takes back what the grid moved since
+// then: the pointer's estimate had drifted before the lack of beats was noticed. Not where the
+// tempo was changing or is held.
 void BeatTracker::run_alone() noexcept {
     const bool is_steady = std::abs(followed_rate_ / beats_per_hop_ - 1.0) < kSteadyReach;
     if (is_steady && !is_tempo_held_) {
@@ -180,9 +192,10 @@ void BeatTracker::run_alone() noexcept {
     }
 }
 
-/// Moves the grid toward what the pointer believes.
+// Moves the grid toward the pointer's estimate.
 void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept {
     const double believed_rate = 1.0 / estimate.period_hops;
+    // The estimate is of `lag_hops` ago; the user's nudge and the onset's lag are added.
     const double lag = (lag_hops + kOnsetLagHops - nudge_hops_) * believed_rate;
     const double error = wrapped(estimate.phase + lag - position_);
     const bool is_tempo_apart =
@@ -192,15 +205,16 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
     if (hops_with_evidence_ < kFirstHops || hops_apart_ > kApartHops) {
         hops_apart_ = 0;
         position_ += error;
-        mass_ *= 0.5F;  // it was of another belief
+        mass_ *= 0.5F;  // it belongs to another hypothesis
         if (!is_tempo_held_) {
             beats_per_hop_ = believed_rate;
         }
         return;
     }
     if (is_tempo_apart) {
-        return;  // wait: a guess at another octave must last before it is danced
+        return;  // another octave must last before the grid takes it
     }
+    // Phase and tempo corrections of the second-order filter.
     position_ += kPhaseGain * error;
     if (!is_tempo_held_) {
         beats_per_hop_ += kTempoGain * error + kTempoPull * (believed_rate - beats_per_hop_);
@@ -208,11 +222,13 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
     mass_ += kMassShare * (estimate.mass - mass_);
 }
 
-/// What a beat sounded like is known when the next one comes.
+// Collects the sound of each beat for the bar evidence; a beat's evidence is complete when the next
+// one begins.
 void BeatTracker::track_bars(const TrackedHop& hop) noexcept {
     if (hop.mel_magnitudes.size() != OnsetDetector::kMelBands) {
         return;
     }
+    // A window shows a sound before its centre reaches it.
     const double position = position_ + BarInput::kAheadHops * beats_per_hop_;
     const double beat = std::floor(position);
     if (std::lround(beat) != sounding_beat_) {
@@ -228,9 +244,10 @@ void BeatTracker::track_bars(const TrackedHop& hop) noexcept {
     }
 }
 
-/// Once all that belongs to a beat was heard: how strong it was, and whether it begins a bar.
+// Once all hops around a beat are known: its strength for the confidence, and its bar evidence.
 void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     constexpr int kAround = 2;  // hops on either side of the beat
+    // The hops after the beat and the evidence's delay have to pass first.
     const int wait = kAround + 1 + hop.evidence_lag;
     const long beat = std::lround(std::floor(position_ - wait * beats_per_hop_));
     if (beat == rated_beat_) {
@@ -247,21 +264,23 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
         most.beat = std::max(most.beat, then.evidence.beat);
         most.downbeat = std::max(most.downbeat, then.evidence.downbeat);
     }
+    // A plain mean over the first 8 beats, an exponential one later.
     beats_rated_ = std::min(beats_rated_ + 1, 8);
     const float contrast = hop.has_evidence ? most.beat : strength;
     contrast_ += (contrast - contrast_) / static_cast<float>(beats_rated_);
+    // Changes and bar evidence are of the beat before, so they come before next_beat().
     bars_.observe_change(std::exchange(change_, 0.0F));
     if (bar_evidence_) {
         bars_.observe_bar(*std::exchange(bar_evidence_, std::nullopt));
     }
     bars_.next_beat(beat);
-    // A beat that was hardly heard says nothing of the bar.
+    // A beat with little evidence says nothing about the bar.
     if (hop.has_evidence && most.beat > kLeastEvidence) {
         bars_.observe_downbeat(most.downbeat / most.beat);
     }
 }
 
-/// Confidence: the pointer is sure of one hypothesis, and there is something on its beats.
+// Confidence: the probability of the pointer's hypothesis times the evidence on its beats.
 void BeatTracker::rate_confidence(const TrackedHop& hop) noexcept {
     const float least = hop.has_evidence ? kLeastEvidence : kLeastStrength;
     const float full = hop.has_evidence ? kFullEvidence : kFullStrength;
@@ -269,6 +288,7 @@ void BeatTracker::rate_confidence(const TrackedHop& hop) noexcept {
     confidence_ = std::min(1.0F, 1.1F * mass_) * on_beats;
 }
 
+// The grid as a line through the current hop.
 void BeatTracker::publish(HopIndex hop, MusicState& state) const noexcept {
     state.grid.anchor_time = time_of_hop(hop);
     state.grid.anchor_beat = Beats(position_);
@@ -278,10 +298,11 @@ void BeatTracker::publish(HopIndex hop, MusicState& state) const noexcept {
     state.grid.confidence = confidence_;
 }
 
-/// A beat is told once, when it is due; one that comes too soon after the last is passed over (the
-/// grid was set anew in between).
+// A beat is announced once, when it is due. One that follows the last too soon is left out: the
+// grid was set anew in between.
 void BeatTracker::announce(const TrackedHop& hop, MusicState& state) noexcept {
     const Nanos least_gap = nanos_from_seconds(kLeastGap * state.grid.tempo.seconds_per_beat());
+    // After a jump of the grid, forward or back, the next beats to announce are near its position.
     const long at_least = std::lround(std::floor(position_ - 0.5)) + 1;
     next_beat_ = std::clamp(next_beat_, at_least, at_least + 2);
     next_predicted_ = std::clamp(next_predicted_, at_least, at_least + 3);
@@ -328,9 +349,10 @@ void BeatTracker::run_commands(StreamTime now) noexcept {
     command_count_ = kept;
 }
 
-/// The grid's phase becomes `phase` by the shortest way.
+// Moves the grid to this phase by the shortest way.
 void BeatTracker::set_position(double phase) noexcept { position_ += wrapped(phase - position_); }
 
+// The user's tempo: grid and pointer both take it. A grid near a beat keeps that beat.
 void BeatTracker::change_tempo(double bpm) noexcept {
     const double in_range = std::clamp(bpm, kSlowestTempo.bpm(), kFastestTempo.bpm());
     beats_per_hop_ = in_range / (60.0 * kHopsPerSecond);
@@ -341,7 +363,7 @@ void BeatTracker::change_tempo(double bpm) noexcept {
     }
 }
 
-/// Any tempo again; those of the genre, when one is known, are likelier.
+// Allows any tempo; those of the hinted dance are likelier.
 void BeatTracker::release_tempo() noexcept {
     is_tempo_held_ = false;
     const DanceInfo* const dance = dances_ ? dances_->find(hint_) : nullptr;
@@ -352,9 +374,10 @@ void BeatTracker::release_tempo() noexcept {
     }
 }
 
-/// Half or double tempo: beat numbers count on, the bars stay where they are.
+// Half or double tempo: beat numbers continue, and each new downbeat is one of the old ones.
 void BeatTracker::change_octave(double factor) noexcept {
     const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
+    // At half tempo a bar of the new count lasts two of the old one.
     const double bar = bars_.beats_per_bar() / std::min(1.0, factor);
     const double from_origin = position_ - static_cast<double>(bars_.origin());
     const double in_bar = factor * (from_origin - bar * std::floor(from_origin / bar));

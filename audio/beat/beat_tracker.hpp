@@ -19,57 +19,60 @@
 
 namespace raks::audio {
 
-/// What the tracker gets to know of one hop.
+/// What the tracker is given of one hop.
 struct TrackedHop {
-    HopIndex hop = 0;
-    StreamTime audio_end{};  ///< end of the audio behind this hop
-    float onset_strength = 0.0F;
-    /// Of the hop's mel bands (OnsetDetector::kMelBands of them, or none: changes of the sound are
-    /// not heard); valid during advance() alone.
+    HopIndex hop = 0;             ///< number of the hop
+    StreamTime audio_end{};       ///< end of the audio that the hop was computed from
+    float onset_strength = 0.0F;  ///< Onset::strength of the hop
+    /// The hop's mel magnitudes (OnsetDetector::kMelBands of them; none: changes of the sound are
+    /// not evaluated). Used during advance() only.
     std::span<const float> mel_magnitudes;
-    bool has_evidence = false;  ///< a network listens
-    int evidence_lag = 0;       ///< hops by which its evidence is late
-    BeatEvidence evidence;      ///< about the hop `evidence_lag` ago
-    int quiet_hops = 0;         ///< so many in a row, to this one, were too soft to tell anything
-    bool is_silent = false;     ///< nothing to hear: the tempo runs on, confidence falls
+    bool has_evidence = false;  ///< whether `evidence` comes from a network
+    int evidence_lag = 0;       ///< hops by which the evidence is late
+    BeatEvidence evidence;      ///< about the hop `evidence_lag` hops ago
+    int quiet_hops = 0;         ///< hops in a row, up to this one, too soft to hold a beat
+    bool is_silent = false;     ///< silence: the tempo runs on, confidence falls
 };
 
-/// From the pointer's belief to a grid that can be danced to: a second-order filter follows the
-/// believed phase without its 10 ms steps, beats are announced when they are due and never revised,
-/// and confidence tells whether there is a beat at all.
+/// Makes a steady beat grid of the pointer's estimates: a second-order filter follows the estimated
+/// phase without its steps of 10 ms, beats are announced when they are due and never revised, and
+/// the confidence tells whether there is a beat at all.
 ///
 /// Threads: one. Real-time: yes.
 class BeatTracker {
  public:
+    /// Call reset() before the first hop if a network was set.
     BeatTracker() = default;
 
-    /// Hears bars with this network from the next reset() on; none: by downbeats and changes alone.
-    /// Real-time: no.
+    /// Uses this network for bars from the next reset() on; null: bars follow from downbeats and
+    /// changes of the sound alone. Real-time: no.
     void set_bar_network(std::shared_ptr<const BarNetwork> network);
 
-    /// The dances whose numbers hint_genre gives, and their tempi; none: hints tell nothing.
+    /// Sets the dances that hint_genre refers to, for their tempi; null: hints have no effect.
     /// Real-time: no.
     void expect_dances(std::shared_ptr<const DanceList> dances) { dances_ = std::move(dances); }
 
-    /// One hop; fills grid, beat and predicted of `state`.
+    /// One hop; sets grid, beat and predicted of `state`.
     void advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING;
 
-    /// One hop inside a gap of the audio: the grid runs on.
+    /// One hop inside a gap of the audio: sets the grid, which runs on.
     void advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_NONBLOCKING;
 
-    /// The audio goes on elsewhere: looks for the beat anew, keeps the tempo as a guess.
+    /// The audio continues elsewhere: seeks the beat anew, with the tempo as a first guess.
     void jump() noexcept RAKS_NONBLOCKING;
 
-    /// Applied at its time, or at the next hop when that has passed. False: 16 wait already.
+    /// Queues a command for its time, or for the next hop when that has passed. False: 16 are
+    /// waiting.
     bool command(const AnalyzerCommand& command) noexcept RAKS_NONBLOCKING;
 
+    /// Forgets music and commands, held tempo and hint included.
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
     static constexpr std::size_t kCommands = 16;
-    static constexpr std::size_t kRecent = 64;  // hops kept
+    static constexpr std::size_t kRecent = 64;  // hops of evidence that are kept
 
-    /// What was heard of one hop.
+    // Evidence of one recent hop.
     struct HopEvidence {
         float strength = 0.0F;
         BeatEvidence evidence;
@@ -100,38 +103,38 @@ class BeatTracker {
 
     // The grid at the current hop.
     double position_ = 0.0;            // beats
-    double beats_per_hop_ = 1.0 / 50;  // 120 BPM
-    double nudge_hops_ = 0.0;          // the user's, later is positive
+    double beats_per_hop_ = 1.0 / 50;  // tempo; 120 BPM at first
+    double nudge_hops_ = 0.0;          // the user's shift of the beats; positive: later
     bool is_tempo_held_ = false;
     std::shared_ptr<const DanceList> dances_;
-    DanceId hint_ = DanceId::none;
-    double steady_rate_ = 1.0 / 50;    // beats a hop over the last beats, corrections included
-    double steady_beats_ = 1.0;        // over which it is averaged
-    double followed_rate_ = 1.0 / 50;  // the same when a network last heard anything like a beat
-    double drift_ = 0.0;               // beats from where the grid would be, had it gone on so
-    int hops_without_ = 0;             // hops since a network last heard anything like a beat
-    int hops_apart_ = 0;               // hops in a row in which belief and grid disagreed
-    int hops_with_evidence_ = 0;       // hops with evidence since reset or jump
+    DanceId hint_ = DanceId::none;     // dance of the last hint_genre
+    double steady_rate_ = 1.0 / 50;    // mean beats a hop over the last beats, corrections included
+    double steady_beats_ = 1.0;        // number of beats in that mean
+    double followed_rate_ = 1.0 / 50;  // steady_rate_ at the last hop with evidence of a beat
+    double drift_ = 0.0;          // beats that the grid moved more than followed_rate_ since then
+    int hops_without_ = 0;        // hops since the network last had evidence of a beat
+    int hops_apart_ = 0;          // hops in a row in which estimate and grid differed too much
+    int hops_with_evidence_ = 0;  // hops with evidence since reset or jump
 
-    // What is heard of bars over a beat's time, told when the next one comes.
+    // Bar evidence of the current beat, used when the next one begins.
     BeatChange changes_;
     BarInput bar_input_;
     std::optional<BarNetworkStream> bar_stream_;
-    long sounding_beat_ = 0;                   // that goes on
-    float change_ = 0.0F;                      // at the beat before it
-    std::optional<BarEvidence> bar_evidence_;  // of the beat before it
+    long sounding_beat_ = 0;                   // number of the current beat
+    float change_ = 0.0F;                      // of the sound, at the beat before
+    std::optional<BarEvidence> bar_evidence_;  // of the beat before
 
     // Confidence.
-    std::array<HopEvidence, kRecent> recent_{};  // by hop, ring
-    long rated_beat_ = 0;                        // last beat that was rated
-    int beats_rated_ = 0;
-    float contrast_ = 0.0F;  // evidence on the beats, running mean
-    float mass_ = 0.0F;      // the pointer's, smoothed
+    std::array<HopEvidence, kRecent> recent_{};  // ring, by hop
+    long rated_beat_ = 0;                        // number of the last rated beat
+    int beats_rated_ = 0;                        // at most 8
+    float contrast_ = 0.0F;                      // evidence on the beats, running mean
+    float mass_ = 0.0F;                          // PointerEstimate::mass, smoothed
     float confidence_ = 0.0F;
 
     // Announcements.
-    long next_beat_ = 0;
-    long next_predicted_ = 0;
+    long next_beat_ = 0;       // number of the next beat to announce
+    long next_predicted_ = 0;  // and of the next to predict
     StreamTime last_beat_time_{std::chrono::seconds(-10)};
     StreamTime last_predicted_time_{std::chrono::seconds(-10)};
 

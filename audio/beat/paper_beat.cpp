@@ -7,16 +7,16 @@
 namespace raks::audio {
 namespace {
 
-// Of the highest peak: so high must that at half its lag be to win. Without the rule F is 61.5 and
-// not 64.5 (31 excerpts, streaming).
+// The peak at half the lag wins when it is at least this high, as a share of the highest. Without
+// the rule F is 61.5 and not 64.5 (31 excerpts, streaming).
 constexpr float kMultipleShare = 0.75F;
 
-constexpr double kPredictedLeadHops = 10.0;
-constexpr double kAnnounceLeadHops = 1.0;
-constexpr double kOldestNews = 5.0;  // hops: a beat that is longer past is not told any more
-constexpr double kLeastGap = 0.5;    // of a beat between two announcements
+constexpr double kPredictedLeadHops = 10.0;  // hops before a beat at which it is predicted
+constexpr double kAnnounceLeadHops = 1.0;    // hops before a beat at which it is announced
+constexpr double kOldestNews = 5.0;          // hops: an older beat is not announced any more
+constexpr double kLeastGap = 0.5;            // of a beat between two announcements
 
-/// Offset of the peak of the parabola through three neighbours, [-0.5, 0.5].
+// Offset of the peak of the parabola through three neighbouring values, in [-0.5, 0.5].
 double peak_offset(float before, float peak, float after) noexcept {
     const float bend = before - 2.0F * peak + after;
     if (bend >= 0.0F) {
@@ -25,7 +25,7 @@ double peak_offset(float before, float peak, float after) noexcept {
     return std::clamp(0.5 * static_cast<double>((before - after) / bend), -0.5, 0.5);
 }
 
-/// x at a fractional position, linear; 0 outside.
+// x at a fractional position, by linear interpolation; 0 outside.
 float value_at(std::span<const float> x, double position) noexcept {
     if (position < 0.0) {
         return 0.0F;
@@ -40,6 +40,7 @@ float value_at(std::span<const float> x, double position) noexcept {
 
 }  // namespace
 
+// Onsets less their mean: otherwise the correlations would favour short lags.
 void PaperWindow::begin(std::span<const float> onsets) noexcept RAKS_NONBLOCKING {
     onsets = onsets.last(std::min(onsets.size(), kHops));
     count_ = onsets.size();
@@ -53,6 +54,7 @@ void PaperWindow::begin(std::span<const float> onsets) noexcept RAKS_NONBLOCKING
     steps_ = 0;
 }
 
+// kLagsPerStep lags a step; the last two steps also find period and phase from them.
 void PaperWindow::step() noexcept RAKS_NONBLOCKING {
     if (is_done()) {
         return;
@@ -69,7 +71,7 @@ void PaperWindow::step() noexcept RAKS_NONBLOCKING {
     }
 }
 
-/// r(lag) = sum_n p(n) p(n + lag); fewer products at longer lags, which favours the faster tempo.
+// r(lag) = sum_n p(n) p(n + lag). Longer lags have fewer products, which favours the faster tempo.
 float PaperWindow::autocorrelation(std::size_t lag) const noexcept {
     float sum = 0.0F;
     for (std::size_t n = 0; n + lag < count_; ++n) {
@@ -78,6 +80,7 @@ float PaperWindow::autocorrelation(std::size_t lag) const noexcept {
     return sum;
 }
 
+// Highest peak between the lags of 200 and 60 BPM, refined by a parabola.
 void PaperWindow::find_period() noexcept {
     std::size_t best = kShortest;
     for (std::size_t lag = kShortest; lag <= kLongest; ++lag) {
@@ -85,8 +88,8 @@ void PaperWindow::find_period() noexcept {
             best = lag;
         }
     }
-    // Peaks that are multiples of one another (Alonso, 2.2): the shorter period is the beat when
-    // its own peak is nearly as high.
+    // Peaks lie at multiples of the beat, too (Alonso, 2.2): half the lag is the beat when its own
+    // peak is nearly as high.
     for (const std::size_t part : {best / 2, (best + 1) / 2}) {
         if (part >= kShortest && correlation_[part] > kMultipleShare * correlation_[best]) {
             best = part;
@@ -101,7 +104,7 @@ void PaperWindow::find_period() noexcept {
         energy > 0.0F ? std::clamp(correlation_[best] / energy, 0.0F, 1.0F) : 0.0F;
 }
 
-/// c(phase) = sum_k p(end - phase - k T), a pulse train that ends `phase` before the window does.
+// c(phase) = sum_k p(end - phase - k T): a pulse train that ends `phase` hops before the window.
 void PaperWindow::find_phase() noexcept {
     const std::span<const float> onsets = std::span(centred_).first(count_);
     const double end = static_cast<double>(count_) - 1.0;
@@ -135,6 +138,7 @@ void PaperTracker::reset() noexcept RAKS_NONBLOCKING {
     last_told_ = last_predicted_ = -1e9;
 }
 
+// An analysis that is under way is finished and never adopted: its onsets are of other audio.
 void PaperTracker::jump() noexcept RAKS_NONBLOCKING {
     flux_.reset();
     while (!window_.is_done()) {
@@ -148,6 +152,7 @@ void PaperTracker::advance(std::span<const float> window,
                            MusicState& state) noexcept RAKS_NONBLOCKING {
     onsets_[hops_ % onsets_.size()] = flux_.add(window).onset();
     ++hops_;
+    // A new window starts every kEvery hops; copied in order, as the ring goes on during its steps.
     if (hops_ >= kLeast && hops_ % kEvery == 0) {
         const std::size_t count = std::min(hops_, onsets_.size());
         for (std::size_t i = 0; i < count; ++i) {
@@ -168,13 +173,14 @@ void PaperTracker::advance(std::span<const float> window,
 
 void PaperTracker::advance_blind(MusicState& state) noexcept RAKS_NONBLOCKING { publish(state); }
 
-/// The new grid, with the beat numbers of the old one going on.
+// Takes over an estimate; beat numbers continue from the old grid.
 void PaperTracker::adopt(const PaperEstimate& estimate) noexcept {
     confidence_ = estimate.confidence;
     if (estimate.confidence <= 0.0F) {
         return;
     }
-    // The estimate's beat that lies nearest to now: the newest onset, PaperFlux::kDelay ago.
+    // Of the estimate's beats the one nearest to the present hop, which is PaperFlux::kDelay after
+    // the newest onset.
     const double newest = window_start_ + static_cast<double>(std::min(hops_, onsets_.size()));
     const double last = window_start_ + estimate.last_beat + kPaperLagHops;
     const double later = std::round((newest + PaperFlux::kDelay - last) / estimate.period_hops);
@@ -184,6 +190,7 @@ void PaperTracker::adopt(const PaperEstimate& estimate) noexcept {
     period_hops_ = estimate.period_hops;
 }
 
+// The grid as a line through the last beat of the estimate.
 void PaperTracker::publish(MusicState& state) const noexcept {
     state.grid.anchor_time = stream_time_from_seconds(beat_hop_ / kHopsPerSecond);
     state.grid.anchor_beat = Beats(static_cast<double>(beat_));
@@ -198,7 +205,7 @@ void PaperTracker::announce(MusicState& state) noexcept {
         return;
     }
     const double audio_end_hops = to_seconds(state.audio_end) * kHopsPerSecond;
-    // The last beat of the grid that lies before `horizon`; none when it is old news.
+    // The last beat of the grid before `horizon`; none when it is too old or was announced already.
     const auto due = [&](double horizon, double told) -> std::optional<double> {
         const double beat =
             beat_hop_ + std::floor((horizon - beat_hop_) / period_hops_) * period_hops_;

@@ -9,14 +9,15 @@
 #include "base/realtime.hpp"
 
 /// The beat tracker of the paper (Ofli et al. 2008, section 4.2, after Alonso, David, Richard 2004,
-/// "Tempo and beat estimation of musical signals", sections 2.1 to 2.3): the reference that the
-/// bar pointer is compared with. No bars: bar positions are 0.
+/// "Tempo and beat estimation of musical signals", sections 2.1 to 2.3): the reference for
+/// comparison with the bar pointer. It finds no bars: bar positions are 0.
 namespace raks::audio {
 
 /// Spectral energy flux (Alonso, 2.1): E(n, k) = sum_i h(i) G(n - i, k), where G is |X| of a Hann
 /// window of 32 ms, compressed by arcsinh and smoothed by a half Hann window, and h differentiates.
-/// Half-wave rectified and summed over k it is the strength v(n); p(n) = max(0, v(n) - threshold)
-/// over a moving median tells onsets from the music's own restlessness.
+/// Half-wave rectified and summed over k it is the onset strength v(n); p(n) = max(0, v(n) -
+/// threshold), with a threshold from a moving median, keeps the onsets and drops smaller
+/// fluctuations.
 ///
 /// Threads: one. Real-time: add and reset yes, making one no.
 class PaperFlux {
@@ -25,19 +26,23 @@ class PaperFlux {
     static constexpr int kWindow = 1024;  ///< samples at 32 kHz
     static constexpr int kDelay = 25;     ///< hops from a window to its frame: half the median's
 
+    /// Onset strength of one hop.
     struct Frame {
         float strength = 0.0F;   ///< v, >= 0
         float threshold = 0.0F;  ///< moving median of v over 0.51 s and a floor, >= 0
+        /// p: what exceeds the threshold, >= 0.
         [[nodiscard]] float onset() const noexcept {
             return strength > threshold ? strength - threshold : 0.0F;
         }
     };
 
+    /// Plans the FFT and the filter.
     PaperFlux();
 
-    /// `window`: kWindow samples around the hop's moment, in [-1, 1]. Returns the frame of the hop
-    /// kDelay hops ago (zeros before there was one).
+    /// Takes the next hop's window: kWindow samples around the hop's time, in [-1, 1]. Returns the
+    /// frame of the hop kDelay hops ago (zeros before the first).
     Frame add(std::span<const float> window) noexcept RAKS_NONBLOCKING;
+    /// Forgets the stream.
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
@@ -54,38 +59,40 @@ class PaperFlux {
     std::size_t hops_ = 0;
 };
 
-/// From a peak of the onsets p to the beat, in hops: the smoothing makes the peaks late (median
-/// over the reference excerpts).
+/// Distance from a peak of the onsets p to the beat, in hops: negative as the smoothing delays the
+/// peaks. Median over the reference excerpts.
 inline constexpr double kPaperLagHops = -0.9;
 
 /// Tempo and phase of one window of onsets.
 struct PaperEstimate {
     double period_hops = 50.0;  ///< 30 to 100: 200 to 60 BPM
-    double last_beat = 0.0;     ///< in hops from the window's start: its last beat
+    double last_beat = 0.0;     ///< the last beat, in hops from the window's start
     float confidence = 0.0F;    ///< autocorrelation at the period over that at 0, [0, 1]
 };
 
-/// The window's analysis, cut in steps of about equal cost: autocorrelation of p over the lags of
-/// 60 to 200 BPM, the highest peak is the period T, or half of it where the peak there is nearly as
-/// high (Alonso, 2.2); the cross-correlation of p with a pulse train of that period has its peak at
-/// the phase (2.3).
+/// Tempo and phase of one window, computed in steps of about equal cost. Tempo: the autocorrelation
+/// of p over the lags of 60 to 200 BPM; the period T is at its highest peak, or at half of that
+/// when the peak there is nearly as high (Alonso, 2.2). Phase: the peak of the cross-correlation of
+/// p with a pulse train of period T (2.3).
 ///
 /// Threads: one. Real-time: yes.
 class PaperWindow {
  public:
     static constexpr std::size_t kHops = 600;  ///< 6 s
-    static constexpr int kSteps = 12;          ///< step() is called so often before estimate()
+    static constexpr int kSteps = 12;          ///< calls of step() before estimate()
 
-    /// Takes the onsets p of a window, oldest first; kHops at most count, the newest.
+    /// Starts a window: its onsets p, oldest first; at most the newest kHops are used.
     void begin(std::span<const float> onsets) noexcept RAKS_NONBLOCKING;
     /// One step; at most 7,000 multiplications.
     void step() noexcept RAKS_NONBLOCKING;
+    /// Whether estimate() is that of the window begun last.
     [[nodiscard]] bool is_done() const noexcept { return steps_ == kSteps; }
+    /// The estimate of the last finished window.
     [[nodiscard]] const PaperEstimate& estimate() const noexcept { return estimate_; }
 
  private:
-    static constexpr std::size_t kShortest = 30;  // hops a beat: 200 BPM
-    static constexpr std::size_t kLongest = 100;  // 60 BPM
+    static constexpr std::size_t kShortest = 30;  // hops in a beat: 200 BPM
+    static constexpr std::size_t kLongest = 100;  // hops in a beat: 60 BPM
     static constexpr std::size_t kLagsPerStep = 8;
 
     [[nodiscard]] float autocorrelation(std::size_t lag) const noexcept;
@@ -94,30 +101,31 @@ class PaperWindow {
 
     std::array<float, kHops> centred_{};  // p less its mean
     std::size_t count_ = 0;
-    std::array<float, kLongest + 2> correlation_{};  // by lag; 0 where not asked
+    std::array<float, kLongest + 2> correlation_{};  // by lag; 0 outside the lags of the tempi
     int steps_ = kSteps;
     PaperEstimate estimate_;
 };
 
-/// Streaming: every 0.5 s the last 6 s are analysed, the work spread over the hops that follow, and
-/// period and phase are chosen afresh; between, the beats run on. Nothing keeps one choice near
-/// the last: that is the method.
+/// The streaming form: every 0.5 s it analyses the last 6 s, the work spread over the hops that
+/// follow, and chooses period and phase anew; in between, the beats run on. As in the paper,
+/// nothing ties an estimate to the one before.
 ///
 /// Threads: one. Real-time: all but making one.
 class PaperTracker {
  public:
-    /// One hop: fills grid, beat and predicted of `state`, whose hop, times and is_silent are set.
-    /// `window` as of PaperFlux. In silence nothing is announced.
+    /// One hop: sets grid, beat and predicted of `state`, whose hop, times and is_silent are set
+    /// before. `window`: as for PaperFlux. In silence nothing is announced.
     void advance(std::span<const float> window, MusicState& state) noexcept RAKS_NONBLOCKING;
-    /// One hop inside a gap of the audio: the grid runs on.
+    /// One hop inside a gap of the audio: sets the grid, which runs on.
     void advance_blind(MusicState& state) noexcept RAKS_NONBLOCKING;
-    /// The audio goes on elsewhere: forgets the onsets.
+    /// The audio continues elsewhere: forgets the onsets.
     void jump() noexcept RAKS_NONBLOCKING;
+    /// Back to the start: 120 BPM, no confidence.
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
     static constexpr HopIndex kEvery = 50;      // hops between two analyses
-    static constexpr std::size_t kLeast = 200;  // hops heard before the first
+    static constexpr std::size_t kLeast = 200;  // hops before the first analysis
 
     void adopt(const PaperEstimate& estimate) noexcept;
     void announce(MusicState& state) noexcept;
@@ -125,11 +133,11 @@ class PaperTracker {
 
     PaperFlux flux_;
     PaperWindow window_;
-    std::array<float, PaperWindow::kHops> onsets_{};  // p, ring by hop
-    std::array<float, PaperWindow::kHops> ordered_{};
-    std::size_t hops_ = 0;       // hops since reset or jump
+    std::array<float, PaperWindow::kHops> onsets_{};   // p, ring by hop
+    std::array<float, PaperWindow::kHops> ordered_{};  // the same in order of time, for an analysis
+    std::size_t hops_ = 0;                             // hops since reset or jump
     double window_start_ = 0.0;  // hop number of the analysed window's first onset
-    double beat_hop_ = 0.0;      // where beat number `beat_` lies
+    double beat_hop_ = 0.0;      // hop number of beat `beat_`
     double period_hops_ = 50.0;
     long beat_ = 0;
     float confidence_ = 0.0F;
@@ -137,9 +145,9 @@ class PaperTracker {
     double last_predicted_ = -1e9;  // hop of the last predicted one
 };
 
-/// Whole file: windows of 6 s each say a period; from the first window's phase on every beat is the
-/// strongest onset within 10 % of the period after the last.
-/// `frames`: of every hop from time 0, without PaperFlux's delay. Threads: workers. Real-time: no.
+/// The whole-file form: each window of 6 s gives a period; from the first window's phase on, every
+/// beat is the strongest onset within 10 % of the period around the expected time. `frames`: of
+/// every hop from time 0, without PaperFlux's delay. Threads: workers. Real-time: no.
 [[nodiscard]] std::vector<BeatEvent> paper_beats(std::span<const PaperFlux::Frame> frames);
 
 }  // namespace raks::audio

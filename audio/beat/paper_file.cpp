@@ -17,7 +17,9 @@ void PaperFile::add(std::span<const float> mono) {
 }
 
 std::vector<BeatEvent> PaperFile::finish(Nanos duration) {
+    // Rounded up: the last hop may be cut by the end of the file.
     const auto hops = static_cast<std::size_t>((duration + kHop - Nanos(1)) / kHop);
+    // Frames come kDelay hops late: silence after the file brings the last ones out.
     const std::array<float, 256> silence{};
     while (frames_.size() < hops + PaperFlux::kDelay) {
         add(silence);

@@ -7,15 +7,15 @@
 
 namespace raks::audio {
 
-/// The paper's method over a whole file (paper_beats), fed with samples of any supported rate.
-/// Threads: one. Real-time: no (it keeps 8 bytes a hop of the file).
+/// The paper's whole-file form (paper_beats), fed with samples of any supported rate.
+/// Threads: one. Real-time: no (it keeps 8 bytes for each hop of the file).
 class PaperFile {
  public:
-    /// Errors: no resampler can be set up.
+    /// Starts a file. Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate);
     /// The next samples, mono, finite, in [-1, 1].
     void add(std::span<const float> mono);
-    /// Beats of the file, whose length is `duration`. Once, at the end.
+    /// Beats of the file, whose length is `duration`. To be called once, after all samples.
     [[nodiscard]] std::vector<BeatEvent> finish(Nanos duration);
 
  private:

@@ -6,17 +6,18 @@
 namespace raks::audio {
 namespace {
 
-// Of |X| with a Hann window, full scale 256: below 1 / kCompression the arcsinh is about linear.
+// Factor of |X| with a Hann window, full scale 256. Below 1 / kCompression arcsinh is nearly
+// linear.
 constexpr float kCompression = 30.0F;
-// The threshold stands this far above the median, as a share of it, and above nothing at all.
+// The threshold is this share of the moving median plus a floor, below which nothing is an onset.
 constexpr float kMedianShare = 1.0F;
 constexpr float kFloor = 2.0F;
 
 }  // namespace
 
 PaperFlux::PaperFlux() : spectrum_(hann_window(kWindow), kWindow) {
-    // Smoothing s (half Hann, newest first), then the difference of neighbours: h(i) = s(i) - s(i -
-    // 1). A step in G answers with s itself: at once, then fading.
+    // Smoothing s (half Hann, newest first) and the difference of neighbours in one filter: h(i) =
+    // s(i) - s(i - 1). Its response to a step in G is s: immediate, then falling.
     std::array<float, kSmoothing + 2> smoothing{};
     float sum = 0.0F;
     for (std::size_t i = 0; i < kSmoothing; ++i) {
@@ -35,6 +36,7 @@ void PaperFlux::reset() noexcept RAKS_NONBLOCKING {
     hops_ = 0;
 }
 
+// E(n, k) over the ring of spectra, then the sum over k of its positive part.
 float PaperFlux::flux() const noexcept {
     std::array<float, kBins> energy{};
     for (std::size_t i = 0; i <= kSmoothing; ++i) {
@@ -57,10 +59,11 @@ PaperFlux::Frame PaperFlux::add(std::span<const float> window) noexcept RAKS_NON
         power.begin(), power.end(), compressed_[hops_ % (kSmoothing + 1)].begin(), [](float x) {
             return std::asinh(kCompression * std::sqrt(x));
         });
-    // The filter's memory is not full in the first hops: a start is not an onset.
+    // The filter's memory is not full in the first hops: the start of a stream is no onset.
     strengths_[hops_ % kMedian] = hops_ < kSmoothing + 1 ? 0.0F : flux();
     ++hops_;
     Frame frame;
+    // The frame in the middle of the median's window.
     frame.strength = strengths_[(hops_ + kMedian - 1 - kDelay) % kMedian];
     auto sorted = strengths_;
     std::nth_element(sorted.begin(), sorted.begin() + kDelay, sorted.end());

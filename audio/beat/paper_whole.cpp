@@ -7,8 +7,9 @@ namespace raks::audio {
 namespace {
 
 constexpr double kWindowHops = PaperWindow::kHops;
-constexpr double kTolerance = 0.1;  // of the period, either way
+constexpr double kTolerance = 0.1;  // of the period, before and after the expected beat
 
+// A window's analysis in one go.
 PaperEstimate estimate_of(std::span<const float> onsets) {
     PaperWindow window;
     window.begin(onsets);
@@ -18,8 +19,7 @@ PaperEstimate estimate_of(std::span<const float> onsets) {
     return window.estimate();
 }
 
-/// Where the strongest onset lies within `reach` of `expected`; `expected` itself when none is
-/// there.
+// Place of the strongest onset within `reach` of `expected`; `expected` when there is none.
 double strongest_near(std::span<const float> onsets, double expected, double reach) {
     const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(expected - reach)));
     double best = expected;
@@ -42,6 +42,8 @@ std::vector<BeatEvent> paper_beats(std::span<const PaperFlux::Frame> frames) {
     for (const PaperFlux::Frame& frame : frames) {
         onsets.push_back(frame.onset());
     }
+    // A rest shorter than half a window has too few beats for an estimate of its own: it belongs to
+    // the window before.
     std::vector<PaperEstimate> windows;
     for (std::size_t start = 0; start == 0 || start + PaperWindow::kHops / 2 < onsets.size();
          start += PaperWindow::kHops) {
@@ -49,6 +51,7 @@ std::vector<BeatEvent> paper_beats(std::span<const PaperFlux::Frame> frames) {
         windows.push_back(estimate_of(std::span(onsets).subspan(start, count)));
     }
     std::vector<BeatEvent> beats;
+    // The first window's phase, moved back to the start of the file.
     double beat = std::fmod(windows.front().last_beat, windows.front().period_hops);
     while (beat < static_cast<double>(onsets.size())) {
         const auto at = static_cast<std::size_t>(std::max(0.0, beat) / kWindowHops);
@@ -59,6 +62,7 @@ std::vector<BeatEvent> paper_beats(std::span<const PaperFlux::Frame> frames) {
                  0,
                  window.confidence});
         }
+        // The next beat is expected a period later and moved to the strongest onset nearby.
         beat = strongest_near(onsets, beat + window.period_hops, kTolerance * window.period_hops);
     }
     return beats;

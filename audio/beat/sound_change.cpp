@@ -5,16 +5,19 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kRemembered = 500;  // hops: mean and variance are of about as many
-constexpr int kFewest = 200;      // hops of which they must be, to be compared with
-// Means of the bands' squared distances over their variances. Where players only pause or come in
-// all bands fall or rise, and what was counted still holds: in another song some do each.
+constexpr int kRemembered = 500;  // hops: memory of mean and variance
+constexpr int kFewest = 200;      // hops that they must contain before a comparison
+// Thresholds of the bands' squared distances over their variances, averaged: of all, and of those
+// that became louder and of those that became softer. Where players pause or come in, all bands
+// fall or rise, and the beats go on; in another song some bands do each.
 constexpr double kChanged = 3.0;
 constexpr double kEachWay = 0.5;
-constexpr double kVariance = 0.02;  // added to each: steady tones have none
+constexpr double kVariance = 0.02;  // added to each variance: steady tones have none
 
 }  // namespace
 
+// Running sums over the last window and the one before it: each hop enters one and leaves the
+// other.
 void SoundChange::slide(std::span<const float, kBands> loudness) noexcept {
     const auto& middle = ring_[(next_ + kWindow) % kKept];
     auto& oldest = ring_[next_];
@@ -28,7 +31,7 @@ void SoundChange::slide(std::span<const float, kBands> loudness) noexcept {
     hops_ = std::min(hops_ + 1, static_cast<int>(kKept));
 }
 
-/// Means of a window ago: those that a change has not touched yet.
+// Learns from the window before the last: the last one may already be of another song.
 void SoundChange::learn() noexcept {
     learnt_ = std::min(learnt_ + 1, kRemembered);
     const double share = 1.0 / learnt_;
@@ -39,6 +42,7 @@ void SoundChange::learn() noexcept {
     }
 }
 
+// Distance of the last window from what was learnt, apart for bands that rose and fell.
 bool SoundChange::is_another() const noexcept {
     double louder = 0.0;
     double softer = 0.0;
@@ -50,6 +54,7 @@ bool SoundChange::is_another() const noexcept {
     return louder + softer > kChanged && std::min(louder, softer) > kEachWay;
 }
 
+// After a change the statistics start anew.
 bool SoundChange::add(std::span<const float, kBands> loudness) noexcept RAKS_NONBLOCKING {
     slide(loudness);
     if (hops_ < static_cast<int>(kKept)) {

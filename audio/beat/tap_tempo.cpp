@@ -4,11 +4,12 @@
 
 namespace raks::audio {
 namespace {
-constexpr Nanos kLongestPause = std::chrono::seconds(2);
+constexpr Nanos kLongestPause = std::chrono::seconds(2);   // longer: a new series
 constexpr Nanos kBounce = std::chrono::milliseconds(120);  // 500 BPM: a key that bounced
 }  // namespace
 
 std::optional<double> TapTempo::tap(StreamTime time) noexcept RAKS_NONBLOCKING {
+    // A tap before the last one belongs to another position of the stream.
     if (count_ > 0 && (time - taps_[count_ - 1] > kLongestPause || time < taps_[count_ - 1])) {
         count_ = 0;
     }
@@ -25,6 +26,7 @@ std::optional<double> TapTempo::tap(StreamTime time) noexcept RAKS_NONBLOCKING {
     }
     std::array<double, kTaps - 1> intervals{};
     const std::size_t n = count_ - 1;
+    // The median: one tap that is late or early spoils two intervals, but not the tempo.
     for (std::size_t i = 0; i < n; ++i) {
         intervals[i] = to_seconds(taps_[i + 1] - taps_[i]);
     }

@@ -8,13 +8,14 @@
 
 namespace raks::audio {
 
-/// Tempo from a row of taps: the median of the last intervals (at most seven), from the third tap
-/// on. A pause of more than 2 s starts a new row.
+/// Tempo from a series of taps: the median of the last intervals (at most seven), from the third
+/// tap on. A pause of more than 2 s starts a new series.
 /// Threads: one. Real-time: yes.
 class TapTempo {
  public:
-    /// Beats per minute as tapped so far; empty until three taps.
+    /// Takes a tap. Returns the tempo in BPM so far; empty before the third tap.
     std::optional<double> tap(StreamTime time) noexcept RAKS_NONBLOCKING;
+    /// Starts a new series.
     void reset() noexcept RAKS_NONBLOCKING { count_ = 0; }
 
  private:

@@ -18,16 +18,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// No index or annotation comes near this; a wrong file is refused before it fills the memory.
 constexpr std::size_t kMaxBytes = std::size_t{16} << 20U;
+// Bytes of a file name without extension; common file systems allow 255 with it.
 constexpr std::size_t kLongestName = 200;
-constexpr double kEarliest =
-    -10.0;  // seconds: a first beat may be extrapolated to before the start
+// Seconds: an annotation may extrapolate its first beat to before the start of the sound.
+constexpr double kEarliest = -10.0;
 constexpr double kLatest = 1e6;
 constexpr int kLongestBar = 64;
 constexpr std::array<const char*, 6> kAudioExtensions = {
     ".ogg", ".wav", ".flac", ".mp3", ".opus", ".m4a"};
 
-/// Takes the lines of a text off, one by one, those that say something.
+// Steps through the lines of a text and skips those without content; keeps the line number.
 class Lines {
  public:
     explicit Lines(std::string_view text) : rest_(text) {}
@@ -56,7 +58,7 @@ class Lines {
     std::size_t number_ = 0;
 };
 
-/// Text of a file as an error shows it: short, without control characters.
+// Text of a file as an error shows it: at most 20 characters, all but printable ASCII as '?'.
 std::string shown(std::string_view text) {
     std::string result(text.substr(0, 20));
     std::replace_if(
@@ -64,10 +66,13 @@ std::string shown(std::string_view text) {
     return result;
 }
 
+// Where an error occurred: file and line.
 std::string at_line(const std::string& file, const Lines& lines) {
     return fmt::format("{}: line {}", file, lines.number());
 }
 
+// Removes the first word (up to a blank or tab) from the start of `line` and returns it; empty at
+// the end of the line.
 std::string_view take_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const std::string_view word = line.substr(0, line.find_first_of(" \t"));
@@ -75,6 +80,7 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
+// The tab-separated cells of a line; an empty line has one empty cell.
 std::vector<std::string_view> cells_of(std::string_view line) {
     std::vector<std::string_view> cells;
     for (;;) {
@@ -87,6 +93,8 @@ std::vector<std::string_view> cells_of(std::string_view line) {
     }
 }
 
+// The number that a whole word spells. from_chars ignores the locale, and it reads "inf" and "nan",
+// which are refused here.
 std::optional<double> number_of(std::string_view word) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -94,11 +102,12 @@ std::optional<double> number_of(std::string_view word) {
     return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// Seconds, and the bar position if there is one.
+// One line of a .beats file: seconds, and the bar position if there is one.
 struct BeatLine {
     double time = 0.0;
     std::optional<int> bar_position;
 };
+// Checks both columns; the error does not name the line, which the caller adds.
 Expected<BeatLine> parse_beat(std::string_view line) {
     BeatLine beat;
     const std::string_view time = take_word(line);
@@ -108,6 +117,7 @@ Expected<BeatLine> parse_beat(std::string_view line) {
             "time is \"{}\", must be seconds from {} to {}", shown(time), kEarliest, kLatest));
     }
     beat.time = *seconds;
+    // Read as a number, so that "1.0" counts as 1.
     if (const std::string_view position = take_word(line); !position.empty()) {
         const auto value = number_of(position);
         if (!value || *value != std::floor(*value) || *value < 0 || *value > kLongestBar) {
@@ -120,7 +130,7 @@ Expected<BeatLine> parse_beat(std::string_view line) {
     return beat;
 }
 
-/// By time; beats at the same moment keep their order.
+// In order of time; the sort is stable, so beats at the same time keep their order.
 BeatList sorted(const std::vector<BeatLine>& beats) {
     std::vector<BeatLine> order = beats;
     std::stable_sort(order.begin(), order.end(), [](const BeatLine& a, const BeatLine& b) {
@@ -136,6 +146,8 @@ BeatList sorted(const std::vector<BeatLine>& beats) {
     return list;
 }
 
+// Names become parts of paths: without separators and a leading dot they cannot leave the folder,
+// and without control characters they print on one line.
 bool is_plain_name(std::string_view name) {
     return name.size() <= kLongestName && name.front() != '.' &&
            std::none_of(name.begin(), name.end(), [](char c) {
@@ -163,6 +175,7 @@ Expected<BeatIndexRow> row_of(const std::vector<std::string_view>& cells,
     return BeatIndexRow{std::string(name), std::string(category)};
 }
 
+// Reads and parses one .beats or .pred file.
 Expected<BeatList> load_beats(const fs::path& path) {
     const auto text = read_text_file(path, kMaxBytes);
     if (!text) {
@@ -171,6 +184,8 @@ Expected<BeatList> load_beats(const fs::path& path) {
     return parse_beats(*text, path.string());
 }
 
+// An annotation is stricter than an estimate: an empty one has nothing to score against, and two
+// beats at one time make an interval of 0.
 Expected<BeatList> load_reference(const fs::path& path) {
     auto beats = load_beats(path);
     if (!beats) {
@@ -186,6 +201,7 @@ Expected<BeatList> load_reference(const fs::path& path) {
     return beats;
 }
 
+// The first of the known extensions that exists; the error names them all.
 Expected<fs::path> find_audio(const fs::path& folder, const std::string& name) {
     for (const char* extension : kAudioExtensions) {
         const fs::path path = folder / (name + extension);
@@ -206,6 +222,7 @@ Expected<std::vector<BeatIndexRow>> parse_beat_index(std::string_view text,
     Lines lines(text);
     const std::vector<std::string_view> columns =
         lines.next() ? cells_of(lines.line()) : std::vector<std::string_view>{};
+    // Number of the column, or the number of columns where it is missing.
     const auto column = [&](std::string_view name) {
         return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
                                         columns.begin());
@@ -222,6 +239,7 @@ Expected<std::vector<BeatIndexRow>> parse_beat_index(std::string_view text,
         if (!row) {
             return fail(std::move(row.error()).in(at_line(file, lines)));
         }
+        // Two rows of one name would read, and count, the same excerpt twice.
         if (!names.insert(row->name).second) {
             return fail(fmt::format("{}: \"{}\" comes twice", at_line(file, lines), row->name));
         }
@@ -241,6 +259,7 @@ Expected<BeatList> parse_beats(std::string_view text, const std::string& file) {
         if (!beat) {
             return fail(std::move(beat.error()).in(at_line(file, lines)));
         }
+        // A mixed file would leave bar_positions shorter than times.
         if (!beats.empty() && beat->bar_position.has_value() != beats[0].bar_position.has_value()) {
             return fail(fmt::format("{}: must have a bar position in all lines or none",
                                     at_line(file, lines)));
@@ -294,6 +313,8 @@ Expected<std::optional<BeatEstimate>> load_beat_estimate(const fs::path& folder,
                                                          const std::string& name) {
     std::error_code ignored;
     const fs::path beats_path = folder / (name + ".beats");
+    // No estimate for this excerpt is not an error: a tracker may have been run on a part of the
+    // corpus.
     if (!fs::exists(beats_path, ignored)) {
         return std::optional<BeatEstimate>();
     }
@@ -313,6 +334,7 @@ Expected<std::optional<BeatEstimate>> load_beat_estimate(const fs::path& folder,
     return std::optional(std::move(estimate));
 }
 
+// An estimate that does not predict leaves no .pred file, not an empty one.
 Expected<void> save_beat_estimate(const fs::path& folder,
                                   const std::string& name,
                                   const BeatEstimate& estimate) {

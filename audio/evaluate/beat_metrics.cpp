@@ -18,7 +18,9 @@ constexpr std::size_t kBins = 41;        // of the beat error histogram
 constexpr std::size_t kLockBeats = 4;    // in a row
 constexpr double kTempoAccuracy = 0.04;  // of the tempo
 
-/// Differences (estimate - reference) of the greatest number of pairs within `tolerance`.
+// Differences (estimate - reference) of the pairs within `tolerance`, one to one. Walking both
+// sorted lists at once and pairing greedily gives the greatest possible number of pairs, as every
+// beat has the same tolerance.
 std::vector<double> hit_errors(BeatTimes reference, BeatTimes estimate, double tolerance) {
     std::vector<double> errors;
     std::size_t r = 0;
@@ -30,6 +32,7 @@ std::vector<double> hit_errors(BeatTimes reference, BeatTimes estimate, double t
             ++r;
             ++e;
         } else if (difference > 0.0) {
+            // The reference beat has no partner: every later estimate is even further away.
             ++r;
         } else {
             ++e;
@@ -38,7 +41,8 @@ std::vector<double> hit_errors(BeatTimes reference, BeatTimes estimate, double t
     return errors;
 }
 
-/// The first of those nearest to `time`; `times` is not empty.
+// Index of the beat nearest to `time`; of several at the same distance the first. `times` is not
+// empty.
 std::size_t nearest(BeatTimes times, double time) {
     const auto after = std::lower_bound(times.begin(), times.end(), time);
     if (after == times.begin()) {
@@ -46,10 +50,13 @@ std::size_t nearest(BeatTimes times, double time) {
     }
     const bool is_later_nearer = after != times.end() && *after - time < time - *(after - 1);
     const auto found =
+        // Beats that coincide: the first index of their time, as the reference implementation takes
+        // it.
         is_later_nearer ? after : std::lower_bound(times.begin(), after, *(after - 1));
     return static_cast<std::size_t>(found - times.begin());
 }
 
+// Seconds between neighbours; one fewer than times.
 std::vector<double> intervals(BeatTimes times) {
     std::vector<double> result;
     for (std::size_t i = 1; i < times.size(); ++i) {
@@ -58,7 +65,8 @@ std::vector<double> intervals(BeatTimes times) {
     return result;
 }
 
-/// Points of a 100 Hz grid, each once, ascending.
+// Points of a grid of 100 Hz that starts at `origin`, ascending, each once: the pulse train of the
+// P-score as a list of the places where it is 1.
 std::vector<double> grid_points(BeatTimes times, double origin) {
     std::vector<double> points;
     for (const double time : times) {
@@ -72,18 +80,19 @@ std::vector<double> grid_points(BeatTimes times, double origin) {
 
 enum class Side { before, after };
 
-/// Interval from beat `at` to its neighbour on that side; the last beat has one before it only.
+// Interval from beat `at` to its neighbour on that side. The last beat has only the one before it.
 double interval_at(BeatTimes times, std::size_t at, Side side) {
     const bool looks_ahead = side == Side::after && at + 1 < times.size();
     return looks_ahead ? times[at + 1] - times[at] : times[at] - times[at - 1];
 }
 
+// Continuity at one metrical level.
 struct RightBeats {
     double longest = 0.0;  // share of beats in the longest run
     double total = 0.0;    // share of beats
 };
 
-/// Continuity at one metrical level; at least 2 beats each.
+// Scores one metrical level; both lists have at least 2 beats.
 RightBeats right_beats(BeatTimes reference, BeatTimes estimate) {
     std::vector<bool> is_used(reference.size(), false);
     std::size_t run = 0;
@@ -91,11 +100,14 @@ RightBeats right_beats(BeatTimes reference, BeatTimes estimate) {
     std::size_t total = 0;
     for (std::size_t e = 0; e < estimate.size(); ++e) {
         const std::size_t r = nearest(reference, estimate[e]);
+        // The first beat has no interval before it, so the interval after it is compared.
         const Side side = e == 0 || r == 0 ? Side::after : Side::before;
         const double reference_interval = interval_at(reference, r, side);
         const double interval = interval_at(estimate, e, side);
         const double phase = std::abs(estimate[e] - reference[r]) / reference_interval;
         const double period = std::abs(1.0 - interval / reference_interval);
+        // A reference beat counts once: of two estimates on it, as at double tempo, the second is
+        // wrong.
         const bool is_right =
             !is_used[r] && reference_interval > 0.0 && phase < kContinuity && period < kContinuity;
         if (is_right) {
@@ -105,11 +117,12 @@ RightBeats right_beats(BeatTimes reference, BeatTimes estimate) {
         run = is_right ? run + 1 : 0;
         longest = std::max(longest, run);
     }
+    // Over the greater count, so that neither missing nor surplus beats pass unpunished.
     const auto count = static_cast<double>(std::max(reference.size(), estimate.size()));
     return {static_cast<double>(longest) / count, static_cast<double>(total) / count};
 }
 
-/// The beats and, between each two, the off-beat.
+// Beats at double tempo: each beat and the off-beat in the middle of the interval after it.
 std::vector<double> doubled(BeatTimes times) {
     std::vector<double> result;
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -120,6 +133,7 @@ std::vector<double> doubled(BeatTimes times) {
     return result;
 }
 
+// Beats at half tempo, beginning with beat `first` (0 or 1).
 std::vector<double> every_second(BeatTimes times, std::size_t first) {
     std::vector<double> result;
     for (std::size_t i = first; i < times.size(); i += 2) {
@@ -128,7 +142,7 @@ std::vector<double> every_second(BeatTimes times, std::size_t first) {
     return result;
 }
 
-/// Error of `time` as a share of the local interval of `beats`, (-0.5, 0.5].
+// Error of `time` as a share of the local interval of `beats`, wrapped into (-0.5, 0.5].
 double phase_error(BeatTimes beats, double time) {
     const std::size_t last = beats.size() - 1;
     const std::size_t k = nearest(beats, time);
@@ -141,7 +155,8 @@ double phase_error(BeatTimes beats, double time) {
     return share - std::ceil(share) + 0.5;
 }
 
-/// Entropy, in bits, of the histogram of the errors of `estimate` against `beats`.
+// Entropy, in bits, of the histogram of the errors of `estimate` against `beats`. It is greatest
+// where the errors are spread evenly, which means that the estimate knows nothing of the beats.
 double error_entropy(BeatTimes beats, BeatTimes estimate) {
     std::array<std::size_t, kBins> histogram{};
     std::array<double, kBins> edges{};  // lower ones
@@ -150,7 +165,7 @@ double error_entropy(BeatTimes beats, BeatTimes estimate) {
     }
     for (const double time : estimate) {
         const double error = phase_error(beats, time);
-        // Two beats at the same moment have no interval: no share of it, no bin.
+        // Two beats at the same time have an interval of 0: an error has no share of it and no bin.
         if (std::isfinite(error)) {
             const auto above = std::upper_bound(edges.begin(), edges.end(), error);
             ++histogram[static_cast<std::size_t>(
@@ -196,10 +211,12 @@ double p_score(BeatTimes reference, BeatTimes estimate) {
     const double origin = std::min(reference.front(), estimate.front());
     const std::vector<double> reference_points = grid_points(reference, origin);
     const std::vector<double> points = grid_points(estimate, origin);
+    // All in points of 10 ms from here on.
     const auto interval = median(intervals(reference_points));
     if (!interval) {
         return 0.0;
     }
+    // Hits within the window are the sum of the cross-correlation over the allowed lags.
     const double window = std::nearbyint(kPScoreWindow * *interval);
     std::size_t hits = 0;
     for (const double point : reference_points) {
@@ -217,6 +234,7 @@ Continuity continuity(BeatTimes reference, BeatTimes estimate) {
     }
     const RightBeats annotated = right_beats(reference, estimate);
     Continuity result{annotated.longest, annotated.total, annotated.longest, annotated.total};
+    // Off-beat, double tempo, and half tempo on odd or on even beats (Davies 2009, 3.1.5).
     const std::vector<double> twice = doubled(reference);
     for (const auto& level :
          {every_second(twice, 1), twice, every_second(reference, 0), every_second(reference, 1)}) {
@@ -233,6 +251,8 @@ double information_gain(BeatTimes reference, BeatTimes estimate) {
     if (reference.size() < 2 || estimate.size() < 2) {
         return 0.0;
     }
+    // Both directions: an estimate at half the tempo is exact against the reference, but not the
+    // other way round.
     const double entropy =
         std::max(error_entropy(reference, estimate), error_entropy(estimate, reference));
     return 1.0 - entropy / std::log2(static_cast<double>(kBins));
@@ -240,6 +260,8 @@ double information_gain(BeatTimes reference, BeatTimes estimate) {
 
 std::optional<double> time_to_lock(BeatTimes reference, BeatTimes estimate) {
     for (std::size_t i = 0; i + kLockBeats <= reference.size(); ++i) {
+        // Row i is locked when the estimates between its first and last beat are exactly these
+        // four.
         const BeatTimes row = reference.subspan(i, kLockBeats);
         const auto first =
             std::lower_bound(estimate.begin(), estimate.end(), row.front() - kHitTolerance);
@@ -259,6 +281,7 @@ TempoAccuracy tempo_accuracy(BeatTimes reference, BeatTimes estimate) {
     if (reference.size() < 3 || estimate.size() < 3) {
         return {};
     }
+    // Median intervals as tempi: one missed beat does not change them.
     const double right = 1.0 / *median(intervals(reference));
     const double tempo = 1.0 / *median(intervals(estimate));
     const auto is_near = [&](double factor) {

@@ -13,10 +13,11 @@
 /// Every function is pure. Threads: any. Real-time: no (some allocate).
 namespace raks::audio {
 
+/// Beat times of one excerpt: seconds, ascending.
 using BeatTimes = std::span<const double>;
 
 inline constexpr double kHitTolerance = 0.070;         ///< seconds; F-measure (Dixon 2001)
-inline constexpr double kPredictionTolerance = 0.035;  ///< seconds; half of it: a dancer's foot
+inline constexpr double kPredictionTolerance = 0.035;  ///< seconds; half of it, for dance steps
 
 /// F-measure: 2 x hits / (reference beats + estimated beats). A hit is a pair within `tolerance`
 /// (seconds, inclusive), one to one, as many as can be paired. (Dixon 2001; Davies, Degara and
@@ -40,7 +41,7 @@ inline constexpr double kPredictionTolerance = 0.035;  ///< seconds; half of it:
 /// than 17.5 %, and no earlier right estimate has that reference beat. Over the greater count.
 /// (Hainsworth 2004; Klapuri et al. 2006; Davies 2009, 3.1.5)
 struct Continuity {
-    double cml_longest = 0.0;  ///< CMLc: longest run at the annotated level
+    double cml_longest = 0.0;  ///< CMLc: share of the beats in the longest run, annotated level
     double cml_total = 0.0;    ///< CMLt: all right beats at the annotated level
     double aml_longest = 0.0;  ///< AMLc: the best of the annotated level, the off-beat, double
                                ///< tempo and half tempo on odd or even beats

@@ -8,11 +8,13 @@
 namespace raks::audio {
 namespace {
 
-constexpr double kTrim = 5.0;  // seconds
-constexpr double kMilliseconds = 1e3;
+constexpr double kTrim = 5.0;          // seconds: score_beats leaves beats before this out
+constexpr double kMilliseconds = 1e3;  // in a second
 
 using Unit = BeatMeasureInfo::Unit;
 using Over = BeatMeasureInfo::Over;
+// In the order of BeatMeasure. Times and errors by the median: one excerpt that locks late would
+// rule their mean.
 constexpr std::array<BeatMeasureInfo, kBeatMeasures> kInfo = {{
     {"F", Unit::share, Over::mean},
     {"Cemgil", Unit::share, Over::mean},
@@ -31,11 +33,13 @@ constexpr std::array<BeatMeasureInfo, kBeatMeasures> kInfo = {{
     {"abspred_ms", Unit::milliseconds, Over::median},
 }};
 
+// The beats from kTrim on.
 BeatTimes trimmed(BeatTimes times) {
     const auto first = std::lower_bound(times.begin(), times.end(), kTrim);
     return times.subspan(static_cast<std::size_t>(first - times.begin()));
 }
 
+// Times of the beats at bar position 1; none where the list has no bar positions.
 std::vector<double> downbeats(const BeatList& beats) {
     std::vector<double> times;
     for (std::size_t i = 0; i < beats.bar_positions.size(); ++i) {
@@ -58,6 +62,7 @@ const BeatMeasureInfo& info_of(BeatMeasure measure) noexcept {
 
 BeatScores score_beats(const BeatList& reference, const BeatEstimate& estimate) {
     using M = BeatMeasure;
+    // Only time_to_lock takes the untrimmed lists: locking happens in the seconds that are trimmed.
     const BeatTimes right = trimmed(reference.times);
     const BeatTimes beats = trimmed(estimate.beats.times);
     BeatScores scores;
@@ -70,6 +75,8 @@ BeatScores score_beats(const BeatList& reference, const BeatEstimate& estimate) 
     scores[M::aml_longest] = levels.aml_longest;
     scores[M::aml_total] = levels.aml_total;
     scores[M::information_gain] = information_gain(right, beats);
+    // Without annotated bar positions, or with a tracker that gives none, the measure has no value
+    // rather than 0.
     const std::vector<double> right_downbeats = downbeats(reference);
     if (!right_downbeats.empty() && !estimate.beats.bar_positions.empty()) {
         scores[M::downbeat_f] =
@@ -99,6 +106,7 @@ BeatSummary summarize(std::span<const BeatScores> excerpts) {
                 values.push_back(*scores[measure]);
             }
         }
+        // Excerpts without a value never locked; the median below is over the others only.
         if (measure == BeatMeasure::time_to_lock) {
             summary.never_locked = excerpts.size() - values.size();
         }

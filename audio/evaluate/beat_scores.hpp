@@ -14,10 +14,11 @@ namespace raks::audio {
 /// Beats of one excerpt, annotated or estimated.
 struct BeatList {
     std::vector<double> times;  ///< seconds, ascending
-    std::vector<int>
-        bar_positions;  ///< one a beat, 1 = downbeat, 0 = unknown; empty: tells no bars
+    /// One a beat: 1 = downbeat, 0 = unknown. Empty: no bar positions are known.
+    std::vector<int> bar_positions;
 };
 
+/// What a tracker says of one excerpt.
 struct BeatEstimate {
     BeatList beats;  ///< as announced
     /// Beats as predicted 100 ms before they sound: at time t a tracker commits a beat when its
@@ -25,41 +26,46 @@ struct BeatEstimate {
     std::optional<std::vector<double>> predicted;
 };
 
+/// The measures; each is defined in beat_metrics.hpp, except as said here.
 enum class BeatMeasure : std::uint8_t {
-    f,
-    cemgil,
-    p,
-    cml_longest,
-    cml_total,
-    aml_longest,
-    aml_total,
+    f,            ///< f_measure at 70 ms
+    cemgil,       ///< cemgil_accuracy
+    p,            ///< p_score
+    cml_longest,  ///< CMLc
+    cml_total,    ///< CMLt
+    aml_longest,  ///< AMLc
+    aml_total,    ///< AMLt
     information_gain,
-    downbeat_f,
-    prediction_f,
-    time_to_lock,
-    tempo_exact,
-    tempo_octave,
-    bias,
-    prediction_error,
+    downbeat_f,        ///< f_measure of the downbeats
+    prediction_f,      ///< f_measure of the predictions at 35 ms
+    time_to_lock,      ///< seconds
+    tempo_exact,       ///< accuracy 1: 0 or 1
+    tempo_octave,      ///< accuracy 2: 0 or 1
+    bias,              ///< median_bias in milliseconds
+    prediction_error,  ///< median_error of the predictions in milliseconds
 };
+/// How many measures there are.
 inline constexpr std::size_t kBeatMeasures = 15;
 
 /// How a measure is named, summed up over excerpts and shown.
 struct BeatMeasureInfo {
-    enum class Unit : std::uint8_t { share, seconds, milliseconds };
+    enum class Unit : std::uint8_t { share, seconds, milliseconds };  ///< share: in [0, 1]
     enum class Over : std::uint8_t { mean, median };  ///< of the excerpts that have a value
     std::string_view name;                            ///< as in tables and JSON
-    Unit unit;                                        ///< values are shares [0, 1] or seconds, ms
-    Over over;
+    Unit unit;                                        ///< of the values
+    Over over;                                        ///< how excerpts are summed up
 };
+/// Name, unit and kind of summary of a measure.
 [[nodiscard]] const BeatMeasureInfo& info_of(BeatMeasure measure) noexcept;
 
 /// Values by measure; empty where there is none: never locked, no hits, no bars, no predictions.
 class BeatScores {
  public:
+    /// The value of a measure, to be read or set.
     [[nodiscard]] std::optional<double>& operator[](BeatMeasure measure) noexcept {
         return values_[static_cast<std::size_t>(measure)];
     }
+    /// The same to be read only.
     [[nodiscard]] const std::optional<double>& operator[](BeatMeasure measure) const noexcept {
         return values_[static_cast<std::size_t>(measure)];
     }
@@ -68,16 +74,18 @@ class BeatScores {
     std::array<std::optional<double>, kBeatMeasures> values_{};
 };
 
-/// All measures (beat_metrics.hpp). Beats before 5 s count for the time to lock only, as the common
-/// toolboxes do: a tracker may listen first. Downbeats are the beats at bar position 1, F-measure
-/// within 70 ms; predictions are scored within 35 ms.
+/// All measures (beat_metrics.hpp). Beats before 5 s count for the time to lock only, as in the
+/// common toolboxes: a tracker may need the first seconds. Downbeats are the beats at bar position
+/// 1, scored by the F-measure within 70 ms; predictions are scored within 35 ms.
 [[nodiscard]] BeatScores score_beats(const BeatList& reference, const BeatEstimate& estimate);
 
+/// One tracker over many excerpts.
 struct BeatSummary {
-    std::size_t excerpts = 0;
-    std::size_t never_locked = 0;
-    BeatScores scores;  ///< means; medians of the times (BeatMeasureInfo::over)
+    std::size_t excerpts = 0;      ///< how many were scored
+    std::size_t never_locked = 0;  ///< excerpts without a time to lock
+    BeatScores scores;             ///< means; medians of the times (BeatMeasureInfo::over)
 };
+/// Mean or median of each measure over the excerpts that have a value; empty where none has one.
 [[nodiscard]] BeatSummary summarize(std::span<const BeatScores> excerpts);
 
 }  // namespace raks::audio

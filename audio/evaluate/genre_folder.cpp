@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestIndex = std::size_t{16} << 20U;
-constexpr std::string_view kOther = "other";
+constexpr std::size_t kLargestIndex = std::size_t{16} << 20U;  // bytes
+constexpr std::string_view kOther = "other";  // label of music for none of the dances
 
-/// "salsa (latin), house or other".
+// The allowed labels for an error message: "salsa (latin), house or other".
 std::string labels_of(const DanceList& dances) {
     std::string text;
     for (const DanceInfo& dance : dances.all()) {
@@ -33,6 +33,7 @@ std::string labels_of(const DanceList& dances) {
     return fmt::format("{} or {}", text, kOther);
 }
 
+// The tab-separated cells of a line.
 std::vector<std::string_view> cells_of(std::string_view line) {
     std::vector<std::string_view> cells;
     while (true) {
@@ -45,7 +46,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
     }
 }
 
-/// Lines without their ends; empty ones are kept, so that numbers agree.
+// Lines without their ends. Empty ones are kept, so that index + 1 is the number in the file.
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
@@ -60,7 +61,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-/// Columns by name.
+// The head line of a table: where each column is.
 class Head {
  public:
     explicit Head(std::string_view line) {
@@ -72,6 +73,7 @@ class Head {
     }
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] bool has(std::string_view name) const { return columns_.contains(name); }
+    // The cell of a column; empty where the table has no such column.
     [[nodiscard]] std::string cell(const std::vector<std::string_view>& cells,
                                    std::string_view name) const {
         const auto found = columns_.find(name);
@@ -83,6 +85,7 @@ class Head {
     std::size_t count_ = 0;
 };
 
+// One row of the table as a file. The error names the allowed labels, not the line.
 Expected<MusicFile> file_of(const Head& head,
                             const std::vector<std::string_view>& cells,
                             const fs::path& folder,
@@ -96,6 +99,8 @@ Expected<MusicFile> file_of(const Head& head,
     file.name = head.cell(cells, "clip");
     file.path = folder / file.name;
     file.genre = *genre;
+    // Files by one artist must not be divided between training and validation: a model would
+    // recognise the artist's sound instead of the genre.
     file.group = head.has("artist") ? head.cell(cells, "artist") : file.name;
     file.label = head.cell(cells, "label");
     file.may_train = !head.has("train_ok") || head.cell(cells, "train_ok") == "yes";
@@ -141,6 +146,8 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder, const DanceL
         if (!fs::is_regular_file(path, error) || is_hidden) {
             continue;
         }
+        // The first folder below `folder` names the genre; deeper ones (albums, artists) do not
+        // matter.
         const std::string label = inside.begin()->string();
         if (std::next(inside.begin()) == inside.end()) {
             continue;  // beside the genres' folders: lists, licences
@@ -177,6 +184,7 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder,
     }
     std::vector<MusicFile> files;
     for (std::size_t i = 1; i < lines.size(); ++i) {
+        // An empty line at the end is usual.
         if (lines[i].empty()) {
             continue;
         }
@@ -201,6 +209,7 @@ Expected<std::vector<MusicFile>> list_music(const fs::path& folder,
     return files;
 }
 
+// Files of different size differ, so only files that share their size are read.
 Expected<void> check_distinct(std::span<const MusicFile> files) {
     std::map<std::uintmax_t, std::vector<const MusicFile*>> by_size;
     for (const MusicFile& file : files) {
@@ -211,14 +220,13 @@ Expected<void> check_distinct(std::span<const MusicFile> files) {
         }
     }
     for (const auto& [size, same_size] : by_size) {
-        // Names for the contents, not these: a folder of WAV files of equal length is larger than
-        // the memory.
+        // Hashes, not contents: many WAV files of equal length together may exceed the memory.
         std::map<std::uint64_t, const MusicFile*> by_content;
         for (const MusicFile* file : same_size) {
             const Expected<std::string> content =
                 same_size.size() > 1 ? read_file(file->path) : fail("alone in its size");
             if (!content) {
-                continue;  // what cannot be read is said when it is heard
+                continue;  // reported when its features are computed
             }
             const auto [found, is_new] = by_content.try_emplace(hash_of(*content), file);
             if (!is_new && found->second->genre != file->genre) {

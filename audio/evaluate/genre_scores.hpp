@@ -10,28 +10,34 @@
 #include "audio/genre/genre_fusion.hpp"
 #include "audio/genre/genre_model.hpp"
 
+/// Scores of the genre model's parts on windows of music, for the fit of the fusion and for
+/// evaluation. Threads: any. Real-time: no.
 namespace raks::audio {
 
-/// What the parts of a model say of one window of a piece, before they are fused.
+/// Scores by each part of a model for one window of a piece, before they are fused.
 struct WindowScore : GenreScores {
-    std::size_t piece = 0;    ///< index of the piece
-    std::size_t truth = 0;    ///< class
-    bool is_recorded = true;  ///< not written by us
+    std::size_t piece = 0;    ///< index of the piece, as score_piece was given it
+    std::size_t truth = 0;    ///< class of the piece's genre, see class_of
+    bool is_recorded = true;  ///< false: written by the music generators
     std::size_t window = 0;   ///< index into kGenreWindows
-    int fold = 0;  ///< of a validation: models and fusions that judge it know others only
+    /// Validation fold: models and fusions that judge the window were trained on other folds only.
+    int fold = 0;
 };
 
-/// Class of a genre in a model: those that it does not know count as none.
+/// Class of a genre in a model: its index in `genres`, or genres.size() ("none of them") where it
+/// is not among them.
 [[nodiscard]] std::size_t class_of(std::string_view genre,
                                    std::span<const std::string> genres) noexcept;
 
-/// Scores all windows of one piece by streaming it, as the recognizer does.
+/// Scores of all windows of one piece, in order of the windows. Streams through the piece as
+/// GenreRecognizer does, so that evaluation sees what the program computes. `piece_index`: goes
+/// into WindowScore::piece.
 [[nodiscard]] std::vector<WindowScore> score_piece(const GenreModel& model,
                                                    const PieceFeatures& piece,
                                                    std::size_t piece_index);
 
-/// How heavy each window is: classes alike, in each recordings and written music alike, in each of
-/// these the pieces.
+/// Weight of each window such that every class weighs the same; within a class, recordings and
+/// written music; within each of these, every piece; within a piece, every window. Sums to 1.
 [[nodiscard]] std::vector<double> balanced_weights(std::span<const WindowScore* const> scores);
 
 }  // namespace raks::audio

@@ -8,13 +8,15 @@
 namespace raks::audio {
 namespace {
 
+// The class with the greatest ln probability among those asked for.
 std::size_t best_of(const GenreScores::Values& logs, std::span<const std::size_t> among) {
     return *std::max_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
         return logs[a] < logs[b];
     });
 }
 
-/// Area under the curve by ranks: the chance that a `positive` value is above a `negative` one.
+// Area under the ROC curve by ranks (Mann-Whitney): the probability that a `positive` value is
+// above a `negative` one, ties counting half. Without values on one side: 0.5, chance.
 double area_under_curve(const std::vector<float>& positive, const std::vector<float>& negative) {
     if (positive.empty() || negative.empty()) {
         return 0.5;
@@ -29,12 +31,13 @@ double area_under_curve(const std::vector<float>& positive, const std::vector<fl
     return above / (static_cast<double>(positive.size()) * static_cast<double>(negative.size()));
 }
 
-/// Adds up windows one by one.
+// Adds up windows one by one; finish() turns sums into shares.
 class TallyMaker {
  public:
     TallyMaker(std::span<const std::string> genres,
                std::span<const std::size_t> asked,
                std::span<const std::string> pair)
+        // An unknown or missing name gives the class "none", which add() takes as "no pair".
         : asked_(asked),
           classes_(genres.size() + 1),
           two_{class_of(pair.empty() ? std::string() : pair[0], genres),
@@ -45,9 +48,11 @@ class TallyMaker {
         result_.pieces.assign(classes_, 0);
     }
 
+    // `weight`: by balanced_weights, so that classes and pieces count alike.
     void add(const WindowScore& score, const GenreScores::Values& logs, double weight) {
         ++result_.windows;
         class_of_piece_[score.piece] = score.truth;
+        // The ranking value for "none of them" is that class' ln probability.
         (score.truth + 1 == classes_ ? unknown_ : known_).push_back(logs[classes_ - 1]);
         if (std::find(asked_.begin(), asked_.end(), score.truth) != asked_.end()) {
             add_asked(score, logs, weight);
@@ -61,10 +66,12 @@ class TallyMaker {
         }
     }
 
+    // Divides sums by weights; to be called once.
     GenreTally finish() {
         for (const auto& [piece, truth] : class_of_piece_) {
             ++result_.pieces[truth];
         }
+        // Classes without a piece drop out of the mean: their recall is undefined.
         double classes_seen = 0.0;
         double weight_seen = 0.0;
         for (const std::size_t c : asked_) {
@@ -83,6 +90,7 @@ class TallyMaker {
             result_.two_dances = 0.5 * (two_right_[0] / two_all_[0] + two_right_[1] / two_all_[1]);
         }
         result_.auroc_unknown = area_under_curve(unknown_, known_);
+        // |accuracy - confidence| of each bin, weighted by the bin's share of the windows.
         for (const GenreTally::Bin& bin : result_.reliability) {
             result_.calibration_error +=
                 std::abs(bin.right - bin.chance) / std::max(weight_seen, 1e-12);
@@ -91,18 +99,22 @@ class TallyMaker {
     }
 
  private:
+    // Decision, confusion and calibration of one window among the asked classes.
     void add_asked(const WindowScore& score, const GenreScores::Values& logs, double weight) {
         const std::size_t decided = best_of(logs, asked_);
         const bool is_right = decided == score.truth;
         all_[score.truth] += weight;
         right_[score.truth] += is_right ? weight : 0.0;
         result_.confusion[score.truth][decided] += weight;
+        // Probabilities among the asked classes alone: the others are excluded from the decision,
+        // so the fused values are normalized anew. The small start avoids a division by 0.
         double total = 1e-12;
         for (const std::size_t c : asked_) {
             total += std::exp(static_cast<double>(logs[c]));
         }
         const double chance = std::exp(static_cast<double>(logs[decided])) / total;
         auto& bins = result_.reliability;
+        // A probability of exactly 1 belongs to the last tenth.
         const auto tenth = static_cast<std::size_t>(chance * static_cast<double>(bins.size()));
         GenreTally::Bin& bin = bins[std::min(bins.size() - 1, tenth)];
         bin.weight += weight;
@@ -131,6 +143,7 @@ GenreTally tally(std::span<const WindowScore> scores,
                  std::span<const std::string> genres,
                  std::span<const std::size_t> asked,
                  std::span<const std::string> pair) {
+    // Weights are balanced within one window length: others would count a piece again.
     std::vector<const WindowScore*> used;
     std::vector<const GenreScores::Values*> logs;
     for (std::size_t i = 0; i < scores.size(); ++i) {

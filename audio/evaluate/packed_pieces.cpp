@@ -9,15 +9,16 @@ namespace raks::audio {
 
 namespace {
 
-constexpr float kMost = 1e9F;  // beyond it sums become infinite
+constexpr float kMost = 1e9F;  // larger ones would overflow sums of squares in float
 
+// Whether all are finite and not huge; a NaN fails the comparison.
 template <class Numbers>
 bool are_sound(const Numbers& numbers) {
     return std::all_of(
         numbers.begin(), numbers.end(), [](float number) { return std::abs(number) < kMost; });
 }
 
-/// Whether all numbers are what hearing gives: not huge, magnitudes not negative.
+// Whether all numbers can come from feature computation: not huge, magnitudes not negative.
 bool is_whole(const PieceFeatures& piece) {
     return std::all_of(piece.frames.begin(), piece.frames.end(), are_sound<MfccVector>) &&
            are_sound(piece.mel) &&
@@ -29,6 +30,7 @@ bool is_whole(const PieceFeatures& piece) {
 
 }  // namespace
 
+// The order is the file format: unpack_piece reads the same.
 void pack_piece(const PieceFeatures& piece, Packer& packer) {
     packer.put_list(piece.name);
     packer.put_list(piece.group);
@@ -48,15 +50,18 @@ Expected<PieceFeatures> unpack_piece(Unpacker& unpacker) {
     piece.frames = unpacker.take_list<std::vector<MfccVector>>();
     piece.mel = unpacker.take_list<std::vector<float>>();
     piece.windows = unpacker.take_list<std::vector<WindowFeatures>>();
+    // The unpacker gives empty values after the end of its data, so one check here is enough.
     if (!unpacker.is_good()) {
         return fail("is cut short");
     }
     if (!is_whole(piece)) {
         return fail("holds numbers that no sound gives");
     }
+    // One hop gives one MFCC vector and one row of mel magnitudes.
     if (piece.mel.size() != piece.frames.size() * BarPatterns::kMelBands) {
         return fail("frames of two kinds differ in number");
     }
+    // score_piece reads a window's frames by these numbers without further checks.
     const bool fit =
         std::all_of(piece.windows.begin(), piece.windows.end(), [&](const WindowFeatures& window) {
             return window.segments >= 1 && window.segments <= BarPatterns::kSegments &&

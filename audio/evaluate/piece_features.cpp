@@ -14,9 +14,11 @@
 namespace raks::audio {
 namespace {
 
+// Its number changes with the packed form and with the features.
 constexpr std::string_view kMagic = "raks-genre-pieces-5\n";
-constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
+constexpr std::size_t kMostBytes = std::size_t{4} << 30U;  // of a file
 
+// Collects the features of each hop that counts as evidence, as GenreRecognizer does.
 class FeatureSink final : public MusicAnalyzer::Sink {
  public:
     FeatureSink(const MusicAnalyzer& analyzer, PieceFeatures& piece)
@@ -27,15 +29,18 @@ class FeatureSink final : public MusicAnalyzer::Sink {
             return;
         }
         piece_.frames.push_back(analyzer_.mfcc());
+        // Bar patterns and the networks are trained on magnitudes without hiss; MFCC are not.
         const NoiseFloor::Bands& mel =
             noise_.subtract(analyzer_.mel_magnitudes().first<NoiseFloor::kBands>());
         piece_.mel.insert(piece_.mel.end(), mel.begin(), mel.end());
+        // A segment is half a second: windows are kept every second one, once a second.
         if (patterns_.add(mel, state.grid, state.time) && ++closed_ % 2 == 0) {
             keep_windows();
         }
     }
 
  private:
+    // One entry for each window length that the music so far fills.
     void keep_windows() {
         for (const int segments : kGenreWindows) {
             if (segments <= patterns_.segments()) {
@@ -83,6 +88,7 @@ Expected<void> save_pieces(std::span<const PieceFeatures> pieces,
 }
 
 Expected<std::vector<PieceFeatures>> load_pieces(const std::filesystem::path& path) {
+    // The head first: a wrong file of gigabytes is refused without reading it.
     const auto start = read_file_start(path, kMagic.size());
     if (!start) {
         return fail(start.error());

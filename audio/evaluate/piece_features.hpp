@@ -15,63 +15,71 @@
 #include "base/music_state.hpp"
 #include "base/time.hpp"
 
+/// Features of pieces of music, as genre training and evaluation use them: the analyzer's, computed
+/// once and kept in files.
+/// Threads: any; each call by itself. Real-time: no.
 namespace raks::audio {
 
-class BeatNetwork;
+class BeatNetwork;  // audio/beat/network/beat_network.hpp
 
-/// A genre as people read it: "unknown" for none of the dances.
+/// A genre's name for people: "unknown" for music for none of the dances.
 [[nodiscard]] constexpr std::string_view shown_genre(std::string_view genre) noexcept {
     return genre.empty() ? "unknown" : genre;
 }
 
-/// Bar patterns of one window of a piece.
+/// Bar-pattern features of one window of a piece.
 struct WindowFeatures {
-    int segments = 1;   ///< its length: one of kGenreWindows
-    int end_frame = 0;  ///< frames of the piece before its end
-    std::array<float, BarPatterns::kFeatures> features{};
+    int segments = 1;   ///< length in half seconds: one of kGenreWindows
+    int end_frame = 0;  ///< number of the piece's frames before the window's end
+    std::array<float, BarPatterns::kFeatures> features{};  ///< as BarPatterns::features gives them
 };
 
-/// One piece as the analyzer hears it, silence left out: what genre models are learnt from.
+/// Features of one piece, hops of silence left out: what genre models are trained on.
 struct PieceFeatures {
-    std::string name;
-    std::string group;  ///< artist; of written music: its style and soundfont
+    std::string name;   ///< of the file or written piece
+    std::string group;  ///< artist; of written music its style and soundfont: one fold
     std::string genre;  ///< name of a dance; empty: none of the dances
+    /// Where the sound came from.
     enum class Kind : std::uint8_t {
         recorded,
-        altered,  ///< a recording after some damage: to learn from and to fit fusions to
+        altered,  ///< a recording after augmentation, for training and fits
         written,
-        written_held_out  ///< by a family of arrangements that training may leave out
+        written_held_out  ///< its family of arrangements may be left out of training
     };
-    Kind kind = Kind::recorded;
-    std::vector<MfccVector> frames;
-    std::vector<float> mel;               ///< of each frame NoiseFloor::kBands magnitudes, no hiss
-    std::vector<WindowFeatures> windows;  ///< every second, of each length that was full
+    Kind kind = Kind::recorded;           ///< where the sound came from
+    std::vector<MfccVector> frames;       ///< MFCC-39 of each hop, cepstral mean taken off
+    std::vector<float> mel;               ///< hops x kMelBands magnitudes, noise removed, row-major
+    std::vector<WindowFeatures> windows;  ///< one set a second, of each length that is full
 
+    /// Hops of music, which is also the number of frames.
     [[nodiscard]] std::size_t hops() const noexcept {
         return mel.size() / static_cast<std::size_t>(BarPatterns::kMelBands);
     }
+    /// Recordings, altered or not; false for written music.
     [[nodiscard]] bool is_recorded() const noexcept {
         return kind == Kind::recorded || kind == Kind::altered;
     }
 };
 
-/// What the sound is heard with.
+/// Settings of the analyzer that computes the features.
 struct FeaturePlan {
-    std::shared_ptr<const BeatNetwork> beat_network;
-    CepstralMeanConfig cepstral_mean;
+    std::shared_ptr<const BeatNetwork> beat_network;  ///< beat tracker's network; null: none
+    CepstralMeanConfig cepstral_mean;                 ///< of the genre model's features
 };
 
-/// Adds frames and windows of these samples (mono) to `piece`.
+/// Computes the features of these samples (mono, in [-1, 1]) and appends them to `piece`.
 /// Errors: a rate that is not supported.
 [[nodiscard]] Expected<void> extract_features(std::span<const float> samples,
                                               SampleRate rate,
                                               const FeaturePlan& plan,
                                               PieceFeatures& piece);
 
-/// Pieces kept between runs; numbers as this machine stores them.
-/// Errors of reading: not such a file, cut short, sizes that do not fit together.
+/// Writes the features of pieces to a file, numbers as this machine stores them. Errors: as
+/// write_file.
 [[nodiscard]] Expected<void> save_pieces(std::span<const PieceFeatures> pieces,
                                          const std::filesystem::path& path);
+/// Reads what save_pieces wrote. Errors: not such a file, another version, cut short, sizes that do
+/// not fit together.
 [[nodiscard]] Expected<std::vector<PieceFeatures>> load_pieces(const std::filesystem::path& path);
 
 }  // namespace raks::audio

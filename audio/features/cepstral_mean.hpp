@@ -8,36 +8,40 @@
 
 namespace raks::audio {
 
-/// What a running cepstral mean starts from and how fast it follows.
+/// Time constant and start of a running cepstral mean.
 struct CepstralMeanConfig {
     double seconds = 7.0;  ///< time constant of the running mean, 0.1 to 60
-    /// How long the start counts as if it had been heard: a mean of the training music holds until
-    /// the music itself is known. Seconds, > 0.
+    /// How many seconds of music the start value counts for, > 0: until the mean of the music
+    /// itself is known, a mean of the training music holds.
     double start_weight = 1.5;
-    std::array<float, kMfccStatic> start{};  ///< mean of the statics where the model was learnt
+    std::array<float, kMfccStatic> start{};  ///< mean of the statics in the training data
 };
 
-/// Cepstral mean normalization while streaming: takes a running mean of the music off the statics,
-/// so that neither gain nor equalizer, microphone or codec's band limit stay in them. The
-/// derivatives know no mean and are left alone.
+/// Streaming cepstral mean normalization: subtracts a running mean from the statics, which removes
+/// what a constant gain, an equalizer, a microphone or a codec's band limit adds to the cepstrum.
+/// The derivatives have no such offset and stay unchanged.
 ///
-/// The mean of frame n counts that frame and all before it. Silence does not move it.
+/// The mean of frame n includes that frame and all before it. Frames of silence do not change it.
 /// Threads: one. Real-time: all but the constructor.
 class CepstralMean {
  public:
+    /// Starts from config.start.
     explicit CepstralMean(const CepstralMeanConfig& config = {}) noexcept;
 
+    /// Whether a frame counts for the mean.
     enum class Frame : std::uint8_t { music, silence };
-    /// Changes the statics of `vector` in place.
+    /// Subtracts the mean from the statics of `vector` in place.
     void normalize(Frame frame, MfccVector& vector) noexcept RAKS_NONBLOCKING;
+    /// Back to config.start, as after construction.
     void reset() noexcept RAKS_NONBLOCKING;
 
+    /// The mean as it stands, one value for each static.
     [[nodiscard]] const std::array<double, kMfccStatic>& mean() const noexcept { return mean_; }
 
  private:
     CepstralMeanConfig config_;
-    double longest_ = 0.0;  // frames that the mean remembers
-    double frames_ = 0.0;   // frames that it knows, the start's among them
+    double longest_ = 0.0;  // most frames in the mean, as if it were a plain one
+    double frames_ = 0.0;   // frames in the mean, the start's included
     std::array<double, kMfccStatic> mean_{};
 };
 

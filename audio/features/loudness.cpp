@@ -9,9 +9,10 @@
 
 namespace raks::audio {
 namespace {
-constexpr float kLowestLufs = -120.0F;
+constexpr float kLowestLufs = -120.0F;  // what silence, -inf LUFS, is reported as
 }
 
+// libebur128's handle, freed with the object; the rate is kept for reset().
 struct LoudnessMeter::State {
     ebur128_state* meter = nullptr;
     int rate = 0;
@@ -48,6 +49,7 @@ void LoudnessMeter::add(std::span<const float> mono) noexcept RAKS_NONBLOCKING {
 
 float LoudnessMeter::momentary() noexcept RAKS_NONBLOCKING {
     double lufs = 0.0;
+    // Digital silence is -inf LUFS, which is not finite.
     if (ebur128_loudness_momentary(state_->meter, &lufs) != EBUR128_SUCCESS ||
         !std::isfinite(lufs)) {
         return kLowestLufs;
@@ -57,6 +59,7 @@ float LoudnessMeter::momentary() noexcept RAKS_NONBLOCKING {
 
 void LoudnessMeter::reset() noexcept RAKS_NONBLOCKING {
     const std::array<float, 256> silence{};
+    // Half a second: longer than the window of 400 ms.
     for (int left = state_->rate / 2; left > 0; left -= static_cast<int>(silence.size())) {
         add(silence);
     }

@@ -9,11 +9,14 @@
 namespace raks::audio {
 namespace {
 
+// HTK's mel scale and its inverse.
 double mel_of(double hertz) { return 1127.0 * std::log(1.0 + hertz / 700.0); }
 double hertz_of(double mel) { return 700.0 * (std::exp(mel / 1127.0) - 1.0); }
 
 using DenseFilters = std::vector<std::vector<double>>;  // bands x bins
 
+// Keeps the bins from the first to the last with a positive weight. A filter without any stays
+// empty and gives 0.
 FilterBank sparse(const DenseFilters& dense) {
     std::vector<FilterBank::Filter> filters;
     for (const std::vector<double>& row : dense) {
@@ -35,6 +38,7 @@ FilterBank sparse(const DenseFilters& dense) {
 FilterBank::FilterBank(std::vector<Filter> filters) : filters_(std::move(filters)) {}
 
 int FilterBank::size_below(int bin) const noexcept {
+    // Filters end at ascending bins, so the first that reaches beyond `bin` bounds the count.
     const auto above = std::find_if(filters_.begin(), filters_.end(), [bin](const Filter& filter) {
         return filter.first_bin + static_cast<int>(filter.weights.size()) > bin + 1;
     });
@@ -58,18 +62,21 @@ void FilterBank::apply(std::span<const float> spectrum,
 FilterBank htk_filter_bank(const MelConfig& config) {
     const double low = mel_of(config.low_hz);
     const double high = mel_of(config.high_hz);
-    std::vector<double> centres;  // of the bands, then the upper edge
+    std::vector<double> centres;  // of the bands, then the upper edge of the last one
     for (int k = 1; k <= config.bands + 1; ++k) {
         centres.push_back(low + k / (config.bands + 1.0) * (high - low));
     }
     const double bin_hz = static_cast<double>(config.sample_rate) / config.fft_size;
+    // First bin and end rounded as HTK does; DC (bin 0) and Nyquist never count.
     const int first = std::max(1, static_cast<int>(std::floor(config.low_hz / bin_hz + 1.5)));
     const int end =
         std::min(config.fft_size / 2, static_cast<int>(std::lround(config.high_hz / bin_hz)));
     DenseFilters dense(static_cast<std::size_t>(config.bands),
                        std::vector<double>(static_cast<std::size_t>(config.fft_size / 2 + 1)));
-    std::size_t channel = 0;
+    std::size_t channel = 0;  // filter whose rising side covers the bin
     for (int bin = first; bin < end; ++bin) {
+        // Each bin lies between two neighbouring centres: its weight falls from 1 to 0 on the lower
+        // filter and rises on the upper one, linearly in mel, so the two weights sum to 1.
         const double mel = mel_of(bin * bin_hz);
         while (channel < dense.size() && centres[channel] < mel) {
             ++channel;
@@ -104,6 +111,7 @@ FilterBank triangular_filter_bank(const MelConfig& config) {
             dense[band][bin] = std::max(0.0, weight);
             total += dense[band][bin];
         }
+        // At low frequencies a triangle may fit between two bins and would always give 0.
         if (total == 0.0) {
             dense[band]
                  [std::min(bins - 1, static_cast<std::size_t>(std::lround(middle / bin_hz)))] = 1.0;

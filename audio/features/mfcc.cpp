@@ -6,8 +6,8 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kFftSize = 512;
-constexpr double kLifter = 22.0;
+constexpr int kFftSize = 512;     // samples: the window of 400, padded with zeros
+constexpr double kLifter = 22.0;  // HTK's default CEPLIFTER
 
 }  // namespace
 
@@ -20,6 +20,7 @@ MfccStream::MfccStream(const MfccConfig& config)
       window_(kWindow),
       emphasized_(kWindow),
       bands_(static_cast<std::size_t>(config.bands)) {
+    // Orthonormal DCT of the log bands, HTK's eq. for MFCC: sqrt(2 / N) cos(pi j / N (band + 1/2)).
     const double scale = std::sqrt(2.0 / config.bands);
     for (std::size_t band = 0; band < cosines_.size(); ++band) {
         for (std::size_t j = 0; j < cosines_[band].size(); ++j) {
@@ -28,17 +29,20 @@ MfccStream::MfccStream(const MfccConfig& config)
             cosines_[band][j] = scale * std::cos(angle);
         }
     }
+    // The lifter evens out the coefficients' sizes: 1 + L / 2 sin(pi j / L); C0 is left as it is.
     lifter_[0] = 1.0;
     for (std::size_t j = 1; j < lifter_.size(); ++j) {
         lifter_[j] = 1.0 + kLifter / 2.0 * std::sin(M_PI * static_cast<double>(j) / kLifter);
     }
 }
 
+// The window and statics need no clearing: nothing reads what these counters leave out.
 void MfccStream::reset() noexcept RAKS_NONBLOCKING {
     filled_ = frames_ = emitted_ = 0;
     newest_ = -1;
 }
 
+// Fills the window; a full one becomes a frame, and its newest kWindow - kHop samples are kept.
 void MfccStream::process(std::span<const float> samples, Sink& sink) noexcept RAKS_NONBLOCKING {
     while (!samples.empty()) {
         const std::size_t room = static_cast<std::size_t>(kWindow - filled_);
@@ -54,6 +58,8 @@ void MfccStream::process(std::span<const float> samples, Sink& sink) noexcept RA
     }
 }
 
+// A frame's second derivatives look at the statics of up to four frames ahead, which is why its
+// vector waits for these.
 void MfccStream::add_frame(Sink& sink) noexcept {
     statics_[static_cast<std::size_t>(frames_ % kHistory)] = compute_static();
     newest_ = frames_++;
@@ -62,12 +68,15 @@ void MfccStream::add_frame(Sink& sink) noexcept {
     }
 }
 
+// newest_ stays at the last frame: looking beyond it repeats its statics.
 void MfccStream::finish(Sink& sink) noexcept RAKS_NONBLOCKING {
     while (emitted_ < frames_) {
         emit(emitted_++, sink);
     }
 }
 
+// Log energy of the window as it came, without pre-emphasis and Hamming window. The floor keeps
+// silence from being -inf.
 double MfccStream::window_log_energy() const noexcept {
     double energy = 0.0;
     for (const float sample : window_) {
@@ -76,8 +85,11 @@ double MfccStream::window_log_energy() const noexcept {
     return std::log(std::max(energy, 1e-30));
 }
 
+// Statics of one window: pre-emphasis, Hamming window and power spectrum, mel bands, logarithm,
+// DCT, lifter.
 MfccStream::Static MfccStream::compute_static() noexcept {
     const float k = static_cast<float>(config_.pre_emphasis);
+    // The sample before the first is not known: HTK takes the first one for it.
     emphasized_[0] = window_[0] * (1.0F - k);
     for (std::size_t i = 1; i < window_.size(); ++i) {
         emphasized_[i] = window_[i] - k * window_[i - 1];
@@ -85,11 +97,13 @@ MfccStream::Static MfccStream::compute_static() noexcept {
     filters_.apply(spectrum_.compute(emphasized_), bands_);
     std::array<double, kMfccStatic> cepstrum{};
     for (std::size_t band = 0; band < bands_.size(); ++band) {
+        // HTK's floor of the bands: 1 in the power of samples in 16-bit scale.
         const double log_band = std::log(std::max(1.0, static_cast<double>(bands_[band])));
         for (std::size_t j = 0; j < cepstrum.size(); ++j) {
             cepstrum[j] += log_band * cosines_[band][j];
         }
     }
+    // HTK's order: C1..C12 first, C0 or the log energy last.
     Static result{};
     for (std::size_t j = 1; j < cepstrum.size(); ++j) {
         result[j - 1] = static_cast<float>(cepstrum[j] * lifter_[j]);
@@ -99,10 +113,13 @@ MfccStream::Static MfccStream::compute_static() noexcept {
     return result;
 }
 
+// Statics of a frame; before the first and after the newest one these repeat.
 const MfccStream::Static& MfccStream::static_at(int frame) const noexcept {
     return statics_[static_cast<std::size_t>(std::clamp(frame, 0, newest_) % kHistory)];
 }
 
+// First derivative by regression over +-2 frames: sum of d (x[t + d] - x[t - d]) over 2 sum of d^2,
+// which is 10.
 MfccStream::Static MfccStream::delta_at(int frame) const noexcept {
     const int inside = std::clamp(frame, 0, newest_);
     const Static& after1 = static_at(inside + 1);
@@ -116,6 +133,7 @@ MfccStream::Static MfccStream::delta_at(int frame) const noexcept {
     return delta;
 }
 
+// The same regression over the first derivatives gives the second ones.
 void MfccStream::emit(int frame, Sink& sink) noexcept {
     const Static& statics = static_at(frame);
     const Static delta = delta_at(frame);

@@ -8,54 +8,63 @@
 #include "audio/features/spectrum.hpp"
 #include "base/realtime.hpp"
 
+/// Mel-frequency cepstral coefficients (MFCC) of a stream, by HTK's definition.
 namespace raks::audio {
 
-inline constexpr std::size_t kMfccStatic = 13;  // C1..C12, then C0 or the log energy
-inline constexpr int kMfccFeatures = 39;  // and their first and second derivatives: Ofli 2008, 5
+inline constexpr std::size_t kMfccStatic = 13;  ///< C1..C12, then C0 or log energy
+/// Statics with their first and second derivatives (Ofli 2008, 5).
+inline constexpr int kMfccFeatures = 39;
 
+/// Statics, then first, then second derivatives, kMfccStatic values each.
 using MfccVector = std::array<float, kMfccFeatures>;
 
 /// The definition of HTK (MFCC_0_D_A, MFCC_E_D_A): 16 kHz, 25 ms Hamming windows every 10 ms,
 /// power spectrum, floor 1.0, lifter 22, derivatives over +-2 frames.
 struct MfccConfig {
-    int bands = 26;
-    double low_hz = 0.0;
-    double high_hz = 8'000.0;
-    double pre_emphasis = 0.97;
+    int bands = 26;              ///< mel filters
+    double low_hz = 0.0;         ///< lower edge of the first filter
+    double high_hz = 8'000.0;    ///< upper edge of the last filter
+    double pre_emphasis = 0.97;  ///< coefficient of the first difference
+    /// Last static: C0 of the cepstrum, or the log energy of the window before pre-emphasis.
     enum class Last { c0, log_energy };
-    Last last = Last::c0;
+    Last last = Last::c0;  ///< which of the two
 };
 
-/// MFCC-39 of a stream at 16 kHz. Frame n covers samples 160 n .. 160 n + 399; its vector comes out
-/// when the statics of frame n + 4 are known, and for the last four with finish(). The derivatives
-/// at both ends are as over the whole file: streaming equals batch bit for bit.
+/// MFCC-39 of a stream at 16 kHz. Frame n covers samples 160 n .. 160 n + 399. Its vector comes out
+/// when the statics of frame n + 4 are known; the vectors of the last four frames come with
+/// finish(). At both ends the derivatives repeat the first or last frame, as over a whole file:
+/// streaming equals batch bit for bit.
 ///
 /// Threads: one. Real-time: process, finish, reset yes.
 class MfccStream {
  public:
-    static constexpr int kSampleRate = 16'000;
-    static constexpr int kWindow = 400;
-    static constexpr int kHop = 160;
+    static constexpr int kSampleRate = 16'000;  ///< hertz
+    static constexpr int kWindow = 400;         ///< samples in a frame
+    static constexpr int kHop = 160;            ///< samples from frame to frame
 
+    /// Receives the vectors, in order of frames, from within process() and finish().
     class Sink {
      public:
+        /// One frame's vector. Real-time: the caller's thread, do not block.
         virtual void on_vector(const MfccVector& vector) noexcept = 0;
 
      protected:
         ~Sink() = default;
     };
 
+    /// Plans the FFT and the filters for this definition.
     explicit MfccStream(const MfccConfig& config = {});
 
-    /// Takes samples in 16-bit scale (+-32768).
+    /// Takes samples in 16-bit scale (+-32768), as many as there are; they need not fill a frame.
     void process(std::span<const float> samples, Sink& sink) noexcept RAKS_NONBLOCKING;
-    /// The end of the stream: the vectors still owed. Then reset() before more samples.
+    /// Ends the stream: gives the vectors of the last frames. Call reset() before further samples.
     void finish(Sink& sink) noexcept RAKS_NONBLOCKING;
+    /// Forgets the stream; the next sample is sample 0.
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
     using Static = std::array<float, kMfccStatic>;
-    static constexpr int kHistory = 16;  // frames kept; 9 are needed
+    static constexpr int kHistory = 16;  // frames kept; 9 are needed for the second derivatives
     static constexpr int kLookAhead = 4;
 
     void add_frame(Sink& sink) noexcept;
@@ -73,10 +82,10 @@ class MfccStream {
     std::vector<float> window_;      // the last kWindow samples, in order
     std::vector<float> emphasized_;  // work space of one frame
     std::vector<float> bands_;
-    int filled_ = 0;  // samples in window_
-    int frames_ = 0;  // statics computed since reset
-    int emitted_ = 0;
-    int newest_ = -1;  // last frame that delta may look at (the clamp at the end)
+    int filled_ = 0;   // samples in window_
+    int frames_ = 0;   // statics computed since reset
+    int emitted_ = 0;  // vectors handed out since reset
+    int newest_ = -1;  // last frame that derivatives may use; at the end it repeats
     std::array<Static, kHistory> statics_{};
 };
 

@@ -8,10 +8,11 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kHopSamples = MfccStream::kHop;
-constexpr std::size_t kCapacity = 4096;
-constexpr float kSixteenBit = 32768.0F;  // HTK's scale
+constexpr std::size_t kHopSamples = MfccStream::kHop;  // at 16 kHz
+constexpr std::size_t kCapacity = 4096;                // samples: 256 ms at 16 kHz
+constexpr float kSixteenBit = 32768.0F;                // HTK's scale
 
+// Takes over the vector of a hop, if the hop's frame has one.
 class KeepLast final : public MfccStream::Sink {
  public:
     explicit KeepLast(MfccVector& kept) : kept_(kept) {}
@@ -45,13 +46,14 @@ void MfccHops::reset() noexcept RAKS_NONBLOCKING {
     newest_ = {};
 }
 
+// Resamples straight into the free end of the queue; a call may take a part of the samples only.
 void MfccHops::push(std::span<const float> mono) noexcept RAKS_NONBLOCKING {
     while (!mono.empty()) {
         const std::span<float> room = std::span(queue_).subspan(queued_);
         RAKS_ASSERT(!room.empty());
         const auto progress = resampler_.process(mono, room);
         if (progress.taken == 0 && progress.made == 0) {
-            return;  // full, against the promise: what is left is lost
+            return;  // full, against the caller's promise: the rest is lost
         }
         for (float& sample : room.first(progress.made)) {
             sample *= kSixteenBit;
@@ -61,6 +63,7 @@ void MfccHops::push(std::span<const float> mono) noexcept RAKS_NONBLOCKING {
     }
 }
 
+// One hop of samples completes at most one frame, so at most one vector comes out.
 const MfccVector* MfccHops::next() noexcept RAKS_NONBLOCKING {
     KeepLast keep(newest_);
     const std::size_t count = std::min(queued_, kHopSamples);
@@ -72,6 +75,7 @@ const MfccVector* MfccHops::next() noexcept RAKS_NONBLOCKING {
     return keep.has_vector() ? &newest_ : nullptr;
 }
 
+// A frame that spans a gap would hold a false onset: all frames so far are dropped.
 void MfccHops::next_lost() noexcept RAKS_NONBLOCKING {
     const std::size_t count = std::min(queued_, kHopSamples);
     std::copy_n(

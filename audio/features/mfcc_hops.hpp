@@ -23,25 +23,28 @@ namespace raks::audio {
 /// Threads: one. Real-time: all but prepare.
 class MfccHops {
  public:
-    /// How far the middle of the window of next()'s vector lies before its hop: four frames for
-    /// the derivatives, and what of the window lies before the hop.
+    /// How far the middle of the window of next()'s vector lies before its hop: 40 ms for the four
+    /// frames that the derivatives need, and 7.5 ms as the window of 25 ms ends 5 ms after the hop.
     static constexpr Nanos kAge = std::chrono::microseconds(47'500);
     static constexpr int kHopsBehind = 5;  ///< the hop nearest to that middle
 
     /// Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate, const MfccConfig& config = {});
 
-    /// Samples in [-1, 1]. What waits for next() must be less than 256 ms.
+    /// Samples in [-1, 1] at the source's rate. Those that wait for next() must be fewer than 256
+    /// ms.
     void push(std::span<const float> mono) noexcept RAKS_NONBLOCKING;
 
     /// The vector that became complete with this hop; nullptr in the first hops of a stream and
     /// after a gap. Valid until the next call.
     [[nodiscard]] const MfccVector* next() noexcept RAKS_NONBLOCKING;
 
-    /// In place of samples that were lost: so many at 16 kHz.
+    /// Puts this many samples of silence at 16 kHz in place of samples that were lost.
     void push_lost(int samples) noexcept RAKS_NONBLOCKING;
-    /// In place of next() for a hop inside a gap: the frames start anew after it.
+    /// In place of next() for a hop inside a gap: discards the hop's samples, and frames start anew
+    /// after it.
     void next_lost() noexcept RAKS_NONBLOCKING;
+    /// Forgets the stream, as after prepare().
     void reset() noexcept RAKS_NONBLOCKING;
 
     /// Longest time from a source sample to its place at 16 kHz.

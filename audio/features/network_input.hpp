@@ -8,19 +8,23 @@
 
 namespace raks::audio {
 
-/// What the networks of beat and genre see of one hop, from its mel magnitudes over a running level
-/// (so that a quiet recording looks like a loud one): for each band the rise against the maximum of
-/// three bands two hops ago, and for each two bands how loud they are.
+/// The input of the beat and genre networks for one hop, from its mel magnitudes relative to a
+/// running level, so that a quiet recording gives the same input as a loud one. For each band: how
+/// far its log magnitude rises above the maximum of three neighbouring bands two hops before. For
+/// each pair of bands: its mean log magnitude.
 ///
 /// Threads: one. Real-time: yes.
 class NetworkInput {
  public:
-    static constexpr std::size_t kBands = 36;
-    static constexpr std::size_t kSize = kBands + kBands / 2;
+    static constexpr std::size_t kBands = 36;                  ///< mel bands
+    static constexpr std::size_t kSize = kBands + kBands / 2;  ///< numbers of one hop
+    /// Inputs of one hop: kBands rises, then kBands / 2 levels.
     using Frame = std::array<float, kSize>;
 
-    /// `mel_magnitudes`: kBands, of an unnormalized spectrum of samples in [-1, 1].
+    /// Input of the next hop. `mel_magnitudes`: kBands, of an unnormalized spectrum of samples in
+    /// [-1, 1] (OnsetDetector::mel_magnitudes()).
     Frame next(std::span<const float> mel_magnitudes) noexcept RAKS_NONBLOCKING;
+    /// Forgets level and history.
     void reset() noexcept RAKS_NONBLOCKING { *this = NetworkInput(); }
 
  private:

@@ -9,27 +9,31 @@
 
 namespace raks::audio {
 
-/// Takes hiss out of mel magnitudes: the loudest white noise that may lie under the last 4 s, where
-/// no band was ever softer than it and a quarter of them hardly louder. What subtracts each band's
-/// own floor takes held chords and echoes, too; white noise has one level for all bands, so one
-/// that rests (the highest, in most music) says that there is none. (Spectral subtraction: Boll
-/// 1979; minimum statistics: Martin 2001.)
+/// Removes hiss from mel magnitudes. The hiss is taken for white noise, whose level is the highest
+/// that can lie under the last 4 s: in these no band was ever below it, and in a quarter of the
+/// bands the minimum is hardly above it. White noise has one level for all bands, so a band that
+/// rests (the highest, in most music) shows that there is none; a floor for each band by itself
+/// would remove held chords and reverberation, too. (Spectral subtraction: Boll 1979; minimum
+/// statistics: Martin 2001.)
 ///
 /// Threads: one. Real-time: all but the constructor.
 class NoiseFloor {
  public:
-    static constexpr std::size_t kBands = OnsetDetector::kMelBands;
+    static constexpr std::size_t kBands = OnsetDetector::kMelBands;  ///< mel bands
+    /// One magnitude a band.
     using Bands = std::array<float, kBands>;
 
+    /// Ready for the first hop.
     NoiseFloor();
 
-    /// Takes a hop of sound (leave silence out) and gives its magnitudes without the noise, each
+    /// Takes a hop of sound (leave silence out) and returns its magnitudes without the noise, each
     /// >= 0. `magnitudes`: OnsetDetector::mel_magnitudes(). Valid until the next call. The first
-    /// 0.6 s come out as they are.
+    /// 0.6 s are returned unchanged.
     [[nodiscard]] const Bands& subtract(std::span<const float, kBands> magnitudes) noexcept
         RAKS_NONBLOCKING;
-    /// Of the noise: mean magnitude of a bin of the spectrum; 0: none.
+    /// Level of the noise: mean magnitude of a bin of the spectrum; 0: none was found.
     [[nodiscard]] float level() const noexcept { return level_; }
+    /// Forgets the stream; the level is 0.
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
@@ -38,10 +42,10 @@ class NoiseFloor {
     void keep_least() noexcept;
     [[nodiscard]] float level_under() const noexcept;
 
-    Bands white_{};                        // magnitudes of white noise whose bins are 1
-    Bands smoothed_{};                     // of what comes
-    Bands least_{};                        // of the open block
-    std::array<Bands, kBlocks> blocks_{};  // the least of each, ring
+    Bands white_{};                        // mel magnitudes of white noise whose bins are 1
+    Bands smoothed_{};                     // magnitudes after the low-pass
+    Bands least_{};                        // minimum of smoothed_ in the open block
+    std::array<Bands, kBlocks> blocks_{};  // minima of the last blocks, ring
     std::int64_t hops_ = 0;
     float level_ = 0.0F;
     Bands quiet_{};  // the newest hop without the noise

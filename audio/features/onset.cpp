@@ -7,15 +7,17 @@ namespace raks::audio {
 namespace {
 
 constexpr float kCompression = 20.0F;  // log(1 + 20 |X|): weak onsets count, noise does not
-constexpr std::array<int, kOnsetBands + 1> kBandEdges = {0, 6, 20, 36};  // in mel bands
-constexpr std::array<float, kOnsetBands> kBandWeights = {0.4F, 0.4F, 0.3F};
-constexpr float kNormalizeHops = 400.0F;  // 4 s
-constexpr float kFirstHops = 20.0F;       // faster at the start: 1 / (n + 20)
-constexpr float kFirstVariance = 0.1F;
-constexpr float kVarianceFloor = 1e-5F;
-constexpr float kLowest = -0.8F;
-constexpr float kHighest = 3.5F;
+// In mel bands: low, middle, high.
+constexpr std::array<int, kOnsetBands + 1> kBandEdges = {0, 6, 20, 36};
+constexpr std::array<float, kOnsetBands> kBandWeights = {0.4F, 0.4F, 0.3F};  // of the strength
+constexpr float kNormalizeHops = 400.0F;  // memory of mean and variance: 4 s
+constexpr float kFirstHops = 20.0F;       // 1 / (n + 20) in the beginning: follows faster
+constexpr float kFirstVariance = 0.1F;    // before anything is known
+constexpr float kVarianceFloor = 1e-5F;   // keeps near silence from being divided by 0
+constexpr float kLowest = -0.8F;          // a pause is not further below an onset than this
+constexpr float kHighest = 3.5F;          // nor one loud onset stronger than this
 
+// The bank of the detector and of white_magnitudes().
 FilterBank mel_filters() {
     return triangular_filter_bank({OnsetDetector::kSampleRate,
                                    OnsetDetector::kWindow,
@@ -40,6 +42,7 @@ std::array<float, OnsetDetector::kMelBands> OnsetDetector::white_magnitudes() {
     return magnitudes;
 }
 
+// A filter is whole when all its bins are below the limit.
 void OnsetDetector::limit_to(double hertz) noexcept {
     const int bin = static_cast<int>(hertz * kWindow / kSampleRate);
     whole_bands_ = static_cast<std::size_t>(std::max(1, filters_.size_below(bin)));
@@ -58,6 +61,7 @@ Onset OnsetDetector::compute(std::span<const float> window,
     std::transform(
         power.begin(), power.end(), magnitude_.begin(), [](float p) { return std::sqrt(p); });
     filters_.apply(magnitude_, magnitudes_);
+    // Bands above the source's limit would stay empty and lower the flux of the high group.
     std::fill(magnitudes_.begin() + static_cast<std::ptrdiff_t>(whole_bands_),
               magnitudes_.end(),
               magnitudes_[whole_bands_ - 1]);
@@ -70,12 +74,14 @@ Onset OnsetDetector::compute_from_mel(std::span<const float> magnitudes,
     std::transform(magnitudes.begin(), magnitudes.end(), now.begin(), [](float magnitude) {
         return std::log1p(kCompression * magnitude);
     });
+    // The flux needs the two windows before the last hop.
     Onset onset;
     if (hops_ >= 3) {
         onset.flux = flux_of(now);
     }
     history_[static_cast<std::size_t>(hops_ % kHistory)] = now;
     ++hops_;
+    // No onset in silence, and mean and variance stand still: music finds them as it left them.
     if (is_silent) {
         onset.flux = {};
         return onset;
@@ -87,6 +93,9 @@ Onset OnsetDetector::compute_from_mel(std::span<const float> magnitudes,
     return onset;
 }
 
+// Mean over each group's bands of the rise against the maximum of two and three hops before: the
+// window of one hop before shares two thirds of its samples with this one. The maximum keeps a
+// vibrato that comes back to a band from counting as an onset (Boeck, Widmer 2013).
 std::array<float, kOnsetBands> OnsetDetector::flux_of(const LogMel& now) const noexcept {
     const LogMel& two_ago = history_[static_cast<std::size_t>((hops_ - 2) % kHistory)];
     const LogMel& three_ago = history_[static_cast<std::size_t>((hops_ - 3) % kHistory)];
@@ -103,7 +112,9 @@ std::array<float, kOnsetBands> OnsetDetector::flux_of(const LogMel& now) const n
     return flux;
 }
 
+// Makes groups comparable: flux minus its running mean, in running standard deviations, clamped.
 void OnsetDetector::normalize(Onset& onset) noexcept {
+    // 1 / (n + 20) until that is below 1 / 400: a plain mean first, an exponential one later.
     const float share =
         std::max(1.0F / kNormalizeHops, 1.0F / (static_cast<float>(hops_normalized_) + kFirstHops));
     ++hops_normalized_;
@@ -115,6 +126,7 @@ void OnsetDetector::normalize(Onset& onset) noexcept {
             std::clamp(deviation / std::sqrt(variance_[i] + kVarianceFloor), kLowest, kHighest);
         onset.strength += kBandWeights[i] * onset.normalized[i];
     }
+    // The count saturates: it matters at the start only and must not overflow.
     hops_normalized_ = std::min(hops_normalized_, 1'000'000);
 }
 

@@ -10,14 +10,14 @@
 
 namespace raks::audio {
 
-/// Bands in which onsets are heard apart: below 0.4 kHz (bass drum, bass, conga), to 2.5 kHz
-/// (voices, piano, snare), above (hats, bells, shakers).
+/// Bands whose onsets are computed apart: below 0.4 kHz (bass drum, bass, conga), to 2.5 kHz
+/// (voices, piano, snare) and above (hats, bells, shakers).
 inline constexpr int kOnsetBands = 3;
 
 /// Onset strength of one hop.
 struct Onset {
     std::array<float, kOnsetBands> flux{};        ///< half-wave rectified log-mel flux, >= 0
-    std::array<float, kOnsetBands> normalized{};  ///< in its own running sd, [-0.8, 3.5]
+    std::array<float, kOnsetBands> normalized{};  ///< flux in its running sd, [-0.8, 3.5]
     float strength = 0.0F;  ///< weighted sum of `normalized`: what the beat pointer follows
     float total = 0.0F;     ///< sum of `flux`, >= 0; 0 in silence
 };
@@ -30,29 +30,32 @@ struct Onset {
 /// Threads: one. Real-time: compute, reset yes.
 class OnsetDetector {
  public:
-    static constexpr int kSampleRate = 32'000;
-    static constexpr int kHop = 320;
-    static constexpr int kWindow = 1024;
+    static constexpr int kSampleRate = 32'000;  ///< hertz
+    static constexpr int kHop = 320;            ///< samples: 10 ms
+    static constexpr int kWindow = 1024;        ///< samples
 
+    /// Plans the FFT and the mel filters.
     OnsetDetector();
 
-    /// `window`: kWindow samples around the hop's moment, in [-1, 1].
+    /// Onset strength of the next hop. `window`: kWindow samples around the hop's time, in [-1, 1].
     Onset compute(std::span<const float> window, bool is_silent) noexcept RAKS_NONBLOCKING;
-    /// The same from the magnitudes that a window gave, see mel_magnitudes().
+    /// The same from mel magnitudes that a window gave before, see mel_magnitudes().
     Onset compute_from_mel(std::span<const float> magnitudes,
                            bool is_silent) noexcept RAKS_NONBLOCKING;
+    /// Forgets the stream; the band limit stays.
     void reset() noexcept RAKS_NONBLOCKING;
 
-    /// The source holds nothing above this many hertz: bands that reach higher sound like the
-    /// highest one below, so that onsets come at the same time whatever the source's rate is.
+    /// Tells that the source holds nothing above this many hertz. Bands that reach higher take the
+    /// value of the highest whole band below, so that onsets have the same timing at any source
+    /// rate.
     void limit_to(double hertz) noexcept;
 
     static constexpr int kMelBands = 36;  ///< 30 to 15,500 Hz
-    /// Of the last window: the bands' magnitudes, unnormalized.
+    /// The bands' magnitudes of the last window of compute(), not normalized.
     [[nodiscard]] std::span<const float, kMelBands> mel_magnitudes() const noexcept {
         return magnitudes_;
     }
-    /// What a spectrum with the magnitude 1 in each bin gives: the shape of white noise.
+    /// Mel magnitudes of a spectrum whose bins all have magnitude 1: the shape of white noise.
     [[nodiscard]] static std::array<float, kMelBands> white_magnitudes();
 
  private:
@@ -64,7 +67,7 @@ class OnsetDetector {
 
     PowerSpectrum spectrum_;
     FilterBank filters_;
-    std::size_t whole_bands_ = kMelBands;  // that the source can fill
+    std::size_t whole_bands_ = kMelBands;  // mel bands below the source's limit
     std::vector<float> magnitude_;
     std::array<float, kMelBands> magnitudes_{};  // of the mel bands
     std::array<LogMel, kHistory> history_{};     // of the last hops, ring

@@ -10,17 +10,17 @@
 namespace raks::audio {
 
 /// Cuts a stream of any supported rate into the analyzer's windows: 1,024 samples at 32 kHz, number
-/// n centred on time_of_hop(n), zeros before the stream. For whole-file work and pictures; the
-/// analyzer has its own.
+/// n centred on time_of_hop(n), with zeros before the stream. For whole files and pictures; the
+/// analyzer cuts its own.
 ///
-/// Threads: one. Real-time: no (the callback's matter).
+/// Threads: one. Real-time: no (that is up to the callback).
 class RhythmFrames {
  public:
-    static constexpr int kSampleRate = 32'000;
-    static constexpr std::size_t kHop = 320;
-    static constexpr std::size_t kWindow = 1024;
+    static constexpr int kSampleRate = 32'000;    ///< hertz
+    static constexpr std::size_t kHop = 320;      ///< samples: 10 ms
+    static constexpr std::size_t kWindow = 1024;  ///< samples
 
-    /// Errors: no resampler can be set up.
+    /// Sets up the resampler and starts a stream. Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate);
 
     /// Takes samples, calls `on_window(std::span<const float>)` for each window that became full.
@@ -39,7 +39,7 @@ class RhythmFrames {
         }
     }
 
-    /// Age of a window's middle when it comes out.
+    /// Longest time from a sample in the middle of a window to the call of `on_window`.
     [[nodiscard]] Nanos delay() const noexcept;
 
  private:

@@ -9,6 +9,7 @@
 
 namespace raks::audio {
 
+// kissfft's plan and the buffers of one transform: compute() allocates nothing.
 struct PowerSpectrum::Plan {
     Plan(std::vector<float> window_in, int fft_size)
         : window(std::move(window_in)),
@@ -21,7 +22,7 @@ struct PowerSpectrum::Plan {
     Plan& operator=(const Plan&) = delete;
 
     std::vector<float> window;
-    std::vector<float> samples;
+    std::vector<float> samples;  // longer than the window: what is behind it stays 0
     std::vector<kiss_fft_cpx> bins;
     std::vector<float> power;
     kiss_fftr_cfg config;
@@ -53,6 +54,7 @@ int PowerSpectrum::bins() const noexcept { return static_cast<int>(plan_->power.
 
 namespace {
 
+// constant - amplitude x cosine over one period; both ends are equal.
 std::vector<float> cosine_window(int size, double constant, double amplitude) {
     std::vector<float> window(static_cast<std::size_t>(size));
     for (std::size_t i = 0; i < window.size(); ++i) {

@@ -12,16 +12,21 @@ namespace raks::audio {
 /// Threads: one. Real-time: compute yes.
 class PowerSpectrum {
  public:
-    /// `window`: what the samples are multiplied by, window.size() <= fft_size; the rest is zeros.
+    /// `window`: factors of the samples, window.size() <= fft_size; the rest of the FFT is zeros.
     /// `fft_size`: even.
     PowerSpectrum(std::vector<float> window, int fft_size);
+    /// Frees the plan.
     ~PowerSpectrum();
+    /// Movable, not copyable.
     PowerSpectrum(PowerSpectrum&&) noexcept;
+    /// As above.
     PowerSpectrum& operator=(PowerSpectrum&&) noexcept;
 
-    /// |X|^2 of bins 0 .. fft_size / 2 of `samples` (as many as the window has), not normalized.
+    /// |X|^2 of bins 0 .. fft_size / 2, not normalized. `samples`: as many as the window has. The
+    /// result is valid until the next call.
     std::span<const float> compute(std::span<const float> samples) noexcept RAKS_NONBLOCKING;
 
+    /// Number of bins: fft_size / 2 + 1.
     [[nodiscard]] int bins() const noexcept;
 
  private:
@@ -29,8 +34,9 @@ class PowerSpectrum {
     std::unique_ptr<Plan> plan_;
 };
 
-/// Symmetric windows: w[i] over i = 0 .. size - 1.
+/// Symmetric Hann window, 0.5 - 0.5 cos(2 pi i / (size - 1)) over i = 0 .. size - 1.
 [[nodiscard]] std::vector<float> hann_window(int size);
-[[nodiscard]] std::vector<float> hamming_window(int size);  ///< 0.54 - 0.46 cos
+/// Symmetric Hamming window, 0.54 - 0.46 cos(2 pi i / (size - 1)).
+[[nodiscard]] std::vector<float> hamming_window(int size);
 
 }  // namespace raks::audio

@@ -16,27 +16,28 @@ using Patterns = BarPatterns;
 
 // First mel band of each of the six; up to 0.5, 1.1, 2.3, 4.2, 8.1 and 15.5 kHz.
 constexpr std::array<int, Patterns::kBands + 1> kBandEdges = {0, 5, 10, 16, 22, 29, 36};
-constexpr float kRange = 45.0F;        // dB under the peak that count
-constexpr float kPeakFall = 0.02F;     // dB a hop: 2 dB a second
-constexpr float kLeastRise = 1.0F;     // dB: less is no onset
-constexpr float kQuietest = -200.0F;   // dB
-constexpr double kSlowestPulse = 0.7;  // Hz
-constexpr double kFastestPulse = 12.0;
-constexpr double kPulseMemory = 2.5;  // s
-constexpr float kTiny = 1e-6F;
+constexpr float kRange = 45.0F;         // dB below the peak; lower levels count as the floor
+constexpr float kPeakFall = 0.02F;      // dB a hop: 2 dB a second
+constexpr float kLeastRise = 1.0F;      // dB: less is no onset
+constexpr float kQuietest = -200.0F;    // dB: an empty band
+constexpr double kSlowestPulse = 0.7;   // Hz: 42 beats a minute
+constexpr double kFastestPulse = 12.0;  // Hz: sixteenths at 180 BPM
+constexpr double kPulseMemory = 2.5;    // s, time constant of a resonator
+constexpr float kTiny = 1e-6F;          // keeps empty sums from being divided by 0
 
+// Level in dB, bounded below for empty bands.
 float decibels(float magnitude) noexcept {
     return std::max(kQuietest, 20.0F * std::log10(magnitude + 1e-12F));
 }
 
-/// Slot of a position in a cycle, 0 <= position < cycle.
+// Slot of a position (beats, any sign) in a cycle that repeats every `cycle` beats.
 std::size_t slot_of(double position, double cycle, int slots) noexcept {
     const double inside = position - cycle * std::floor(position / cycle);
     const int slot = static_cast<int>(inside / cycle * slots);
     return static_cast<std::size_t>(std::clamp(slot, 0, slots - 1));
 }
 
-/// Writes one feature after the other.
+// Writes features in order and counts them.
 class Writer {
  public:
     explicit Writer(std::span<float> out) : out_(out) {}
@@ -48,13 +49,14 @@ class Writer {
     std::size_t at_ = 0;
 };
 
+// One coefficient of a Fourier series.
 struct Wave {
     float re = 0.0F;
     float im = 0.0F;
     [[nodiscard]] float magnitude() const noexcept { return std::sqrt(re * re + im * im); }
 };
 
-/// Cosines over one turn, at program start: none is computed while music plays.
+// Cosines over one turn, computed at program start: no trigonometry in the streaming part.
 template <std::size_t Steps>
 std::array<float, Steps> cosine_turn() {
     std::array<float, Steps> table{};
@@ -64,11 +66,13 @@ std::array<float, Steps> cosine_turn() {
     }
     return table;
 }
-// A slot is a whole number of these steps for 12 and 16 slots, as is half a mel band's step.
+// A slot is a whole number of these steps for 12 and for 16 slots, and so is half a mel band's step
+// in the cosine series.
 constexpr std::size_t kTurn = 144;
 const std::array<float, kTurn> kCosines = cosine_turn<kTurn>();
 
-/// Coefficient `k` of the Fourier series of one cycle.
+// Coefficient `k` of the Fourier series over one cycle of slots; its magnitude does not change when
+// the cycle is rotated.
 template <std::size_t Slots>
 Wave wave_of(const std::array<float, Slots>& cycle, std::size_t k) noexcept {
     static_assert(kTurn % Slots == 0 && kTurn % 4 == 0);
@@ -81,7 +85,8 @@ Wave wave_of(const std::array<float, Slots>& cycle, std::size_t k) noexcept {
     return wave;
 }
 
-/// Means by slot, then divided by their sum: shares that sum to 1. Slots without a hop are 0.
+// Mean onset strength of each slot (a window holds more hops of some slots than of others), divided
+// by the sum of these: shares that sum to 1. Slots without a hop are 0.
 template <std::size_t Slots>
 std::array<float, Slots> shares_of(const std::array<float, Slots>& sums,
                                    const std::array<float, Slots>& hops) noexcept {
@@ -97,7 +102,8 @@ std::array<float, Slots> shares_of(const std::array<float, Slots>& sums,
     return shares;
 }
 
-/// Cosine series of the mel bands, coefficients [first, first + count).
+// Cosine series over the mel bands, coefficients [first, first + count): a smooth description of
+// the spectrum's shape, as in a cepstrum. Coefficient 0 is the mean level.
 void put_cosines(const std::array<float, Patterns::kMelBands>& bands,
                  std::size_t first,
                  std::size_t count,
@@ -114,6 +120,7 @@ void put_cosines(const std::array<float, Patterns::kMelBands>& bands,
 
 using Bar = std::array<float, Patterns::kBarSlots>;
 
+// "beat": the four slots of each beat added up, so that only the place within the beat is left.
 void put_beat_profiles(const std::array<Bar, Patterns::kBands>& bars, Writer& writer) noexcept {
     for (const Bar& bar : bars) {
         for (std::size_t slot = 0; slot < 4; ++slot) {
@@ -122,6 +129,7 @@ void put_beat_profiles(const std::array<Bar, Patterns::kBands>& bars, Writer& wr
     }
 }
 
+// "series": magnitudes of coefficients 1 to 8 for each band.
 void put_series(const std::array<Bar, Patterns::kBands>& bars, Writer& writer) noexcept {
     for (const Bar& bar : bars) {
         for (std::size_t k = 1; k <= 8; ++k) {
@@ -130,7 +138,8 @@ void put_series(const std::array<Bar, Patterns::kBands>& bars, Writer& writer) n
     }
 }
 
-/// One group's wave times the other's conjugate: turning both by whole beats leaves it.
+// "phases": one group's coefficient times the conjugate of the other's. A rotation of both by whole
+// beats turns both phases alike and cancels out. Scaled to the size of one coefficient.
 void put_phases(const std::array<Bar, Patterns::kGroups>& groups, Writer& writer) noexcept {
     constexpr std::array<std::pair<std::size_t, std::size_t>, 3> kPairs = {
         {{0, 1}, {0, 2}, {1, 2}}};
@@ -148,6 +157,7 @@ void put_phases(const std::array<Bar, Patterns::kGroups>& groups, Writer& writer
 }  // namespace
 
 BarPatterns::BarPatterns() {
+    // A resonator multiplies its complex state by keep x e^(i angle) each hop.
     const double ratio = std::log(kFastestPulse / kSlowestPulse) / (kResonators - 1);
     const double keep = std::exp(-1.0 / (kPulseMemory * kHopsPerSecond));
     for (int i = 0; i < kResonators; ++i) {
@@ -171,7 +181,7 @@ void BarPatterns::reset() noexcept RAKS_NONBLOCKING {
 
 namespace {
 
-/// The spectrum's shape and spread, and how many onsets each band has.
+// "shape", "spread" and "onsets": mean and deviation of the log spectrum, and the bands' onsets.
 template <class Sums>
 void put_sound(const Sums& sums, Writer& writer) noexcept {
     std::array<float, Patterns::kMelBands> mean{};
@@ -181,6 +191,7 @@ void put_sound(const Sums& sums, Writer& writer) noexcept {
         const float variance = sums.level_squared[band] / sums.hops - mean[band] * mean[band];
         deviation[band] = std::sqrt(std::max(0.0F, variance));
     }
+    // The mean's coefficient 0 is its level, which is left out; the deviation's is kept.
     put_cosines(mean, 1, 9, writer);
     put_cosines(deviation, 0, 6, writer);
     std::array<float, Patterns::kBands> totals{};
@@ -192,10 +203,11 @@ void put_sound(const Sums& sums, Writer& writer) noexcept {
     for (const float total : totals) {
         writer.put(total / all);
     }
+    // Onsets altogether, in logarithm; the constant bounds it where there are none.
     writer.put(std::log(0.02F + all / sums.hops));
 }
 
-/// The pattern over the bar in its forms.
+// "beat" to "swing": the pattern over the bar, over three beats and within the beat.
 template <class Sums>
 void put_bar(const Sums& sums, Writer& writer) noexcept {
     std::array<Bar, Patterns::kBands> bars{};
@@ -203,6 +215,7 @@ void put_bar(const Sums& sums, Writer& writer) noexcept {
     for (std::size_t band = 0; band < bars.size(); ++band) {
         bars[band] = shares_of(sums.bar[band], sums.bar_hops);
     }
+    // Two neighbouring bands make a group.
     for (std::size_t group = 0; group < groups.size(); ++group) {
         Bar both{};
         std::transform(sums.bar[2 * group].begin(),
@@ -220,6 +233,7 @@ void put_bar(const Sums& sums, Writer& writer) noexcept {
         }
     }
     put_phases(groups, writer);
+    // Three beats: strong first and second coefficients mean triple metre.
     for (const auto& group : sums.waltz) {
         const auto shares = shares_of(group, sums.waltz_hops);
         writer.put(wave_of(shares, 1).magnitude());
@@ -230,11 +244,11 @@ void put_bar(const Sums& sums, Writer& writer) noexcept {
     }
 }
 
-/// Rates that need no tracker, and the tracker's tempo.
+// "pulse" and "tempo": rates that need no tracker, and the tracker's tempo and metre.
 template <class Sums>
 void put_pulse(const Sums& sums, Writer& writer) noexcept {
     for (std::size_t group = 0; group < sums.pulse.size(); ++group) {
-        // Radii grow with the onsets' mean level and the resonators' memory.
+        // The radii grow with the mean onset strength and the resonators' memory: divided by both.
         const float scale = 20.0F * (sums.pulse_power[group] + 0.02F * sums.hops);
         for (const float radius : sums.pulse[group]) {
             writer.put(std::log(0.05F + radius / scale));
@@ -247,6 +261,7 @@ void put_pulse(const Sums& sums, Writer& writer) noexcept {
 
 }  // namespace
 
+// Adds another segment, field by field.
 void BarPatterns::Sums::add(const Sums& other) noexcept {
     const auto join = [](auto& sums, const auto& more) {
         std::transform(sums.begin(), sums.end(), more.begin(), sums.begin(), std::plus<>());
@@ -287,8 +302,10 @@ bool BarPatterns::add(std::span<const float, kMelBands> mel,
     return true;
 }
 
+// Levels above the floor, their sums, and the onset strength of each band.
 void BarPatterns::take_levels(std::span<const float, kMelBands> mel) noexcept {
     std::transform(mel.begin(), mel.end(), level_.begin(), decibels);
+    // The peak falls slowly, so that a break does not raise the floor; gain changes both alike.
     peak_ = std::max(peak_ - kPeakFall, *std::max_element(level_.begin(), level_.end()));
     for (std::size_t band = 0; band < level_.size(); ++band) {
         level_[band] = std::max(0.0F, level_[band] - peak_ + kRange);
@@ -305,11 +322,13 @@ void BarPatterns::take_levels(std::span<const float, kMelBands> mel) noexcept {
             sum += level_[i];
         }
         now[band] = sum / static_cast<float>(to - from);
+        // Rise over two hops; rises below kLeastRise are fluctuation.
         onset_[band] = hops_ < 2 ? 0.0F : std::max(0.0F, now[band] - before[band] - kLeastRise);
     }
     ++hops_;
 }
 
+// Sorts the hop's onsets into the slots where the tracker sees the hop.
 void BarPatterns::take_onsets(const BeatGrid& grid, StreamTime time) noexcept {
     std::array<float, 4> groups{};  // low, middle, high, all
     for (std::size_t band = 0; band < onset_.size(); ++band) {
@@ -317,6 +336,7 @@ void BarPatterns::take_onsets(const BeatGrid& grid, StreamTime time) noexcept {
         groups[3] += onset_[band];
     }
     resonate(groups);
+    // Beats since a downbeat; the same number serves bars of three and of four.
     const double beats = (grid.beats_at(time) - grid.bar_origin).count();
     const std::size_t bar = slot_of(beats, 4.0, kBarSlots);
     const std::size_t waltz = slot_of(beats, 3.0, kWaltzSlots);
@@ -331,6 +351,8 @@ void BarPatterns::take_onsets(const BeatGrid& grid, StreamTime time) noexcept {
     open_.bar_hops[bar] += 1.0F;
     open_.waltz_hops[waltz] += 1.0F;
     open_.beat_hops[beat] += 1.0F;
+    // Octaves above 120 BPM. Cosine and sine of a turn per octave are the same for double and half
+    // tempo, which trackers confuse.
     const auto octave = static_cast<float>(std::log2(grid.tempo.bpm() / 120.0));
     const auto turn = 2.0F * static_cast<float>(M_PI) * octave;
     open_.tempo[0] += octave;
@@ -341,7 +363,8 @@ void BarPatterns::take_onsets(const BeatGrid& grid, StreamTime time) noexcept {
     open_.tempo[5] += grid.beats_per_bar == 2 ? 1.0F : 0.0F;
 }
 
-/// One step of damped circles that each onset pushes: their radius says how strong that rate is.
+// One step of the resonators: complex states that rotate with their rate, decay, and are pushed by
+// each onset. Where onsets come at a resonator's rate its radius grows.
 void BarPatterns::resonate(const std::array<float, 4>& onsets) noexcept {
     for (std::size_t group = 0; group < onsets.size(); ++group) {
         auto& [re, im] = resonance_[group];
@@ -358,6 +381,7 @@ void BarPatterns::resonate(const std::array<float, 4>& onsets) noexcept {
 void BarPatterns::features(int count,
                            std::span<float, kFeatures> out) const noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(count >= 1 && count <= segments());
+    // From the newest segment backwards.
     Sums sums;
     for (int i = 1; i <= count; ++i) {
         sums.add(closed_[static_cast<std::size_t>((next_ + kSegments - i) % kSegments)]);

@@ -20,17 +20,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Field = models::JsonDocument::Field;
 
-constexpr std::size_t kMaxBytes = std::size_t{32} << 20U;
-// What the numbers of this program's features mean; another definition gets another name.
+constexpr std::size_t kMaxBytes = std::size_t{32} << 20U;  // of a file
+// Names of the features' definitions. Another definition gets another name, so that models of it
+// are refused.
 constexpr std::string_view kMfccKind = "htk-39";
 constexpr std::string_view kPatternsKind = "bar-patterns-1";
 constexpr std::string_view kMelKind = "mel-36-rises";
 
-/// Six digits: enough, and a file that people can read.
+// Six significant digits: as exact as the models need, in a file that people can read.
 double shortened(double value) {
     return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
+// A list of numbers as JSON, shortened.
 Json list_of(std::span<const float> numbers) {
     Json list = Json::array();
     for (const float number : numbers) {
@@ -39,6 +41,7 @@ Json list_of(std::span<const float> numbers) {
     return list;
 }
 
+// The numbers of a JSON list.
 std::vector<float> floats_of(const Field& field) {
     const std::vector<double> numbers = field.numbers();
     std::vector<float> floats(numbers.size());
@@ -48,6 +51,7 @@ std::vector<float> floats_of(const Field& field) {
     return floats;
 }
 
+// The feature definition, as it is compared and stored.
 Json features_json(const GenreFeatures& features) {
     const MfccConfig& mfcc = features.mfcc;
     const CepstralMeanConfig& mean = features.cepstral_mean;
@@ -65,7 +69,8 @@ Json features_json(const GenreFeatures& features) {
             {"mel", kMelKind}};
 }
 
-/// A number that must lie in [lowest, highest].
+// A number that must lie in [lowest, highest]; otherwise the field is reported and `lowest`
+// returned.
 double bounded(const Field& field, double lowest, double highest) {
     const double number = field.number();
     if (!(number >= lowest && number <= highest)) {
@@ -75,7 +80,7 @@ double bounded(const Field& field, double lowest, double highest) {
     return number;
 }
 
-/// True for the first word, false for the second; anything else is a fault.
+// True for the first word, false for the second; any other word is reported.
 bool is_first_of(const Field& field, std::string_view first, std::string_view second) {
     const std::string word = field.text();
     if (word != first && word != second) {
@@ -84,6 +89,7 @@ bool is_first_of(const Field& field, std::string_view first, std::string_view se
     return word == first;
 }
 
+// Features of another kind cannot be converted: the model must be trained again.
 void expect_kind(const Field& field, std::string_view kind) {
     if (const std::string found = field.text(); found != kind) {
         field.complain(
@@ -91,6 +97,8 @@ void expect_kind(const Field& field, std::string_view kind) {
     }
 }
 
+// Reads the feature definition. The document keeps the first fault, and reading goes on with
+// default values.
 GenreFeatures read_features(const Field& field) {
     expect_kind(field["mfcc"], kMfccKind);
     expect_kind(field["patterns"], kPatternsKind);
@@ -120,6 +128,7 @@ GenreFeatures read_features(const Field& field) {
     return features;
 }
 
+// A pattern network; its number of classes is the model's.
 Json network_json(const PatternNetwork& network) {
     return {{"units", network.units},
             {"mean", list_of(network.mean)},
@@ -130,6 +139,7 @@ Json network_json(const PatternNetwork& network) {
             {"output_bias", list_of(network.output_bias)}};
 }
 
+// Sizes are checked by validate(), which knows what belongs together.
 PatternNetwork read_network(const Field& field, std::size_t classes) {
     PatternNetwork network;
     network.units = static_cast<std::size_t>(
@@ -144,12 +154,14 @@ PatternNetwork read_network(const Field& field, std::size_t classes) {
     return network;
 }
 
+// A recurrent network: its shape and the parameters in one list.
 Json network_json(const models::RecurrentNetwork& network) {
     return {{"units", network.units()},
             {"layers", network.layers().size()},
             {"parameters", list_of(network.parameters())}};
 }
 
+// Inputs and outputs follow from the model; units and layers are in the file.
 models::RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs) {
     models::RecurrentNetwork::Shape shape{.inputs = NetworkInput::kSize, .outputs = outputs};
     shape.units = static_cast<std::size_t>(
@@ -170,7 +182,8 @@ models::RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs)
     return network;
 }
 
-/// Version 1 has none: one that knows nothing takes its place; versions 2 and 3 have one.
+// The recurrent networks. Version 1 has none, so an untrained one takes the place; versions 2 and 3
+// have exactly one, in the field `network`.
 std::vector<models::RecurrentNetwork> read_networks(const Field& root,
                                                     int version,
                                                     std::size_t outputs) {
@@ -182,18 +195,20 @@ std::vector<models::RecurrentNetwork> read_networks(const Field& root,
     }
     const Field networks = root["networks"];
     std::vector<models::RecurrentNetwork> read;
+    // One more than allowed is read, so that validate() can report it.
     for (std::size_t i = 0; i < networks.size() && i <= GenreScorer::kMostNetworks; ++i) {
         read.push_back(read_recurrent(networks[i], outputs));
     }
     return read;
 }
 
-/// What files of earlier versions do not have.
+// Fields that files of earlier versions lack.
 struct FusionParts {
     bool has_network = true;      ///< since version 2
     bool has_own_of_none = true;  ///< weights of none and offsets; since version 3
 };
 
+// Weights of one kind of class; a network that the file lacks gets the weight 0.
 EvidenceWeights read_weights(const Field& field, const FusionParts& parts) {
     return {static_cast<float>(field["mfcc"].number()),
             static_cast<float>(field["rhythm"].number()),
@@ -201,6 +216,8 @@ EvidenceWeights read_weights(const Field& field, const FusionParts& parts) {
             parts.has_network ? static_cast<float>(field["network"].number()) : 0.0F};
 }
 
+// The fusion of one window length. Version 2 and earlier have one set of weights for all classes
+// and a single offset, that of "none of them".
 GenreFusion read_window_fusion(const Field& entry, const FusionParts& parts, std::size_t classes) {
     if (!parts.has_own_of_none) {
         const EvidenceWeights weights = read_weights(entry, parts);
@@ -212,6 +229,7 @@ GenreFusion read_window_fusion(const Field& entry, const FusionParts& parts, std
     GenreFusion fusion{
         read_weights(entry["dances"], parts), read_weights(entry["none"], parts), {}};
     const Field offsets = entry["offsets"];
+    // A model with too many genres is reported by validate() as well.
     if (offsets.size() != classes || classes > fusion.offsets.size()) {
         offsets.complain(fmt::format("has {} numbers, must have {}", offsets.size(), classes));
         return fusion;
@@ -222,6 +240,7 @@ GenreFusion read_window_fusion(const Field& entry, const FusionParts& parts, std
     return fusion;
 }
 
+// One entry a window length, in the order of kGenreWindows.
 void read_fusion(const Field& field, const FusionParts& parts, GenreModel& model) {
     if (field.size() != model.fusion.size()) {
         field.complain(
@@ -238,6 +257,7 @@ void read_fusion(const Field& field, const FusionParts& parts, GenreModel& model
     }
 }
 
+// One set of weights as JSON.
 Json weights_json(const EvidenceWeights& weights) {
     return {{"mfcc", shortened(static_cast<double>(weights.mfcc))},
             {"rhythm", shortened(static_cast<double>(weights.rhythm))},
@@ -245,6 +265,7 @@ Json weights_json(const EvidenceWeights& weights) {
             {"network", shortened(static_cast<double>(weights.network))}};
 }
 
+// All window lengths, only the offsets of classes that exist.
 Json fusion_json(const GenreModel& model) {
     Json list = Json::array();
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
@@ -305,6 +326,7 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     model.features = read_features(root["features"]);
     const Field genres = root["genres"];
     const Field mfcc = root["mfcc"];
+    // One more than allowed is read, so that validate() can report it.
     for (std::size_t i = 0; i < genres.size() && i <= kMostGenres; ++i) {
         model.genres.push_back(genres[i].text());
     }
@@ -319,6 +341,8 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     model.sound = read_network(root["sound"], model.classes());
     model.networks = read_networks(root, version, model.classes());
     read_fusion(root["fusion"], parts, model);
+    // Faults of the fields first: they name the place in the file; validate() checks what fits
+    // together.
     if (auto ok = document->finish(); !ok) {
         return fail(std::move(ok.error()));
     }
@@ -340,6 +364,7 @@ Expected<std::shared_ptr<const GenreModel>> load_genre(const std::filesystem::pa
     return std::make_shared<const GenreModel>(std::move(*model));
 }
 
+// An invalid model is not written: no program could read it.
 Expected<void> save_genre(const GenreModel& model, const std::filesystem::path& path) {
     if (auto ok = validate(model); !ok) {
         return fail(path.filename().string() + ": " + ok.error().message);

@@ -11,9 +11,11 @@
 namespace raks::audio {
 namespace {
 
+// Limits of what runs in real time: SlidingScore costs states^3 a block.
 constexpr Eigen::Index kMostStates = 16;
 constexpr Eigen::Index kMostMixtures = 64;
 
+// An HMM of a model: valid, of the features' dimension, within the limits.
 Expected<void> check_hmm(const models::GaussianHmm& hmm, int dimension, const std::string& name) {
     if (auto valid = models::validate(hmm); !valid) {
         return fail(name + "." + valid.error().message);
@@ -30,12 +32,14 @@ Expected<void> check_hmm(const models::GaussianHmm& hmm, int dimension, const st
                                 kMostStates,
                                 kMostMixtures));
     }
+    // A window ends anywhere in a piece, so an exit distribution would be wrong.
     if (hmm.exit.size() > 0) {
         return fail(name + ".exit must be empty: music may end anywhere");
     }
     return {};
 }
 
+// As many numbers as the shape needs, none of them NaN or huge.
 Expected<void> check_numbers(std::span<const float> numbers,
                              std::size_t size,
                              const std::string& name) {
@@ -43,7 +47,7 @@ Expected<void> check_numbers(std::span<const float> numbers,
         return fail(fmt::format("{} has {} numbers, must have {}", name, numbers.size(), size));
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        // Weights this large would make infinities of sums.
+        // Larger weights would make infinities of sums; a NaN fails the comparison.
         if (!(std::abs(numbers[i]) < 1e6F)) {
             return fail(fmt::format("{}[{}] is not below 1e6", name, i));
         }
@@ -51,6 +55,7 @@ Expected<void> check_numbers(std::span<const float> numbers,
     return {};
 }
 
+// A pattern network: sizes by its units and classes.
 Expected<void> check_network(const PatternNetwork& network,
                              std::size_t classes,
                              const std::string& name) {
@@ -78,6 +83,7 @@ Expected<void> check_network(const PatternNetwork& network,
             return part;
         }
     }
+    // Inputs are divided by the deviations.
     const auto worst = std::min_element(network.deviation.begin(), network.deviation.end());
     if (!(*worst > 0.0F)) {
         return fail(fmt::format("{}.deviation[{}] is {}, must be > 0",
@@ -88,6 +94,7 @@ Expected<void> check_network(const PatternNetwork& network,
     return {};
 }
 
+// A recurrent network: its input and output sizes; the others follow from its shape.
 Expected<void> check_network(const models::RecurrentNetwork& network,
                              std::size_t classes,
                              const std::string& name) {
@@ -99,9 +106,11 @@ Expected<void> check_network(const models::RecurrentNetwork& network,
                                 NetworkInput::kSize,
                                 classes));
     }
+    // The count is right by construction; this checks the values.
     return check_numbers(network.parameters(), network.parameters().size(), name + ".parameters");
 }
 
+// Names of dances, none twice; the number is bounded as classes index fixed arrays.
 Expected<void> check_genres(const std::vector<std::string>& genres) {
     if (genres.empty() || genres.size() > kMostGenres) {
         return fail(
@@ -121,6 +130,7 @@ Expected<void> check_genres(const std::vector<std::string>& genres) {
 
 }  // namespace
 
+// The last static of each third (statics, first and second derivatives) is the energy.
 void GenreFeatures::select(const MfccVector& vector, std::span<double> out) const noexcept {
     std::size_t at = 0;
     for (std::size_t i = 0; i < vector.size(); ++i) {
@@ -154,6 +164,7 @@ Expected<void> validate(const GenreModel& model) {
     }
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
         const GenreFusion& fusion = model.fusion[i];
+        // Larger weights would make infinities of sums; a NaN fails the comparison.
         const auto is_sane = [](float number) { return std::abs(number) < 1e3F; };
         const auto are_sane = [&](const EvidenceWeights& weights) {
             return is_sane(weights.mfcc) && is_sane(weights.rhythm) && is_sane(weights.sound) &&

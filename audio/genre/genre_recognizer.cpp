@@ -9,14 +9,16 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kBlock = 10;  // frames: scores change every 100 ms
+constexpr int kBlock = 10;  // hops: the HMMs' scores change every 100 ms
 constexpr int kBlocksASegment = BarPatterns::kSegmentHops / kBlock;
-constexpr float kQuiet = -58.0F;       // dBFS, of one hop
-constexpr HopIndex kFirstHop = 6;      // before, no MFCC vector is complete
-constexpr float kImprobable = -20.0F;  // ln, of genres that a model does not know
+constexpr float kQuiet = -58.0F;   // dBFS, of one hop: below is silence
+constexpr HopIndex kFirstHop = 6;  // no MFCC vector is complete before
+// ln probability of classes that the model lacks, and the lowest one that is published.
+constexpr float kImprobable = -20.0F;
 
 }  // namespace
 
+// The states as one mixture of equal weights: ln of the mean of their densities.
 double frame_density(std::span<const double> log_emissions) noexcept {
     return models::log_sum(log_emissions) - std::log(static_cast<double>(log_emissions.size()));
 }
@@ -34,6 +36,7 @@ Expected<GenreRecognizer> GenreRecognizer::create(std::shared_ptr<const GenreMod
         return fail("genre window is " + std::to_string(settings.window_seconds) +
                     " s, must be 0.5 to 10");
     }
+    // Without the similarity model this evidence would be 0 for all classes.
     if (settings.evidence == GenreEvidence::mfcc_similarity && !model->similarity) {
         return fail("the genre model has no inter-genre similarity; train it with --similarity");
     }
@@ -43,10 +46,12 @@ Expected<GenreRecognizer> GenreRecognizer::create(std::shared_ptr<const GenreMod
 GenreRecognizer::GenreRecognizer(std::shared_ptr<const GenreModel> model,
                                  const GenreSettings& settings)
     : model_(std::move(model)), settings_(settings) {
+    // Without a list of dances every class is none; genre_class still tells them apart.
     dances_.fill(DanceId::none);
     for (std::size_t c = 0; settings_.dances && c < model_->genres.size(); ++c) {
         dances_[c] = settings_.dances->id_of(model_->genres[c]);
     }
+    // The window length nearest to the wanted one.
     const auto nearest = [&](int a, int b) {
         const double wanted = settings_.window_seconds / kSegmentSeconds;
         return std::abs(a - wanted) < std::abs(b - wanted);
@@ -65,6 +70,7 @@ GenreRecognizer::GenreRecognizer(std::shared_ptr<const GenreModel> model,
     };
     std::for_each(model_->mfcc.begin(), model_->mfcc.end(), add);
     add(model_->background);
+    // Used only where asked for: the similarity model costs emissions in every hop.
     if (model_->similarity && settings_.evidence == GenreEvidence::mfcc_similarity) {
         similarity_ = *models::HmmScorer::create(*model_->similarity);
         similarity_work_.resize(similarity_->states());
@@ -83,6 +89,7 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     next_pattern_ = kGenreWindows.size();
     judged_ = {};
     counted_hops_ = 0;
+    // "None of them" with probability 1 until music is known.
     log_chances_.fill(kImprobable);
     log_chances_[model_->genres.size()] = 0.0F;
     decision_ = challenger_ = model_->genres.size();
@@ -101,7 +108,8 @@ void GenreRecognizer::advance(const MfccVector& mfcc,
         }
         score_patterns();
         ++counted_hops_;
-        if (counted_hops_ % kBlock == kBlock / 2) {  // not in the hop that closes blocks
+        if (counted_hops_ % kBlock ==
+            kBlock / 2) {  // not the hop that closes a block: work is spread
             decide(state);
         }
     }
@@ -112,6 +120,7 @@ void GenreRecognizer::advance_blind(MusicState& state) const noexcept RAKS_NONBL
     publish(state);
 }
 
+// One frame for the HMMs: emissions of all classes into their sliding scores.
 void GenreRecognizer::score_frame(const MfccVector& mfcc) noexcept {
     model_->features.select(mfcc, selected_);
     double best = models::kImpossible;
@@ -121,6 +130,8 @@ void GenreRecognizer::score_frame(const MfccVector& mfcc) noexcept {
             best = std::max(best, frame_density(emissions_[c]));
         }
     }
+    // Inter-genre similarity: a frame that the shared model explains best is made to count nothing
+    // (emissions of 0), for all classes alike.
     if (similarity_) {
         similarity_->log_emissions(selected_, similarity_work_);
         if (frame_density(similarity_work_) > best) {
@@ -134,7 +145,7 @@ void GenreRecognizer::score_frame(const MfccVector& mfcc) noexcept {
     }
 }
 
-/// One window's length a hop after each segment, so that no hop pays for all.
+// After each segment, one window length in each hop: the work is spread over the hops.
 void GenreRecognizer::score_patterns() noexcept {
     if (next_pattern_ == kGenreWindows.size()) {
         return;
@@ -160,6 +171,7 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     Judgement judgement;
     const int segments = kGenreWindows[window];
     const int blocks = segments * kBlocksASegment;
+    // All HMMs have taken the same frames: the first one stands for all.
     const bool has_mfcc = sliding_.front().blocks_scored() >= blocks;
     judgement.is_full = judged_[window].is_scored && has_mfcc && network_scorer_.blocks() >= blocks;
     if (!judgement.is_full) {
@@ -168,7 +180,7 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     const std::size_t classes = model_->classes();
     GenreScores scores;
     for (std::size_t c = 0; c < classes; ++c) {
-        // With inter-genre similarity the frames that are shared never got here.
+        // With inter-genre similarity, score_frame() passed the shared frames on as 0.
         scores.mfcc[c] = static_cast<float>(sliding_[c].score(blocks) / (blocks * kBlock));
     }
     scores.similarity = scores.mfcc;
@@ -179,9 +191,10 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     return judgement;
 }
 
+// One decision every kBlock hops: scores, then hysteresis.
 void GenreRecognizer::decide(const MusicState& state) noexcept {
     constexpr double kStep = kBlock / kHopsPerSecond;
-    // Until the window is full, the longest that is.
+    // Until the wanted window is full, the longest full one is used.
     std::size_t window = window_ + 1;
     Judgement judgement;
     while (window > 0 && !judgement.is_full) {
@@ -198,14 +211,17 @@ void GenreRecognizer::decide(const MusicState& state) noexcept {
                          log_chances_.begin() + static_cast<std::ptrdiff_t>(classes)) -
         log_chances_.begin());
     const bool is_unknown = best == model_->genres.size();
-    // Applause, talk, the gap between two songs: nobody dances to sound without a beat.
+    // Applause, talk, the gap between two songs: sound without a beat does not end a dance. From
+    // "none of them" any dance may be entered.
     const bool is_beatless =
         decision_ != model_->genres.size() && state.grid.confidence < settings_.least_confidence;
+    // The lead must last without a break: anything else starts its time anew.
     if (best == decision_ || is_beatless || chance(best) < chance(decision_) + settings_.margin) {
         leads_for_ = 0.0;
         challenger_ = best;
         return;
     }
+    // Another challenger than before starts at its own first step.
     leads_for_ = best == challenger_ ? leads_for_ + kStep : kStep;
     challenger_ = best;
     if (leads_for_ >= (is_unknown ? settings_.give_up_seconds : settings_.switch_seconds)) {
@@ -214,6 +230,7 @@ void GenreRecognizer::decide(const MusicState& state) noexcept {
     }
 }
 
+// Writes the genre fields of every hop, with or without evidence in it.
 void GenreRecognizer::publish(MusicState& state) const noexcept {
     state.genre_log_probability.fill(kImprobable);
     for (std::size_t c = 0; c < model_->classes(); ++c) {

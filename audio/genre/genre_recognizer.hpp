@@ -19,38 +19,42 @@
 
 namespace raks::audio {
 
-/// Whether this hop tells anything about the genre: neither silence nor the stream's first hops.
-/// Training and recognition leave out the same. Real-time: yes.
+/// Whether a hop counts as evidence for a genre: neither silence nor one of the stream's first
+/// hops. Training leaves out the same hops. Real-time: yes.
 [[nodiscard]] bool is_genre_evidence(const MusicState& state) noexcept;
 
-/// ln of a frame's density under all states of a model, weighted alike, from its log-emissions.
+/// ln density of a frame under the mixture of a model's states, each with the same weight.
+/// `log_emissions`: ln b_n(o) of each state. Real-time: yes.
 [[nodiscard]] double frame_density(std::span<const double> log_emissions) noexcept;
 
+/// Settings of GenreRecognizer::create().
 struct GenreSettings {
-    /// What MusicState::genre numbers; dances of the model that are not in it count as none.
+    /// Which dances MusicState::genre can name; genres of the model that are not in it count as
+    /// none.
     std::shared_ptr<const DanceList> dances = nullptr;
     double window_seconds = 3.0;  ///< 0.5 to 10, rounded to the model's nearest window
-    GenreEvidence evidence = GenreEvidence::fused;
-    float margin = 0.2F;            ///< by which another genre must lead, in chance
-    double switch_seconds = 0.5;    ///< and for how long
-    double give_up_seconds = 3.0;   ///< the same until nothing known is danced
-    float least_confidence = 0.3F;  ///< of the beat: below, a known genre stays (applause)
+    GenreEvidence evidence = GenreEvidence::fused;  ///< all of the model, or a part of it
+    float margin = 0.2F;            ///< in probability, by which another genre must lead
+    double switch_seconds = 0.5;    ///< how long it must lead
+    double give_up_seconds = 3.0;   ///< how long "none of them" must lead
+    float least_confidence = 0.3F;  ///< of the beat grid: below, a known genre is kept
 };
 
-/// Says every hop which dance the music is, from the last seconds that were no silence.
+/// Decides every 100 ms which dance the music is for, from the last seconds without silence.
 ///
-/// MFCC: one HMM a genre, forward score of the sliding window (models/sliding_score.hpp: exact,
-/// from products of blocks of 100 ms). Rhythm and sound: two pattern networks on BarPatterns, every
-/// half second. Network: recurrent networks hear every hop. The last three hear the music without
-/// hiss (NoiseFloor). All are fused by the weights of the window's length; until a window is full
-/// the longest that is full speaks. The decision changes only when another class leads by a margin
-/// for a while; silence and sound without a beat keep it.
+/// MFCC: one HMM a genre and the forward score of the sliding window (models/sliding_score.hpp:
+/// exact, from products of blocks of 100 ms). Rhythm and sound: two pattern networks on
+/// BarPatterns, every half second. Network: recurrent networks over every hop. The last three take
+/// the magnitudes without hiss (NoiseFloor). The scores are fused by the weights of the window's
+/// length; until the window is full, the longest full one is used. The decision changes only when
+/// another class leads by a margin for some time; silence and sound without a beat keep it.
 ///
 /// Threads: one. Real-time: all but create. Cost: about 13 us a hop with six genres, bounded: the
 /// models' emissions each hop, the walks over blocks spread over the hops between.
 class GenreRecognizer {
  public:
-    /// Errors: those of the model's validation; a window outside 0.5 to 10 s.
+    /// Prepares a recognizer. Errors: the model is not valid; a window outside 0.5 to 10 s;
+    /// evidence that the model lacks.
     [[nodiscard]] static Expected<GenreRecognizer> create(std::shared_ptr<const GenreModel> model,
                                                           const GenreSettings& settings);
 
@@ -59,15 +63,17 @@ class GenreRecognizer {
     void advance(const MfccVector& mfcc,
                  std::span<const float, BarPatterns::kMelBands> mel,
                  MusicState& state) noexcept RAKS_NONBLOCKING;
-    /// A hop without sound: writes what was believed before.
+    /// For a hop without sound: writes the genre fields as they were.
     void advance_blind(MusicState& state) const noexcept RAKS_NONBLOCKING;
+    /// Forgets the music; the decision is "none of them".
     void reset() noexcept RAKS_NONBLOCKING;
 
-    /// ln chances of the classes at window `kGenreWindows[window]`, and whether it is full.
+    /// Fused ln probabilities of the classes for one window length.
     struct Judgement {
-        bool is_full = false;
-        GenreScores::Values log_chances{};
+        bool is_full = false;               ///< enough music; otherwise the values mean nothing
+        GenreScores::Values log_chances{};  ///< by class
     };
+    /// The scores of window length `kGenreWindows[window]` as they stand.
     [[nodiscard]] Judgement judge(std::size_t window) const noexcept RAKS_NONBLOCKING;
 
  private:
@@ -83,7 +89,7 @@ class GenreRecognizer {
     GenreSettings settings_;
     std::size_t window_ = 0;  // index into kGenreWindows
 
-    std::vector<models::HmmScorer> scorers_;  // genres, background
+    std::vector<models::HmmScorer> scorers_;  // genres, then background
     std::optional<models::HmmScorer> similarity_;
     std::vector<models::SlidingScore> sliding_;
     std::vector<std::vector<double>> emissions_;
@@ -92,19 +98,19 @@ class GenreRecognizer {
     NoiseFloor noise_;
     BarPatterns patterns_;
     GenreScorer network_scorer_;
-    /// By window: ln chances by rhythm and by sound alone.
+    // ln probabilities by rhythm and by sound of one window length.
     struct Patterns {
-        bool is_scored = false;
+        bool is_scored = false;  // there was enough music for this length
         GenreScores::Values rhythm{};
         GenreScores::Values sound{};
     };
-    std::array<Patterns, kGenreWindows.size()> judged_{};
-    std::size_t next_pattern_ = kGenreWindows.size();  // window whose turn it is
-    std::int64_t counted_hops_ = 0;                    // hops that counted
-    GenreScores::Values log_chances_{};
-    std::size_t decision_ = 0;  // class
-    std::size_t challenger_ = 0;
-    double leads_for_ = 0.0;  // s
+    std::array<Patterns, kGenreWindows.size()> judged_{};  // by window length
+    std::size_t next_pattern_ = kGenreWindows.size();      // window length whose turn it is
+    std::int64_t counted_hops_ = 0;                        // hops with evidence since reset
+    GenreScores::Values log_chances_{};                    // fused, as last decided on
+    std::size_t decision_ = 0;                             // published class
+    std::size_t challenger_ = 0;                           // class that leads
+    double leads_for_ = 0.0;                               // seconds that it has led
 };
 
 }  // namespace raks::audio

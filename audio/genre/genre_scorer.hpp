@@ -12,33 +12,34 @@
 
 namespace raks::audio {
 
-/// Which dance the last seconds are, by recurrent networks that hear every hop's mel magnitudes.
+/// Genre scores of the last seconds by recurrent networks that take every hop's mel magnitudes.
 ///
-/// Each network says each hop how likely each class is; a window's answer is the mean of these
-/// logarithms over networks and hops, so that a window speaks for its own seconds (a network itself
-/// remembers somewhat longer) and what one network alone has learnt by heart weighs less. Sums are
-/// kept by blocks of 100 ms and added anew for each window: nothing drifts.
+/// In each hop every network gives a probability for each class; a window's score is the mean of
+/// their logarithms over networks and hops. So a window stands for its own seconds (a network's
+/// state reaches back somewhat longer), and what only one network has learnt by heart weighs less.
+/// Sums are kept by blocks of 100 ms and added anew for each window: no rounding errors pile up.
 ///
 /// Threads: one. Real-time: next, log_chances, reset yes.
 class GenreScorer {
  public:
-    static constexpr int kBlockHops = 10;
-    static constexpr int kBlocks =
-        BarPatterns::kSegments * BarPatterns::kSegmentHops / kBlockHops;  ///< of the longest window
-    static constexpr std::size_t kMostNetworks = 4;
-    /// A hop's chance counts as no less than e^this: a single hop must not decide a window.
+    static constexpr int kBlockHops = 10;  ///< 100 ms
+    /// Blocks of the longest window.
+    static constexpr int kBlocks = BarPatterns::kSegments * BarPatterns::kSegmentHops / kBlockHops;
+    static constexpr std::size_t kMostNetworks = 4;  ///< that can be averaged
+    /// Lowest ln probability that a hop may contribute: one hop must not decide a window.
     static constexpr float kLeastLog = -7.0F;
 
-    /// Takes a hop of music (leave silence out). `networks`: the same every time, 1 to
-    /// kMostNetworks; inputs NetworkInput::kSize, outputs alike. `mel`: the magnitudes of the onset
-    /// detector.
+    /// Takes a hop of music (leave silence out). `networks`: the same in each call, 1 to
+    /// kMostNetworks, each with NetworkInput::kSize inputs and the same number of outputs. `mel`:
+    /// the onset detector's magnitudes without noise.
     void next(std::span<const models::RecurrentNetwork> networks,
               std::span<const float, BarPatterns::kMelBands> mel) noexcept RAKS_NONBLOCKING;
-    /// Blocks that are closed, at most kBlocks.
+    /// Number of closed blocks that log_chances() can use, at most kBlocks.
     [[nodiscard]] int blocks() const noexcept { return closed_ < kBlocks ? closed_ : kBlocks; }
-    /// Mean ln of each class' chance over the newest `blocks` closed blocks, 1 to blocks().
-    /// `out`: the networks' outputs.
+    /// Mean ln probability of each class over the newest `blocks` closed blocks, 1 to blocks().
+    /// `out`: one value for each output of the networks. The mean is not normalized.
     void log_chances(int blocks, std::span<float> out) const noexcept RAKS_NONBLOCKING;
+    /// Forgets the music and the networks' states.
     void reset() noexcept RAKS_NONBLOCKING { *this = GenreScorer(); }
 
  private:
@@ -48,11 +49,11 @@ class GenreScorer {
 
     NetworkInput input_;
     std::array<models::RecurrentStream, kMostNetworks> streams_;
-    Sums open_{};
+    Sums open_{};  // ln probabilities of the current block
     int open_hops_ = 0;
-    std::array<Sums, kBlocks> ring_{};
-    int newest_ = 0;
-    int closed_ = 0;
+    std::array<Sums, kBlocks> ring_{};  // closed blocks
+    int newest_ = 0;                    // place of the newest one
+    int closed_ = 0;                    // number of closed blocks, at most kBlocks
 };
 
 }  // namespace raks::audio

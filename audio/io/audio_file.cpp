@@ -17,18 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kHeadBytes = 12;
-constexpr std::size_t kChunkFrames = 16'384;
+constexpr std::size_t kHeadBytes = 12;        // enough to tell the formats apart
+constexpr std::size_t kChunkFrames = 16'384;  // decoded at once
 
-/// What the files begin with that libsndfile is asked for first. MP3 is not among them although
-/// libsndfile reads it: its mpg123 prints on stderr and its seeks are off by 58 samples.
+// Whether libsndfile is asked first, by the file's first bytes. MP3 is not among them although
+// libsndfile reads it: its mpg123 prints on stderr and its seeks are off by 58 samples.
 bool is_for_sndfile(std::string_view head) {
     constexpr std::size_t kKindAt = 8;
     struct Magic {
         std::string_view start;
         std::string_view kind = "";  // of such files, behind their size
     };
-    // What else is RIFF libsndfile would take for MP3 where it is named so.
+    // RIFF files of other kinds go to FFmpeg: named .mp3, libsndfile would take them for MP3.
     constexpr std::array<Magic, 11> kMagic{{{"RIFF", "WAVE"},
                                             {"RIFX", "WAVE"},
                                             {"RF64", "WAVE"},
@@ -61,6 +61,7 @@ Expected<void> check_head(const fs::path& path, int hertz, int channels) {
     return {};
 }
 
+// Reads the head once, to choose the decoder by content.
 Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const fs::path& path) {
     const auto head = read_file_start(path, kHeadBytes);
     if (!head) {
@@ -70,7 +71,8 @@ Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const fs::path& path)
         return fail(path.string() + ": is empty");
     }
     if (is_for_sndfile(*head)) {
-        // What libsndfile does not know may still be a video (AVI is RIFF, Theora is Ogg).
+        // A file that libsndfile refuses may still be a video (AVI is RIFF, Theora is Ogg). If both
+        // refuse it, libsndfile's reason is given.
         auto reader = open_by_sndfile(path);
         if (reader) {
             return reader;
@@ -81,6 +83,7 @@ Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const fs::path& path)
     return open_by_ffmpeg(path);
 }
 
+// Decodes chunk by chunk and checks the limit as it goes: the claimed length may be wrong.
 Expected<MonoAudio> read_all_mono(const fs::path& path, double max_seconds) {
     auto reader = open_audio_file(path);
     if (!reader) {
@@ -116,6 +119,7 @@ Expected<void> write_wav(const fs::path& path,
     if (interleaved.size() > kMaxSamples) {
         return fail(path.string() + ": would be larger than 4 GiB, the limit of WAV");
     }
+    // Written under another name and renamed at the end: readers never see half a file.
     auto pending = PendingFile::create(path);
     if (!pending) {
         return fail(pending.error());
@@ -128,11 +132,13 @@ Expected<void> write_wav(const fs::path& path,
     if (file == nullptr) {
         return fail(path.string() + ": cannot be written: " + sf_strerror(nullptr));
     }
+    // Without it libsndfile lets values beyond [-1, 1] wrap around.
     sf_command(file, SFC_SET_CLIPPING, nullptr, SF_TRUE);
     const auto count = static_cast<sf_count_t>(interleaved.size());
     const bool wrote = sf_write_float(file, interleaved.data(), count) == count;
     const bool closed = sf_close(file) == 0;
     std::error_code error;
+    // A full disk may show only in the size.
     if (!wrote || !closed || fs::file_size(pending->part(), error) < 2 * interleaved.size()) {
         return fail(path.string() + ": cannot be written whole; is the disk full?");
     }

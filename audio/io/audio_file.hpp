@@ -14,38 +14,40 @@
 
 namespace raks::audio {
 
-/// What the head of an audio file says.
+/// Properties of an audio file, as its head and first frames give them.
 struct AudioFileInfo {
     SampleRate rate{48'000};  ///< a supported one
     int channels = 2;         ///< 1..kMaxFileChannels
-    /// What the file claims, in seconds; often wrong (truncated or without a header): for a
-    /// progress bar, never for the size of a buffer or for the end. Empty when it does not say.
+    /// Length that the file claims, in seconds; often wrong (truncated file, no header). Fit for a
+    /// progress bar, never for the size of a buffer or as the end. Empty when it claims none.
     std::optional<double> claimed_seconds{};
-    std::string format{};  ///< for people: "WAV", "MP3", "aac in mov,mp4"
+    std::string format{};  ///< for display: "WAV", "MP3", "aac in mov,mp4"
 };
 
-inline constexpr int kMaxFileChannels = 64;
+inline constexpr int kMaxFileChannels = 64;  ///< of a file that is opened
 
-/// Decodes one audio file, or the first sound track of a video, as a stream: memory is bounded
-/// for any length. The kind is found by content, never by name. Values are handed on as they are
-/// in the file, NaN and beyond [-1, 1] included.
+/// Decodes one audio file, or the first sound track of a video, as a stream: memory is bounded for
+/// any length. The format is found by content, never by name. Samples are passed on as the file has
+/// them, NaN and values beyond [-1, 1] included.
 /// Threads: one at a time. Real-time: no.
 class AudioFileReader {
  public:
+    /// Closes the file.
     virtual ~AudioFileReader() = default;
 
+    /// Rate, channels and format; constant while the reader lives.
     [[nodiscard]] const AudioFileInfo& info() const noexcept { return info_; }
 
     /// Decodes the next frames into `interleaved` (whole frames of info().channels); returns how
-    /// many frames, 0 at the end. A damaged file plays what is there: see warning().
+    /// many frames, 0 at the end. Of a damaged file it gives what can be decoded: see warning().
     [[nodiscard]] virtual std::size_t read(std::span<float> interleaved) = 0;
 
-    /// Goes on at this frame (>= 0), exactly, in every format; behind the end, read() gives 0.
-    /// Errors: the file cannot be sought.
+    /// Continues at this frame (>= 0), to the sample, in every format; beyond the end read()
+    /// returns 0. Errors: the file cannot be sought.
     [[nodiscard]] virtual Expected<void> seek(std::int64_t frame) = 0;
 
-    /// What is wrong with a file that still plays, e.g. "x.mp3: is damaged or cut off at 12.3 s";
-    /// empty when nothing is.
+    /// What is wrong with a file that plays nevertheless, such as "x.mp3: is damaged or cut off at
+    /// 12.3 s"; empty when nothing is. Complete at the end of the file only.
     [[nodiscard]] const std::string& warning() const noexcept { return warning_; }
 
  protected:
@@ -59,14 +61,16 @@ class AudioFileReader {
 [[nodiscard]] Expected<std::unique_ptr<AudioFileReader>> open_audio_file(
     const std::filesystem::path& path);
 
-/// A whole file as mono (average of a stereo file's channels, downmix of more) at its own rate.
+/// A whole file as mono at its own rate: the average of the left and right channel; more than two
+/// channels are mixed down first (downmix.hpp).
 struct MonoAudio {
-    SampleRate rate{48'000};
-    std::vector<float> samples;
-    std::string warning;  ///< as AudioFileReader::warning()
+    SampleRate rate{48'000};     ///< of the file
+    std::vector<float> samples;  ///< one a frame
+    std::string warning;         ///< as AudioFileReader::warning()
 };
 
-/// Errors: as open_audio_file, and a file longer than `max_seconds` (nothing is cut in silence).
+/// Reads and decodes a whole file. Errors: as open_audio_file; a file longer than `max_seconds` (it
+/// is refused, not cut).
 [[nodiscard]] Expected<MonoAudio> read_all_mono(const std::filesystem::path& path,
                                                 double max_seconds = 3600.0);
 

@@ -8,17 +8,18 @@
 
 namespace raks::audio {
 
-/// Stands between a device's thread and what it calls: closed, blocks pass by (silence). A device
-/// calls from the moment that it is open, before its rate is known, and one that will not stop may
-/// call again after all that it called is gone.
+/// A switch between a device's thread and the callback: while it is closed, blocks are dropped (an
+/// output stays silent). It is needed as a device calls from the moment it is opened, before its
+/// rate is known, and as one that does not stop may call again after its callback is destroyed.
 /// Threads: open and close on main; the callbacks on the device's one thread. Real-time: the
 /// callbacks, yes.
 class CallbackGate {
  public:
-    /// From now on blocks reach `callback`.
+    /// From here on blocks reach `callback`.
     void open(StreamCallback& callback) noexcept { callback_.store(&callback); }
 
-    /// No block reaches it any more, and none that did is still on its way: waits for that one.
+    /// From its return on no block reaches the callback, and no call is still running: waits for
+    /// one.
     void close() noexcept {
         callback_.store(nullptr);
         while (is_calling_.load()) {
@@ -26,18 +27,21 @@ class CallbackGate {
         }
     }
 
+    /// Passes a recorded block on, if open.
     void on_input(std::span<const float> interleaved,
                   int channels,
                   const BlockTime& time) noexcept {
         call([&](StreamCallback& callback) { callback.on_input(interleaved, channels, time); });
     }
+    /// Passes a block to be filled on, if open; closed, it stays as it came.
     void on_output(std::span<float> interleaved, int channels, const BlockTime& time) noexcept {
         call([&](StreamCallback& callback) { callback.on_output(interleaved, channels, time); });
     }
 
  private:
-    // Sequentially consistent, all four: either the device's thread sees that the gate is closed,
-    // or close() sees that it calls. (Each writes one and then reads the other's.)
+    // All four accesses are sequentially consistent: each side writes one variable and then reads
+    // the other's, so either the device's thread sees that the gate is closed, or close() sees that
+    // a call is running.
     template <typename Block>
     void call(const Block& block) noexcept {
         is_calling_.store(true);

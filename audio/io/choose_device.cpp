@@ -1,4 +1,4 @@
-// Which device is meant: pure, so that tests need no hardware.
+// The choice among devices is a pure function of their list, so that tests need no hardware.
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -13,14 +13,17 @@ using Devices = std::span<const AudioDevice>;
 
 enum class Direction { input, output };
 
+// Whether the device has channels in that direction.
 bool can(const AudioDevice& device, Direction direction) {
     return direction == Direction::input ? device.input_channels > 0 : device.output_channels > 0;
 }
 
+// Word for messages.
 const char* name_of(Direction direction) {
     return direction == Direction::input ? "input" : "output";
 }
 
+// For comparisons without regard to case.
 std::string lower(std::string_view text) {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) {
@@ -29,7 +32,8 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-/// "0 'system' (JACK), 2 'USB Mic' (ALSA)"; or that there is none.
+// The devices of one direction with their numbers, for error messages: "there are 0 'system'
+// (JACK), 2 'USB Mic' (ALSA)", or that there is none.
 std::string list_of(Devices devices, Direction direction) {
     std::string list;
     for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -40,12 +44,14 @@ std::string list_of(Devices devices, Direction direction) {
     return list.empty() ? std::string("there is none") : "there are " + list;
 }
 
+// The choice with its reason as the user reads it.
 DeviceChoice chosen(const AudioDevice& device, const std::string& why) {
     return {device, described(device) + ": " + why};
 }
 
 using Match = std::function<bool(const AudioDevice&)>;
 
+// All devices of that direction that match, in order of the list.
 std::vector<const AudioDevice*> all_that(Devices devices, Direction direction, const Match& match) {
     std::vector<const AudioDevice*> found;
     for (const AudioDevice& device : devices) {
@@ -56,7 +62,7 @@ std::vector<const AudioDevice*> all_that(Devices devices, Direction direction, c
     return found;
 }
 
-/// The number that `text` is, whole; or nothing.
+// The number that the whole text spells; nothing for other text.
 std::optional<std::size_t> number_in(std::string_view text) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -64,6 +70,9 @@ std::optional<std::size_t> number_in(std::string_view text) {
     return is_whole ? std::optional(number) : std::nullopt;
 }
 
+// The device that the user named: first as a number of the list, then as a full name or
+// description, then as a part that only one device has. A number beyond the list may still be a
+// part of a name.
 Expected<DeviceChoice> choose_named(Devices devices, Direction direction, std::string_view wanted) {
     const std::string name(wanted);
     if (const auto number = number_in(wanted); number && *number < devices.size()) {
@@ -96,11 +105,13 @@ Expected<DeviceChoice> choose_named(Devices devices, Direction direction, std::s
                 list_of(devices, direction));
 }
 
+// One rule of the automatic choice, and its reason for the user.
 struct Preference {
     Match match;
     const char* why;
 };
 
+// The first device of the first rule that any device meets.
 Expected<DeviceChoice> choose_best(Devices devices,
                                    Direction direction,
                                    std::span<const Preference> preferences) {

@@ -20,25 +20,27 @@
 namespace raks::audio {
 namespace {
 
-// JACK calls every few milliseconds, but on a machine that is overrun: a device that is given up is
-// not taken up again, so it gets more than a hiccup's time. A PulseAudio sink may first play out
-// its own buffer: pauses of 1.6 to 2.2 s were seen after the first callback.
+// Time without a callback after which a device counts as dead. JACK calls every few milliseconds,
+// but may pause on an overloaded machine, and a device that was given up is not taken up again. A
+// PulseAudio sink may play out its own buffer first: pauses of 1.6 to 2.2 s were seen after the
+// first callback.
 constexpr Nanos kJackDeadAfter = std::chrono::milliseconds(1500);
 constexpr Nanos kDeadAfter = std::chrono::seconds(3);
-constexpr Nanos kFirstCallbackWithin = std::chrono::seconds(2);
-constexpr std::chrono::seconds kCloseWithin(1);
-constexpr double kMostLatency = 2.0;     // seconds; PipeWire was seen to say 89,478 s
-constexpr double kPulseLatency = 0.050;  // less underruns on every load
+constexpr Nanos kFirstCallbackWithin = std::chrono::seconds(2);  // of the start
+constexpr std::chrono::seconds kCloseWithin(1);                  // then close() gives up
+constexpr double kMostLatency = 2.0;     // seconds; PipeWire reported 89,478 s
+constexpr double kPulseLatency = 0.050;  // seconds; shorter ones underrun at every load
 
 HostTime host_now() noexcept { return std::chrono::time_point_cast<Nanos>(HostClock::now()); }
 
-/// `seconds` as PortAudio said it, or `otherwise` when it cannot be meant.
+// A latency that PortAudio reports, or `otherwise` when it is not plausible.
 double sane_latency(double seconds, double otherwise) {
     return std::isfinite(seconds) && seconds >= 0.0 && seconds <= kMostLatency ? seconds
                                                                                : otherwise;
 }
 
-/// An environment variable set for a while. Only the control thread opens devices.
+// Sets an environment variable and restores it in the end. Safe as only the control thread opens
+// devices.
 class ScopedVariable {
  public:
     ScopedVariable(const char* name, const std::string& value) : name_(name) {
@@ -77,13 +79,14 @@ struct DeviceStream::Impl {
     Nanos dead_after = kDeadAfter;
     bool is_abandoned = false;
     HostTime started{};
-    std::int64_t frames = 0;  // callback's own
-    // relaxed everywhere: each is a statistic or a sign of life by itself, nothing hangs on order.
+    std::int64_t frames = 0;  // counted by the callback alone
+    // Relaxed order is enough: each value is a statistic or a sign of life by itself; no other data
+    // is published by it.
     std::atomic<std::uint64_t> callbacks{0};
     std::atomic<std::uint64_t> xruns{0};
     std::atomic<std::int64_t> last_callback_ns{0};
     std::atomic<int> block_frames{0};
-    std::atomic<pthread_t> thread{};  // of the callback; its class is asked for elsewhere
+    std::atomic<pthread_t> thread{};  // of the callback, for scheduling()
 
     static int on_block(const void* input,
                         void* output,
@@ -97,6 +100,7 @@ struct DeviceStream::Impl {
     void close() noexcept;
 };
 
+// The device's audio thread: keeps the statistics, then passes the block on through the gate.
 int DeviceStream::Impl::on_block(const void* input,
                                  void* output,
                                  unsigned long frame_count,
@@ -126,6 +130,8 @@ int DeviceStream::Impl::on_block(const void* input,
     return paContinue;
 }
 
+// The latency to ask for. PulseAudio's own low default underruns, so sinks and monitors that go
+// through it get 50 ms.
 double DeviceStream::Impl::latency_for(const AudioDevice& device,
                                        const StreamConfig& config) const {
     if (config.latency_seconds > 0.0) {
@@ -140,6 +146,7 @@ double DeviceStream::Impl::latency_for(const AudioDevice& device,
                         kPulseLatency);
 }
 
+// One attempt to open the device; leaves channels and rate as tried.
 PaError DeviceStream::Impl::try_open(const AudioDevice& device,
                                      int channel_count,
                                      double hertz,
@@ -180,6 +187,8 @@ Expected<void> DeviceStream::Impl::open(const AudioDevice& device, const StreamC
     const double wanted_rate = config.rate_hz > 0 ? config.rate_hz : device.default_rate;
     const int wanted_channels = std::clamp(config.channels, 1, std::min(most, 8));
     PaError error = paInvalidSampleRate;
+    // First the wanted rate and channels, then fewer or more channels, then the device's own rate:
+    // each device refuses something else.
     for (const double hertz : {wanted_rate, device.default_rate}) {
         for (const int count : {wanted_channels, std::min(2, most), 1, std::min(most, 8)}) {
             error = error == paNoError ? error : try_open(device, count, hertz, suggested);
@@ -188,6 +197,7 @@ Expected<void> DeviceStream::Impl::open(const AudioDevice& device, const StreamC
     if (error != paNoError) {
         return unusable(portaudio_reason(error));
     }
+    // The device may run at another rate than asked for.
     const PaStreamInfo* info = Pa_GetStreamInfo(stream);
     if (info != nullptr) {
         const double said = is_input ? info->inputLatency : info->outputLatency;
@@ -202,7 +212,8 @@ Expected<void> DeviceStream::Impl::open(const AudioDevice& device, const StreamC
     return {};
 }
 
-/// Stops and closes on another thread: when the device dies just now, these never return.
+// Stops and closes on another thread, as these calls never return when the device dies meanwhile;
+// then the thread and the stream are left behind.
 void DeviceStream::Impl::close() noexcept {
     std::promise<void> promise;
     std::future<void> done = promise.get_future();
@@ -216,6 +227,7 @@ void DeviceStream::Impl::close() noexcept {
 
 DeviceStream::DeviceStream(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
+// The gate first: whatever becomes of the stream, its callback is not called any more.
 DeviceStream::~DeviceStream() {
     impl_->gate.close();
     if (!impl_->is_abandoned && !is_alive(host_now())) {
@@ -226,7 +238,7 @@ DeviceStream::~DeviceStream() {
     }
     if (impl_->is_abandoned) {
         leak_portaudio();
-        static_cast<void>(impl_.release());  // the device's thread may still look at it
+        static_cast<void>(impl_.release());  // leaked: the device's thread may still use it
         return;
     }
     release_portaudio();
@@ -234,6 +246,8 @@ DeviceStream::~DeviceStream() {
 
 namespace {
 
+// Opens PortAudio, applies the source variable while the device is opened, and keeps the libraries'
+// messages off stderr. A template, as Impl is private to DeviceStream.
 template <typename ImplType>
 Expected<std::unique_ptr<ImplType>> open_impl(typename ImplType::Direction direction,
                                               const AudioDevice& device,
@@ -245,6 +259,7 @@ Expected<std::unique_ptr<ImplType>> open_impl(typename ImplType::Direction direc
     impl->direction = direction;
     impl->dead_after = device.host_api == "JACK" ? kJackDeadAfter : kDeadAfter;
     std::optional<ScopedVariable> source;
+    // ALSA's pulse plug-in reads the name of the source from the environment when it opens.
     if (device.is_monitor()) {
         source.emplace("PULSE_SOURCE", device.pulse_source);
     }
@@ -300,7 +315,8 @@ std::string DeviceStream::scheduling() const {
             impl_->thread.load(std::memory_order_relaxed), &policy, &parameters) != 0) {
         return "unknown";
     }
-    // JACK marks its threads so that what they start is of the ordinary class again.
+    // With this flag JACK makes threads that its own start be of the ordinary class; it is not a
+    // part of the class.
     switch (policy & ~SCHED_RESET_ON_FORK) {
         case SCHED_FIFO:
             return "SCHED_FIFO";
@@ -315,6 +331,7 @@ std::uint64_t DeviceStream::xruns() const noexcept {
     return impl_->xruns.load(std::memory_order_relaxed);
 }
 
+// Before the first callback the time since the start counts.
 bool DeviceStream::is_alive(HostTime now) const noexcept {
     const std::int64_t last = impl_->last_callback_ns.load(std::memory_order_relaxed);
     const bool is_calling_back = last == 0 ? now - impl_->started <= kFirstCallbackWithin
@@ -328,6 +345,8 @@ void DeviceStream::abandon() noexcept {
     leak_portaudio();
 }
 
+// Without leaked streams an ordinary exit runs all destructors; with them only open files are
+// flushed.
 void end_process(int exit_code) noexcept {
     if (is_portaudio_leaked()) {
         std::fflush(nullptr);

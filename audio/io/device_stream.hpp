@@ -11,78 +11,88 @@
 
 namespace raks::audio {
 
-/// When a block passed the device.
+/// When a block passed the device, and where in the stream it lies.
 struct BlockTime {
-    std::int64_t first_frame = 0;  ///< frames that this stream moved before this block
+    std::int64_t first_frame = 0;  ///< frames of this stream before the block
     HostTime entered{};            ///< CLOCK_MONOTONIC when the callback was entered
     bool is_xrun = false;          ///< the device lost or repeated audio before this block
 };
 
-/// What runs on the device's audio thread, with flush-to-zero set. Real-time: must be.
+/// Code that runs on the device's audio thread, with flush-to-zero set.
+/// Real-time: must be (no allocation, locks or system calls).
 class StreamCallback {
  public:
+    /// Destroyed by its owner, after the stream or abandon(): see connect().
     virtual ~StreamCallback() = default;
     /// A block from an input stream, interleaved; any number of frames from 1 up.
     virtual void on_input(std::span<const float> /*interleaved*/,
                           int /*channels*/,
                           const BlockTime& /*time*/) noexcept {}
-    /// A block for an output stream, interleaved, to be filled whole (it comes zeroed).
+    /// A block for an output stream, interleaved, to be filled completely (it is zeroed before).
     virtual void on_output(std::span<float> /*interleaved*/,
                            int /*channels*/,
                            const BlockTime& /*time*/) noexcept {}
 };
 
+/// Wishes for a stream; the device decides, see rate() and channels().
 struct StreamConfig {
-    int channels = 2;              ///< wanted, 1..8; the device may have fewer: see channels()
-    int rate_hz = 0;               ///< 0: the device's default; else the nearest that it takes
+    int channels = 2;              ///< wanted, 1..8; the device may have fewer
+    int rate_hz = 0;               ///< wanted; 0, and where it is refused: the device's default
     double latency_seconds = 0.0;  ///< wanted; 0: the device's low default, 50 ms on PulseAudio
 };
 
-/// One running direction of one device. Any block size (PortAudio is left to choose), the
-/// device's own rate, and a way out when the device dies.
+/// One running direction of one device, with any block size (PortAudio chooses it) and at the
+/// device's own rate. It survives the device's death.
 ///
-/// A dead device (e.g. a killed JACK server): callbacks stop, and stopping or closing the stream
-/// hangs for ever. So: ask is_alive() now and then; when false, call abandon() and drop the
-/// object; the process can still exit, by end_process().
+/// When a device is dead (e.g. a killed JACK server), callbacks stop, and stopping or closing its
+/// stream never returns. Therefore: poll is_alive(); when it is false, call abandon() and destroy
+/// the object. The process can still exit, by end_process().
 /// Threads: one control thread; callbacks(), is_alive() from any. Real-time: no.
 class DeviceStream {
  public:
-    /// Opens and starts: silence, until connect().
-    /// Errors: the device cannot be opened so; one line names it and says what it can do.
+    /// Opens and starts recording; blocks are dropped until connect().
+    /// Errors: the device cannot be opened in this way; one line names it and says what it offers.
     [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_input(
         const AudioDevice& device, const StreamConfig& config);
+    /// Opens and starts playing; silence until connect(). Errors: as open_input.
     [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_output(
         const AudioDevice& device, const StreamConfig& config);
-    /// Stops and closes; one that is dead, abandoned or does not stop within a second is leaked.
-    /// Whichever it is, what it called is called no more.
+    /// Stops and closes. A stream that is dead, abandoned or does not stop within a second is
+    /// leaked instead. In either case its callback is not called any more.
     ~DeviceStream();
+    /// Not copyable: the device's thread holds its address.
     DeviceStream(const DeviceStream&) = delete;
+    /// As above.
     DeviceStream& operator=(const DeviceStream&) = delete;
 
-    /// From now on every block reaches `callback`, which must outlive the stream or abandon().
+    /// From here on every block reaches `callback`, which must live until the stream is destroyed
+    /// or abandoned.
     void connect(StreamCallback& callback) noexcept;
 
+    /// The rate that the device runs at.
     [[nodiscard]] SampleRate rate() const noexcept;
+    /// Channels of each block.
     [[nodiscard]] int channels() const noexcept;
-    /// What PortAudio reports, clamped to 0..2 s (unset values were seen): a hint. On JACK it is
-    /// what clicks through a loop of ports take, to 0.01 ms at periods of 64, 256 and 1024 frames
-    /// (`raks bench latency`), so it is the default; the converters behind the server are unseen.
+    /// Latency as PortAudio reports it, clamped to 0..2 s as it may be unset: a hint. On JACK it
+    /// agrees with the measured delay of clicks through a loop of ports to 0.01 ms at periods of
+    /// 64, 256 and 1024 frames (`raks bench latency`), so it is the default; the converters behind
+    /// the server are not included.
     [[nodiscard]] Nanos reported_latency() const noexcept;
 
-    /// Callbacks so far.
+    /// Number of callbacks since the start.
     [[nodiscard]] std::uint64_t callbacks() const noexcept;
     /// Frames of the newest block; 0 before the first.
     [[nodiscard]] int block_frames() const noexcept;
     /// Scheduling class of the thread that calls back: "SCHED_FIFO", "SCHED_RR", "SCHED_OTHER";
     /// "unknown" before the first block and once the stream is dead.
     [[nodiscard]] std::string scheduling() const;
-    /// Blocks flagged as xrun so far.
+    /// Number of blocks flagged as xrun since the start.
     [[nodiscard]] std::uint64_t xruns() const noexcept;
-    /// False when no callback came for 1.5 s (JACK) or 3 s (others) before `now`, or PortAudio
-    /// calls it inactive.
+    /// False when no callback came for 1.5 s (JACK) or 3 s (others) before `now`, none within 2 s
+    /// of the start, or when PortAudio reports the stream as inactive.
     [[nodiscard]] bool is_alive(HostTime now) const noexcept;
-    /// Leaves the stream to itself for ever: it is never stopped, closed or freed, and PortAudio
-    /// never terminated, in this process. What it called is called no more.
+    /// Gives a dead stream up: it is never stopped, closed or freed, and PortAudio is never
+    /// terminated in this process. Its callback is not called any more.
     void abandon() noexcept;
 
  private:
@@ -91,9 +101,9 @@ class DeviceStream {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Ends the process with this code, once everything that is to be written is written. Where a
-/// stream was left to itself its threads still run: then no destructor of a library may pull what
-/// they use from under them.
+/// Ends the process with this code; call it when all output is written. After a stream was
+/// abandoned its threads still run, so then it skips the destructors of libraries, which would free
+/// what these threads use.
 [[noreturn]] void end_process(int exit_code) noexcept;
 
 }  // namespace raks::audio

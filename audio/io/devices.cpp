@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* kPulseMonitorApi = "PulseAudio monitor";
 
+// PortAudio's names are longer ("JACK Audio Connection Kit"); users see and type these.
 std::string api_name(PaHostApiIndex index) {
     const PaHostApiInfo* info = Pa_GetHostApiInfo(index);
     if (info == nullptr) {
@@ -31,6 +32,7 @@ std::string api_name(PaHostApiIndex index) {
     }
 }
 
+// All devices of PortAudio. A rate that cannot be meant becomes 48 kHz.
 std::vector<AudioDevice> portaudio_devices() {
     std::vector<AudioDevice> devices;
     const PaDeviceIndex default_input = Pa_GetDefaultInputDevice();
@@ -54,7 +56,8 @@ std::vector<AudioDevice> portaudio_devices() {
     return devices;
 }
 
-/// Monitors are opened through ALSA's `pulse`; without it there is no way to them.
+// PulseAudio's monitors as devices. PortAudio does not list them; they are opened through ALSA's
+// `pulse` device, without which there are none.
 std::vector<AudioDevice> monitor_devices(const std::vector<AudioDevice>& devices) {
     const auto pulse = std::find_if(devices.begin(), devices.end(), [](const AudioDevice& device) {
         return device.host_api == "ALSA" && device.name == "pulse" && device.input_channels > 0;
@@ -68,17 +71,19 @@ std::vector<AudioDevice> monitor_devices(const std::vector<AudioDevice>& devices
                             .name = monitor.name,
                             .description = monitor.description,
                             .host_api = kPulseMonitorApi,
-                            .input_channels = 2,
+                            .input_channels = 2,  // a sink's monitor is recorded as stereo
                             .default_rate = pulse->default_rate,
                             .pulse_source = monitor.name});
     }
     return monitors;
 }
 
+// Order of the list: JACK, monitors, others.
 int rank(const AudioDevice& device) {
     return device.host_api == "JACK" ? 0 : (device.is_monitor() ? 1 : 2);
 }
 
+// The list that users see; within one rank the order is PortAudio's.
 std::vector<AudioDevice> all_devices() {
     const SilentStderr silence;
     std::vector<AudioDevice> devices = portaudio_devices();

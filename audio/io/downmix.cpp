@@ -9,17 +9,17 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kMostWeighted = 8;
-constexpr float kMinus3dB = 0.70710678F;
+constexpr std::size_t kMostWeighted = 8;  // more channels have no known order
+constexpr float kMinus3dB = 0.70710678F;  // 1 / sqrt(2)
 
+// Factor of each channel on each side.
 struct Weights {
     std::array<float, kMostWeighted> left{};
     std::array<float, kMostWeighted> right{};
 };
 
-/// Weights of 3 to 8 channels: left, right, centre, low, back left, back right, side left, side
-/// right; three and four channels have no low one (4: left, right, back left, back right; 5: with
-/// centre).
+// Weights of 3 to 8 channels. Three are left, right, centre; four are left, right, back left, back
+// right; five have a centre, too; from six on the low channel follows the centre.
 Weights weights_of(std::size_t channels) noexcept {
     Weights weights;
     weights.left[0] = 1.0F;
@@ -37,6 +37,7 @@ Weights weights_of(std::size_t channels) noexcept {
         weights.left[i] = is_alone ? 0.5F : (is_left ? kMinus3dB : 0.0F);
         weights.right[i] = is_alone ? 0.5F : (is_left ? 0.0F : kMinus3dB);
     }
+    // Both sides have the same sum; divided by it, equal full-scale channels give full scale.
     float sum = 0.0F;
     for (const float weight : weights.left) {
         sum += weight;
@@ -48,11 +49,13 @@ Weights weights_of(std::size_t channels) noexcept {
     return weights;
 }
 
+// One stereo frame.
 struct Sides {
     float left;
     float right;
 };
 
+// One frame of 3 to 8 channels.
 Sides mix_weighted(const float* frame, std::size_t channels, const Weights& weights) noexcept {
     Sides sides{0.0F, 0.0F};
     for (std::size_t i = 0; i < channels; ++i) {
@@ -63,6 +66,7 @@ Sides mix_weighted(const float* frame, std::size_t channels, const Weights& weig
     return sides;
 }
 
+// One frame of more than eight channels: each side is the mean of its channels.
 Sides mix_alternating(const float* frame, std::size_t channels) noexcept {
     Sides sides{0.0F, 0.0F};
     for (std::size_t i = 0; i < channels; ++i) {
@@ -73,6 +77,7 @@ Sides mix_alternating(const float* frame, std::size_t channels) noexcept {
     return {sides.left / static_cast<float>(lefts), sides.right / static_cast<float>(rights)};
 }
 
+// Calls store(frame number, Sides) for each frame; weights are computed once a block.
 template <typename Store>
 void for_each_frame(std::span<const float> interleaved,
                     std::size_t channels,

@@ -20,19 +20,20 @@ extern "C" {
 namespace raks::audio {
 namespace {
 
-// Only containers of sound: FFmpeg would also take pictures, subtitles, plain text and play-lists
-// (which name other files) for media.
+// Containers of sound and video only: FFmpeg would also open pictures, subtitles, plain text and
+// play-lists (which name other files) as media.
 constexpr const char* kFormats =
     "mp3,aac,mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,ogg,asf,avi,flv,flac,wav,w64,aiff,au,caf,ac3,"
     "eac3,dts,amr,amrnb,amrwb,ape,wv,tta,tak,mpc,mpc8,mpeg,mpegts,mpegvideo,rm,xwma,dsf,oma,loas,"
     "gxf,mxf,nut,swf,voc,aa,aax,adts,latm";
 
-constexpr int kMaxFaultsInARow = 2000;  // of packets: a damaged stretch, not a hang
-constexpr int kMaxPacketsToFirstFrame = 5000;
-constexpr double kShortBySeconds = 1.0;  // less than this under the claim is rounding
+constexpr int kMaxFaultsInARow = 2000;         // of packets: passes a damaged stretch, ends at last
+constexpr int kMaxPacketsToFirstFrame = 5000;  // then the decoder is taken to give nothing
+constexpr double kShortBySeconds = 1.0;        // seconds: less below the claimed length is rounding
 
-/// Whether FFmpeg knew the container by more than its name: a program or a font named .mp3 holds
-/// bytes that decode. MP3 behind a foreign tag is sure of little and still music.
+// Whether FFmpeg recognised the container by content and not by its name alone: a program or a font
+// that is named .mp3 also holds bytes that decode. MP3 behind a foreign tag has a low score and is
+// still music.
 bool is_known(const AVFormatContext& container) {
     const bool is_mp3 = container.iformat->name == std::string_view("mp3");
     return container.probe_score > (is_mp3 ? 1 : AVPROBE_SCORE_RETRY);
@@ -47,7 +48,7 @@ std::string ffmpeg_reason(int error_number) {
 }
 
 Expected<void> FfmpegReader::open() {
-    // Everything that FFmpeg has to say comes back as an error here.
+    // FFmpeg would print; its errors are returned from here instead.
     av_log_set_level(AV_LOG_QUIET);
     if (auto opened = open_container(); !opened) {
         return opened;
@@ -58,11 +59,14 @@ Expected<void> FfmpegReader::open() {
     return describe();
 }
 
+// Opens the file and finds its streams.
 Expected<void> FfmpegReader::open_container() {
     AVFormatContext* context = nullptr;
     AVDictionary* options = nullptr;
+    // Files alone: a play-list or a container must not make FFmpeg open network addresses.
     av_dict_set(&options, "protocol_whitelist", "file", 0);
     av_dict_set(&options, "format_whitelist", kFormats, 0);
+    // A path with a colon would be read as a protocol.
     const std::string url = "file:" + path_.string();
     const int error = avformat_open_input(&context, url.c_str(), nullptr, &options);
     av_dict_free(&options);
@@ -76,12 +80,14 @@ Expected<void> FfmpegReader::open_container() {
     return {};
 }
 
+// Chooses the best sound track and opens its decoder.
 Expected<void> FfmpegReader::open_decoder() {
     const AVCodec* codec = nullptr;
     const int index = av_find_best_stream(container_.get(), AVMEDIA_TYPE_AUDIO, -1, -1, &codec, 0);
     if (index < 0) {
         return fail(path_.string() + ": has no sound track");
     }
+    // Packets of pictures and other tracks are dropped by the container's reader.
     for (unsigned i = 0; i < container_->nb_streams; ++i) {
         if (static_cast<int>(i) != index) {
             container_->streams[i]->discard = AVDISCARD_ALL;
@@ -96,7 +102,9 @@ Expected<void> FfmpegReader::open_decoder() {
     if (!decoder_ || avcodec_parameters_to_context(decoder_.get(), stream_->codecpar) < 0) {
         return fail(path_.string() + ": its sound track cannot be decoded");
     }
+    // FFmpeg needs the time base to correct time stamps where it trims samples.
     decoder_->pkt_timebase = stream_->time_base;
+    // One thread is enough for sound.
     decoder_->thread_count = 1;
     if (const int error = avcodec_open2(decoder_.get(), codec, nullptr); error < 0) {
         return fail(path_.string() +
@@ -105,8 +113,8 @@ Expected<void> FfmpegReader::open_decoder() {
     return {};
 }
 
-/// The truth about rate and channels is in the first decoded frame (AAC may double the rate that
-/// its head says).
+// Takes rate and channels from the first decoded frame: they may differ from the head's (AAC may
+// double the rate).
 Expected<void> FfmpegReader::describe() {
     info_.channels = 0;  // until the first frame says it
     while (buffer_.empty() && head_fault_.empty() && decode_next()) {
@@ -128,6 +136,7 @@ Expected<void> FfmpegReader::describe() {
     return {};
 }
 
+// Keeps the first damage for warning(); before the first frame open() reports the failure.
 void FfmpegReader::note_damage() {
     if (warning_.empty() && info_.channels > 0) {
         warning_ = fmt::format("{}: is damaged at {:.2f} s",
@@ -136,6 +145,8 @@ void FfmpegReader::note_damage() {
     }
 }
 
+// At the end: notes a file that is shorter than it claims. A length that FFmpeg estimated from the
+// bit rate is no claim, and after a seek the position must be known.
 void FfmpegReader::note_end() {
     is_ended_ = true;
     const bool is_claim_sure =
@@ -147,10 +158,12 @@ void FfmpegReader::note_end() {
     }
 }
 
-/// Gives the decoder its next packet, or the end. Returns 0 or FFmpeg's error.
+// Sends the decoder the next packet of the track, or the end of the stream. Returns 0 or FFmpeg's
+// error.
 int FfmpegReader::feed_decoder() {
     for (int faults = 0; faults < kMaxFaultsInARow; ++faults) {
         const int got = av_read_frame(container_.get(), packet_.get());
+        // An error at the end of the data ends the stream, too.
         if (got == AVERROR_EOF || (got < 0 && avio_feof(container_->pb) != 0)) {
             is_flushed_ = true;
             return avcodec_send_packet(decoder_.get(), nullptr);
@@ -169,13 +182,13 @@ int FfmpegReader::feed_decoder() {
         if (is_ours) {
             return 0;
         }
-        faults = 0;
+        faults = 0;  // a packet of another track is no fault
     }
     return AVERROR_INVALIDDATA;
 }
 
-/// Decodes one more frame into the buffer (which may stay empty: dropped after a seek). False at
-/// the end.
+// Decodes one more frame into the buffer, which may stay empty where the frame is dropped after a
+// seek. Returns false at the end.
 bool FfmpegReader::decode_next() {
     int faults = 0;
     while (!is_ended_ && faults < kMaxPacketsToFirstFrame) {
@@ -203,8 +216,8 @@ bool FfmpegReader::decode_next() {
     return false;
 }
 
-/// Sets the converter up for frames like this one: to interleaved floats, of the rate and the
-/// number of channels that the first frame had.
+// Sets the converter up for frames of this kind, to interleaved floats at the rate and with the
+// number of channels of the first frame. A stream may change its format on the way.
 bool FfmpegReader::prepare_converter() {
     const int channels = frame_->ch_layout.nb_channels;
     if (converter_ && converter_rate_ == frame_->sample_rate && converter_channels_ == channels &&
@@ -212,6 +225,7 @@ bool FfmpegReader::prepare_converter() {
         return true;
     }
     AVChannelLayout from{};
+    // Frames without a channel layout get the usual one for their number of channels.
     AVChannelLayout to{};
     if (frame_->ch_layout.order == AV_CHANNEL_ORDER_UNSPEC) {
         av_channel_layout_default(&from, channels);
@@ -246,7 +260,7 @@ bool FfmpegReader::prepare_converter() {
     return true;
 }
 
-/// Where the frame at hand lies: behind the last one, or, after a seek, where its time stamp says.
+// Position of the current frame: after the last one or, after a seek, by its time stamp.
 void FfmpegReader::place_frame() {
     const std::int64_t timestamp = frame_->best_effort_timestamp;
     if (first_timestamp_ == AV_NOPTS_VALUE) {
@@ -255,10 +269,12 @@ void FfmpegReader::place_frame() {
     if (is_placed_ || timestamp == AV_NOPTS_VALUE) {
         return;
     }
+    // FFmpeg's time stamps need not start at 0.
     decoded_until_ = on_frame_grid(frames_of(timestamp - first_timestamp_));
     is_placed_ = true;
 }
 
+// Converts the current frame into the buffer.
 void FfmpegReader::take_frame() {
     const int channels = frame_->ch_layout.nb_channels;
     if (info_.channels == 0) {
@@ -275,6 +291,7 @@ void FfmpegReader::take_frame() {
         return;
     }
     place_frame();
+    // Removes what was read, so that the buffer holds about one frame at most.
     buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(buffer_at_));
     buffer_at_ = 0;
     const std::size_t before = buffer_.size();
@@ -285,10 +302,12 @@ void FfmpegReader::take_frame() {
     const auto** in = const_cast<const std::uint8_t**>(frame_->extended_data);
     const int made = swr_convert(converter_.get(), &out, room, in, frame_->nb_samples);
     buffer_.resize(before + static_cast<std::size_t>(std::max(made, 0)) * width);
+    // The converter may keep samples back; what came out counts.
     decoded_until_ += std::max(made, 0);
     drop_until_target();
 }
 
+// After a seek the decoder starts before the target; frames before it are skipped.
 void FfmpegReader::drop_until_target() {
     const auto width = static_cast<std::size_t>(info_.channels);
     const std::int64_t start = decoded_until_ - static_cast<std::int64_t>(buffered_frames());
@@ -298,6 +317,7 @@ void FfmpegReader::drop_until_target() {
     }
 }
 
+// Decodes as needed; fewer frames than wanted mean the end.
 std::size_t FfmpegReader::read(std::span<float> interleaved) {
     const auto width = static_cast<std::size_t>(info_.channels);
     const std::size_t wanted = interleaved.size() / width;

@@ -14,14 +14,18 @@
 
 namespace raks::audio {
 
-/// AudioFileReader by FFmpeg. Opening, decoding and what is noted about damage lie in
-/// ffmpeg_reader.cpp, going to a frame in ffmpeg_seek.cpp. For audio_file.cpp and these alone.
+/// AudioFileReader by FFmpeg. Opening, decoding and warnings are in ffmpeg_reader.cpp, seeking in
+/// ffmpeg_seek.cpp. Only audio_file.cpp and these use it.
 class FfmpegReader final : public AudioFileReader {
  public:
+    /// Opens nothing yet: see open().
     explicit FfmpegReader(std::filesystem::path path) : path_(std::move(path)) {}
 
+    /// Opens container and decoder and decodes the first frame. Errors: as open_by_ffmpeg.
     Expected<void> open();
+    /// As AudioFileReader::read.
     std::size_t read(std::span<float> interleaved) override;
+    /// As AudioFileReader::seek.
     Expected<void> seek(std::int64_t frame) override;
 
  private:
@@ -56,23 +60,23 @@ class FfmpegReader final : public AudioFileReader {
     FfmpegHandle<AVFrame> frame_{av_frame_alloc()};
     FfmpegHandle<SwrContext> converter_;
     AVStream* stream_ = nullptr;
-    int converter_rate_ = 0;  // what the converter is set up for
+    int converter_rate_ = 0;  // format of the frames that the converter is set up for
     int converter_channels_ = 0;
     int converter_format_ = -1;
 
-    std::vector<float> buffer_;  // decoded, interleaved; from buffer_at_ on not yet read
-    std::size_t buffer_at_ = 0;
-    std::int64_t decoded_until_ = 0;  // frame number behind the buffer
-    std::int64_t first_timestamp_ = AV_NOPTS_VALUE;
-    std::int64_t target_ = 0;  // what lies before it is dropped, after a seek
-    bool is_placed_ = true;    // decoded_until_ is known; not right after a seek
-    bool is_flushed_ = false;  // the decoder was told the end
+    std::vector<float> buffer_;       // decoded, interleaved; from buffer_at_ on not yet read
+    std::size_t buffer_at_ = 0;       // place of the next sample to read
+    std::int64_t decoded_until_ = 0;  // frame number of the end of the buffer
+    std::int64_t first_timestamp_ = AV_NOPTS_VALUE;  // of the file's start
+    std::int64_t target_ = 0;                        // after a seek: frames before it are dropped
+    bool is_placed_ = true;    // whether decoded_until_ is known: not right after a seek
+    bool is_flushed_ = false;  // the decoder got all packets
     bool is_ended_ = false;
     std::int64_t first_frames_ = 0;  // length of the first decoded frame
-    std::string head_fault_;
+    std::string head_fault_;         // error of the first frame's rate or channels
 };
 
-/// What FFmpeg calls this error.
+/// FFmpeg's text for this error number.
 [[nodiscard]] std::string ffmpeg_reason(int error_number);
 
 }  // namespace raks::audio

@@ -1,4 +1,4 @@
-// Going to a frame, exactly, in containers that know less exactly where it is.
+// Seeking to an exact frame in containers whose time stamps or indexes are less exact.
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
@@ -16,10 +16,11 @@ extern "C" {
 namespace raks::audio {
 namespace {
 
-constexpr double kPrerollSeconds = 0.30;  // an MP3 frame leans on up to nine before it
+constexpr double kPrerollSeconds = 0.30;  // an MP3 frame depends on up to nine frames before it
 
 }  // namespace
 
+// Time stamp of the stream to frames, and back, rounded to the nearest.
 std::int64_t FfmpegReader::frames_of(std::int64_t timestamp) const {
     return av_rescale_q(timestamp, stream_->time_base, AVRational{1, info_.rate.hertz()});
 }
@@ -28,8 +29,9 @@ std::int64_t FfmpegReader::timestamp_of(std::int64_t frame) const {
     return av_rescale_q(frame, AVRational{1, info_.rate.hertz()}, stream_->time_base);
 }
 
-/// A position that a coarse time stamp gave (Matroska's are whole milliseconds), moved to where a
-/// frame of this length can start.
+// Matroska's time stamps are whole milliseconds. Moves a position from such a coarse time stamp to
+// the nearest place where a codec frame of this length can start, if it is within the stamp's
+// resolution.
 std::int64_t FfmpegReader::on_frame_grid(std::int64_t position) const {
     const std::int64_t size = frame_->nb_samples;
     const double resolution = av_q2d(stream_->time_base) * info_.rate.hertz();  // in frames
@@ -41,9 +43,10 @@ std::int64_t FfmpegReader::on_frame_grid(std::int64_t position) const {
     return static_cast<double>(std::abs(near - position)) <= resolution ? near : position;
 }
 
-/// How to reach a frame exactly. Formats without an index let FFmpeg guess from the bit rate; their
-/// packets are small: reading past them without decoding costs about 1 ms a minute of sound. Where
-/// time stamps are coarse and frames differ in length, only decoding from the start counts right.
+// Chooses the way to a frame. Formats without an index make FFmpeg guess from the bit rate, so
+// their small packets are read up to it without decoding (about 1 ms a minute of sound). Where time
+// stamps are coarse and frames differ in length, as in Vorbis, only decoding from the start counts
+// exactly.
 FfmpegReader::SeekMethod FfmpegReader::seek_method() const {
     const std::string_view name = container_->iformat->name;
     if (name == "mp3" || name == "aac" || name == "ac3" || name == "mpegts" || name == "mpeg") {
@@ -54,7 +57,8 @@ FfmpegReader::SeekMethod FfmpegReader::seek_method() const {
                                                                  : SeekMethod::index;
 }
 
-/// Reads on to the last packet that starts at or before `timestamp`, and gives it to the decoder.
+// Reads on to the packet that contains `timestamp`, or starts after it, and gives it to the
+// decoder.
 bool FfmpegReader::skip_packets_before(std::int64_t timestamp) {
     while (av_read_frame(container_.get(), packet_.get()) >= 0) {
         const bool is_ours = packet_->stream_index == stream_->index;
@@ -67,9 +71,10 @@ bool FfmpegReader::skip_packets_before(std::int64_t timestamp) {
         }
         av_packet_unref(packet_.get());
     }
-    return true;  // behind the end: the next read says so
+    return true;  // beyond the end: the next read reports it
 }
 
+// Seeks the container to the time stamp or before; where that fails, to the start of the file.
 Expected<void> FfmpegReader::seek_container(std::int64_t timestamp, std::int64_t frame) {
     int error = av_seek_frame(container_.get(), stream_->index, timestamp, AVSEEK_FLAG_BACKWARD);
     if (error < 0) {
@@ -84,7 +89,8 @@ Expected<void> FfmpegReader::seek_container(std::int64_t timestamp, std::int64_t
     return {};
 }
 
-/// Everything as just opened (a seek to the start would treat the encoder's delay otherwise).
+// Opens the file again: a seek to the start would treat the encoder's delay in another way than
+// opening does.
 Expected<void> FfmpegReader::reopen() {
     decoder_.reset();
     container_.reset();
@@ -99,6 +105,7 @@ Expected<void> FfmpegReader::reopen() {
     return {};
 }
 
+// Forgets all that was decoded; the next frame's place comes from its time stamp.
 void FfmpegReader::forget_decoded() {
     converter_.reset();
     buffer_.clear();
@@ -116,6 +123,8 @@ Expected<void> FfmpegReader::seek(std::int64_t frame) {
     if (method == SeekMethod::decoding) {
         return reopen();
     }
+    // Preroll: the decoder needs the frames before the target to give the same samples as without a
+    // seek. What it decodes before target_ is dropped.
     const std::int64_t from = first_timestamp_ + timestamp_of(frame - preroll);
     const std::int64_t start = std::min<std::int64_t>(first_timestamp_, 0);
     auto sought = seek_container(method == SeekMethod::index ? from : start, frame);

@@ -16,15 +16,16 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kReadFrames = 512;
-constexpr std::size_t kMinAheadFrames = 1024;
-constexpr std::size_t kMostSegments = 256;
+constexpr std::size_t kReadFrames = 512;             // decoded at once
+constexpr std::size_t kMinAheadFrames = 1024;        // smallest ring
+constexpr std::size_t kMostSegments = 256;           // files and seeks that may wait in the queue
 constexpr std::size_t kMostDroppedPerPull = 16'384;  // frames: bounds the work after a seek
-constexpr int kMostStepsPerPull = 64;
-// The audio thread cannot wake the decoder (that is a system call), so it looks for room itself.
+constexpr int kMostStepsPerPull = 64;  // segments and drops: bounds the loops of a pull
+// The audio thread must not wake the decoder, which would be a system call; the decoder looks for
+// room in the ring at this interval.
 constexpr auto kLookForRoom = std::chrono::milliseconds(5);
 
-/// What the samples from ring position `start` on are, up to the next segment.
+// Describes the samples in the ring from position `start` up to the next segment.
 struct Segment {
     std::uint64_t start = 0;       ///< frames written to the ring before it
     std::uint64_t generation = 0;  ///< number of the seek that it answers
@@ -34,6 +35,7 @@ struct Segment {
     bool is_end = false;  ///< nothing comes after the last file
 };
 
+// A seek that the decoder has yet to carry out; a newer one replaces it.
 struct SeekCommand {
     int track = 0;
     double seconds = 0.0;
@@ -57,6 +59,7 @@ struct FilePlayer::Impl {
     void decode_chunk();
     void push_segment(std::int64_t position, bool is_end);
     void say(std::string line);
+    // A step of work writes one chunk or pushes one segment.
     [[nodiscard]] bool can_work() const {
         const bool has_room = reader && ring.writable() >= 2 * kReadFrames;
         return segments.size() + 2 < kMostSegments && (command || has_room);
@@ -71,7 +74,7 @@ struct FilePlayer::Impl {
     AudioRing ring;  // stereo
     EventQueue<Segment> segments;
     std::atomic<std::uint64_t> wanted_generation{1};
-    std::atomic<std::uint64_t> played_generation{0};
+    std::atomic<std::uint64_t> played_generation{0};  // the newest whose samples were pulled
     std::atomic<std::uint64_t> underruns{0};
 
     std::mutex mutex;
@@ -96,17 +99,18 @@ struct FilePlayer::Impl {
     bool has_next = false;
     bool is_jump = false;
     std::uint64_t frames_read = 0;
-    std::array<float, 4096> dropped{};
+    std::array<float, 4096> dropped{};  // where samples before a seek are read to
 
     std::thread decoder;
 };
 
+// Keeps a message for take_messages().
 void FilePlayer::Impl::say(std::string line) {
     const std::lock_guard lock(mutex);
     messages.push_back(std::move(line));
 }
 
-/// False when the thread shall end.
+// Waits until there is something to do; false when the thread is to end.
 bool FilePlayer::Impl::wait_for_work(std::unique_lock<std::mutex>& lock) {
     while (!is_stopping && !can_work()) {
         is_idle = true;
@@ -121,6 +125,7 @@ bool FilePlayer::Impl::wait_for_work(std::unique_lock<std::mutex>& lock) {
     return !is_stopping;
 }
 
+// The decoder thread: one seek or one chunk at a time, the mutex released while it decodes.
 void FilePlayer::Impl::run() {
     std::unique_lock lock(mutex);
     while (wait_for_work(lock)) {
@@ -138,6 +143,7 @@ void FilePlayer::Impl::run() {
     }
 }
 
+// Announces what the samples written from here on are.
 void FilePlayer::Impl::push_segment(std::int64_t position, bool is_end) {
     // There is room: can_work() asked for it, and each step of work pushes one.
     Segment segment{.start = frames_written,
@@ -151,6 +157,8 @@ void FilePlayer::Impl::push_segment(std::int64_t position, bool is_end) {
     segments.push(segment);
 }
 
+// Opens a file, or keeps it open for a seek within it, and goes to the given time. On an error the
+// reader is closed and the user told.
 bool FilePlayer::Impl::open_track(int wanted_track, double seconds) {
     const bool is_same = reader && wanted_track == track;
     track = wanted_track;
@@ -176,6 +184,7 @@ bool FilePlayer::Impl::open_track(int wanted_track, double seconds) {
     return true;
 }
 
+// The next file that can be opened; after the last one a segment that marks the end.
 void FilePlayer::Impl::open_next_or_end(int next_track) {
     for (int i = next_track; i < static_cast<int>(files.size()); ++i) {
         if (open_track(i, 0.0)) {
@@ -186,6 +195,7 @@ void FilePlayer::Impl::open_next_or_end(int next_track) {
     push_segment(0, true);
 }
 
+// Carries a seek out. Samples from here on carry its generation, which tells pull() the older ones.
 void FilePlayer::Impl::go_to(const SeekCommand& seek) {
     generation = seek.generation;
     frames_before_seek = frames_written;
@@ -194,6 +204,7 @@ void FilePlayer::Impl::go_to(const SeekCommand& seek) {
     }
 }
 
+// One chunk as stereo into the ring; at the end of a file its successor is opened.
 void FilePlayer::Impl::decode_chunk() {
     const auto channels = static_cast<std::size_t>(reader->info().channels);
     interleaved.resize(kReadFrames * channels);
@@ -210,7 +221,8 @@ void FilePlayer::Impl::decode_chunk() {
     frames_written += frames;
 }
 
-/// Frames of the current segment that are ready; takes over the next segment when it is reached.
+// Number of ready frames of the current segment. When the next segment begins at this point, it
+// becomes the current one.
 std::size_t FilePlayer::Impl::frames_until_next_segment(std::uint64_t ready) noexcept {
     for (int step = 0; step < kMostStepsPerPull; ++step) {
         has_next = has_next || segments.pop(next);
@@ -224,6 +236,7 @@ std::size_t FilePlayer::Impl::frames_until_next_segment(std::uint64_t ready) noe
     return static_cast<std::size_t>(has_next ? std::min(ready, next.start - frames_read) : ready);
 }
 
+// Discards frames from before a seek.
 void FilePlayer::Impl::drop(std::size_t frames) noexcept {
     while (frames > 0) {
         const std::size_t count = std::min(frames, dropped.size() / 2);
@@ -242,6 +255,7 @@ Expected<std::unique_ptr<FilePlayer>> FilePlayer::start(std::vector<std::filesys
     if (files.empty()) {
         return fail("no file to play");
     }
+    // Opened here only to check it and to know its head; the decoder thread opens it again.
     auto first = open_audio_file(files.front());
     if (!first) {
         return fail(first.error());
@@ -260,7 +274,8 @@ PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
     std::size_t may_drop = kMostDroppedPerPull;
     std::size_t count = 0;
     for (int step = 0; step < kMostStepsPerPull; ++step) {
-        // The samples first: what describes them was pushed before they were written.
+        // readable() is read before the queue of segments: the segment of any sample was pushed
+        // before the sample was written, so no sample is taken for the segment before it.
         count = me.frames_until_next_segment(me.ring.readable() / 2);
         if (me.current.generation == wanted || count == 0) {
             break;
@@ -269,6 +284,7 @@ PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
         me.drop(count);
         may_drop -= count;
     }
+    // Stale: samples of a seek's new place are not there yet; silence is no underrun then.
     const std::size_t room = stereo.size() / 2;
     const bool is_stale = me.current.generation != wanted;
     const bool stops_here = me.has_next && me.next.start == me.frames_read + count;
@@ -295,6 +311,8 @@ PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
     return pulled;
 }
 
+// The generation is published last: pull() may then drop samples, while the command waits under the
+// mutex for the decoder.
 void FilePlayer::seek(int track, double seconds) {
     const std::lock_guard lock(impl_->mutex);
     const std::uint64_t generation =
@@ -328,7 +346,7 @@ void FilePlayer::wait_until_ready(std::size_t frames) {
     impl_->changed.wait(lock, [this, frames] {
         const bool is_enough = !impl_->command && impl_->frames_since_seek >= frames &&
                                impl_->ring.readable() >= 2 * frames;
-        // An idle decoder may only not have seen yet that there is room again.
+        // A decoder that is idle may not have noticed yet that there is room again.
         return is_enough || (impl_->is_idle && !impl_->can_work()) || impl_->is_stopping;
     });
 }

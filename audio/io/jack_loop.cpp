@@ -11,6 +11,7 @@
 namespace raks::audio {
 namespace {
 
+// Deleters of JACK's objects.
 struct CloseClient {
     void operator()(jack_client_t* client) const noexcept { jack_client_close(client); }
 };
@@ -18,6 +19,7 @@ struct FreeNames {
     void operator()(const char** names) const noexcept { jack_free(static_cast<void*>(names)); }
 };
 
+// Removes all connections of an input port: other sources would mix with the loop's signal.
 void disconnect_all(jack_client_t* client, const jack_port_t* input, const std::string& name) {
     const std::unique_ptr<const char*, FreeNames> sources(
         jack_port_get_all_connections(client, input));
@@ -28,6 +30,7 @@ void disconnect_all(jack_client_t* client, const jack_port_t* input, const std::
 
 }  // namespace
 
+// PortAudio names its ports NAME:out_0, NAME:in_0 and so on; a client of our own connects them.
 Expected<int> connect_own_outputs_to_inputs() {
     const char* own_name = nullptr;
     if (PaJack_GetClientName(&own_name) != paNoError || own_name == nullptr) {
@@ -39,6 +42,7 @@ Expected<int> connect_own_outputs_to_inputs() {
         return fail("JACK: the server does not answer");
     }
     const std::string own(own_name);
+    // Pairs until one side has no further port.
     int connected = 0;
     for (;; ++connected) {
         const std::string from = fmt::format("{}:out_{}", own, connected);

@@ -19,12 +19,12 @@ extern "C" {
 namespace raks::audio {
 namespace {
 
-constexpr int kOpusRate = 48'000;
-constexpr int kLowMp3Rate = 22'050;
+constexpr int kOpusRate = 48'000;    // hertz: the rate that libopus decodes to
+constexpr int kLowMp3Rate = 22'050;  // hertz, below kLowMp3Bits
 constexpr int kMp3Rate = 44'100;
-constexpr int kLowMp3Bits = 48'000;
+constexpr int kLowMp3Bits = 48'000;  // bit/s
 
-/// Rate that the codec works at.
+// Rate that the codec runs at; the samples are resampled to it and back.
 int coded_rate(LossyCodec codec, int bits_per_second) {
     if (codec == LossyCodec::opus) {
         return kOpusRate;
@@ -32,7 +32,7 @@ int coded_rate(LossyCodec codec, int bits_per_second) {
     return bits_per_second < kLowMp3Bits ? kLowMp3Rate : kMp3Rate;
 }
 
-/// Samples at another rate; the resampler's delay is taken off.
+// Samples at another rate. swr compensates its own delay, and the second call below flushes it.
 std::vector<float> at_rate(int from, int to, std::vector<float> samples) {
     if (from == to) {
         return samples;
@@ -45,6 +45,7 @@ std::vector<float> at_rate(int from, int to, std::vector<float> samples) {
     if (!converter || swr_init(context) < 0) {
         return {};
     }
+    // With room for rounding and for what the resampler keeps back.
     const std::int64_t wanted =
         av_rescale(static_cast<std::int64_t>(samples.size()), to, from) + 4'096;
     std::vector<float> result(static_cast<std::size_t>(wanted));
@@ -65,7 +66,7 @@ std::vector<float> at_rate(int from, int to, std::vector<float> samples) {
     return result;
 }
 
-/// One encoder and one decoder; each packet goes from one to the other at once.
+// One encoder and one decoder of the same codec; each packet is decoded as soon as it is coded.
 class RoundTrip {
  public:
     Expected<void> open(LossyCodec codec, int rate, int bits_per_second);
@@ -80,11 +81,12 @@ class RoundTrip {
     FfmpegHandle<AVCodecContext> decoder_;
     FfmpegHandle<AVPacket> packet_{av_packet_alloc()};
     FfmpegHandle<AVFrame> frame_{av_frame_alloc()};
-    std::int64_t coded_ = 0;
-    std::int64_t first_ = AV_NOPTS_VALUE;  // time of the first decoded sample; < 0: the encoder's
+    std::int64_t coded_ = 0;               // samples sent to the encoder
+    std::int64_t first_ = AV_NOPTS_VALUE;  // of the first decoded sample; < 0: encoder's delay
     std::vector<float> decoded_;
 };
 
+// Opens both; the decoder takes its parameters from the encoder, as no container carries them.
 Expected<void> RoundTrip::open(LossyCodec codec, int rate, int bits_per_second) {
     const bool is_mp3 = codec == LossyCodec::mp3;
     const std::string name(kLossyCodecNames[static_cast<std::size_t>(codec)]);
@@ -118,7 +120,7 @@ Expected<void> RoundTrip::open(LossyCodec codec, int rate, int bits_per_second) 
 
 void RoundTrip::take_frames() {
     while (avcodec_receive_frame(decoder_.get(), frame_.get()) == 0) {
-        // Mono: planar or not is the same.
+        // Mono: planar and interleaved samples are stored alike.
         const auto* samples = reinterpret_cast<const float*>(frame_->extended_data[0]);
         first_ = first_ == AV_NOPTS_VALUE ? frame_->best_effort_timestamp : first_;
         if (frame_->format == AV_SAMPLE_FMT_FLTP || frame_->format == AV_SAMPLE_FMT_FLT) {
@@ -128,6 +130,7 @@ void RoundTrip::take_frames() {
     }
 }
 
+// Decodes all packets that the encoder has ready.
 Expected<void> RoundTrip::pass_packets() {
     while (avcodec_receive_packet(encoder_.get(), packet_.get()) == 0) {
         const int sent = avcodec_send_packet(decoder_.get(), packet_.get());
@@ -140,6 +143,7 @@ Expected<void> RoundTrip::pass_packets() {
     return {};
 }
 
+// Codes one frame of `count` samples; a frame that is not full is filled up with silence.
 Expected<void> RoundTrip::encode(const float* samples, int count) {
     frame_->nb_samples = encoder_->frame_size;
     frame_->format = encoder_->sample_fmt;
@@ -158,7 +162,8 @@ Expected<void> RoundTrip::encode(const float* samples, int count) {
     return sent < 0 ? Expected<void>(fail("a codec refuses samples")) : pass_packets();
 }
 
-/// The samples as decoded; silence is coded after them until all of them have come through.
+// Codes and decodes the samples. Silence follows them until the encoder's delay has passed, so that
+// the last samples come out, too.
 Expected<std::vector<float>> RoundTrip::run(const std::vector<float>& samples) {
     const auto frame = static_cast<std::size_t>(encoder_->frame_size);
     const auto padding = static_cast<std::size_t>(std::max(encoder_->initial_padding, 0));
@@ -176,7 +181,8 @@ Expected<std::vector<float>> RoundTrip::run(const std::vector<float>& samples) {
     }
     avcodec_send_packet(decoder_.get(), nullptr);
     take_frames();
-    // Some decoders leave out what the encoder put first, some do not.
+    // Some decoders drop the encoder's padding at the start, some do not: where the first decoded
+    // sample has a negative time, so many samples are padding.
     const auto lead =
         first_ == AV_NOPTS_VALUE ? 0 : static_cast<std::size_t>(std::max<std::int64_t>(-first_, 0));
     decoded_.erase(decoded_.begin(),
@@ -193,7 +199,7 @@ Expected<void> pass_lossy_codec(LossyCodec codec,
     av_log_set_level(AV_LOG_QUIET);  // what is wrong comes back as an error
     const int inside = coded_rate(codec, bits_per_second);
     for (float& sample : samples) {
-        // As a file of whole numbers would; LAME ends the program over what is no number.
+        // As a file of integers would store it; LAME ends the program on a NaN.
         sample = std::isfinite(sample) ? std::clamp(sample, -1.0F, 1.0F) : 0.0F;
     }
     RoundTrip trip;
@@ -205,6 +211,7 @@ Expected<void> pass_lossy_codec(LossyCodec codec,
         return fail(decoded.error());
     }
     std::vector<float> result = at_rate(inside, rate, std::move(*decoded));
+    // The padding behind the samples goes; a shorter result is filled up with silence.
     result.resize(samples.size());
     samples = std::move(result);
     return {};

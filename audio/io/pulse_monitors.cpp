@@ -10,9 +10,10 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(1000);
+constexpr std::chrono::milliseconds kPatience(1000);  // for the whole exchange with the server
 
-/// One short conversation with the server, driven by hand so that it cannot outlast its time.
+// One connection to the server. Its main loop is run step by step, so that it ends at the deadline
+// even when the server does not answer.
 class Conversation {
  public:
     Conversation()
@@ -21,13 +22,14 @@ class Conversation {
           deadline_(std::chrono::steady_clock::now() + kPatience) {}
 
     ~Conversation() {
-        pa_context_disconnect(context_.get());  // before the loop goes
+        pa_context_disconnect(context_.get());  // before the loop is freed
     }
     Conversation(const Conversation&) = delete;
     Conversation& operator=(const Conversation&) = delete;
 
     [[nodiscard]] pa_context* context() const noexcept { return context_.get(); }
 
+    // NOAUTOSPAWN: asking for monitors must not start a server.
     [[nodiscard]] bool connect() {
         if (pa_context_connect(context_.get(), nullptr, PA_CONTEXT_NOAUTOSPAWN, nullptr) < 0) {
             return false;
@@ -40,7 +42,7 @@ class Conversation {
         return true;
     }
 
-    /// Runs `operation` to its end.
+    // Runs the loop until `operation` is done or the deadline has passed.
     void finish(pa_operation* operation) {
         while (operation != nullptr && pa_operation_get_state(operation) == PA_OPERATION_RUNNING) {
             if (!step()) {
@@ -54,6 +56,7 @@ class Conversation {
     }
 
  private:
+    // One turn of the loop of at most 50 ms; false at the deadline or on an error.
     [[nodiscard]] bool step() {
         constexpr int kStepMicroseconds = 50'000;
         return std::chrono::steady_clock::now() < deadline_ &&
@@ -70,17 +73,20 @@ class Conversation {
     std::chrono::steady_clock::time_point deadline_;
 };
 
+// Callback of the server's information: name of the default sink.
 void take_server(pa_context*, const pa_server_info* info, void* default_sink) {
     if (info != nullptr && info->default_sink_name != nullptr) {
         *static_cast<std::string*>(default_sink) = info->default_sink_name;
     }
 }
 
+// A monitor and the sink it belongs to.
 struct Found {
     PulseMonitor monitor;
     std::string sink;
 };
 
+// Callback of each source; sources that are no monitors (microphones) are left out.
 void take_source(pa_context*, const pa_source_info* info, int, void* found) {
     if (info != nullptr && info->monitor_of_sink != PA_INVALID_INDEX && info->name != nullptr) {
         static_cast<std::vector<Found>*>(found)->push_back(
@@ -101,10 +107,12 @@ std::vector<PulseMonitor> list_pulse_monitors() {
     server.finish(pa_context_get_server_info(server.context(), take_server, &default_sink));
     server.finish(pa_context_get_source_info_list(server.context(), take_source, &found));
     std::vector<PulseMonitor> monitors;
+    // Lists are compared after both answers: which sink is the default is known only then.
     for (Found& each : found) {
         each.monitor.is_of_default_sink = each.sink == default_sink;
         monitors.push_back(std::move(each.monitor));
     }
+    // Stable: the others keep the server's order.
     std::stable_partition(monitors.begin(), monitors.end(), [](const PulseMonitor& monitor) {
         return monitor.is_of_default_sink;
     });

@@ -13,8 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// libsndfile 1.2.0 seeks in Vorbis are wrong for up to 1000 samples, and land 1000 samples late in
-// the last page (a page holds up to about a second).
+// After a seek in Vorbis, libsndfile 1.2.0 is wrong for up to 1000 samples, and 1000 samples late
+// in the last page (a page holds up to about a second). So seeks go this far before the target and
+// read on to it.
 constexpr double kVorbisPrerollSeconds = 2.0;
 
 struct CloseSndfile {
@@ -22,6 +23,7 @@ struct CloseSndfile {
 };
 using SndfileHandle = std::unique_ptr<SNDFILE, CloseSndfile>;
 
+// libsndfile's name of the container format.
 std::string format_name(int format) {
     SF_FORMAT_INFO info{};
     info.format = format & SF_FORMAT_TYPEMASK;
@@ -29,8 +31,8 @@ std::string format_name(int format) {
     return is_known && info.name != nullptr ? info.name : "audio";
 }
 
-/// libsndfile's reason; where a head makes no sense to it (a rate of 0, samples of 0 bits) it calls
-/// that an error of its own.
+// libsndfile's reason. For a head that it cannot make sense of (a rate of 0, samples of 0 bits) it
+// reports an internal error, which is put in plain words here.
 std::string why_not_opened() {
     const std::string reason = sf_strerror(nullptr);
     const bool is_of_head = reason.find("nternal error") != std::string::npos;
@@ -47,6 +49,7 @@ class SndfileReader final : public AudioFileReader {
         if ((head.format & SF_FORMAT_SUBMASK) == SF_FORMAT_VORBIS) {
             preroll_ = static_cast<sf_count_t>(kVorbisPrerollSeconds * head.samplerate);
         }
+        // Without a length in the head libsndfile gives SF_COUNT_MAX.
         if (head.frames > 0 && head.frames < SF_COUNT_MAX) {
             info_.claimed_seconds = static_cast<double>(head.frames) / head.samplerate;
         }
@@ -63,6 +66,7 @@ class SndfileReader final : public AudioFileReader {
         return got > 0 ? static_cast<std::size_t>(got) : 0;
     }
 
+    // A frame beyond the claimed end is no error: read() returns 0 there.
     Expected<void> seek(std::int64_t frame) override {
         is_behind_end_ = info_.claimed_seconds && frame >= claimed_frames_;
         position_ = frame;
@@ -81,6 +85,7 @@ class SndfileReader final : public AudioFileReader {
     }
 
  private:
+    // Decodes and discards frames.
     void read_past(sf_count_t frames) {
         constexpr sf_count_t kChunk = 4096;
         std::vector<float> chunk(static_cast<std::size_t>(kChunk * info_.channels));
@@ -94,6 +99,7 @@ class SndfileReader final : public AudioFileReader {
         }
     }
 
+    // At the end: notes a file that is shorter than its head says, or an error of the decoder.
     void note_end() {
         const bool is_short = info_.claimed_seconds && position_ < claimed_frames_;
         if (is_short || sf_error(file_.get()) != SF_ERR_NO_ERROR) {
@@ -106,7 +112,7 @@ class SndfileReader final : public AudioFileReader {
     fs::path path_;
     SndfileHandle file_;
     sf_count_t claimed_frames_;
-    sf_count_t preroll_ = 0;  ///< read past after a seek
+    sf_count_t preroll_ = 0;  // frames before a seek's target that are read past
     std::int64_t position_ = 0;
     bool is_behind_end_ = false;
 };

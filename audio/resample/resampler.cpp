@@ -8,6 +8,7 @@
 
 namespace raks::audio {
 
+// The library's converter, freed with the object; none where the rates are equal.
 struct Resampler::State {
     SpeexResamplerState* converter = nullptr;
     std::size_t channels = 1;
@@ -26,9 +27,10 @@ struct Resampler::State {
 
 namespace {
 
-constexpr int kQuality = 5;
+constexpr int kQuality = 5;  // 0 to 10 in speexdsp; why 5: docs/decisions/0001
 
-/// How far the output's time lags behind the input's at worst, over a quarter of a second.
+// Longest lag of the output's time behind the input's, over a quarter of a second of silence in
+// small chunks. The lag varies as output frames come in groups.
 Nanos measured_delay(Resampler& resampler, SampleRate from, SampleRate to, std::size_t channels) {
     constexpr std::size_t kChunk = 16;
     const std::vector<float> silence(kChunk * channels);
@@ -45,6 +47,7 @@ Nanos measured_delay(Resampler& resampler, SampleRate from, SampleRate to, std::
     return worst;
 }
 
+// Usable only after prepare(), which replaces the state.
 }  // namespace
 
 Resampler::Resampler() : state_(std::make_unique<State>()) {}
@@ -68,6 +71,7 @@ Expected<void> Resampler::prepare(SampleRate from, SampleRate to, int channels) 
     if (state_->converter == nullptr) {
         return fail(std::string("resampler: ") + speex_resampler_strerror(error));
     }
+    // The measurement changes the converter's state: start afresh after it.
     reset();
     state_->delay = measured_delay(*this, from, to, state_->channels);
     reset();
@@ -78,10 +82,12 @@ Resampler::Progress Resampler::process(std::span<const float> input,
                                        std::span<float> output) noexcept RAKS_NONBLOCKING {
     const std::size_t channels = state_->channels;
     if (state_->is_copy) {
+        // Equal rates: samples pass unchanged and without delay.
         const std::size_t frames = std::min(input.size(), output.size()) / channels;
         std::copy_n(input.data(), frames * channels, output.data());
         return {frames, frames};
     }
+    // In: frames offered and room for; out: frames taken and made.
     auto taken = static_cast<spx_uint32_t>(input.size() / channels);
     auto made = static_cast<spx_uint32_t>(output.size() / channels);
     speex_resampler_process_interleaved_float(
@@ -92,7 +98,7 @@ Resampler::Progress Resampler::process(std::span<const float> input,
 void Resampler::reset() noexcept RAKS_NONBLOCKING {
     if (!state_->is_copy) {
         speex_resampler_reset_mem(state_->converter);
-        // Without the filter's own delay at the front: frame 0 is the input's.
+        // Skips the filter's delay at the start: output frame 0 belongs to input frame 0.
         speex_resampler_skip_zeros(state_->converter);
     }
 }

@@ -6,20 +6,21 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kLevelBeats = 10;  // over which a band's level is averaged
-constexpr float kCompression = 4.0F;
+constexpr int kLevelBeats = 10;       // memory of a band's level
+constexpr float kCompression = 4.0F;  // log(1 + 4 x magnitude / level)
 constexpr float kMiddle = 1.6F;       // ln(1 + kCompression): a band at its level
-constexpr float kAudible = 0.02F;     // of all bands' mean level: softer bands count as silent
+constexpr float kAudible = 0.02F;     // share of all bands' mean level, added to each band's
 constexpr float kFloor = 1e-9F;       // digital silence
-constexpr float kFirstChange = 0.3F;  // stands for the change while there is no beat before
-constexpr float kUsualHops = 50.0F;
-// To the size of the other inputs: downbeats are rarer than beats.
+constexpr float kFirstChange = 0.3F;  // in place of the change at the first beat
+constexpr float kUsualHops = 50.0F;   // of a beat at 120 BPM
+// Brings the evidence to the size of the other inputs: downbeats are rarer than beats.
 constexpr float kBeatScale = 2.0F;
 constexpr float kDownbeatScale = 4.0F;
 constexpr float kHalfScale = 2.0F;
 
 }  // namespace
 
+// Sums by quarter of the beat; each kind of evidence where it can occur in the beat.
 void BarInput::add_hop(std::span<const float> mel_magnitudes,
                        double phase,
                        const BeatEvidence& evidence) noexcept RAKS_NONBLOCKING {
@@ -29,6 +30,7 @@ void BarInput::add_hop(std::span<const float> mel_magnitudes,
         sums_[quarter][band] += mel_magnitudes[band];
     }
     ++hops_[quarter];
+    // Beat and downbeat belong to the beat's first quarter, the half beat to its middle ones.
     if (quarter == 0) {
         most_.beat = std::max(most_.beat, evidence.beat);
         most_.downbeat = std::max(most_.downbeat, evidence.downbeat);
@@ -37,12 +39,16 @@ void BarInput::add_hop(std::span<const float> mel_magnitudes,
     }
 }
 
+// Log magnitude relative to the band's level, about 0 at the level. `floor` keeps silent bands from
+// being blown up.
 float BarInput::compressed(float magnitude, std::size_t band, float floor) const noexcept {
     return std::log1p(kCompression * magnitude / (level_[band] + floor)) - kMiddle;
 }
 
+// Levels first (this beat included), then quarters, changes and the rest.
 BarInput::Frame BarInput::next_beat() noexcept RAKS_NONBLOCKING {
     constexpr std::size_t kBandsAGroup = kBands / kGroups;
+    // Mean magnitudes of the whole beat.
     int hops = 0;
     Bands whole{};
     for (std::size_t quarter = 0; quarter < kQuarters; ++quarter) {
@@ -51,6 +57,7 @@ BarInput::Frame BarInput::next_beat() noexcept RAKS_NONBLOCKING {
             whole[band] += sums_[quarter][band];
         }
     }
+    // A plain mean over the first beats, an exponential one later.
     const float share = 1.0F / static_cast<float>(std::min(beats_ + 1, kLevelBeats));
     float floor = kFloor;
     for (std::size_t band = 0; band < kBands; ++band) {
@@ -60,12 +67,14 @@ BarInput::Frame BarInput::next_beat() noexcept RAKS_NONBLOCKING {
     }
     Frame frame{};
     for (std::size_t quarter = 0; quarter < kQuarters; ++quarter) {
+        // A quarter without a hop, as in a very short beat, stays 0: at its level.
         const auto count = static_cast<float>(hops_[quarter]);
         for (std::size_t band = 0; band < kBands && count > 0.0F; ++band) {
             frame[quarter * kGroups + band / kBandsAGroup] +=
                 compressed(sums_[quarter][band] / count, band, floor) / float{kBandsAGroup};
         }
     }
+    // Changes are summed over the bands of a group, not averaged.
     float* const changes = &frame[kQuarters * kGroups];
     for (std::size_t band = 0; band < kBands; ++band) {
         const float now = compressed(whole[band], band, floor);

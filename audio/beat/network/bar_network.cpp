@@ -7,6 +7,7 @@ namespace raks::audio {
 
 BarEvidence BarNetwork::evidence_of(const models::RecurrentStream::Logits& logits) noexcept
     RAKS_NONBLOCKING {
+    // Softmax; the greatest output is subtracted first, so that exp does not overflow.
     const float most = std::max({logits[0], logits[1], logits[2]});
     const float first = std::exp(logits[0] - most);
     const float middle = std::exp(logits[1] - most);

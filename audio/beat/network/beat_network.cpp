@@ -10,7 +10,8 @@
 namespace raks::audio {
 namespace {
 
-/// Without bars and others, its outputs times `trust`.
+// A copy without bars and ensemble; its output weights times `trust`, which scales the outputs
+// before the logistic function.
 BeatNetwork alone_and_trusted(const BeatNetwork& network, float trust) {
     BeatNetwork result(network.units(), network.layers().size(), network.lookahead());
     std::copy(
@@ -23,6 +24,7 @@ BeatNetwork alone_and_trusted(const BeatNetwork& network, float trust) {
 
 }  // namespace
 
+// The mean of weights makes sense only between networks of one shape.
 Expected<BeatNetwork> average(std::span<const std::shared_ptr<const BeatNetwork>> networks) {
     if (networks.empty()) {
         return fail("0: there is none");
@@ -49,6 +51,7 @@ Expected<BeatNetwork> together(std::span<const std::shared_ptr<const BeatNetwork
     if (networks.empty()) {
         return fail("0: there is none");
     }
+    // Ensembles among the given networks are taken apart, as their members have none of their own.
     std::vector<std::shared_ptr<const BeatNetwork>> members;
     for (const auto& given : networks) {
         members.push_back(given);
@@ -59,6 +62,7 @@ Expected<BeatNetwork> together(std::span<const std::shared_ptr<const BeatNetwork
     }
     for (std::size_t n = 0; n < members.size(); ++n) {
         const auto& one = *members[n];
+        // One look-ahead: the members' outputs are averaged hop by hop.
         if (one.lookahead() != members.front()->lookahead()) {
             return fail(fmt::format("{}: has another look-ahead than the first", n + 1));
         }
@@ -69,6 +73,7 @@ Expected<BeatNetwork> together(std::span<const std::shared_ptr<const BeatNetwork
     return first;
 }
 
+// The mean of the outputs before the logistic function.
 BeatEvidence BeatNetworkStream::next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING {
     models::RecurrentStream::Logits sum = streams_[0].next(*network_, frame);
     for (std::size_t i = 1; i < streams_.size(); ++i) {

@@ -13,46 +13,51 @@
 
 namespace raks::audio {
 
-/// What the network says of one hop: probabilities, each [0, 1], not exclusive.
+/// A network's output for one hop: probabilities, each in [0, 1], not exclusive.
 struct BeatEvidence {
-    float beat = 0.0F;      ///< a beat is here (a downbeat too)
-    float downbeat = 0.0F;  ///< the first beat of a bar
-    float half = 0.0F;      ///< half way between two beats
+    float beat = 0.0F;      ///< of a beat here (downbeats included)
+    float downbeat = 0.0F;  ///< of the first beat of a bar
+    float half = 0.0F;      ///< of the middle between two beats
 };
 
-class BarNetwork;
+class BarNetwork;  // audio/beat/network/bar_network.hpp
 
-/// A recurrent network that hears beats: three logistic outputs over the NetworkInput of each hop.
-/// Weights only; immutable once built. Threads: any may read.
+/// A recurrent network for beats: three logistic outputs over the NetworkInput of each hop. Weights
+/// only; immutable once built. Threads: any may read.
 class BeatNetwork : public models::RecurrentNetwork {
  public:
-    static constexpr std::size_t kOutputs = 3;
+    static constexpr std::size_t kOutputs = 3;  ///< beat, downbeat, half
+    /// Input of one hop.
     using Frame = NetworkInput::Frame;
+    /// Output for one hop.
     using Evidence = BeatEvidence;
 
-    /// All parameters 0. `lookahead`: hops by which its evidence comes after the sound that it is
-    /// about.
+    /// All parameters 0. `units`: of each of the `layers`. `lookahead`: hops by which the evidence
+    /// comes after the sound that it is about.
     BeatNetwork(std::size_t units, std::size_t layers, int lookahead)
         : models::RecurrentNetwork({NetworkInput::kSize, units, layers, kOutputs}),
           lookahead_(lookahead) {}
 
+    /// Hops between a sound and its evidence.
     [[nodiscard]] int lookahead() const noexcept { return lookahead_; }
 
-    /// Hears bars from what this one hears of beats (bar_network.hpp). None: bars are told by the
+    /// The network for bars that goes with this one (bar_network.hpp). Null: bars follow from the
     /// evidence of single downbeats.
     [[nodiscard]] const std::shared_ptr<const BarNetwork>& bars() const noexcept { return bars_; }
+    /// Sets it, while building.
     void set_bars(std::shared_ptr<const BarNetwork> bars) noexcept { bars_ = std::move(bars); }
 
-    /// Others that hear the same beside it, each with the same look-ahead: what they say is
-    /// averaged with what it says. They have neither others nor bars of their own.
+    /// Further networks of an ensemble, each with the same look-ahead: their outputs are averaged
+    /// with this one's. They have neither further networks nor bars of their own.
     [[nodiscard]] const std::vector<std::shared_ptr<const BeatNetwork>>& others() const noexcept {
         return others_;
     }
+    /// Sets them, while building.
     void set_others(std::vector<std::shared_ptr<const BeatNetwork>> others) noexcept {
         others_ = std::move(others);
     }
 
-    /// Real-time: yes.
+    /// Logistic function of the outputs. Real-time: yes.
     static BeatEvidence evidence_of(const models::RecurrentStream::Logits& logits) noexcept
         RAKS_NONBLOCKING;
 
@@ -62,31 +67,35 @@ class BeatNetwork : public models::RecurrentNetwork {
     std::vector<std::shared_ptr<const BeatNetwork>> others_;
 };
 
-/// The mean of the weights of networks that went on from one and the same: they lie in one valley,
-/// and their mean hears like all of them together (Wortsman et al. 2022, "Model soups").
-/// What hears bars is left out: it learns from what one network says of beats.
-/// Errors: none given, or "3: has another shape than the first", counted from 1.
+/// One network with the mean weights of several that were trained on from the same weights: its
+/// outputs are about those of their ensemble (Wortsman et al. 2022, "Model soups"). Networks for
+/// bars are left out, as they learn from the output of one network.
+/// Errors: no network; an ensemble among them; "3: has another shape than the first", counted from
+/// 1.
 [[nodiscard]] Expected<BeatNetwork> average(
     std::span<const std::shared_ptr<const BeatNetwork>> networks);
 
-/// Networks that learnt apart, heard together: each errs in its own way. What they say is averaged
-/// before it is squashed, times `trust`: below 1 where they are surer of what they learnt from
-/// than of other music. What hears bars is left out, as above.
-/// Errors: none given, more than kMostTogether, or "3: has another look-ahead than the first".
+/// Most networks of an ensemble.
 constexpr std::size_t kMostTogether = 8;
+/// An ensemble of networks that were trained apart: each errs in its own way. Their outputs are
+/// averaged before the logistic function, times `trust`: below 1 where they are more certain on
+/// music like their training music than they are right on other music. Networks for bars are left
+/// out, as above. Errors: no network; more than kMostTogether; "3: has another look-ahead than the
+/// first".
 [[nodiscard]] Expected<BeatNetwork> together(
     std::span<const std::shared_ptr<const BeatNetwork>> networks, float trust);
 
-/// Listens with a network and those beside it, hop by hop. Cost: a step of each.
+/// State of a network and its ensemble over a stream, hop by hop. Cost: a step of each network.
 /// Threads: one. Real-time: next, reset yes.
 class BeatNetworkStream {
  public:
-    /// `network`: not null.
+    /// Starts from zero states. `network`: not null.
     explicit BeatNetworkStream(std::shared_ptr<const BeatNetwork> network)
         : network_(std::move(network)), streams_(1 + network_->others().size()) {}
 
-    /// About what lies the network's look-ahead before the frame.
+    /// Evidence for the hop that lies the network's look-ahead before this frame.
     BeatEvidence next(const NetworkInput::Frame& frame) noexcept RAKS_NONBLOCKING;
+    /// Forgets the stream.
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:

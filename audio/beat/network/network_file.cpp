@@ -16,15 +16,15 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::string_view kFormat = "raks-beat-network";
-constexpr int kVersion = 3;
-constexpr std::size_t kLargestFile = std::size_t{16} << 20U;
-constexpr int kLongestLookahead = 10;
-constexpr double kLargestWeight = 1e6;
+constexpr std::string_view kFormat = "raks-beat-network";     // field `format`
+constexpr int kVersion = 3;                                   // newest version; older ones are read
+constexpr std::size_t kLargestFile = std::size_t{16} << 20U;  // bytes
+constexpr int kLongestLookahead = 10;                         // hops
+constexpr double kLargestWeight = 1e6;                        // beyond it, sums become infinite
 
 using Field = models::JsonDocument::Field;
 
-/// Fills the row from "parameters"; notes what does not fit.
+// Reads "parameters" of an object into a network; reports a wrong number or size.
 void read_parameters(const Field& object, models::RecurrentNetwork& network) {
     const Field field = object["parameters"];
     const std::vector<double> values = field.numbers();
@@ -38,7 +38,7 @@ void read_parameters(const Field& object, models::RecurrentNetwork& network) {
         return;
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
-        // Weights this large would make infinities of sums.
+        // Larger weights would make infinities of sums; a NaN fails the comparison.
         if (!(std::abs(values[i]) < kLargestWeight)) {
             field[i].complain("is not below 1e6");
             return;
@@ -47,16 +47,19 @@ void read_parameters(const Field& object, models::RecurrentNetwork& network) {
     }
 }
 
+// Whether all weights are finite and not huge.
 bool is_sound(std::span<const float> weights) {
     return std::all_of(weights.begin(), weights.end(), [](float weight) {
         return std::abs(static_cast<double>(weight)) < kLargestWeight;
     });
 }
 
+// Size of a network as a file gives it.
 struct Size {
     std::size_t units = 1;
     std::size_t layers = 1;
 };
+// Both are bounded, so a wrong file cannot ask for a huge network.
 Size read_size(const Field& object) {
     const int units =
         object["units"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxUnits));
@@ -65,6 +68,7 @@ Size read_size(const Field& object) {
     return {static_cast<std::size_t>(units), static_cast<std::size_t>(layers)};
 }
 
+// The ensemble's further networks; all have the look-ahead of the first.
 std::vector<std::shared_ptr<const BeatNetwork>> read_others(const Field& list, int lookahead) {
     std::vector<std::shared_ptr<const BeatNetwork>> others;
     const std::size_t count = list.size();
@@ -81,12 +85,14 @@ std::vector<std::shared_ptr<const BeatNetwork>> read_others(const Field& list, i
     return others;
 }
 
-/// {"units", "layers", ..., "parameters": [...]} without its braces.
+// The fields of a network without the braces around them; `more`: further fields, before the
+// parameters.
 std::string network_text(const models::RecurrentNetwork& network, const std::string& more) {
     std::string text = fmt::format("\"units\": {},\n\"layers\": {},\n{}\"parameters\": [",
                                    network.units(),
                                    network.layers().size(),
                                    more);
+    // Sixteen numbers a line: readable, and small in version control.
     constexpr std::size_t kRow = 16;
     for (std::size_t i = 0; i < network.parameters().size(); ++i) {
         text += i == 0 ? "\n" : i % kRow == 0 ? ",\n" : ",";
@@ -95,7 +101,7 @@ std::string network_text(const models::RecurrentNetwork& network, const std::str
     return text + "\n]";
 }
 
-/// A text of JSON; what is not UTF-8 gets replacement characters.
+// A JSON string; bytes that are not UTF-8 become replacement characters.
 std::string dumped(const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -125,6 +131,7 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
         read_parameters(root["bars"], *bars);
         network->set_bars(std::move(bars));
     }
+    // The document keeps its first fault; reading went on with default values.
     if (const auto finished = document->finish(); !finished) {
         return fail(path.string() + ": " + finished.error().message);
     }
@@ -134,6 +141,7 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
 Expected<void> save_network(const BeatNetwork& network,
                             const NetworkNotes& notes,
                             const std::filesystem::path& path) {
+    // Training that diverged must not replace a good file.
     const auto& others = network.others();
     if (!is_sound(network.parameters()) ||
         std::any_of(others.begin(),

@@ -12,19 +12,21 @@ namespace raks::audio {
 /// Reads a beat network: {"format": "raks-beat-network", "version": 3, "units", "layers",
 /// "lookahead", "made_with", "attribution", "parameters": [...], "others": [{"units", "layers",
 /// "parameters": [...]}, ...], "bars": {"units", "layers", "parameters": [...]}}. Without "others"
-/// (as in version 2) it hears alone, without "bars" (as in version 1) it hears none.
+/// (as in version 2) it is no ensemble, without "bars" (as in version 1) it has no network for
+/// bars.
 /// Errors: one line with file and field: missing, another format, a newer version, sizes that do
-/// not fit, a parameter that is no finite number.
+/// not fit, a parameter that is no finite number. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::shared_ptr<const BeatNetwork>> load_network(
     const std::filesystem::path& path);
 
-/// Where the weights come from, for the file.
+/// Origin of the weights, for the file.
 struct NetworkNotes {
-    std::string made_with;    ///< the command
-    std::string attribution;  ///< of the music that it learnt from
+    std::string made_with;    ///< the command that trained them
+    std::string attribution;  ///< credits of the training music
 };
 
-/// Writes with six digits; load_network gives back what a reader of those digits gets.
+/// Writes a network, numbers with six significant digits: load_network gives these back.
+/// Errors: parameters that are not finite or too large; as write_file.
 [[nodiscard]] Expected<void> save_network(const BeatNetwork& network,
                                           const NetworkNotes& notes,
                                           const std::filesystem::path& path);

@@ -6,14 +6,16 @@
 namespace raks::audio {
 namespace {
 
-/// What happens between the record and the room.
+// Everything before the sampling rate and the codec change, which come last in augment_for_genre().
 void augment_sounding(int rate,
                       std::vector<float>& samples,
                       Dice& dice,
                       const SoundEffects& effects) {
+    // Every effect asks the dice only when it is enabled.
     const auto happens = [&](SoundEffect effect, double chance) {
         return effects.has(effect) && dice.chance(chance);
     };
+    // About a third of the pieces are only made softer.
     if (happens(SoundEffect::gain, 0.35)) {
         change_gain(-dice.uniform(0.0, 30.0), samples);
         return;
@@ -42,7 +44,7 @@ Expected<void> augment_for_genre(int rate,
     }
     if (effects.has(SoundEffect::codec) && dice.chance(0.3)) {
         const auto codec = dice.chance(0.5) ? LossyCodec::mp3 : LossyCodec::opus;
-        // Steps that encoders of MP3 know, too.
+        // Bit rates that MP3 encoders have as well.
         const int bits = dice.pick({16'000, 24'000, 32'000, 48'000, 64'000, 96'000});
         return pass_lossy_codec(codec, rate, bits, samples);
     }
@@ -51,6 +53,7 @@ Expected<void> augment_for_genre(int rate,
 
 Expected<void> alter_recording(
     int rate, int copy, std::vector<float>& samples, Dice& dice, const SoundEffects& effects) {
+    // Speed first: room and codec act on the altered sound, as they would in reality.
     if (effects.has(SoundEffect::speed)) {
         change_speed(dice.uniform(0.92, 1.08), samples);
     }

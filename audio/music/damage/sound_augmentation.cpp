@@ -7,7 +7,7 @@
 namespace raks::audio {
 namespace {
 
-/// Second-order filter (Bristow-Johnson's cookbook), direct form I.
+// Second-order filter, direct form I; coefficients from Bristow-Johnson's cookbook, divided by a0.
 struct Biquad {
     double b0 = 1.0;
     double b1 = 0.0;
@@ -32,6 +32,7 @@ struct Biquad {
     }
 };
 
+// The two numbers that all of the cookbook's filters start from.
 struct Corner {
     double cosine = 0.0;
     double alpha = 0.0;
@@ -43,6 +44,7 @@ Corner corner(double hertz, double rate, double q) {
     return {std::cos(angle), std::sin(angle) / (2.0 * q)};
 }
 
+// Low- and high-pass of 12 dB an octave, about Butterworth.
 Biquad low_pass(double hertz, double rate) {
     const auto [c, alpha] = corner(hertz, rate, 0.7);
     const double a0 = 1.0 + alpha;
@@ -63,6 +65,7 @@ Biquad high_pass(double hertz, double rate) {
             (1.0 - alpha) / a0};
 }
 
+// Boost or cut around a frequency; `gain` is the square root of the amplitude's factor.
 Biquad bell(double hertz, double rate, double decibel) {
     const auto [c, alpha] = corner(hertz, rate, 0.9);
     const double gain = std::pow(10.0, decibel / 40.0);
@@ -74,13 +77,15 @@ Biquad bell(double hertz, double rate, double decibel) {
             (1.0 - alpha / gain) / a0};
 }
 
+// Peak gain 1 at the centre.
 Biquad band_pass(double hertz, double rate, double q) {
     const auto [c, alpha] = corner(hertz, rate, q);
     const double a0 = 1.0 + alpha;
     return {alpha / a0, 0.0, -alpha / a0, -2.0 * c / a0, (1.0 - alpha) / a0};
 }
 
-/// A saw through three formants in syllables off any grid.
+// A voice-like sound: a saw wave through three formants, in syllables of random length that keep to
+// no beat.
 void add_voice(double rate, std::vector<float>& samples, Dice& dice) {
     std::vector<float> voice(samples.size());
     const double level = dice.uniform(0.1, 0.5);
@@ -89,16 +94,19 @@ void add_voice(double rate, std::vector<float>& samples, Dice& dice) {
     for (std::size_t at = 0; at < voice.size();) {
         const auto length = static_cast<std::size_t>(dice.uniform(0.08, 0.5) * rate);
         const bool is_pause = dice.chance(0.3);
+        // Each syllable begins near the pitch of the last one.
         pitch = std::clamp(pitch * std::exp(dice.normal(0.15)), 80.0, 500.0);
         const double glide = dice.normal(0.1) / static_cast<double>(length);
         for (std::size_t i = 0; i < length && at < voice.size(); ++i, ++at) {
             const double share = static_cast<double>(i) / static_cast<double>(length);
+            // Fast rise, slow fall.
             const double envelope = std::min(1.0, 20.0 * share) * (1.0 - share);
             phase += pitch * (1.0 + glide * static_cast<double>(i)) / rate;
             phase -= std::floor(phase);
             voice[at] = is_pause ? 0.0F : static_cast<float>(envelope * (2.0 * phase - 1.0));
         }
     }
+    // One band-pass a formant, in parallel; the formants are the same for all syllables.
     std::vector<float> sum(voice.size());
     for (const double formant :
          {dice.uniform(300.0, 900.0), dice.uniform(900.0, 2300.0), dice.uniform(2300.0, 3500.0)}) {
@@ -113,6 +121,7 @@ void add_voice(double rate, std::vector<float>& samples, Dice& dice) {
     }
 }
 
+// Noise of 8 to 45 dB below the music: a first-order low-pass over white noise gives its colour.
 void add_noise(std::vector<float>& samples, Dice& dice) {
     double energy = 1e-9;
     for (const float sample : samples) {
@@ -121,6 +130,8 @@ void add_noise(std::vector<float>& samples, Dice& dice) {
     const double rms = std::sqrt(energy / static_cast<double>(samples.size()));
     const double level = rms * std::pow(10.0, -dice.uniform(8.0, 45.0) / 20.0);
     const double colour = dice.uniform(0.0, 0.97);  // 0 white, towards 1 brown
+    // The level of the coloured noise: variance 1 / (1 - colour^2), and 1.7 is about sqrt(3) for
+    // uniform white noise.
     const double scale = level * std::sqrt(1.0 - colour * colour) * 1.7;
     double state = 0.0;
     for (float& sample : samples) {
@@ -131,6 +142,7 @@ void add_noise(std::vector<float>& samples, Dice& dice) {
 
 }  // namespace
 
+// In the order of the way to the recording: voice, loudspeaker, microphone, level.
 void augment_sound(int sample_rate,
                    std::vector<float>& samples,
                    Dice& dice,

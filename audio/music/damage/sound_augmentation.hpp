@@ -10,20 +10,21 @@
 
 namespace raks::audio {
 
-/// What may happen to music before a microphone hears it.
+/// Augmentations of music on its way to a microphone. Each can be switched off by its name.
 enum class SoundEffect : std::uint8_t {
-    voice,
-    equalizer,
-    overdrive,
-    band,  ///< low- and high-pass: small loudspeakers and microphones
-    noise,
-    gain,
-    room,
-    speed,
-    resampling,
-    codec,
-    players  ///< of several soundfonts, each with a sound of its own
+    voice,       ///< somebody speaks over it
+    equalizer,   ///< up to two bells
+    overdrive,   ///< soft clipping
+    band,        ///< low- and high-pass: small loudspeakers and microphones
+    noise,       ///< white to brown
+    gain,        ///< down to -30 dB
+    room,        ///< reverberation
+    speed,       ///< tempo and pitch together
+    resampling,  ///< to a lower rate and back
+    codec,       ///< MP3 or Opus
+    players      ///< a band of several soundfonts, each with a sound of its own
 };
+/// Names of the effects in the order of SoundEffect, as users type them.
 inline constexpr std::string_view kSoundEffectNames[] = {"voice",
                                                          "equalizer",
                                                          "overdrive",
@@ -36,11 +37,14 @@ inline constexpr std::string_view kSoundEffectNames[] = {"voice",
                                                          "codec",
                                                          "players"};
 
-/// Those that may happen: at first all.
+/// The enabled effects; all are enabled at first.
 class SoundEffects {
  public:
+    /// Whether an effect is enabled.
     [[nodiscard]] bool has(SoundEffect effect) const { return kept_[index(effect)]; }
+    /// Disables an effect.
     void leave_out(SoundEffect effect) { kept_.reset(index(effect)); }
+    /// Whether both enable the same effects.
     friend bool operator==(const SoundEffects&, const SoundEffects&) = default;
 
  private:
@@ -48,9 +52,9 @@ class SoundEffects {
     std::bitset<std::size(kSoundEffectNames)> kept_{~0ULL};
 };
 
-/// What happens to music before a microphone hears it, drawn at random: a voice over it, bells of
-/// an equalizer, overdrive, low- and high-pass, noise, gain, as far as `effects` have them. Changes
-/// `samples` (mono).
+/// Augments music at random with the enabled ones of: a voice over it, bells of an equalizer,
+/// overdrive, low- and high-pass, noise, gain. Changes `samples` (mono) in place. The same dice
+/// give the same result. Threads: any. Real-time: no.
 void augment_sound(int sample_rate,
                    std::vector<float>& samples,
                    Dice& dice,

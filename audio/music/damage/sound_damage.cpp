@@ -8,6 +8,7 @@
 namespace raks::audio {
 namespace {
 
+// Level over all samples; never 0, as it is divided by.
 double rms_of(const std::vector<float>& samples) {
     double energy = 1e-12;
     for (const float sample : samples) {
@@ -18,8 +19,9 @@ double rms_of(const std::vector<float>& samples) {
 
 }  // namespace
 
+// Convolution with a sparse impulse response whose energy is wet^2, beside the direct sound.
 void add_room(int rate, double seconds, double wet, std::vector<float>& samples, Dice& dice) {
-    // Velvet noise: sparse reflections of either sign sound like dense ones and cost little.
+    // Velvet noise: sparse reflections of random sign sound like dense ones and cost little.
     constexpr double kReflectionsASecond = 700.0;
     struct Reflection {
         std::size_t delay;
@@ -28,6 +30,7 @@ void add_room(int rate, double seconds, double wet, std::vector<float>& samples,
     std::vector<Reflection> reflections;
     double energy = 0.0;
     for (double at = 0.004; at < seconds; at += 2.0 * dice.uniform() / kReflectionsASecond) {
+        // 60 dB down after `seconds`.
         const double gain = std::pow(10.0, -3.0 * at / seconds) * (dice.chance(0.5) ? 1.0 : -1.0);
         reflections.push_back({static_cast<std::size_t>(at * rate), static_cast<float>(gain)});
         energy += gain * gain;
@@ -55,10 +58,11 @@ void add_white_noise(double ratio_db, std::vector<float>& samples, Dice& dice) {
 }
 
 void cut_above(int rate, double hertz, std::vector<float>& samples) {
+    // Close to half the rate the filter would be unstable.
     if (hertz > 0.45 * rate) {
         return;
     }
-    // Butterworth of order 6: three sections (Bristow-Johnson's cookbook).
+    // Butterworth of order 6: three sections (Bristow-Johnson's cookbook), each with its own Q.
     for (const double q : {0.5176, 0.7071, 1.9319}) {
         const double angle = 2.0 * M_PI * hertz / rate;
         const double alpha = std::sin(angle) / (2.0 * q);
@@ -66,6 +70,7 @@ void cut_above(int rate, double hertz, std::vector<float>& samples) {
         const double b = 0.5 * (1.0 - std::cos(angle)) / a0;
         const double a1 = -2.0 * std::cos(angle) / a0;
         const double a2 = (1.0 - alpha) / a0;
+        // Transposed direct form II.
         double z1 = 0.0;
         double z2 = 0.0;
         for (float& sample : samples) {
@@ -85,6 +90,7 @@ void change_gain(double db, std::vector<float>& samples) {
     }
 }
 
+// Reads the samples at steps of `ratio`; behind the end there is silence.
 void change_speed(double ratio, std::vector<float>& samples) {
     std::vector<float> result(
         static_cast<std::size_t>(static_cast<double>(samples.size()) / ratio));
@@ -99,6 +105,7 @@ void change_speed(double ratio, std::vector<float>& samples) {
     samples = std::move(result);
 }
 
+// Down and up again: without filters the upper frequencies fold down.
 void change_rate(int rate, double low_rate, std::vector<float>& samples) {
     const double ratio = rate / low_rate;
     if (ratio <= 1.0) {
@@ -111,6 +118,7 @@ void change_rate(int rate, double low_rate, std::vector<float>& samples) {
 }
 
 Expected<void> damage(Damage kind, int rate, std::vector<float>& samples) {
+    // A fixed seed for each kind: measurements are repeatable.
     Dice dice(13, static_cast<std::uint64_t>(kind));
     switch (kind) {
         case Damage::none:

@@ -9,23 +9,25 @@
 
 namespace raks::audio {
 
-/// What may happen to music between the record and the microphone: to learn from and to be tested
-/// with. Each changes mono samples in place.
+/// Damage to music between the record and the microphone, for training and for tests of robustness.
+/// Each function changes mono samples in place. Threads: any. Real-time: no.
 
-/// An exponentially decaying room: `seconds` to -60 dB, `wet` in [0, 1] of the result's amplitude.
+/// Exponentially decaying reverberation: `seconds` to -60 dB; `wet` in [0, 1]: its share of the
+/// result's amplitude.
 void add_room(int rate, double seconds, double wet, std::vector<float>& samples, Dice& dice);
-/// White noise at this signal-to-noise ratio over the whole piece.
+/// Adds white noise at this signal-to-noise ratio (dB) over the whole piece.
 void add_white_noise(double ratio_db, std::vector<float>& samples, Dice& dice);
-/// Low-pass of 36 dB an octave.
+/// Low-pass of 36 dB an octave; no change above 0.45 of the rate.
 void cut_above(int rate, double hertz, std::vector<float>& samples);
+/// Gain in dB.
 void change_gain(double db, std::vector<float>& samples);
-/// What a sound card or a cheap recorder at a lower rate leaves: brought to `low_rate` and back by
-/// straight lines, aliases and all.
+/// Converts to `low_rate` and back by linear interpolation, without a filter: the aliasing of a
+/// cheap recorder. No change when `low_rate` is not lower.
 void change_rate(int rate, double low_rate, std::vector<float>& samples);
-/// Another speed and pitch: 1.08 is 8 % faster. Linear interpolation.
+/// Changes speed and pitch together by linear interpolation: 1.08 is 8 % faster and shorter.
 void change_speed(double ratio, std::vector<float>& samples);
 
-/// What the robustness of a model is tested with.
+/// The damages that evaluation measures, each of fixed strength.
 enum class Damage : std::uint8_t {
     none,
     quieter_12_db,
@@ -34,9 +36,10 @@ enum class Damage : std::uint8_t {
     noise_10_db,
     room_600_ms
 };
+/// Their names in tables, in the order of Damage.
 inline constexpr std::string_view kDamageNames[] = {
     "clean", "-12 dB", "low-pass 4 kHz", "MP3 24 kbit/s", "noise 10 dB", "room 0.6 s"};
-/// Errors: as pass_lossy_codec.
+/// Applies one of them; the same samples give the same result. Errors: as pass_lossy_codec.
 [[nodiscard]] Expected<void> damage(Damage kind, int rate, std::vector<float>& samples);
 
 }  // namespace raks::audio

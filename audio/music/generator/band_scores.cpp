@@ -4,10 +4,11 @@
 #include "audio/music/generator/pattern.hpp"
 #include "base/random.hpp"
 
-/// Rock, hip-hop and waltz: patterns that every player of the style knows, chords in common turns.
+// Rock, hip-hop and waltz: the common patterns of each style over common chord progressions.
 namespace raks::audio {
 namespace {
 
+// Two sections of eight bars in turn, verse and chorus; the last bar of each has a drum fill.
 void write_rock_bar(Notes& score, int bar, const CounterRandom& random) {
     constexpr std::array<int, 4> kRoots = {0, 5, 7, 5};  // I - IV - V - IV
     const double start = 4.0 * bar;
@@ -24,7 +25,7 @@ void write_rock_bar(Notes& score, int bar, const CounterRandom& random) {
     for (int eighth = 0; eighth < 8; ++eighth) {
         const double at = start + 0.5 * eighth;
         score.push_back({at, Sound::bass, root - 12, 0.45, eighth % 2 == 0 ? 0.9 : 0.7});
-        // Power chords, palm-muted in the verse.
+        // Power chords: short (palm-muted) in the verse, ringing in the chorus.
         const bool rings = is_chorus && eighth % 4 == 0;
         for (const int pitch : {root, root + 7, root + 12}) {
             if (rings) {
@@ -36,6 +37,7 @@ void write_rock_bar(Notes& score, int bar, const CounterRandom& random) {
     }
 }
 
+// The kick varies at random from bar to bar; off-sixteenths are late.
 void write_hiphop_bar(Notes& score, int bar, const CounterRandom& random) {
     constexpr std::array<int, 4> kRoots = {0, 0, -4, -2};  // i - i - VI - VII
     constexpr double kSwing = 0.06;                        // of a beat: late off-sixteenths
@@ -52,6 +54,7 @@ void write_hiphop_bar(Notes& score, int bar, const CounterRandom& random) {
            bar % 2 == 0 ? "X.xoX.x.X.xoX.x." : "X.x.X.xoX.x.X.xx",
            start,
            0.25);
+    // Swing: only off-sixteenths move, so beats stay exact.
     for (Note& note : drums) {
         const auto sixteenth = static_cast<int>((note.beat - start) * 4.0 + 0.5);
         note.beat += sixteenth % 2 == 1 ? kSwing : 0.0;
@@ -67,6 +70,7 @@ void write_hiphop_bar(Notes& score, int bar, const CounterRandom& random) {
     }
 }
 
+// Bass on 1, chords on 2 and 3, and a melody.
 void write_waltz_bar(Notes& score, int bar, const CounterRandom& random) {
     constexpr std::array<int, 8> kRoots = {0, 0, 7, 7, 7, 7, 0, 0};  // I I V V V V I I
     constexpr std::array<int, 7> kScale = {0, 2, 4, 5, 7, 9, 11};

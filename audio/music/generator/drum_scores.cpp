@@ -5,6 +5,7 @@
 namespace raks::audio {
 namespace {
 
+// Kick on every beat, hats off the beat; sections of eight bars add instruments.
 void write_house_bar(Notes& score, int bar, const CounterRandom& random) {
     // Minor chords in parallel: i - VI - III - VII, two bars each.
     constexpr int kRoots[] = {0, -4, 3, -2};

@@ -9,14 +9,14 @@
 namespace raks::audio {
 namespace {
 
-/// A resonance of the drum: body, skin, rim.
+// A resonance of the drum: body, skin or rim.
 struct Partial {
     double hertz;
     double gain;
     double t60;  ///< seconds
 };
 
-/// A burst of noise in a band: stick, skin, beads, snares.
+// A burst of band-limited noise: stick, skin, beads or snares.
 struct Burst {
     double gain;
     double t60;     ///< seconds
@@ -26,7 +26,8 @@ struct Burst {
     double delay = 0.0;    ///< seconds after the attack
 };
 
-/// How a drum is built. The pitch starts at (1 + drop) times its end and falls within `drop_time`.
+// How a drum is built. Its pitch starts at (1 + drop) times the final one and falls with the time
+// constant `drop_time`.
 struct Recipe {
     std::vector<Partial> partials;
     std::vector<Burst> bursts;
@@ -34,6 +35,7 @@ struct Recipe {
     double drop_time = 0.01;  ///< seconds
 };
 
+// Guiro: one short burst for each notch that the stick passes.
 std::vector<Burst> scrape(int teeth, double seconds, double gain) {
     std::vector<Burst> bursts;
     for (int i = 0; i < teeth; ++i) {
@@ -46,8 +48,8 @@ std::vector<Burst> scrape(int teeth, double seconds, double gain) {
     return bursts;
 }
 
-// Frequencies of the skins: the modes of a round membrane (1, 1.59, 2.14, 2.30, 2.65), pulled
-// towards harmonic by the air in the shell.
+// Frequencies of skins: the modes of a round membrane (1, 1.59, 2.14, 2.30, 2.65), pulled towards
+// harmonic ratios by the air in the shell.
 Recipe kit_recipe(Sound sound) {
     switch (sound) {
         case Sound::kick:
@@ -79,6 +81,7 @@ Recipe kit_recipe(Sound sound) {
     }
 }
 
+// Percussion of salsa.
 Recipe latin_recipe(Sound sound) {
     switch (sound) {
         case Sound::clave:
@@ -132,6 +135,7 @@ Recipe latin_recipe(Sound sound) {
     }
 }
 
+// Percussion of belly dance.
 Recipe oriental_recipe(Sound sound) {
     switch (sound) {
         case Sound::darbuka_dum:
@@ -151,6 +155,7 @@ Recipe oriental_recipe(Sound sound) {
     }
 }
 
+// The sounds of each group follow each other in Sound.
 Recipe recipe_of(Sound sound) {
     if (sound <= Sound::crash) {
         return kit_recipe(sound);
@@ -158,6 +163,7 @@ Recipe recipe_of(Sound sound) {
     return sound <= Sound::cascara ? latin_recipe(sound) : oriental_recipe(sound);
 }
 
+// Until everything has fallen by somewhat more than 60 dB.
 double length_of(const Recipe& recipe) {
     double seconds = 0.02;
     for (const Partial& partial : recipe.partials) {
@@ -169,6 +175,7 @@ double length_of(const Recipe& recipe) {
     return seconds;
 }
 
+// A decaying sine with falling pitch; variants differ by 0.4 % in tuning.
 void add_partial(const Partial& partial,
                  const Recipe& recipe,
                  const SoundRequest& request,
@@ -189,6 +196,7 @@ void add_partial(const Partial& partial,
     }
 }
 
+// Filtered noise; each burst and variant has noise of its own, the same in every run.
 void add_burst(const Burst& burst,
                const SoundRequest& request,
                const CounterRandom& random,
@@ -221,12 +229,14 @@ std::vector<float> synthesize_drum(const SoundRequest& request) {
     }
     std::vector<float> out(sum.size());
     for (std::size_t i = 0; i < sum.size(); ++i) {
+        // 5 ms of fade at the end.
         const double t = static_cast<double>(sum.size() - i) / request.rate;
         out[i] = static_cast<float>(sum[i] * std::min(t / 0.005, 1.0));
     }
     return out;
 }
 
+// Sounds are mixed by their peak, so all have the same.
 std::vector<float> synthesize(const SoundRequest& request) {
     std::vector<float> out =
         is_pitched(request.sound) ? synthesize_tone(request) : synthesize_drum(request);

@@ -7,15 +7,16 @@
 namespace raks::audio {
 namespace {
 
-/// Hijaz: 1, flat 2, 3, 4, 5, flat 6, flat 7; semitones above the tonic.
+// The mode hijaz: 1, flat 2, 3, 4, 5, flat 6, flat 7, in semitones above the tonic.
 constexpr std::array<int, 7> kHijaz{0, 1, 4, 5, 7, 8, 10};
 
+// MIDI number of a degree (0 = tonic); degrees below 0 and above 6 are in other octaves.
 int hijaz_pitch(int tonic, int degree) {
     const int octave = degree >= 0 ? degree / 7 : -((6 - degree) / 7);
     return tonic + 12 * octave + kHijaz[static_cast<std::size_t>(degree - 7 * octave)];
 }
 
-/// Darbuka: D T - T D - T - in eighths, with ka between the strokes from the second phrase on.
+// Darbuka: D T - T D - T - in eighths, with ka between the strokes from bar 4 on; riq from bar 2.
 void write_rhythm(Notes& score, double start, int bar) {
     strike(score, Sound::darbuka_dum, "X.......X.......", start, 0.25);
     strike(score, Sound::darbuka_tek, "..X...X.....X...", start, 0.25, 0.9);
@@ -32,7 +33,8 @@ void write_rhythm(Notes& score, double start, int bar) {
     }
 }
 
-/// The next degree of a line that wanders near the fifth and comes home at the end.
+// The next degree of a melody that wanders around the fifth and returns to the tonic in its last
+// three steps.
 int next_degree(int degree, int step, std::uint64_t move) {
     constexpr int kLastStep = 14;
     if (step >= kLastStep - 2) {
@@ -43,10 +45,11 @@ int next_degree(int degree, int step, std::uint64_t move) {
     return degree + static_cast<int>(move) - 2 + pull;
 }
 
-/// A phrase of two bars that ends on the tonic. Four phrases a verse, A A B A: heard again, a line
-/// becomes a tune.
+// A phrase of two bars that ends on the tonic. Four phrases make a verse A A B A: repeated, a
+// melody is recognised as one.
 void write_phrase(Notes& score, double start, int phrase, int tonic, std::uint64_t seed) {
     const bool is_second = phrase % 4 == 2;
+    // The same numbers for each A, so the same phrase.
     const CounterRandom random(seed, is_second ? 12 : 11);
     int degree = is_second ? 7 : 4;
     for (int step = 0; step <= 14; ++step) {
@@ -68,6 +71,7 @@ void write_phrase(Notes& score, double start, int phrase, int tonic, std::uint64
 
 }  // namespace
 
+// Drums begin; riq and melody enter in bar 2, the bass in bar 4.
 Notes write_maqsum(double beats, std::uint64_t seed) {
     const CounterRandom random(seed, 3);
     const int tonic = 50 + static_cast<int>(random.below(0, 5));

@@ -9,17 +9,17 @@
 namespace raks::audio {
 namespace {
 
-constexpr double kFadeSeconds = 0.010;  // into a silence and into the end
-constexpr int kStrokeVariants = 3;
+constexpr double kFadeSeconds = 0.010;  // at the start of a silence and at the end
+constexpr int kStrokeVariants = 3;      // of one drum: repeated strokes differ a little
 
-/// Where a sound stands in the picture.
+// Place of a sound in the mix.
 struct Strip {
     float gain;
     float pan;   ///< -1 left, 1 right
     float room;  ///< part sent to the reverb
 };
 
-// Seen from the hall: congas left, timbales and bell right, piano left, brass right.
+// As seen from the audience: congas left, timbales and bell right, piano left, brass right.
 constexpr std::array<Strip, kSoundCount> kStrips{{
     {0.80F, 0.00F, 0.00F},   // click_high
     {0.60F, 0.00F, 0.00F},   // click_low
@@ -57,7 +57,7 @@ constexpr std::array<Strip, kSoundCount> kStrips{{
     {0.11F, 0.15F, 0.30F},   // pad
 }};
 
-/// Brings the band to about -16 LUFS (ffmpeg's ebur128 over 60 s of each style).
+// Gain that brings each style to about -16 LUFS (ffmpeg's ebur128 over 60 s).
 double band_gain(Style style) {
     switch (style) {
         case Style::clicks:
@@ -80,7 +80,7 @@ double band_gain(Style style) {
     return 1.0;
 }
 
-/// Straight up to 0.7, then bent towards, and never to, 1.
+// Linear up to 0.7; beyond, it approaches 1 and never reaches it, so that nothing clips.
 float soft_limit(float x) {
     constexpr float kKnee = 0.7F;
     const float size = std::abs(x);
@@ -91,10 +91,13 @@ float soft_limit(float x) {
     return std::copysign(kKnee + (1.0F - kKnee) * over / (1.0F + over), x);
 }
 
+// MIDI note number to hertz, equal temperament.
 double hertz_of(int pitch) { return 440.0 * std::pow(2.0, (pitch - 69) / 12.0); }
 
 }  // namespace
 
+// Unequal delays, so that the echoes of the lines do not coincide; the right side's are a little
+// longer, so that the sides differ.
 Reverb::Reverb(double rate) {
     constexpr std::array<double, 4> kCombs{0.0297, 0.0371, 0.0411, 0.0437};  // seconds
     constexpr std::array<double, 2> kAllPasses{0.0050, 0.0017};
@@ -112,6 +115,8 @@ Reverb::Reverb(double rate) {
     }
 }
 
+// Combs with a low-pass in the loop: treble dies first, as in a room. The all-passes thicken the
+// echoes.
 float Reverb::step(Side& side, float in) noexcept {
     float sum = 0.0F;
     for (Line& comb : side.combs) {
@@ -155,6 +160,7 @@ Mixer::Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score)
       total_frames_(std::llround(plan.seconds * plan.rate.hertz())),
       reverb_(plan.rate.hertz()) {
     int stroke = 0;
+    // Lengths and brightness are rounded, so that few different sounds are needed.
     for (const Note& note : score) {
         const double start = curve.seconds_at(note.beat);
         const double length = curve.seconds_at(note.beat + note.beats) - start;
@@ -175,6 +181,7 @@ Mixer::Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score)
     });
 }
 
+// Makes a sound at its first use. The map's elements keep their addresses, which events hold.
 const std::vector<float>& Mixer::sound_for(const SoundKey& key) {
     auto [place, is_new] = sounds_.try_emplace(key);
     if (is_new) {
@@ -188,6 +195,7 @@ const std::vector<float>& Mixer::sound_for(const SoundKey& key) {
     return place->second;
 }
 
+// Stretches of sound between the silences; the score runs on inside a silence.
 std::vector<float> Mixer::render(std::span<const FrameRange> silences) {
     const FlushToZeroScope flush_to_zero;
     std::vector<float> out;
@@ -202,6 +210,7 @@ std::vector<float> Mixer::render(std::span<const FrameRange> silences) {
     return out;
 }
 
+// One stretch from silence to silence: notes from before are not continued in it.
 void Mixer::render_stretch(std::int64_t from, std::int64_t to, std::vector<float>& out) {
     reverb_.clear();
     playing_.clear();
@@ -217,6 +226,7 @@ void Mixer::render_stretch(std::int64_t from, std::int64_t to, std::vector<float
         write_block(frames, out);
         at += static_cast<std::int64_t>(frames);
     }
+    // A fade instead of a cut, which would click.
     const auto fade = std::min(static_cast<std::size_t>(kFadeSeconds * plan_.rate.hertz()),
                                (out.size() - first_sample) / 2);
     for (std::size_t i = 0; i < fade * 2; ++i) {
@@ -225,6 +235,7 @@ void Mixer::render_stretch(std::int64_t from, std::int64_t to, std::vector<float
     }
 }
 
+// All sounds that overlap this block, into both sides and the room's input.
 void Mixer::mix_events(std::int64_t from, std::size_t frames) {
     left_.fill(0.0F);
     right_.fill(0.0F);
@@ -235,6 +246,7 @@ void Mixer::mix_events(std::int64_t from, std::size_t frames) {
     }
     for (const Event& event : playing_) {
         const Strip& strip = kStrips[static_cast<std::size_t>(event.sound)];
+        // Equal-power panning; factor sqrt(2): a sound in the middle keeps its gain.
         const float angle = 0.7853982F * (strip.pan + 1.0F);
         const float left = 1.4142136F * event.gain * std::cos(angle);
         const float right = 1.4142136F * event.gain * std::sin(angle);
@@ -251,11 +263,13 @@ void Mixer::mix_events(std::int64_t from, std::size_t frames) {
             send_[i] += send * sample;
         }
     }
+    // Ended sounds are dropped, so a block costs what sounds in it.
     std::erase_if(playing_, [to](const Event& event) {
         return event.start + static_cast<std::int64_t>(event.samples->size()) <= to;
     });
 }
 
+// The sum of all may exceed 1: limited sample by sample.
 void Mixer::write_block(std::size_t frames, std::vector<float>& out) const {
     for (std::size_t i = 0; i < frames; ++i) {
         out.push_back(soft_limit(left_[i]));

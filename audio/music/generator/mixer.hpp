@@ -11,12 +11,15 @@
 
 namespace raks::audio {
 
-/// Small room after Schroeder (1962): four combs in parallel, two all-passes, one side each.
+/// A small room after Schroeder (1962): four comb filters in parallel, then two all-passes,
+/// separately for each side.
 class Reverb {
  public:
+    /// `rate`: hertz; sets the delays.
     explicit Reverb(double rate);
-    /// Adds the room's answer to `send` to both sides.
+    /// Adds the reverberation of `send` to both sides.
     void process(std::span<const float> send, std::span<float> left, std::span<float> right);
+    /// Silence: forgets what is still sounding.
     void clear();
 
  private:
@@ -36,15 +39,18 @@ class Reverb {
 
 /// A range of frames, [from, to).
 struct FrameRange {
-    std::int64_t from = 0;
-    std::int64_t to = 0;
+    std::int64_t from = 0;  ///< first frame
+    std::int64_t to = 0;    ///< one past the last
 };
 
-/// Plays a score: makes each sound once, places it, adds the room and limits the sum softly.
+/// Renders a score: makes each sound once, places it in time and between the sides, adds the room
+/// and limits the sum softly.
 class Mixer {
  public:
+    /// Makes all sounds that the score needs. `curve`: times of the notes' beats.
     Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score);
-    /// All of the piece, stereo, interleaved.
+    /// The whole piece, stereo, interleaved; digital silence in `silences` (ascending, not
+    /// overlapping). To be called once.
     [[nodiscard]] std::vector<float> render(std::span<const FrameRange> silences);
 
  private:
@@ -72,10 +78,10 @@ class Mixer {
 
     MusicPlan plan_;
     std::int64_t total_frames_;
-    std::map<SoundKey, std::vector<float>> sounds_;  // addresses stay
-    std::vector<Event> events_;                      // ascending start
+    std::map<SoundKey, std::vector<float>> sounds_;  // a map: addresses of its elements stay valid
+    std::vector<Event> events_;                      // by start
     std::size_t next_event_ = 0;
-    std::vector<Event> playing_;
+    std::vector<Event> playing_;  // events that overlap the current block
     Reverb reverb_;
     std::array<float, kBlock> left_{};
     std::array<float, kBlock> right_{};

@@ -37,7 +37,7 @@ constexpr std::array<Harmony, 4> kHarmonies{{
     {{{{2, kMinor}, {7, kDominant}, {0, kMajor}, {-3, kDominant}}}, kMajorScale},
 }};
 
-/// Who plays in a section.
+// Instruments and level of a section of the form.
 struct Section {
     int cycles;
     bool has_piano;
@@ -58,12 +58,13 @@ constexpr std::array<Section, 6> kForm{{
     {2, true, true, true, false, false, false, 0.85},   // breath
 }};
 
-/// Where in the form a cycle lies.
+// A cycle's place in the form.
 struct Place {
     const Section* section;
     int cycle;  ///< within the section
 };
 
+// The intro comes once; the form repeats.
 Place place_of(int cycle) {
     if (cycle < kIntro.cycles) {
         return {&kIntro, cycle};
@@ -77,14 +78,14 @@ Place place_of(int cycle) {
     }
 }
 
-/// The tone with the pitch class of `pitch` that is nearest to `centre`.
+// The note of the pitch class of `pitch` that is nearest to `centre`: parts move by small steps.
 int near_to(int pitch, int centre) {
     const int above = ((pitch - centre) % 12 + 12) % 12;
     return centre + (above > 6 ? above - 12 : above);
 }
 
-/// One note of a written line: place and length in eighths, tone of the chord (4 = root an octave
-/// up), and +1 or -1 for the neighbour in the scale.
+// One note of a written line: place and length in eighths, chord tone (4 = root an octave up), and
+// +1 or -1 for its neighbour in the scale.
 struct LineNote {
     int eighth;
     int length;
@@ -111,6 +112,7 @@ constexpr std::array<LineNote, 6> kMamboCall{
 constexpr std::array<LineNote, 5> kMamboAnswer{
     {{2, 1, 2, 0}, {3, 1, 2, 0}, {4, 1, 1, 0}, {7, 1, 0, 0}, {8, 5, 1, 0}}};
 
+// Writes cycle by cycle; the random choices are made once, for the whole piece.
 class SalsaWriter {
  public:
     explicit SalsaWriter(std::uint64_t seed)
@@ -141,7 +143,7 @@ class SalsaWriter {
     Notes take() { return std::move(score_); }
 
  private:
-    /// A pattern of sixteen eighths that is written for 2-3 clave, on this piece's side.
+    // A pattern of sixteen eighths that is written for 2-3 clave, with the bars exchanged for 3-2.
     [[nodiscard]] std::string on_clave(std::string_view two_three) const {
         const std::string bars(two_three);
         return is_two_three_ ? bars : bars.substr(8) + bars.substr(0, 8);
@@ -151,6 +153,7 @@ class SalsaWriter {
         strike(score_, sound, pattern, start_, kEighth, level * section_->level);
     }
 
+    // The clave side moves only those parts that belong to it.
     void write_percussion(int cycle_in_section) {
         play(Sound::clave, on_clave("..X.X...X..X..X."));
         play(Sound::conga_heel, "xo.xxo..xo..oo..");
@@ -177,7 +180,7 @@ class SalsaWriter {
         }
     }
 
-    /// The timbales' call into the next section, over the last bar.
+    // The timbales' fill before the next section, over the last bar.
     void write_fill() {
         const bool is_roll = random_.below(8 + static_cast<std::uint64_t>(cycle_), 2) == 0;
         strike(score_,
@@ -195,7 +198,7 @@ class SalsaWriter {
     [[nodiscard]] const Chord& chord_of_bar(int bar) const {
         return harmony_.chords[static_cast<std::size_t>(bar % 4)];
     }
-    /// The chord at an eighth of this cycle; the last eighth of a bar is already the next chord's.
+    // The chord at an eighth of this cycle; the last eighth of a bar anticipates the next chord.
     [[nodiscard]] const Chord& chord_at(int eighth) const {
         return chord_of_bar(2 * cycle_ + (eighth + 1) / 8);
     }
@@ -214,7 +217,7 @@ class SalsaWriter {
         }
     }
 
-    /// Octaves of a guide tone against the chord's inner tones, in both hands.
+    // The montuno: a guide tone in octaves in turn with the chord's inner tones, in both hands.
     void write_montuno() {
         const std::string rhythm = on_clave("O.CO.C.O.C.O.C.O");
         for (int eighth = 0; eighth < 16; ++eighth) {
@@ -237,6 +240,7 @@ class SalsaWriter {
         }
     }
 
+    // The next note of the scale above or below.
     [[nodiscard]] int scale_neighbour(int pitch, int direction) const {
         for (int candidate = pitch + direction;; candidate += direction) {
             const int degree = ((candidate - key_) % 12 + 12) % 12;
@@ -248,7 +252,7 @@ class SalsaWriter {
         }
     }
 
-    /// Brass plays a written line in `voices` parts: the tones of the chord under the upper one.
+    // The brass plays a written line in `voices` parts: chord tones below the upper one.
     template <std::size_t size>
     void write_line(const std::array<LineNote, size>& line,
                     int centre,

@@ -12,6 +12,7 @@
 namespace raks::audio {
 namespace {
 
+// In the order of Style.
 constexpr std::array<std::string_view, 8> kStyleNames{"clicks",
                                                       "drums",
                                                       "montuno",
@@ -22,7 +23,7 @@ constexpr std::array<std::string_view, 8> kStyleNames{"clicks",
                                                       "oom-pah-pah"};
 constexpr double kMaxSeconds = 3600.0;
 
-/// Collects the faults of a plan as one line.
+// Collects the faults of a plan in one line, so that a user sees all of them at once.
 class Faults {
  public:
     void require(bool is_fine, const std::string& otherwise) {
@@ -40,6 +41,7 @@ bool is_in(double value, double low, double high) {  // false for NaN
     return value >= low && value <= high;
 }
 
+// Every point of the tempo curve, and that their times do not go back.
 void check_tempo(const std::vector<TempoPoint>& tempo, Faults& faults) {
     faults.require(!tempo.empty(), "tempo has no point");
     for (std::size_t i = 0; i < tempo.size(); ++i) {
@@ -53,6 +55,7 @@ void check_tempo(const std::vector<TempoPoint>& tempo, Faults& faults) {
     }
 }
 
+// Each silence begins after the end of the one before.
 void check_silences(const std::vector<Silence>& silences, Faults& faults) {
     double end = 0.0;
     for (std::size_t i = 0; i < silences.size(); ++i) {
@@ -63,6 +66,7 @@ void check_silences(const std::vector<Silence>& silences, Faults& faults) {
     }
 }
 
+// All faults of a plan; empty: it can be played.
 std::string faults_of(const MusicPlan& plan) {
     Faults faults;
     check_tempo(plan.tempo, faults);
@@ -79,6 +83,7 @@ std::string faults_of(const MusicPlan& plan) {
     return faults.text();
 }
 
+// The notes of a style; clicks have nothing to draw.
 Notes write_score(Style style, double beats, std::uint64_t seed) {
     switch (style) {
         case Style::clicks:
@@ -101,6 +106,7 @@ Notes write_score(Style style, double beats, std::uint64_t seed) {
     return {};
 }
 
+// In frames, rounded as the mixer rounds the starts of notes.
 std::vector<FrameRange> silent_frames(const MusicPlan& plan) {
     std::vector<FrameRange> ranges;
     for (const Silence& silence : plan.silences) {
@@ -110,6 +116,8 @@ std::vector<FrameRange> silent_frames(const MusicPlan& plan) {
     return ranges;
 }
 
+// Beats of the tempo curve up to the end; a beat is audible when its frame is in no silence, by the
+// same rounding as the mixer's.
 std::vector<ReferenceBeat> reference_beats(const MusicPlan& plan,
                                            const TempoCurve& curve,
                                            const std::vector<FrameRange>& silences) {
@@ -162,6 +170,7 @@ Expected<GeneratedMusic> generate(const MusicPlan& plan) {
     }
     const TempoCurve curve(plan.tempo, plan.first_beat_seconds);
     const std::vector<FrameRange> silences = silent_frames(plan);
+    // As many beats as fit into the piece by the tempo curve.
     const Notes score = write_score(plan.style, curve.beats_at(plan.seconds), plan.seed);
     Mixer mixer(plan, curve, score);
     GeneratedMusic music{.rate = plan.rate,

@@ -11,7 +11,7 @@
 
 namespace raks::audio {
 
-/// What the generator plays. All are in bars of four beats, but for the last.
+/// Styles of the generator. All are in bars of four beats, but for the last.
 enum class Style : std::uint8_t {
     clicks,             ///< one dry click on every beat, the downbeat higher; nothing else
     drums,              ///< rock kit: bass drum 1 and 3, snare 2 and 4, hi-hat in eighths
@@ -22,25 +22,27 @@ enum class Style : std::uint8_t {
     boom_bap,           ///< swung sixteenths, snare and clap 2 and 4, deep bass; 75-105 BPM
     oom_pah_pah         ///< bars of three: bass on 1, chords on 2 and 3, a melody; 80-190 BPM
 };
+/// Bar length of a style.
 [[nodiscard]] constexpr int beats_per_bar(Style style) noexcept {
     return style == Style::oom_pah_pah ? 3 : 4;
 }
 
-/// "clicks", "drums", "four-on-the-floor" and so on, as above.
+/// Names in the order of Style: "clicks", "drums", "four-on-the-floor" and so on.
 [[nodiscard]] std::span<const std::string_view> style_names() noexcept;
 /// Errors: any other name (the nearest is named).
 [[nodiscard]] Expected<Style> style_from_name(std::string_view name);
+/// The style's name.
 [[nodiscard]] std::string_view name_of(Style style) noexcept;
 
 /// A stretch of digital silence, [from, to) in seconds since the start of the piece.
 struct Silence {
-    double from_seconds = 0.0;
-    double to_seconds = 0.0;
+    double from_seconds = 0.0;  ///< start
+    double to_seconds = 0.0;    ///< end, not included
 };
 
-/// What to play. Check with generate(), which names every fault.
+/// What to play. generate() checks it and names every fault.
 struct MusicPlan {
-    Style style = Style::montuno;
+    Style style = Style::montuno;  ///< which band plays
     /// Tempo over time, see TempoCurve: piecewise linear in seconds, constant before the first
     /// and after the last point, two points at the same second are a jump. 20 to 400 BPM.
     std::vector<TempoPoint> tempo{{0.0, 180.0}};
@@ -48,24 +50,25 @@ struct MusicPlan {
     SampleRate rate{48'000};          ///< a supported one
     int channels = 2;                 ///< 1 (the average of the two) or 2
     std::uint64_t seed = 1;           ///< key, chords, clave side, melody, small accents
-    double first_beat_seconds = 0.0;  ///< when beat 0, a downbeat, sounds; >= 0
-    std::vector<Silence> silences{};  ///< ascending, not overlapping; the beats count on inside
+    double first_beat_seconds = 0.0;  ///< time of beat 0, a downbeat; >= 0
+    std::vector<Silence> silences{};  ///< ascending, not overlapping; beats continue inside
 };
 
-/// A beat that the piece was made from.
+/// A beat that the piece was made from: the reference for beat tracking.
 struct ReferenceBeat {
     StreamTime time{};       ///< to the nanosecond; its sounds start at the nearest sample
     int bar_position = 1;    ///< 1..beats_per_bar(style)
     bool is_audible = true;  ///< false inside a silence
 };
 
-/// A finished piece and the truth about it.
+/// A finished piece and its beats.
 struct GeneratedMusic {
-    SampleRate rate{48'000};
-    int channels = 2;
+    SampleRate rate{48'000};           ///< of the plan
+    int channels = 2;                  ///< 1 or 2
     std::vector<float> samples;        ///< interleaved, [-1, 1], no NaN
     std::vector<ReferenceBeat> beats;  ///< ascending; all that lie inside the piece
 
+    /// Length of the piece.
     [[nodiscard]] std::int64_t frames() const noexcept {
         return static_cast<std::int64_t>(samples.size()) / channels;
     }
@@ -73,7 +76,7 @@ struct GeneratedMusic {
     [[nodiscard]] std::vector<float> mono() const;
 };
 
-/// Plays `plan` with sounds of our own (all synthesized here). The same plan gives the same bits.
+/// Renders `plan` with synthesized sounds. The same plan gives the same bits.
 ///
 ///     const auto music = generate({.style = Style::montuno, .tempo = {{0, 90}, {20, 140}}});
 ///

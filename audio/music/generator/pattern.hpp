@@ -4,10 +4,11 @@
 
 #include "audio/music/generator/notes.hpp"
 
+/// Helpers of those who write scores.
 namespace raks::audio {
 
-/// Adds one note per letter of `pattern`, from `start` on, a step each: 'X' loud, 'x' medium,
-/// 'o' soft, anything else a rest.
+/// Adds one note for each letter of `pattern`, from beat `start` on, `step` beats apart: 'X' loud,
+/// 'x' medium, 'o' soft, anything else a rest. `level`: factor of the velocities.
 ///
 ///     strike(score, Sound::clave, "x..x..x...x.x...", bar_start, 0.5);
 inline void strike(Notes& score,
@@ -28,7 +29,8 @@ inline void strike(Notes& score,
     }
 }
 
-/// Writes bar after bar by write_bar(score, bar) and drops what lies behind the end.
+/// Writes bar after bar by write_bar(score, bar), bars counted from 0, and drops notes beyond the
+/// end.
 template <typename WriteBar>
 [[nodiscard]] Notes write_bars(double beats, int beats_per_bar, const WriteBar& write_bar) {
     Notes score;

@@ -7,6 +7,7 @@
 
 namespace raks::audio {
 
+// A linear tempo has a quadratic integral; each piece keeps the beats before it.
 TempoCurve::TempoCurve(const std::vector<TempoPoint>& points, double first_beat_seconds) {
     RAKS_ASSERT(!points.empty());
     double beats = 0.0;
@@ -24,6 +25,7 @@ TempoCurve::TempoCurve(const std::vector<TempoPoint>& points, double first_beat_
     beats_before_first_ = integral_at(first_beat_seconds);
 }
 
+// The last piece that begins at or before `seconds`; the first one for times before it.
 const TempoCurve::Piece& TempoCurve::piece_at(double seconds) const noexcept {
     const auto next = std::upper_bound(
         pieces_.begin(), pieces_.end(), seconds, [](double value, const Piece& piece) {
@@ -37,6 +39,7 @@ double TempoCurve::bpm_at(double seconds) const noexcept {
     return piece.bpm + piece.slope * std::max(seconds - piece.start, 0.0);
 }
 
+// Before the first point the tempo is constant: no slope there.
 double TempoCurve::integral_at(double seconds) const noexcept {
     const Piece& piece = piece_at(seconds);
     const double inside = seconds - piece.start;
@@ -48,6 +51,7 @@ double TempoCurve::beats_at(double seconds) const noexcept {
     return integral_at(seconds) - beats_before_first_;
 }
 
+// Solves the quadratic of the piece that contains the beat.
 double TempoCurve::seconds_at(double beats) const noexcept {
     const double wanted = beats + beats_before_first_;
     const auto next = std::upper_bound(

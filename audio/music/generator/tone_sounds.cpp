@@ -9,7 +9,7 @@
 namespace raks::audio {
 namespace {
 
-/// A plucked or struck string as a sum of dying partials.
+// A plucked or struck string as a sum of decaying partials.
 struct String {
     int partials = 8;
     double slope = 1.2;          ///< gain of partial n: n^-slope
@@ -26,6 +26,7 @@ constexpr String kPiano{16, 0.85, 2.6, 0.30, 0.00045, 0.125, 0.06, 0.18, 0.0008}
 constexpr String kBass{9, 1.10, 1.5, 0.55, 0.0001, 0.23, 0.04, 0.12, 0.0};
 constexpr String kOud{20, 0.75, 1.1, 0.35, 0.0001, 0.17, 0.05, 0.25, 0.0015};
 
+// Higher notes die faster (t60 by the root of the frequency), and so do higher partials.
 std::vector<float> pluck(const String& string, const SoundRequest& request) {
     const double length = request.seconds + string.release;
     std::vector<double> sum(static_cast<std::size_t>(length * request.rate), 0.0);
@@ -38,11 +39,13 @@ std::vector<float> pluck(const String& string, const SoundRequest& request) {
         if (hertz > 0.42 * request.rate || hertz > 12'000.0) {
             break;
         }
+        // Softer notes have weaker upper partials.
         double gain = std::pow(order, -string.slope - 0.6 * (1.0 - request.brightness));
         if (string.pluck_at > 0.0) {
             gain *= std::abs(std::sin(0.5 * kTwoPi * order * string.pluck_at)) + 0.12;
         }
         const double decay = t60 / (1.0 + string.damping * (order - 1.0));
+        // Two strings slightly out of tune beat against each other, as in a piano or an oud.
         for (int s = 0; s < strings; ++s) {
             const double offset = (s == 0 ? -0.5 : 0.5) * string.detune;
             DampedSine sine(hertz * (1.0 + offset), gain / strings, decay, request.rate);
@@ -51,6 +54,7 @@ std::vector<float> pluck(const String& string, const SoundRequest& request) {
             }
         }
     }
+    // Noise of the hammer or finger at the attack, gone after some 10 ms.
     const CounterRandom random(static_cast<std::uint64_t>(request.sound), 7);
     StateVariableFilter thump(std::min(6.0 * request.hertz, 2400.0), 0.7, request.rate);
     std::vector<float> out(sum.size());
@@ -64,7 +68,8 @@ std::vector<float> pluck(const String& string, const SoundRequest& request) {
     return out;
 }
 
-/// Saws through a low-pass that opens and closes: brass, chord stabs, pad, electric bass.
+// Saw waves through a low-pass that opens and closes: brass, chord stabs, pad, guitar, synthesizer
+// bass.
 struct Voice {
     int saws = 2;
     double detune = 0.004;     ///< spread of the saws, as a part of the frequency
@@ -86,6 +91,7 @@ constexpr Voice kPad{4, 0.010, 0.25, 0.5, 1.5, 4.0, 0.4, 2.0, 0.7, 0.0, 0.7, 0.0
 constexpr Voice kGuitar{4, 0.006, 0.003, 0.05, 3.0, 14.0, 0.006, 0.8, 0.6, 0.0, 0.8, 0.0};
 constexpr Voice kSynthBass{2, 0.003, 0.004, 0.05, 1.2, 7.0, 0.004, 0.12, 0.2, 0.0, 1.4, 0.9};
 
+// How far the low-pass is open at `t`, [0, 1]: opens linearly, then falls to what it holds.
 double openness(const Voice& voice, double t) {
     const double open = std::min(t / voice.opening, 1.0);
     const double fall = std::exp(-std::max(t - voice.opening, 0.0) / voice.closing);
@@ -94,6 +100,7 @@ double openness(const Voice& voice, double t) {
 
 std::vector<float> blow(const Voice& voice, const SoundRequest& request) {
     const double length = request.seconds + voice.release;
+    // Fixed, unequal start phases: all saws in phase would click.
     std::array<Saw, 4> saws{Saw(0.03), Saw(0.31), Saw(0.62), Saw(0.84)};
     const auto count = static_cast<std::size_t>(voice.saws);
     StateVariableFilter filter(request.hertz, voice.q, request.rate);
@@ -101,11 +108,13 @@ std::vector<float> blow(const Voice& voice, const SoundRequest& request) {
     double phase = 0.0;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double t = static_cast<double>(i) / request.rate;
+        // The filter's coefficients change slowly: every 16 samples is enough.
         if (i % 16 == 0) {
             const double range = voice.cutoff_high * request.brightness - voice.cutoff_low;
             const double harmonic = voice.cutoff_low + std::max(range, 0.5) * openness(voice, t);
             filter.set(std::min(request.hertz * harmonic, 9000.0), voice.q, request.rate);
         }
+        // Vibrato comes late, as wind players do it.
         const double swell = std::clamp((t - 0.25) / 0.3, 0.0, 1.0);
         const double bend = 1.0 + voice.vibrato * swell * std::sin(kTwoPi * 5.6 * t);
         double sum = 0.0;
