@@ -14,6 +14,7 @@ namespace {
 using gl::Attribute;
 using gl::Reading;
 
+// Locations as in body.vert; layout as in avatar.hpp. Masks take two attributes: one holds four.
 constexpr std::array<Attribute, 7> kSkinAttributes = {{
     {0, 3, GL_FLOAT, Reading::normalized, offsetof(AvatarVertex, position)},
     {1, 3, GL_SHORT, Reading::normalized, offsetof(AvatarVertex, normal)},
@@ -24,6 +25,7 @@ constexpr std::array<Attribute, 7> kSkinAttributes = {{
     {6, 1, GL_UNSIGNED_BYTE, Reading::normalized, offsetof(AvatarVertex, ambient_occlusion)},
 }};
 
+/// The avatar's arrays as they are.
 gl::Mesh skin_mesh(const Avatar& avatar) {
     return {std::as_bytes(std::span(avatar.vertices)),
             sizeof(AvatarVertex),
@@ -34,6 +36,7 @@ gl::Mesh skin_mesh(const Avatar& avatar) {
 /// A stick figure in the avatar's vertex form, so that one vertex shader serves both: masks
 /// "suit" and "stripe" carry the shares of the left's and the right's colour.
 gl::Mesh stick_mesh(const Shape<StickVertex>& stick) {
+    // Components of unit vectors need no clamping.
     const auto snorm16 = [](float x) { return static_cast<std::int16_t>(x * 32767.0F); };
     std::vector<AvatarVertex> vertices;
     vertices.reserve(stick.vertices.size());
@@ -44,6 +47,7 @@ gl::Mesh stick_mesh(const Shape<StickVertex>& stick) {
             snorm16(point.normal.x), snorm16(point.normal.y), snorm16(point.normal.z), 0};
         vertex.joints = {point.bone, 0, 0, 0};
         vertex.weights = {255, 0, 0, 0};
+        // Shares 0..255 halved: a mask is a signed byte.
         vertex.masks = {static_cast<std::int8_t>(point.left / 2),
                         static_cast<std::int8_t>(point.right / 2)};
         vertex.ambient_occlusion = point.occlusion;
@@ -54,6 +58,7 @@ gl::Mesh stick_mesh(const Shape<StickVertex>& stick) {
             stick.indices};
 }
 
+/// Skeleton, helpers and inverse bind matrices: what posing needs once the mesh is in the driver.
 Avatar without_mesh(const Avatar& avatar) {
     Avatar joints = avatar;
     joints.vertices = {};
@@ -73,6 +78,7 @@ Expected<BodyPainter::Programs> BodyPainter::build_programs(Quality quality) {
     static constexpr std::array<std::string_view, 2> kDepthVertex = {"skin.glsl", "depth.vert"};
     static constexpr std::array<std::string_view, 1> kDepthFragment = {"depth.frag"};
 
+    // The looks are variants of one shader, chosen by a macro: no branch per fragment.
     const auto build_body = [quality](std::string_view name, std::string_view dress) {
         std::vector<std::string_view> defines = {dress};
         std::span<const std::string_view> fragment = kFragmentHigh;
@@ -122,8 +128,10 @@ void BodyPainter::set_pose(const motion::Pose& pose, View view) noexcept {
     figure_.reset();
     std::array<glm::mat4, kPaletteSize> world_from_joint{};
     if (view == View::skin) {
+        // The skin's vertices are given in the bind pose: matrices lead from there into the world.
         skinning_palette(joints_, pose, world_from_joint);
     } else {
+        // A stick vertex is given in its bone's frame: the bone's own matrix leads into the world.
         const motion::WorldPose world =
             motion::world_pose(joints_.skeleton, with_shoulder_rhythm(pose));
         for (std::size_t i = 0; i < world.positions.size(); ++i) {
@@ -138,6 +146,7 @@ void BodyPainter::set_figure(const Shape<StickVertex>& in_world) {
     view_ = View::stick;
     figure_.emplace(stick_mesh(in_world));
     std::array<glm::mat4, kPaletteSize> world_from_joint{};
+    // The figure's vertices are in the world: one identity for all.
     world_from_joint.fill(glm::mat4(1.0F));
     upload_bones(world_from_joint);
 }
@@ -147,6 +156,7 @@ void BodyPainter::upload_bones(std::span<const glm::mat4, kPaletteSize> world_fr
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i] = glm::mat3x4(glm::transpose(world_from_joint[i]));
     }
+    // The fourth row of these matrices is constant: three rows for each of 66 joints.
     static_assert(sizeof(rows) == 198 * sizeof(glm::vec4));
     glBindBuffer(GL_UNIFORM_BUFFER, bones_.name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(rows), rows.data(), GL_STREAM_DRAW);
@@ -164,6 +174,7 @@ void BodyPainter::draw(Dress dress, Image image) const noexcept {
         dress == Dress::dancer ? programs_.dancer : programs_.mannequin;
     const gl::Program& program = view_ == View::stick ? programs_.stick : skin_program;
     program.use();
+    // The shader multiplies the height by it: -1 mirrors at the floor.
     glUniform1f(program.uniform("mirror"), image == Image::upright ? 1.0F : -1.0F);
     glBindBufferBase(GL_UNIFORM_BUFFER, gl::kBonesBinding, bones_.name());
     mesh().draw();

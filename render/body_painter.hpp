@@ -20,16 +20,20 @@ namespace raks::render {
 /// Threads: the context's.
 class BodyPainter {
  public:
+    /// Uploads the avatar and builds the programs; keeps no reference to it. `quality` is fast or
+    /// high. Errors: a shader that the driver refuses.
     [[nodiscard]] static Expected<BodyPainter> create(const Avatar& avatar, Quality quality);
 
-    /// Takes the posture for what is drawn until the next call.
+    /// Computes and uploads the joint matrices for everything drawn until the next call.
     void set_pose(const motion::Pose& pose, View view) noexcept;
 
-    /// Takes a figure that stands in the world already, of bone 0 alone, in place of the avatar.
+    /// Draws this figure in place of the avatar until the next `set_pose`: its vertices are in
+    /// world space and all of bone 0.
     void set_figure(const Shape<StickVertex>& in_world);
 
     /// Body, or its image in the floor.
     enum class Image { upright, mirrored };
+    /// Draws the body; for `mirrored` the caller reverses the front face's winding.
     void draw(Dress dress, Image image) const noexcept;
 
     /// Depth alone, for the shadow map.

@@ -17,6 +17,7 @@ constexpr float kRingGlow = 0.25F;
 // The line on the floor that is always there.
 constexpr glm::vec4 kStillRing{1.25F, 0.22F, 0.008F, 0.0F};
 
+/// std140 has no tight vec3: everything travels as a vec4.
 glm::vec4 direction(glm::vec3 d) noexcept { return {d, 0.0F}; }
 glm::vec4 colour(glm::vec3 c) noexcept { return {c, 1.0F}; }
 
@@ -25,6 +26,7 @@ glm::vec3 hue(glm::vec3 light) noexcept {
     return light / (0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b);
 }
 
+/// The order of the colours is that of the material numbers in materials.glsl.
 void set_materials(FrameUniforms& u, const Theme& theme, View view) noexcept {
     constexpr float kSoleAgainstShoe = 0.35F;
     if (view == View::stick) {
@@ -43,6 +45,7 @@ void set_materials(FrameUniforms& u, const Theme& theme, View view) noexcept {
     }
 }
 
+/// Directions come from the camera, colours from the theme.
 void set_lights(FrameUniforms& u, const Theme& theme, const LightDirections& lights) noexcept {
     u.key_direction = direction(lights.key);
     u.fill_direction = direction(lights.fill);
@@ -54,6 +57,7 @@ void set_lights(FrameUniforms& u, const Theme& theme, const LightDirections& lig
     u.ground_light = colour(theme.ground_light);
 }
 
+/// Backdrop, floor and rings. The floor takes only the lights' hue; its brightness is the theme's.
 void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
     const Theme& theme = *scene.theme;
     u.display_top = colour(display_colour(theme.background_top));
@@ -64,6 +68,7 @@ void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
     u.floor_key_tint = colour((1.0F - theme.floor_ambient) * hue(theme.key_light));
     u.floor_sky_tint = colour(theme.floor_ambient * hue(theme.sky_light));
     u.display_ring = {display_colour(theme.ring), theme.ring_cover};
+    // The still ring takes the first of four places, the running ones the rest.
     u.rings[0] = kStillRing;
     for (std::size_t i = 0; i < scene.rings.size(); ++i) {
         const BeatRing& ring = scene.rings[i];
@@ -103,16 +108,20 @@ FrameView frame_view(const Scene& scene,
     set_materials(u, *scene.theme, scene.view);
     set_stage(u, scene);
 
+    // Blobs of all dancers one after another; frame.glsl sees their number in `counts`.
     auto next = u.blobs.begin();
     glm::vec3 centre{};
     for (const motion::WorldPose& dancer : dancers) {
         const auto blobs = shadow_blobs(dancer, lights.key);
         next = std::transform(blobs.begin(), blobs.end(), next, [](const ShadowBlob& blob) {
+            // Inverse squared, so that the shader does not divide.
             return glm::vec4(blob.x, blob.z, 1.0F / (blob.radius * blob.radius), blob.strength);
         });
         centre += dancer.position(motion::Bone::hips) / static_cast<float>(dancers.size());
     }
     u.counts.x = static_cast<float>(next - u.blobs.begin());
+    // The shadow map covers every dancer: it is centred between them and as wide as the farthest
+    // needs.
     float spread = 0.0F;
     for (const motion::WorldPose& dancer : dancers) {
         spread = std::max(spread, glm::distance(dancer.position(motion::Bone::hips), centre));

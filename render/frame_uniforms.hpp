@@ -15,40 +15,68 @@ namespace raks::render {
 /// What the shaders of one picture share: the uniform block of gl/shaders/frame.glsl, which says
 /// what each member is. std140: everything is made of vec4.
 struct FrameUniforms {
+    /// The camera's projection of world space.
     glm::mat4 clip_from_world{};
+    /// To [0, 1]^3 of the shadow map.
     glm::mat4 shadow_from_world{};
+    /// Camera position, world space, metres.
     glm::vec4 eye{};
+    /// Unit, toward the light, world space; also of the two below.
     glm::vec4 key_direction{};
+    /// Toward the fill light.
     glm::vec4 fill_direction{};
+    /// Toward the rim light.
     glm::vec4 rim_direction{};
+    /// Linear colour, as of the lights below.
     glm::vec4 key_light{};
+    /// Fill light.
     glm::vec4 fill_light{};
+    /// Rim light.
     glm::vec4 rim_light{};
+    /// Hemisphere light from above.
     glm::vec4 sky_light{};
+    /// Hemisphere light from below.
     glm::vec4 ground_light{};
+    /// Linear colours of the body, in the order of materials.glsl.
     std::array<glm::vec4, 7> materials{};
+    /// Backdrop, with gamma applied, as all named display_.
     glm::vec4 display_top{};
+    /// Glow in the middle of the backdrop.
     glm::vec4 display_glow{};
+    /// Lower part of the backdrop.
     glm::vec4 display_horizon{};
+    /// Linear albedo.
     glm::vec4 floor_centre{};
+    /// Linear albedo.
     glm::vec4 floor_edge{};
+    /// Key light on the floor, without the ambient share.
     glm::vec4 floor_key_tint{};
+    /// The ambient share.
     glm::vec4 floor_sky_tint{};
+    /// a: how far a ring covers the floor; 0: it only adds light.
     glm::vec4 display_ring{};
+    /// Radius, brightness, half width of the line, strength of its glow.
     std::array<glm::vec4, 4> rings{};
+    /// x, z, 1 / radius^2, strength.
     std::array<glm::vec4, 44> blobs{};  // eleven a dancer
+    /// x, y, width, height in pixels.
     glm::vec4 picture{};
+    /// Exposure; 1 on the stage, else 0; phase of the dither; pixels of 0.04 m at 1 m.
     glm::vec4 tone{};
+    /// x: number of blobs.
     glm::vec4 counts{};
 };
 static_assert(sizeof(FrameUniforms) == (8 + 9 + 7 + 8 + 4 + 44 + 3) * sizeof(glm::vec4));
 
 /// The block for one picture and, beside it, the shadow map's projection.
 struct FrameView {
+    /// For the block "Frame".
     FrameUniforms uniforms;
+    /// Orthographic, from the key light.
     glm::mat4 clip_from_light{};
 };
-/// `dancers`: one to four.
+/// Everything that the shaders share, for one picture of `scene` in `target` with one to four
+/// dancers. Pure.
 [[nodiscard]] FrameView frame_view(const Scene& scene,
                                    std::span<const motion::WorldPose> dancers,
                                    const FrameTarget& target) noexcept;

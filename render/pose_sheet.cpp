@@ -10,6 +10,7 @@
 namespace raks::render {
 namespace {
 
+/// A preset framed for a narrow tile.
 Camera tile_camera(const char* name) {
     Camera camera = find_camera(name).value_or(Camera{});
     camera.distance = 5.2F;  // hands over the head and a long step stay inside a 3:4 tile
@@ -17,6 +18,7 @@ Camera tile_camera(const char* name) {
     return camera;
 }
 
+/// What would otherwise divide by zero or draw nothing.
 Expected<void> validate(const PoseSheetConfig& config, std::size_t poses) {
     if (poses == 0) {
         return fail("a pose sheet needs at least one pose");
@@ -48,11 +50,13 @@ FrameTarget tile(const FrameTarget& sheet,
     return place;
 }
 
+/// Where the camera looks: under or over the hips.
 glm::vec3 hips_of(const motion::Pose& pose) { return pose.hips_position; }
 glm::vec3 hips_of(const ClipFigure& figure) {
     return figure.landmarks.position(motion::Bone::hips);
 }
 
+/// One sheet of poses or of recorded figures: all tiles go into one target, which is read once.
 template <typename Body>
 Expected<PoseSheet> draw_sheet(Renderer& renderer,
                                const Scene& scene,
@@ -62,6 +66,7 @@ Expected<PoseSheet> draw_sheet(Renderer& renderer,
         return fail(std::move(valid.error()));
     }
     const std::size_t columns = std::min(static_cast<std::size_t>(config.columns), poses.size());
+    // A band is one row of poses; it has a row of tiles for each camera.
     const std::size_t bands = (poses.size() + columns - 1) / columns;  // of poses
     const std::size_t rows = bands * config.cameras.size();
     // In 64 bits: OffscreenTarget refuses what is too large, but it must not wrap on the way.
@@ -85,6 +90,7 @@ Expected<PoseSheet> draw_sheet(Renderer& renderer,
             renderer.draw(tile_scene, poses[i], tile(target->frame(), config, row, i % columns));
         }
     }
+    // Places without a pose at the end of the last band are left as the driver allocated them.
     PoseSheet sheet{static_cast<int>(width), static_cast<int>(height), {}};
     sheet.rgba.resize(static_cast<std::size_t>(width * height) * 4U);
     if (Expected<void> read = target->read_rgba(sheet.rgba); !read) {

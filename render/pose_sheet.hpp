@@ -17,6 +17,7 @@ struct PoseSheetConfig {
     int columns = 8;        ///< poses in a row, >= 1
     int tile_width = 240;   ///< pixels
     int tile_height = 320;  ///< pixels
+    /// One row of pictures for each, at least one.
     std::vector<Camera> cameras = default_cameras();
 
     /// "front" and "side", framed for a tile. The target follows the hips over the floor.
@@ -25,8 +26,11 @@ struct PoseSheetConfig {
 
 /// RGBA, top row first.
 struct PoseSheet {
+    /// Pixels.
     int width = 0;
+    /// Pixels.
     int height = 0;
+    /// width * height * 4 bytes, rows without gaps.
     std::vector<std::uint8_t> rgba;
 };
 

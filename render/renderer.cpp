@@ -32,6 +32,7 @@ Expected<void> check_context() {
     return {};
 }
 
+/// Clears the target's rectangle (the scissor is on) to what the backdrop needs.
 void clear(const Scene& scene) noexcept {
     if (scene.backdrop == Backdrop::transparent) {
         glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
@@ -50,10 +51,13 @@ class DrawingState {
     explicit DrawingState(const FrameTarget& target) noexcept {
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
         glViewport(target.x, target.y, target.width, target.height);
+        // Clearing ignores the viewport: without the scissor it would wipe the other tiles of a
+        // sheet.
         glScissor(target.x, target.y, target.width, target.height);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glEnable(GL_SCISSOR_TEST);
         glEnable(GL_DEPTH_TEST);
+        // The backdrop lies at the far end, where depth is equal to the cleared one.
         glDepthFunc(GL_LEQUAL);
         glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
@@ -101,6 +105,7 @@ struct Renderer::Parts {
     void draw_stage(const Scene& scene) const noexcept;
 };
 
+/// The driver gets a new buffer store each time, so that it need not wait for the last picture.
 void Renderer::Parts::upload(const FrameUniforms& uniforms) const noexcept {
     glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
@@ -114,6 +119,7 @@ void Renderer::Parts::draw(const Scene& scene,
                            const TakeBody& take_body) {
     const FrameView view = frame_view(scene, bodies, target);
     upload(view.uniforms);
+    // Before the target is bound: it draws into a framebuffer of its own.
     draw_shadow_map(bodies.size(), take_body, view.clip_from_light);
 
     const DrawingState state(target);
@@ -130,6 +136,7 @@ void Renderer::Parts::draw_shadow_map(std::size_t bodies,
                                       const TakeBody& take_body,
                                       const glm::mat4& clip_from_light) {
     if (shadow_map) {
+        // Both sides cast shadow. The scissor is the target's rectangle, not the map's.
         glDisable(GL_CULL_FACE);
         glDisable(GL_SCISSOR_TEST);
         shadow_map->begin();
@@ -141,6 +148,8 @@ void Renderer::Parts::draw_shadow_map(std::size_t bodies,
     }
 }
 
+/// The body and, in high quality, its image in the floor, mirrored at y = 0. Mirroring turns
+/// triangles round, hence the other front face.
 void Renderer::Parts::draw_body(const Scene& scene) const noexcept {
     body.draw(scene.theme->dress, BodyPainter::Image::upright);
     if (quality == Quality::high && scene.backdrop == Backdrop::stage) {
@@ -150,14 +159,18 @@ void Renderer::Parts::draw_body(const Scene& scene) const noexcept {
     }
 }
 
+/// Floor over the mirrored body, then rings, then whatever is still empty.
 void Renderer::Parts::draw_stage(const Scene& scene) const noexcept {
     glDisable(GL_CULL_FACE);
+    // A fast floor shows no reflection, so it needs no blending, except over a transparent
+    // backdrop.
     const bool is_opaque = quality == Quality::fast && scene.backdrop == Backdrop::stage;
     if (!is_opaque) {
         glEnable(GL_BLEND);
     }
     stage.draw_floor();
     glEnable(GL_BLEND);
+    // Rings lie 2 mm over the floor and blend with it; they hide nothing.
     glDepthMask(GL_FALSE);
     stage.draw_rings(kRings);
     glDisable(GL_BLEND);
@@ -218,6 +231,7 @@ void Renderer::draw(const Scene& scene,
     if (target.width < 1 || target.height < 1 || poses.empty()) {
         return;
     }
+    // The uniform block has places for the blobs of that many.
     poses = poses.first(std::min(poses.size(), kMostDancers));
     std::array<motion::WorldPose, kMostDancers> dancers;
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -234,6 +248,7 @@ void Renderer::draw(const Scene& scene, const ClipFigure& figure, const FrameTar
         return;
     }
     Scene as_sticks = scene;
+    // Materials follow the view: a recorded figure has the sticks' colours.
     as_sticks.view = View::stick;
     parts_->draw(as_sticks, std::span(&figure.landmarks, 1), target, [&](std::size_t) {
         parts_->body.set_figure(figure.shape);
@@ -250,6 +265,7 @@ Quality resolve_quality(Quality wanted, std::string_view gl_renderer) noexcept {
     if (wanted != Quality::automatic) {
         return wanted;
     }
+    // Names of Mesa's software drivers, and "Software Rasterizer" and the like.
     for (const std::string_view software : {"llvmpipe", "softpipe", "swrast", "Software"}) {
         if (gl_renderer.find(software) != std::string_view::npos) {
             return Quality::fast;

@@ -13,6 +13,7 @@
 
 namespace raks::render {
 
+/// The body to draw; render/avatar/avatar.hpp.
 struct Avatar;
 
 /// How much work a picture may be. `automatic` is `fast` on software drivers (llvmpipe, softpipe,
@@ -22,7 +23,9 @@ struct Avatar;
 ///   high: light per fragment, shadow map, reflection, 4 samples a pixel; meant for GPUs
 enum class Quality { automatic, fast, high };
 
+/// What may be chosen when a renderer is made.
 struct RendererConfig {
+    /// As the user asked; see resolve_quality.
     Quality quality = Quality::automatic;
 };
 
@@ -37,8 +40,11 @@ class Renderer {
     /// Errors: OpenGL older than 3.3, a shader or a shadow map that the driver refuses.
     [[nodiscard]] static Expected<Renderer> create(const Avatar& avatar,
                                                    const RendererConfig& config = {});
+    /// The source may only be destroyed or assigned to.
     Renderer(Renderer&&) noexcept;
+    /// As the constructor.
     Renderer& operator=(Renderer&&) noexcept;
+    /// Frees meshes and programs; the context must be current.
     ~Renderer();
 
     /// Draws the whole picture: clears `target`'s rectangle, then stage and dancer. A rectangle
@@ -47,6 +53,7 @@ class Renderer {
     void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);
     /// Several dancers, kMostDancers at most; more are left out.
     void draw(const Scene& scene, std::span<const motion::Pose> poses, const FrameTarget& target);
+    /// Dancers that one picture can show: what the uniform block's shadow blobs are enough for.
     static constexpr std::size_t kMostDancers = 4;
 
     /// The same with a recorded body's own stick figure in the avatar's place, whatever the scene's

@@ -11,6 +11,7 @@
 namespace raks::render {
 namespace {
 
+/// A mesh with one attribute: the vertex itself.
 template <typename Vertex>
 gl::Mesh float_mesh(const Shape<Vertex>& shape) {
     const std::array<gl::Attribute, 1> attributes = {
@@ -18,6 +19,7 @@ gl::Mesh float_mesh(const Shape<Vertex>& shape) {
     return {std::as_bytes(std::span(shape.vertices)), sizeof(Vertex), attributes, shape.indices};
 }
 
+/// The program of one part of the stage. Vertex and fragment shader have the same stem.
 Expected<gl::Program> build(Quality quality, std::string_view name, std::string_view vertex) {
     const std::string_view stem = vertex.substr(0, vertex.find('.'));
     const std::string fragment_file = std::string(stem) + ".frag";
@@ -61,6 +63,7 @@ void StagePainter::draw_floor() const noexcept {
 }
 
 void StagePainter::draw_rings(int count) const noexcept {
+    // In high quality the floor's fragment shader draws the rings.
     if (quality_ == Quality::fast) {
         programs_.rings.use();
         ring_.draw_instances(count);

@@ -11,8 +11,10 @@ namespace raks::render {
 /// block must be bound. Threads: the context's.
 class StagePainter {
  public:
+    /// `quality` is fast or high. Errors: a shader that the driver refuses.
     [[nodiscard]] static Expected<StagePainter> create(Quality quality);
 
+    /// The floor disc with its shadows; with Quality::high with rings and reflection.
     void draw_floor() const noexcept;
     /// The rings as geometry; with Quality::high they are part of the floor and this does nothing.
     void draw_rings(int count) const noexcept;

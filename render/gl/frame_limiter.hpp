@@ -4,14 +4,15 @@
 
 namespace raks::render {
 
-/// When the next picture is due. Pure arithmetic over HostTime, so that a test drives it.
+/// When the next picture is due. Pure arithmetic over HostTime, so that a test can drive it.
 ///
-/// Where vertical sync paces the loop the limiter must not fight it: it then allows 10 % more
-/// pictures than the monitor shows and comes into play only when the sync is ignored (Xvfb,
-/// hidden windows).
-/// Threads: one.
+/// Where vertical sync paces the loop, the limiter allows 10 % more pictures than the monitor
+/// shows, so that the two do not wait for each other; it then acts only when the sync is ignored
+/// (Xvfb, hidden windows). Threads: one.
 class FrameLimiter {
  public:
+    /// `exact`: the limiter alone sets the rate. `behind_vsync`: it only catches a sync that is
+    /// ignored.
     enum class Pace { exact, behind_vsync };
 
     /// `fps` > 0.
@@ -25,6 +26,7 @@ class FrameLimiter {
         due_ = due < now ? now : due;
         return due_;
     }
+    /// Shortest time between two pictures.
     [[nodiscard]] Nanos period() const noexcept { return period_; }
 
  private:

@@ -32,11 +32,13 @@ Expected<void> read_rgba(const FrameTarget& target, std::span<std::uint8_t> rgba
                     std::to_string(rgba.size()));
     }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer);
+    // A pixel buffer or row length that other code left set would redirect or spread the bytes.
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     glReadPixels(
         target.x, target.y, target.width, target.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    // glReadPixels reports a multisampled or incomplete framebuffer in this way alone.
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) {
         return fail("the driver refuses to read the picture back (OpenGL error " +

@@ -10,10 +10,15 @@ namespace raks::render {
 /// Where to draw: a rectangle of a framebuffer object of the current context. 0 is the window.
 /// The origin is the lower left corner, in pixels.
 struct FrameTarget {
+    /// OpenGL name; 0 is the window's own.
     std::uint32_t framebuffer = 0;
+    /// Left edge.
     int x = 0;
+    /// Lower edge.
     int y = 0;
+    /// Below 1: nothing is drawn.
     int width = 0;
+    /// As width.
     int height = 0;
 };
 

@@ -8,6 +8,8 @@ const void* buffer_offset(std::size_t bytes) noexcept {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's form
 }
 
+/// Tells the bound vertex array where in the vertex record an attribute lies. Integers need a call
+/// of their own: the ordinary one would convert them to floats.
 void describe(const Attribute& attribute, GLsizei stride) {
     glEnableVertexAttribArray(attribute.location);
     const void* const offset = buffer_offset(attribute.offset);
@@ -27,6 +29,7 @@ Mesh::Mesh(std::span<const std::byte> vertices,
            std::span<const Attribute> attributes,
            std::span<const std::uint16_t> indices)
     : index_count_(static_cast<GLsizei>(indices.size())) {
+    // The vertex array records the attributes and the index buffer bound while it is current.
     glBindVertexArray(array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     glBufferData(GL_ARRAY_BUFFER,
@@ -41,6 +44,7 @@ Mesh::Mesh(std::span<const std::byte> vertices,
                  static_cast<GLsizeiptr>(indices.size_bytes()),
                  indices.data(),
                  GL_STATIC_DRAW);
+    // So that no later buffer binding changes this mesh by mistake.
     glBindVertexArray(0);
 }
 

@@ -12,10 +12,15 @@ namespace raks::render::gl {
 /// or floats as they are.
 enum class Reading { raw, normalized };
 
+/// One input of the vertex shader, as glVertexAttribPointer takes it.
 struct Attribute {
+    /// As in the shader's layout(location).
     GLuint location = 0;
+    /// 1 to 4.
     GLint components = 1;
+    /// Of one component in the vertex record.
     GLenum type = GL_FLOAT;
+    /// Floats are read as they are.
     Reading reading = Reading::normalized;
     std::size_t offset = 0;  ///< bytes from the vertex's start
 };
@@ -29,7 +34,9 @@ class Mesh {
          std::span<const Attribute> attributes,
          std::span<const std::uint16_t> indices);
 
+    /// Draws all triangles with the program in use.
     void draw() const noexcept;
+    /// Draws them `count` times; the shader tells the instances apart by gl_InstanceID.
     void draw_instances(int count) const noexcept;
 
  private:

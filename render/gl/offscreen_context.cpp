@@ -18,6 +18,7 @@ struct OffscreenContext::Handles {
     Handles& operator=(const Handles&) = delete;
     ~Handles() {
         if (context != EGL_NO_CONTEXT) {
+            // A context that is current would live on until it is released.
             if (eglGetCurrentContext() == context) {
                 eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
             }
@@ -30,6 +31,7 @@ struct OffscreenContext::Handles {
 
 namespace {
 
+/// EGL's last error as hexadecimal text: "EGL error 0x3003".
 std::string egl_error() {
     const EGLint code = eglGetError();
     constexpr std::array<char, 17> kDigits = {"0123456789ABCDEF"};
@@ -40,6 +42,7 @@ std::string egl_error() {
     return hex;
 }
 
+/// Mesa's own platform: needs no device node, works with llvmpipe in a container.
 EGLDisplay surfaceless_display() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
         return EGL_NO_DISPLAY;
@@ -47,6 +50,7 @@ EGLDisplay surfaceless_display() {
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
+/// The first device that EGL names: the way that drivers without Mesa's platform offer.
 EGLDisplay device_display() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") ||
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
@@ -60,7 +64,9 @@ EGLDisplay device_display() {
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
 }
 
+/// An OpenGL 3.3 core context, or EGL_NO_CONTEXT.
 EGLContext core_context(EGLDisplay display) {
+    // Any configuration that desktop OpenGL can use: colours and depth are the target's, not EGL's.
     constexpr std::array<EGLint, 5> kConfigWish = {
         EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     constexpr std::array<EGLint, 7> kContextWish = {EGL_CONTEXT_MAJOR_VERSION,
@@ -76,6 +82,7 @@ EGLContext core_context(EGLDisplay display) {
     return eglCreateContext(display, config, EGL_NO_CONTEXT, kContextWish.data());
 }
 
+// In the order in which they are tried.
 struct Platform {
     const char* name;
     EGLDisplay (*display)();
@@ -99,6 +106,7 @@ Expected<EGLContext> current_context(EGLDisplay display) {
         return fail("gives no OpenGL 3.3 core context, " + egl_error());
     }
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
+        // Read before the context is destroyed: that call sets the error anew.
         const std::string reason = egl_error();
         eglDestroyContext(display, context);
         return fail("cannot draw without a surface, " + reason);
@@ -106,6 +114,7 @@ Expected<EGLContext> current_context(EGLDisplay display) {
     return context;
 }
 
+/// GL_RENDERER of the current context.
 std::string current_renderer_name() {
     const GLubyte* const name = glGetString(GL_RENDERER);
     if (name == nullptr) {
@@ -117,6 +126,7 @@ std::string current_renderer_name() {
 }  // namespace
 
 Expected<OffscreenContext> OffscreenContext::create() {
+    // epoxy loads libEGL when first asked, and ends the program where it is missing: ask first.
     if (!epoxy_has_egl()) {
         return fail(
             "no way to draw without a window: libEGL.so.1 is missing; on Debian install "
@@ -132,6 +142,7 @@ Expected<OffscreenContext> OffscreenContext::create() {
             handles->renderer_name = current_renderer_name();
             return OffscreenContext(std::move(handles));
         }
+        // The user sees why each platform failed only when none works.
         reasons.append(reasons.empty() ? "" : "; ");
         reasons.append("EGL platform ").append(platform.name).append(": ");
         reasons.append(context.error().message);
@@ -151,6 +162,7 @@ const std::string& OffscreenContext::renderer_name() const noexcept {
 }
 
 Expected<void> OffscreenContext::make_current() {
+    // The bound API belongs to the thread, so another thread must bind it, too.
     if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE ||
         eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context) !=
             EGL_TRUE) {

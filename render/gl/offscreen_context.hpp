@@ -21,8 +21,11 @@ class OffscreenContext {
     /// Tries EGL's surfaceless platform, then its device platform. Errors: neither works; the line
     /// says what each of them answered and which package is missing.
     [[nodiscard]] static Expected<OffscreenContext> create();
+    /// Moving leaves the context current; the source may only be destroyed or assigned to.
     OffscreenContext(OffscreenContext&&) noexcept;
+    /// As the constructor.
     OffscreenContext& operator=(OffscreenContext&&) noexcept;
+    /// Destroys the context, which must not be current on another thread.
     ~OffscreenContext();
 
     /// Name of the driver's renderer: "llvmpipe (LLVM 15.0.6, 256 bits)".

@@ -19,6 +19,7 @@ struct Surface {
     [[nodiscard]] Expected<void> allocate(const OffscreenTargetConfig& config, GLsizei samples);
 };
 
+/// Attaches storage of the wanted size; the driver's refusal becomes an error, not a black picture.
 Expected<void> Surface::allocate(const OffscreenTargetConfig& config, GLsizei samples) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     glBindRenderbuffer(GL_RENDERBUFFER, colour.name());
@@ -26,6 +27,7 @@ Expected<void> Surface::allocate(const OffscreenTargetConfig& config, GLsizei sa
         GL_RENDERBUFFER, samples, GL_RGBA8, config.width, config.height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.name());
     glBindRenderbuffer(GL_RENDERBUFFER, depth.name());
+    // Colour and depth of one framebuffer need the same number of samples.
     glRenderbufferStorageMultisample(
         GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, config.width, config.height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.name());
@@ -39,6 +41,7 @@ Expected<void> Surface::allocate(const OffscreenTargetConfig& config, GLsizei sa
     return {};
 }
 
+/// Checks the size against the driver's limit as well as ours.
 Expected<void> validate(const OffscreenTargetConfig& config) {
     GLint driver_limit = OffscreenTarget::kMaxSide;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &driver_limit);
@@ -70,11 +73,13 @@ Expected<OffscreenTarget> OffscreenTarget::create(const OffscreenTargetConfig& c
     glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
     auto parts = std::make_unique<Parts>();
     parts->config = config;
+    // Fewer samples than asked for are better than no picture.
     parts->config.samples = std::max(1, std::min(config.samples, most_samples));
     const bool is_multisampled = parts->config.samples > 1;
     Expected<void> made =
         parts->drawn.allocate(config, is_multisampled ? parts->config.samples : 0);
     if (made && is_multisampled) {
+        // A multisampled picture cannot be read: it is resolved into a plain one first.
         made = parts->resolved.emplace().allocate(config, 0);
     }
     if (!made) {
@@ -93,6 +98,7 @@ int OffscreenTarget::width() const noexcept { return parts_->config.width; }
 int OffscreenTarget::height() const noexcept { return parts_->config.height; }
 int OffscreenTarget::samples() const noexcept { return parts_->config.samples; }
 
+/// Drawing always goes into the multisampled framebuffer, where there is one.
 FrameTarget OffscreenTarget::frame() const noexcept {
     return {.framebuffer = parts_->drawn.framebuffer.name(), .width = width(), .height = height()};
 }
@@ -101,6 +107,7 @@ void OffscreenTarget::finish() const noexcept { glFinish(); }
 
 Expected<void> OffscreenTarget::read_rgba(std::span<std::uint8_t> rgba) {
     FrameTarget readable = frame();
+    // Averages the samples of each pixel.
     if (parts_->resolved) {
         const GLuint resolved = parts_->resolved->framebuffer.name();
         glBindFramebuffer(GL_READ_FRAMEBUFFER, readable.framebuffer);

@@ -12,8 +12,11 @@ namespace raks::render {
 /// Size of a picture and samples a pixel: 1, or 2 to 4 for anti-aliasing (more than the driver has
 /// is lowered to what it has).
 struct OffscreenTargetConfig {
+    /// Pixels, 1 to OffscreenTarget::kMaxSide.
     int width = 1280;
+    /// As width.
     int height = 720;
+    /// 1 to 4.
     int samples = 1;
 };
 
@@ -21,15 +24,21 @@ struct OffscreenTargetConfig {
 /// Threads: the context's. Real-time: no.
 class OffscreenTarget {
  public:
+    /// Largest side, pixels.
     static constexpr int kMaxSide = 8192;
 
     /// Errors: a side below 1 or above kMaxSide or what the driver can do; samples outside 1..4.
     [[nodiscard]] static Expected<OffscreenTarget> create(const OffscreenTargetConfig& config);
+    /// The source may only be destroyed or assigned to.
     OffscreenTarget(OffscreenTarget&&) noexcept;
+    /// As the constructor.
     OffscreenTarget& operator=(OffscreenTarget&&) noexcept;
+    /// Frees the picture; the context must be current.
     ~OffscreenTarget();
 
+    /// Pixels.
     [[nodiscard]] int width() const noexcept;
+    /// Pixels.
     [[nodiscard]] int height() const noexcept;
     /// Samples a pixel that the driver gave.
     [[nodiscard]] int samples() const noexcept;

@@ -7,6 +7,8 @@
 namespace raks::render::gl {
 namespace {
 
+/// One shader's text. GLSL 3.30 has no #include, so shared files are put one after another; #line
+/// makes the driver count lines from the start of each file.
 Expected<std::string> joined(const ProgramSources& sources,
                              std::span<const std::string_view> files) {
     std::string text = "#version 330 core\n";
@@ -23,6 +25,7 @@ Expected<std::string> joined(const ProgramSources& sources,
     return text;
 }
 
+/// The first complaint; what follows it is mostly its consequence.
 std::string first_line(const std::string& log) {
     return log.empty() ? "no reason given" : log.substr(0, log.find('\n'));
 }
@@ -54,6 +57,7 @@ class Shader {
     GLuint name_;
 };
 
+/// Gives a uniform block its shared binding point. A program that does not use it has none.
 void bind_block(GLuint program, const char* block, GLuint binding) {
     const GLuint index = glGetUniformBlockIndex(program, block);
     if (index != GL_INVALID_INDEX) {
@@ -61,6 +65,7 @@ void bind_block(GLuint program, const char* block, GLuint binding) {
     }
 }
 
+/// Links and detaches, so that the shader objects are freed with their owners.
 Expected<void> link(GLuint program, const Shader& vertex, const Shader& fragment) {
     glAttachShader(program, vertex.name());
     glAttachShader(program, fragment.name());
@@ -77,6 +82,7 @@ Expected<void> link(GLuint program, const Shader& vertex, const Shader& fragment
     return fail(first_line(log.data()));
 }
 
+/// Compiles both stages and links them; the first error ends it.
 Expected<void> compile_and_link(GLuint program, const ProgramSources& sources) {
     const Shader vertex(GL_VERTEX_SHADER);
     const Shader fragment(GL_FRAGMENT_SHADER);
@@ -102,6 +108,7 @@ Expected<Program> Program::build(const ProgramSources& sources) {
     }
     bind_block(program.name_, "Frame", kFrameBinding);
     bind_block(program.name_, "Bones", kBonesBinding);
+    // The sampler's texture unit never changes, so it is set once instead of at every draw.
     const GLint shadow_map = program.uniform("shadow_map");
     if (shadow_map >= 0) {
         program.use();

@@ -16,8 +16,11 @@ inline constexpr GLint kShadowUnit = 0;     ///< sampler "shadow_map"
 /// Which shader files make a program, each list in order, and what is #defined before them.
 struct ProgramSources {
     std::string_view name;  ///< for error lines
+    /// Files of the vertex shader.
     std::span<const std::string_view> vertex;
+    /// Files of the fragment shader.
     std::span<const std::string_view> fragment;
+    /// Macro names for both, without "#define".
     std::span<const std::string_view> defines;
 };
 
@@ -26,10 +29,14 @@ class Program {
  public:
     /// Errors: a file that is not in shaders/, or what the driver's compiler says (its first line).
     [[nodiscard]] static Expected<Program> build(const ProgramSources& sources);
+    /// Leaves `other` without a program.
     Program(Program&& other) noexcept;
+    /// Exchanges the programs.
     Program& operator=(Program&& other) noexcept;
+    /// Frees the program; the context must be current.
     ~Program();
 
+    /// Makes it the program that the next draw calls run.
     void use() const noexcept { glUseProgram(name_); }
     /// Place of a plain uniform; -1 (which glUniform ignores) when the program has none.
     [[nodiscard]] GLint uniform(const char* uniform_name) const noexcept {

@@ -18,6 +18,7 @@ Expected<ShadowMap> ShadowMap::create(GLsizei side) {
                  GL_DEPTH_COMPONENT,
                  GL_UNSIGNED_INT,
                  nullptr);
+    // Linear filtering of a comparing sampler averages four comparisons: softer edges.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -27,6 +28,7 @@ Expected<ShadowMap> ShadowMap::create(GLsizei side) {
     glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer_.name());
     glFramebufferTexture2D(
         GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.texture_.name(), 0);
+    // Depth alone: without this a framebuffer without colour is incomplete.
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
@@ -44,6 +46,8 @@ void ShadowMap::begin() const noexcept {
     glDepthFunc(GL_LESS);
     glClear(GL_DEPTH_BUFFER_BIT);
     glEnable(GL_POLYGON_OFFSET_FILL);
+    // Pushes the stored depth away from the light, or surfaces would shadow themselves in stripes.
+    // The part that grows with the slope is what skin at a grazing angle needs.
     glPolygonOffset(1.5F, 2.0F);
 }
 

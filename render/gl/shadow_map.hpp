@@ -12,7 +12,7 @@ class ShadowMap {
     /// Errors: the driver refuses the size.
     [[nodiscard]] static Expected<ShadowMap> create(GLsizei side);
 
-    /// Makes it the target, cleared, with slope-scaled bias on.
+    /// Makes it the target and clears it; sets a slope-scaled depth offset, which `end` takes back.
     void begin() const noexcept;
     /// Ends drawing and binds the texture to the shadow unit.
     void end() const noexcept;

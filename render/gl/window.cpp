@@ -34,12 +34,14 @@ class Glfw {
     bool is_up_;
 };
 
+/// GLFW's words for its last error.
 std::string last_error() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text != nullptr ? text : "unknown reason";
 }
 
+// Keys without a character, and those whose character means a key: the rest arrive as characters.
 constexpr std::array kNamedKeys = {
     std::pair{GLFW_KEY_SPACE, Key::space},     std::pair{GLFW_KEY_ESCAPE, Key::escape},
     std::pair{GLFW_KEY_ENTER, Key::enter},     std::pair{GLFW_KEY_KP_ENTER, Key::enter},
@@ -56,6 +58,7 @@ constexpr std::array kNamedKeys = {
     std::pair{GLFW_KEY_F11, Key::f11},         std::pair{GLFW_KEY_F12, Key::f12},
 };
 
+/// The key of that GLFW number, or nothing for a key that types a character.
 std::optional<Key> named_key(int glfw_key) {
     const auto* const found =
         std::find_if(kNamedKeys.begin(), kNamedKeys.end(), [&](const auto& pair) {
@@ -70,6 +73,7 @@ constexpr std::array kMouseButtons = {
     std::pair{GLFW_MOUSE_BUTTON_MIDDLE, MouseButton::middle},
 };
 
+// In screen coordinates, which are not pixels on every system.
 struct Rectangle {
     int x = 0;
     int y = 0;
@@ -91,6 +95,7 @@ GLFWmonitor* monitor_of(GLFWwindow* window) {
         int x = 0;
         int y = 0;
         glfwGetMonitorPos(monitors[i], &x, &y);
+        // Sides of the rectangle that window and monitor have in common.
         const long wide = std::min(own.x + own.width, x + mode->width) - std::max(own.x, x);
         const long high = std::min(own.y + own.height, y + mode->height) - std::max(own.y, y);
         if (wide > 0 && high > 0 && wide * high > best_area) {
@@ -109,6 +114,8 @@ std::optional<double> refresh_rate_of(GLFWwindow* window) {
                                                     : std::nullopt;
 }
 
+/// A wish below the monitor's rate is kept by the clock. Fallback the vertical sync paces, and the
+/// limiter stays behind it, unless the monitor tells no rate: then there may be no sync either.
 FrameLimiter limiter_for(double max_fps, std::optional<double> refresh_rate) {
     const double monitor_fps = refresh_rate.value_or(kUsualRefreshRate);
     if (max_fps > 0.0 && max_fps < monitor_fps) {
@@ -127,8 +134,10 @@ struct Window::State {
     FrameLimiter limiter{kUsualRefreshRate, FrameLimiter::Pace::exact};
     Rectangle windowed;  // where it was before it went full screen
 
+    // Callbacks fill `arriving`; `poll_events` swaps it with `delivered`, which the caller reads.
     std::vector<WindowEvent> arriving;
     std::vector<WindowEvent> delivered;
+    // GLFW tells repeats with the key but not with the character that follows it.
     bool is_last_key_a_repeat = false;
     std::array<bool, kMouseButtons.size()> is_held{};
     double mouse_x = 0.0;
@@ -158,6 +167,8 @@ struct Window::State {
     }
 };
 
+/// Callbacks find this object through the window's user pointer: it must not move from here on,
+/// which is why Window holds it by pointer.
 void Window::State::listen() {
     glfwSetWindowUserPointer(handle, this);
     glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int modifiers) {
@@ -208,6 +219,7 @@ void Window::State::on_character(unsigned int codepoint) {
 void Window::State::on_button(int button, int action) {
     for (std::size_t i = 0; i < kMouseButtons.size(); ++i) {
         if (kMouseButtons[i].first == button) {
+            // Screen coordinates become pixels: the caller compares them with what is drawn.
             is_held[i] = action == GLFW_PRESS;
             const float scale = pixels_per_unit();
             arriving.emplace_back(MouseButtonEvent{.button = kMouseButtons[i].second,
@@ -224,6 +236,7 @@ void Window::State::on_mouse(double x, double y) {
     const float dy = static_cast<float>(y - mouse_y) * scale;
     mouse_x = x;
     mouse_y = y;
+    // Only drags are reported: a mouse that moves with no button held changes nothing.
     const auto* const held = std::find(is_held.begin(), is_held.end(), true);
     if (held == is_held.end()) {
         return;
@@ -233,6 +246,7 @@ void Window::State::on_mouse(double x, double y) {
         .button = kMouseButtons[index].second, .has_shift = has_shift(), .dx = dx, .dy = dy});
 }
 
+/// Framebuffer pixels for each screen coordinate: 1, or 2 on fine monitors of some systems.
 float Window::State::pixels_per_unit() const {
     int width = 0;
     int pixels = 0;
@@ -249,6 +263,7 @@ Window::~Window() = default;
 Expected<Window> Window::create(const WindowOptions& options) {
     auto state = std::make_unique<State>();
     if (!state->glfw.is_up()) {
+        // GLFW's own words for a missing display do not tell a user what to do.
         const char* const display = std::getenv("DISPLAY");  // NOLINT(concurrency-mt-unsafe)
         return fail(display == nullptr || *display == '\0'
                         ? "no display: DISPLAY is not set; use --headless, or `raks render`"
@@ -260,6 +275,7 @@ Expected<Window> Window::create(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    // macOS gives a core context only with this; elsewhere it does no harm.
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, options.samples);
     glfwWindowHint(GLFW_TRANSPARENT_FRAMEBUFFER, yes_no(options.is_transparent));
@@ -273,10 +289,12 @@ Expected<Window> Window::create(const WindowOptions& options) {
                     "; update the graphics driver, or use --headless");
     }
     glfwMakeContextCurrent(state->handle);
+    // Swapping waits for the monitor's refresh.
     glfwSwapInterval(1);
     glfwGetCursorPos(state->handle, &state->mouse_x, &state->mouse_y);
     state->max_fps = options.max_fps;
     state->limiter = limiter_for(options.max_fps, refresh_rate_of(state->handle));
+    // Behind everything that can fail, so that no callback sees a half-made state.
     state->listen();
     Window window(std::move(state));
     if (options.is_fullscreen) {
@@ -287,6 +305,7 @@ Expected<Window> Window::create(const WindowOptions& options) {
 
 std::span<const WindowEvent> Window::poll_events() {
     glfwPollEvents();
+    // The two vectors keep their storage: no allocation once they have grown.
     state_->delivered.clear();
     std::swap(state_->delivered, state_->arriving);
     return state_->delivered;
@@ -298,6 +317,7 @@ void Window::request_close() { glfwSetWindowShouldClose(state_->handle, GLFW_TRU
 
 FrameTarget Window::frame() const {
     FrameTarget target;
+    // Framebuffer 0 with its origin at (0, 0) is FrameTarget's default.
     glfwGetFramebufferSize(state_->handle, &target.width, &target.height);
     return target;
 }
@@ -314,11 +334,13 @@ double Window::refresh_rate() const {
 
 void Window::present() {
     glfwSwapBuffers(state_->handle);
+    // Under vertical sync this is mostly past due and returns at once.
     sleep_until(state_->limiter.next_due(std::chrono::time_point_cast<Nanos>(HostClock::now())));
 }
 
 void Window::toggle_fullscreen() {
     Rectangle& back = state_->windowed;
+    // Without a monitor the window goes back to where it was.
     if (is_fullscreen()) {
         glfwSetWindowMonitor(
             state_->handle, nullptr, back.x, back.y, back.width, back.height, GLFW_DONT_CARE);
@@ -327,6 +349,7 @@ void Window::toggle_fullscreen() {
         if (monitor == nullptr) {
             return;
         }
+        // Remembered for the way back: GLFW does not.
         glfwGetWindowPos(state_->handle, &back.x, &back.y);
         glfwGetWindowSize(state_->handle, &back.width, &back.height);
         const GLFWvidmode* const mode = glfwGetVideoMode(monitor);

@@ -10,12 +10,17 @@
 
 namespace raks::render {
 
+/// How a window is opened.
 struct WindowOptions {
+    /// UTF-8.
     std::string title = "Raks";
     int width = 1280;  ///< of a window that is not full screen, in screen coordinates
+    /// As width.
     int height = 720;
+    /// From the start; `toggle_fullscreen` changes it.
     bool is_fullscreen = false;
     bool is_transparent = false;  ///< what is drawn with alpha 0 shows the desktop (compositor)
+    /// Off for tests that draw into a hidden window.
     bool is_visible = true;
     int samples = 0;       ///< anti-aliasing of the window's own framebuffer
     double max_fps = 0.0;  ///< pictures a second; 0: the monitor's rate, or 60 when it tells none
@@ -34,8 +39,11 @@ class Window {
  public:
     /// Errors: no display ("no display: set DISPLAY, or use --headless"), no OpenGL 3.3.
     [[nodiscard]] static Expected<Window> create(const WindowOptions& options);
+    /// The source may only be destroyed or assigned to.
     Window(Window&&) noexcept;
+    /// As the constructor.
     Window& operator=(Window&&) noexcept;
+    /// Closes the window; what was made in its context must be gone.
     ~Window();
 
     /// Lets the system deliver, and returns what came since the last call, oldest first. Valid
@@ -43,6 +51,7 @@ class Window {
     [[nodiscard]] std::span<const WindowEvent> poll_events();
     /// The person or the system asked for the end, or request_close() was called.
     [[nodiscard]] bool should_close() const;
+    /// Makes `should_close` true.
     void request_close();
 
     /// Where to draw: all of the window's own framebuffer, in pixels; changes with the window.
@@ -60,9 +69,11 @@ class Window {
 
     /// Full screen on the monitor that holds most of the window, or back to where it was.
     void toggle_fullscreen();
+    /// Whether it fills a monitor.
     [[nodiscard]] bool is_fullscreen() const;
     /// Whether the desktop shows through (asked for, and a compositor runs).
     [[nodiscard]] bool is_transparent() const;
+    /// UTF-8.
     void set_title(const std::string& title);
 
  private:

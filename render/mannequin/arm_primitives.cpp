@@ -7,6 +7,7 @@ namespace {
 
 using motion::Bone;
 
+// Profiles along the bones: biceps and triceps bulge in the middle, the elbow is narrow and round.
 constexpr std::array kUpperArmStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{-0.012F, 0.041F, 0.042F, 0.044F, -0.006F, 0.0F},
@@ -19,6 +20,7 @@ constexpr std::array kUpperArmStations = {
     Station{0.29F, 0.0315F, 0.03F, 0.032F, 0.0F, 0.0F},
 };
 
+// Thick below the elbow, flat toward the wrist: front and back stay wider than the half width.
 constexpr std::array kForearmStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{-0.025F, 0.0315F, 0.03F, 0.033F, 0.0F, 0.0F},
@@ -31,6 +33,7 @@ constexpr std::array kForearmStations = {
     Station{0.235F, 0.018F, 0.026F, 0.025F, 0.0F, 0.0F},
 };
 
+// A flat box that widens toward the knuckles; `half width` is its thickness.
 constexpr std::array kPalmStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{-0.005F, 0.0165F, 0.0245F, 0.024F, 0.0F, 0.0F},

@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::max();
 constexpr float kFar = 0.06F;  // beyond it a bounding sphere stands for what it holds
+// Blend radii, in metres, of the smooth minima that join the groups.
 constexpr float kCoreLegBlend = 0.035F;
 constexpr float kCoreArmBlend = 0.045F;
 constexpr float kArmHandBlend = 0.020F;
@@ -28,12 +29,15 @@ float smooth_min(float a, float b, float k) noexcept {
     const float h = std::max(k - std::abs(a - b), 0.0F) / k;
     return std::min(a, b) - h * h * k * 0.25F;
 }
+/// Smooth maximum of the same radius.
 float smooth_max(float a, float b, float k) noexcept { return -smooth_min(-a, -b, k); }
 
+/// Distance to a bounding sphere: at most the distance to what the sphere holds.
 float sphere_bound(glm::vec3 p, glm::vec3 center, float radius) noexcept {
     return glm::length(p - center) - radius;
 }
 
+/// Coordinates of a world vector in an orthonormal frame.
 glm::vec3 to_frame(const SolidFrame& frame, glm::vec3 d) noexcept {
     return {glm::dot(d, frame.side), glm::dot(d, frame.axis), glm::dot(d, frame.front)};
 }
@@ -43,6 +47,7 @@ float distance_to(const Ellipsoid& solid, glm::vec3 p) noexcept {
     const glm::vec3 scaled = to_frame(solid.frame, p - solid.center) / solid.radii;
     const float k0 = glm::length(scaled);
     const float k1 = glm::length(scaled / solid.radii);
+    // At the centre the quotient is 0 / 0; the distance there is the smallest radius.
     if (k1 < 1e-9F) {
         return -std::min({solid.radii.x, solid.radii.y, solid.radii.z});
     }
@@ -57,6 +62,7 @@ float distance_to(const RoundCone& solid, glm::vec3 p) noexcept {
     const float a2 = l2 - rr * rr;
     const float il2 = 1.0F / l2;
     const glm::vec3 pa = p - solid.a;
+    // Everything is scaled by the length of the axis, so that only the result needs a square root.
     const float y = glm::dot(pa, ba);
     const float z = y - l2;
     const glm::vec3 across = pa * l2 - ba * y;
@@ -64,6 +70,7 @@ float distance_to(const RoundCone& solid, glm::vec3 p) noexcept {
     const float y2 = y * y * l2;
     const float z2 = z * z * l2;
     const float k = std::copysign(rr * rr * x2, rr);
+    // Beyond the cone's slanted side on either end the nearest point lies on a sphere.
     if (std::copysign(a2 * z2, z) > k) {
         return std::sqrt(x2 + z2) * il2 - solid.radius_b;
     }
@@ -73,10 +80,12 @@ float distance_to(const RoundCone& solid, glm::vec3 p) noexcept {
     return (std::sqrt(x2 * a2 * il2) + y * rr) * il2 - solid.radius_a;
 }
 
+/// Horner's scheme.
 float cubic(const std::array<float, 4>& c, float u) noexcept {
     return c[0] + u * (c[1] + u * (c[2] + u * c[3]));
 }
 
+/// Linear search: a loft has at most 13 segments.
 const PreparedLoft::Segment& segment_at(const PreparedLoft& solid, float t) noexcept {
     std::size_t i = 0;
     while (i + 1 < solid.segments.size() && t >= solid.segments[i + 1].start) {
@@ -94,6 +103,7 @@ float distance_to(const PreparedLoft& solid, glm::vec3 p) noexcept {
     const PreparedLoft::Segment& segment = segment_at(solid, t);
     const float u = t - segment.start;
 
+    // Half-axes and centre of the cross-section; front and back half have different depths.
     const float width = cubic(segment.cubics[0], u);
     const float to_front = local.z - cubic(segment.cubics[4], u);
     const float depth = cubic(segment.cubics[to_front >= 0.0F ? 1 : 2], u);
@@ -103,6 +113,8 @@ float distance_to(const PreparedLoft& solid, glm::vec3 p) noexcept {
     const float cap = overshoot < 0.0F ? solid.cap_start : solid.cap_end;
     const float e = std::abs(overshoot) / cap;
 
+    // q is the superellipse norm of (x, z): 1 on the profile. Most solids are ellipses, which need
+    // no power function.
     const float n = solid.exponent;
     const bool is_ellipse = n == 2.0F;
     const float xn = is_ellipse ? x * x : std::pow(x, n);
@@ -113,6 +125,8 @@ float distance_to(const PreparedLoft& solid, glm::vec3 p) noexcept {
     if (k0 < 1e-4F) {
         return -std::min(width, depth);
     }
+    // Gradient of k0 by the chain rule; the guards stand for 0 / 0 on the axes, where the term is
+    // 0.
     const float dq = q < 1e-6F ? 0.0F : q / k0;
     const float share_x = x < 1e-6F ? 0.0F : xn / qn * (q / x);
     const float share_z = z < 1e-6F ? 0.0F : zn / qn * (q / z);
@@ -127,6 +141,7 @@ float slope(std::span<const Station> stations, std::size_t i, float Station::*co
     return (after.*column - before.*column) / (after.t - before.t);
 }
 
+/// Cubic Hermite interpolation of the five columns between station i and i + 1.
 PreparedLoft::Segment prepare_segment(std::span<const Station> stations, std::size_t i) noexcept {
     constexpr std::array kColumns = {&Station::half_width,
                                      &Station::half_front,
@@ -149,12 +164,14 @@ PreparedLoft::Segment prepare_segment(std::span<const Station> stations, std::si
     return segment;
 }
 
+/// Turns a solid's axes with its bone from the T-pose into the bind pose.
 SolidFrame ride(const SolidFrame& frame, motion::Bone bone, const BindFrames& frames) noexcept {
     return {frames.direction(bone, frame.side),
             frames.direction(bone, frame.axis),
             frames.direction(bone, frame.front)};
 }
 
+/// A loft in the bind pose, its columns turned into cubics once instead of at every evaluation.
 PreparedLoft ride(const Loft& loft, motion::Bone bone, const BindFrames& frames) {
     PreparedLoft prepared;
     for (std::size_t i = 0; i + 1 < loft.stations.size(); ++i) {
@@ -186,6 +203,7 @@ float loft_radius(const Loft& loft, float middle) noexcept {
 
 }  // namespace
 
+/// Moves a solid into the bind pose and gives it a bounding sphere.
 BodyField::Solid BodyField::prepare(const Primitive& primitive, const BindFrames& frames) {
     Solid solid;
     solid.blend = primitive.blend;
@@ -216,6 +234,7 @@ BodyField::Solid BodyField::prepare(const Primitive& primitive, const BindFrames
     return solid;
 }
 
+/// Bounding sphere of a group, about the middle of the box that holds its solids' sphere centres.
 void BodyField::enclose(SolidGroup& group) noexcept {
     glm::vec3 low{std::numeric_limits<float>::max()};
     glm::vec3 high{std::numeric_limits<float>::lowest()};
@@ -242,6 +261,8 @@ BodyField::BodyField(const BindFrames& frames) {
     for (SolidGroup& group : groups_) {
         enclose(group);
     }
+    // The sole is given in the foot bone's frame: the T-pose's origin, which lies on the floor, and
+    // the T-pose's axes ride on the foot.
     sole_point_ = frames.point(motion::Bone::left_foot, glm::vec3{0.0F});
     foot_forward_ = frames.direction(motion::Bone::left_foot, {0.0F, 0.0F, 1.0F});
     sole_normal_ = frames.direction(motion::Bone::left_foot, {0.0F, 1.0F, 0.0F});
@@ -260,11 +281,13 @@ float BodyField::solid_distance(const Solid& solid, glm::vec3 p) noexcept {
 
 float BodyField::fold(Group group, glm::vec3 p, float distance) const noexcept {
     for (const Solid& solid : solids(group).solids) {
+        // A solid farther away than `distance` by its blend radius changes nothing: skip it.
         const float bound = sphere_bound(p, solid.sphere_center, solid.sphere_radius);
         if (bound < distance + solid.blend) {
             const float own = bound > kFar ? bound : solid_distance(solid, p);
             distance = smooth_min(distance, own, solid.blend);
         }
+        // The mirror image of a solid at p is the solid itself at the mirror image of p.
         const glm::vec3 image{-p.x, p.y, p.z};
         if (solid.fold == Fold::both_sides &&
             sphere_bound(image, solid.sphere_center, solid.sphere_radius) <
@@ -275,6 +298,7 @@ float BodyField::fold(Group group, glm::vec3 p, float distance) const noexcept {
     return distance;
 }
 
+/// Trunk and head: joined solids, minus the carved ones, plus the details.
 float BodyField::core(glm::vec3 p) const noexcept {
     p.x = std::abs(p.x);
     const SolidGroup& group = solids(Group::core);
@@ -283,6 +307,8 @@ float BodyField::core(glm::vec3 p) const noexcept {
         return bound;
     }
     float distance = fold(Group::core, p, kNothing);
+    // A carved solid subtracts: maximum with its negated distance. That is at most -`away`, so a
+    // carve whose sphere is farther than that changes nothing.
     for (const Solid& carve : solids(Group::carve).solids) {
         const float away = sphere_bound(p, carve.sphere_center, carve.sphere_radius);
         if (-away + carve.blend > distance) {
@@ -299,6 +325,7 @@ float BodyField::leg(glm::vec3 p) const noexcept {
     if (bound > kFar) {
         return bound;
     }
+    // Height over the sole's underside; the smooth maximum cuts the foot off below it.
     const glm::vec3 from_sole = p - sole_point_;
     const float below_sole =
         sole_height(glm::dot(from_sole, foot_forward_)) - glm::dot(from_sole, sole_normal_);
@@ -312,6 +339,8 @@ float BodyField::finger(Group finger, glm::vec3 p) const noexcept {
     return bound > kFar ? bound : fold(finger, p, kNothing);
 }
 
+/// Each finger is joined with the palm alone, then the plain minimum taken: this leaves clefts
+/// between the fingers, where a common smooth minimum would web them.
 float BodyField::hand(glm::vec3 p) const noexcept {
     const float palm = fold(Group::palm, p, kNothing);
     float distance = palm;
@@ -328,6 +357,7 @@ float BodyField::arm(glm::vec3 p) const noexcept {
     const SolidGroup& palm = solids(Group::palm);
     constexpr float kFingerReach = 0.13F;  // from the palm's sphere to the farthest fingertip
     const float arm_bound = sphere_bound(p, upper.sphere_center, upper.sphere_radius);
+    // The hand is looked at only where it can reach into the blend with the arm.
     const float hand_bound = sphere_bound(p, palm.sphere_center, palm.sphere_radius + kFingerReach);
     const float bare = arm_bound > kFar ? arm_bound : fold(Group::arm, p, kNothing);
     if (hand_bound > bare + kArmHandBlend) {
@@ -336,6 +366,7 @@ float BodyField::arm(glm::vec3 p) const noexcept {
     return smooth_min(bare, hand_bound > kFar ? hand_bound : hand(p), kArmHandBlend);
 }
 
+/// The plain minimum at the end keeps arm and leg from blending with each other.
 float BodyField::distance(glm::vec3 p) const noexcept {
     const float trunk = core(p);
     float distance = trunk;
@@ -344,6 +375,7 @@ float BodyField::distance(glm::vec3 p) const noexcept {
     return distance;
 }
 
+// Four evaluations instead of the six of central differences along the axes.
 glm::vec3 BodyField::gradient(glm::vec3 p, float step) const noexcept {
     constexpr std::array<glm::vec3, 4> kCorners = {{
         {1.0F, -1.0F, -1.0F},

@@ -70,7 +70,7 @@ class BodyField {
     static Solid prepare(const Primitive& primitive, const BindFrames& frames);
     static void enclose(SolidGroup& group) noexcept;
     static float solid_distance(const Solid& solid, glm::vec3 p) noexcept;
-    /// Joins the group's solids to what is at `distance` already.
+    /// `distance` with all solids of the group joined to it by smooth minimum, in their order.
     [[nodiscard]] float fold(Group group, glm::vec3 p, float distance) const noexcept;
     [[nodiscard]] float hand(glm::vec3 p) const noexcept;
     [[nodiscard]] const SolidGroup& solids(Group group) const noexcept {

@@ -23,8 +23,10 @@ constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold
 constexpr float kAnkleZ = -0.022F;      // of the foot bone in T-pose
 constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
 
+/// Linear interpolation.
 float mix(float a, float b, float t) noexcept { return a + (b - a) * t; }
 
+/// Point of the segment a..b nearest to p.
 glm::vec3 nearest_on_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b) noexcept {
     const glm::vec3 ab = b - a;
     return a + ab * std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0F, 1.0F);
@@ -63,8 +65,10 @@ ColourMasks::ColourMasks(const BodyField& field, const BindFrames& frames) noexc
 
 /// Outside of an ellipse about the neck's root: deep in front, high behind.
 float ColourMasks::neckline(glm::vec3 p) noexcept {
+    // The ellipse is twice as deep at the front of the neck as behind it.
     const float half_height = mix(0.060F, 0.118F, smoothstep(-0.06F, 0.04F, p.z));
     const float inside = within_ellipse({p.x, p.y - 1.440F}, {0.072F, half_height});
+    // A slanted plane over it ends the suit on the shoulders: nothing of the suit on neck and head.
     return std::min(-inside, 1.452F - p.y + 0.3F * p.x);
 }
 
@@ -72,11 +76,13 @@ float ColourMasks::neckline(glm::vec3 p) noexcept {
 float ColourMasks::sleeve(glm::vec3 p) const noexcept {
     constexpr float kLength = 0.088F;
     const float other = std::min(field_.core(p), field_.leg(p));
+    // Off the arm the growing term wins over the plane, which goes on through the trunk.
     const float off_arm = std::max(0.0F, field_.arm(p) - other - 0.004F);
     const glm::vec3 along = glm::normalize(along_upper_arm_ + glm::vec3{0.10F, 0.0F, 0.0F});
     return kLength - glm::dot(p - shoulder_, along) + 1.6F * off_arm + 300.0F * off_arm * off_arm;
 }
 
+/// End of the trouser leg: a plane across the shank; above the knee always inside.
 float ColourMasks::leg_end(glm::vec3 p) const noexcept {
     constexpr float kBelowKnee = 0.335F;
     if (p.y >= 0.8F) {
@@ -98,9 +104,11 @@ float ColourMasks::hair(glm::vec3 p) noexcept {
     constexpr float kCorner = 0.030F;
     const glm::vec3 forehead{0.0F, 1.668F, 0.075F};
     const glm::vec3 up_and_back{0.0F, 0.440F, -0.898F};
+    // A notch in the hairline at the middle of the forehead.
     const float parting = 0.009F * (1.0F - smoothstep(0.0F, 0.030F, p.x));
     const float cap = glm::dot(p - forehead, up_and_back) + 1.2F * p.x * p.x - parting;
     const float nape = p.y - 1.533F - 0.25F * std::max(0.0F, p.z + 0.06F);
+    // Quadratic smooth minimum of the two planes, as in body_field.cpp.
     const float h = std::max(kCorner - std::abs(cap - nape), 0.0F) / kCorner;
     const float drawn_back = std::min(cap, nape) - 0.25F * kCorner * h * h;
     return std::max(drawn_back, 0.046F - glm::length(p - kBun));
@@ -114,17 +122,20 @@ float ColourMasks::make_up(glm::vec3 p) noexcept {
     const float arc = 1.5865F + 0.0045F * along * along;
     const float thickness = 0.0026F * (1.0F - along * along) - 0.0004F;
     const float lashes = thickness - std::abs(p.y - arc);
+    // Lips and lashes are functions of x and y: the last plane keeps them off the back of the head.
     return std::min(std::max(lips, lashes), p.z - 0.035F);
 }
 
-/// `foot`: from the ankle, in the foot bone's frame.
+/// Upper edge of the shoe: higher at the heel, lower toward the toes. `foot`: from the ankle, in
+/// the foot bone's frame.
 float ColourMasks::shoe(glm::vec3 foot) noexcept {
     const float height = foot.y + kAnkleHeight;
     return 0.052F + 0.018F * smoothstep(0.06F, -0.04F, foot.z) -
            0.022F * smoothstep(0.0F, 0.07F, foot.z) - height;
 }
 
-/// Joint bands of the plain mannequin.
+/// Joint bands of the plain mannequin: the skin between two planes, at elbow, wrist, knee, ankle,
+/// waist and neck.
 float ColourMasks::bands(glm::vec3 p) const noexcept {
     const auto ring = [&](glm::vec3 joint, glm::vec3 n1, float before, glm::vec3 n2, float after) {
         // Only near the joint: the planes go on through the whole body.
@@ -149,12 +160,14 @@ float ColourMasks::bands(glm::vec3 p) const noexcept {
                                         {0.0F, 1.0F, 0.30F},
                                         {0.0F, 1.500F, -0.01F},
                                         {0.0F, 1.0F, 0.30F}));
+    // Positive where the trunk is nearer: the waist's band must not colour an arm beside it.
     const float arm_beside_waist = 20.0F * (field_.arm(p) - field_.core(p));
     return std::max({limbs, std::min(waist, arm_beside_waist), neck});
 }
 
 std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
     const glm::vec3 off_leg = from_leg_line(p);
+    // The shoe is given in the foot's own frame, which is turned in the bind pose.
     const glm::vec3 foot = foot_from_world_ * (p - ankle_);
     const float stripe_shift = mix(-0.009F, -0.012F, smoothstep(0.76F, kHipHeight, p.y));
     const float shoe_edge = shoe(foot);
@@ -164,6 +177,8 @@ std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
         masks[static_cast<std::size_t>(mask)] = value;
     };
     set(AvatarMask::suit, std::min({neckline(p), sleeve(p), leg_end(p)}));
+    // The stripe follows the side of the trunk above the hip and the leg's own line below; on the
+    // face the mask tells lashes from lips.
     const float stripe = p.y > kFaceHeight  ? p.y - kMouthTop
                          : p.y > kHipHeight ? p.z + 0.012F
                                             : off_leg.z - stripe_shift;

@@ -7,6 +7,7 @@ using motion::Bone;
 
 constexpr float kShoulderLift = 0.030F;  // metres, by eye
 
+// A helper of the left side; the right one has another name and mirrored bones.
 struct LeftHelper {
     std::string_view left_name;
     std::string_view right_name;
@@ -16,6 +17,7 @@ struct LeftHelper {
     glm::vec3 roll_axis;
 };
 
+// Roll axes: in the T-pose the arm's bones lie along x, the leg's along y.
 constexpr glm::vec3 kAlongArmAxis{1.0F, 0.0F, 0.0F};
 constexpr glm::vec3 kAlongLegAxis{0.0F, 1.0F, 0.0F};
 
@@ -65,6 +67,7 @@ constexpr std::array kLeftHelpers = {
 };
 static_assert(2 * kLeftHelpers.size() == kHelperCount);
 
+/// The helper on one side of the body, placed by the skeleton's rest offsets.
 HelperJoint on_side(const LeftHelper& left,
                     motion::Side side,
                     const motion::Skeleton& skeleton) noexcept {
@@ -78,6 +81,7 @@ HelperJoint on_side(const LeftHelper& left,
     helper.offset = left.kind == HelperKind::half_roll
                         ? glm::vec3{0.0F}
                         : skeleton.offsets[motion::index_of(helper.source)];
+    // Only the armpit's helper is lifted under a raised arm.
     const bool is_shoulder =
         left.kind == HelperKind::half_swing && left.source == Bone::left_upper_arm;
     helper.lift = is_shoulder ? kShoulderLift : 0.0F;

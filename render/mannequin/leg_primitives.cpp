@@ -7,6 +7,7 @@ namespace {
 
 using motion::Bone;
 
+// t runs down the leg, so the first station lies in the hip and is covered by the trunk.
 constexpr std::array kThighStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{-0.03F, 0.07F, 0.066F, 0.074F, 0.004F, -0.006F},
@@ -20,6 +21,7 @@ constexpr std::array kThighStations = {
     Station{0.40F, 0.0462F, 0.0450F, 0.0470F, -0.001F, -0.001F},
 };
 
+// The calf shows in the half back, which is largest a third of the way down.
 constexpr std::array kShankStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{-0.03F, 0.0465F, 0.046F, 0.046F, 0.0F, -0.002F},
@@ -35,6 +37,8 @@ constexpr std::array kShankStations = {
     Station{0.425F, 0.029F, 0.03F, 0.036F, 0.0F, -0.002F},
 };
 
+// t runs from heel to toes, `front` is up: half back is the part below the centre, which the flat
+// sole cuts off.
 constexpr std::array kFootStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{-0.055F, 0.026F, 0.032F, 0.034F, 0.0F, 0.032F},

@@ -19,14 +19,17 @@
 namespace raks::render {
 namespace {
 
+/// -1..1 as a normalized 16-bit integer of OpenGL.
 std::int16_t snorm16(float value) noexcept {
     return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 32767.0F));
 }
+/// Signed distance to a colour edge as a byte; far from the edge it saturates.
 std::int8_t mask_byte(float metres) noexcept {
     return static_cast<std::int8_t>(
         std::lround(std::clamp(metres / kMaskRange, -1.0F, 1.0F) * 127.0F));
 }
 
+/// Packs a vertex of the left half with everything the shaders read of it.
 AvatarVertex left_vertex(const BodyField& field,
                          const ColourMasks& masks,
                          glm::vec3 p,
@@ -44,6 +47,7 @@ AvatarVertex left_vertex(const BodyField& field,
     return vertex;
 }
 
+/// The same vertex on the right half: masks and occlusion are symmetric, joints change sides.
 AvatarVertex mirror_image(AvatarVertex vertex) noexcept {
     vertex.position[0] = -vertex.position[0];
     vertex.normal[0] = static_cast<std::int16_t>(-vertex.normal[0]);
@@ -53,6 +57,7 @@ AvatarVertex mirror_image(AvatarVertex vertex) noexcept {
     return vertex;
 }
 
+/// Field, surface, relaxed mesh, weights, vertices: each step needs the one before it.
 void add_mesh(const BindFrames& frames, Avatar& avatar) {
     const BodyField field(frames);
     MirroredMesh mesh = extract_surface(field, frames);
@@ -63,10 +68,12 @@ void add_mesh(const BindFrames& frames, Avatar& avatar) {
 
     avatar.vertices.reserve(2 * mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        // Left and right alternate, as MirroredMesh numbers its vertices.
         avatar.vertices.push_back(
             left_vertex(field, masks, mesh.positions[i], mesh.normals[i], weights[i]));
         avatar.vertices.push_back(mirror_image(avatar.vertices.back()));
     }
+    // Indices have 16 bits.
     RAKS_ASSERT(avatar.vertices.size() < 65'536);
     avatar.indices.reserve(3 * mesh.triangles.size());
     for (const auto& triangle : mesh.triangles) {
@@ -85,6 +92,8 @@ Avatar build_mannequin() {
     avatar.skeleton = motion::mannequin_skeleton();
     avatar.bind_pose = mannequin_bind_pose();
     avatar.helpers = mannequin_helpers(avatar.skeleton);
+    // The inverse of each joint's bind-pose matrix: with it the bind pose's palette is the
+    // identity.
     joint_matrices(avatar, avatar.bind_pose, avatar.inverse_bind);
     for (glm::mat4& matrix : avatar.inverse_bind) {
         matrix = glm::inverse(matrix);

@@ -7,11 +7,13 @@
 namespace raks::render {
 namespace {
 
+// Few passes: triangles get even, and moving on would only wear off vertices from fine cells.
 constexpr int kPasses = 5;
 constexpr int kRenewNormalsAt = 3;
 constexpr float kTowardMean = 0.6F;
 constexpr float kNormalStep = 0.0025F;  // metres; also the detail that normals smooth away
 
+/// Normals from the field, not from the triangles: the mesh is coarser than the shape.
 void set_normals(const BodyField& field, MirroredMesh& mesh) {
     mesh.normals.resize(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -24,6 +26,7 @@ void set_normals(const BodyField& field, MirroredMesh& mesh) {
 Neighbours::Neighbours(const MirroredMesh& mesh) {
     // Every edge of a closed surface runs once each way: the next corner of each triangle is
     // enough.
+    // Counts, then prefix sums, then places: a compressed list of neighbours for each left vertex.
     first_.assign(mesh.positions.size() + 1, 0);
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t corner : triangle) {
@@ -48,6 +51,7 @@ void relax(const BodyField& field, const Neighbours& neighbours, MirroredMesh& m
     set_normals(field, mesh);
     std::vector<glm::vec3> moved(mesh.positions.size());
     for (int pass = 0; pass < kPasses; ++pass) {
+        // Normals cost four evaluations a vertex; they turn little while vertices slide.
         if (pass == kRenewNormalsAt) {
             set_normals(field, mesh);
         }
@@ -60,6 +64,8 @@ void relax(const BodyField& field, const Neighbours& neighbours, MirroredMesh& m
             mean /= static_cast<float>(around.size());
             const glm::vec3 normal = mesh.normals[i];
             glm::vec3 step = kTowardMean * (mean - mesh.positions[i]);
+            // Only the tangential part moves the vertex; the field then puts it back on the
+            // surface.
             step -= normal * glm::dot(step, normal);
             moved[i] = mesh.positions[i] + step;
             moved[i] -= normal * field.distance(moved[i]);

@@ -21,6 +21,7 @@ struct Split {
     float to;
 };
 
+// Index of a split in `kSplits`.
 enum SplitIndex : std::size_t {
     kShoulder,
     kHip,
@@ -37,6 +38,8 @@ enum SplitIndex : std::size_t {
     kSplitCount
 };
 
+// Planes lie askew to the bones, along the folds of armpit, groin and neck, and are wide where the
+// flesh is thick.
 constexpr std::array<Split, kSplitCount> kSplits = {{
     {Bone::left_upper_arm, {0.90648F, -0.42221F, -0.00564F}, -0.080F, 0.120F},
     {Bone::left_upper_leg, {0.42349F, -0.86714F, 0.26216F}, -0.075F, 0.070F},
@@ -52,7 +55,8 @@ constexpr std::array<Split, kSplitCount> kSplits = {{
     {Bone::spine, {0.0F, 1.0F, 0.0F}, -0.050F, 0.050F},
 }};
 
-/// A joint passed through a helper: the first half of the step goes to the helper.
+/// Weights at a joint with a helper: over the first half of the step s the parent's weight goes to
+/// the helper, over the second half the helper's to the child. Their sum is 1.
 struct Thirds {
     float parent;
     float helper;
@@ -64,6 +68,7 @@ Thirds through_helper(float s) noexcept {
             std::max(0.0F, 2.0F * s - 1.0F)};
 }
 
+/// Weight of a bone or helper, to read or set.
 float& share_of(JointShares& shares, Bone bone) noexcept { return shares[motion::index_of(bone)]; }
 float& share_of(JointShares& shares, Helper helper) noexcept {
     return shares[static_cast<std::size_t>(helper)];
@@ -75,6 +80,7 @@ float fraction_along(glm::vec3 p, glm::vec3 from, glm::vec3 to) noexcept {
     return glm::dot(p - from, along) / glm::dot(along, along);
 }
 
+// One finger with its three bones in a row.
 struct Finger {
     Group group;
     Bone base;         // the next two bones follow it
@@ -84,6 +90,7 @@ struct Finger {
     float palm_to;
 };
 constexpr glm::vec3 kX{1.0F, 0.0F, 0.0F};
+// Half widths of the transitions at the finger joints, metres.
 constexpr float kBaseWidth = 0.009F;
 constexpr float kJointWidth = 0.006F;
 constexpr std::array<Finger, 5> kFingers = {{
@@ -101,12 +108,14 @@ constexpr std::array<Finger, 5> kFingers = {{
 
 }  // namespace
 
+/// Share that passes a joint's plane toward the child, 0..1.
 float SkinRule::passed_at(std::size_t split, glm::vec3 p) const noexcept {
     const Split& s = kSplits[split];
     return smootherstep(s.from, s.to, glm::dot(p - frames_.joint(s.joint), s.normal));
 }
 
-/// Keeps the arm's share off the trunk beside it.
+/// Keeps the arm's share off the trunk beside it: the shoulder's plane goes on through the chest,
+/// where the trunk is the nearer body part. 1 on the arm, 0 on the trunk.
 float SkinRule::arm_mask(glm::vec3 p, float d_body, float d_arm) const noexcept {
     constexpr float kClearlyArm = 0.14F;  // metres from the shoulder
     const glm::vec3 shoulder = frames_.joint(Bone::left_upper_arm);
@@ -117,7 +126,7 @@ float SkinRule::arm_mask(glm::vec3 p, float d_body, float d_arm) const noexcept 
     return smootherstep(-0.03F, 0.03F, d_body - d_arm);
 }
 
-/// Returns what the arm leaves to the trunk.
+/// Weights of collar helper, upper arm, forearm and hand; returns what the arm leaves to the trunk.
 float SkinRule::add_arm(glm::vec3 p,
                         float d_body,
                         float d_arm,
@@ -135,6 +144,8 @@ float SkinRule::add_arm(glm::vec3 p,
     const glm::vec3 elbow_joint = frames_.joint(Bone::left_lower_arm);
     const glm::vec3 wrist_joint = frames_.joint(Bone::left_hand);
 
+    // Twist helpers: the upper arm's roll grows from shoulder to elbow, the forearm's from elbow to
+    // wrist, so that neither wrings at one joint.
     const Thirds elbow = through_helper(passed_at(kElbow, p));
     const float upper = shoulder.child * elbow.parent;
     const float upper_twist =
@@ -154,6 +165,7 @@ float SkinRule::add_arm(glm::vec3 p,
     return shoulder.parent;
 }
 
+/// Deals `rest` out to the nearest finger, from the tip inward, and the remainder to the hand.
 void SkinRule::add_hand(glm::vec3 p, float rest, JointShares& shares) const noexcept {
     if (rest <= 0.0F) {
         return;
@@ -172,6 +184,7 @@ void SkinRule::add_hand(glm::vec3 p, float rest, JointShares& shares) const noex
         const float width = phalanx == 0 ? nearest->base_width : kJointWidth;
         const glm::vec3 along = frames_.direction(bone, nearest->along);
         float s = smootherstep(-width, width, glm::dot(p - frames_.joint(bone), along));
+        // At the knuckles the palm's skin comes near the finger's base and stays with the hand.
         if (phalanx == 0) {
             s *= 1.0F - smootherstep(nearest->palm_from, nearest->palm_to, distance);
         }
@@ -181,19 +194,22 @@ void SkinRule::add_hand(glm::vec3 p, float rest, JointShares& shares) const noex
     share_of(shares, Bone::left_hand) = rest;
 }
 
-/// Returns what the leg leaves to the trunk of `share`.
+/// Weights of hip helper, thigh, shank and foot from `share`; returns what is left to the trunk.
+/// `nearer_than_core`: by how many metres the leg is nearer than the trunk.
 float SkinRule::add_leg(glm::vec3 p,
                         float share,
                         float nearer_than_core,
                         JointShares& shares) const noexcept {
     constexpr float kCrotch = 0.80F;  // height below which the legs are apart
     const bool is_clearly_leg = p.y < kCrotch && nearer_than_core > 0.02F;
+    // The hip's tilted plane would cut through the inner thigh farther down: there all is leg.
     const Thirds hip = through_helper(is_clearly_leg ? 1.0F : passed_at(kHip, p));
     // Near the middle both legs hold the skin, so that nothing tears between them.
     const float own = p.y > kCrotch ? 0.5F + 0.5F * smootherstep(0.0F, 0.018F, p.x) : 1.0F;
 
     const Thirds knee = through_helper(passed_at(kKnee, p));
     const float thigh = share * hip.child * knee.parent;
+    // Like the upper arm's: the thigh's roll comes in gradually from hip to knee.
     const float twist =
         thigh * (1.0F - smootherstep(0.30F,
                                      0.80F,
@@ -216,6 +232,7 @@ float SkinRule::add_leg(glm::vec3 p,
     return share * hip.parent;
 }
 
+/// Deals `rest` out from head to hips: each plane takes what lies above it.
 void SkinRule::add_trunk(glm::vec3 p, float rest, JointShares& shares) const noexcept {
     for (const std::size_t split : {kHeadSplit, kNeck, kUpperChest, kChest, kSpine}) {
         const float s = passed_at(split, p);
@@ -224,12 +241,14 @@ void SkinRule::add_trunk(glm::vec3 p, float rest, JointShares& shares) const noe
     }
     share_of(shares, Bone::hips) += rest;
     float& upper_chest = share_of(shares, Bone::upper_chest);
+    // The outer upper corner of the chest rises with the collar bone.
     const float collar =
         upper_chest * smootherstep(0.03F, 0.125F, p.x) * smootherstep(1.285F, 1.375F, p.y);
     share_of(shares, Bone::left_shoulder) += collar;
     upper_chest -= collar;
 }
 
+/// Whatever the arm leaves goes to the leg, whatever the leg leaves to the trunk: the sum stays 1.
 JointShares SkinRule::at(glm::vec3 p) const noexcept {
     constexpr float kNoLegAbove = 1.1F;
     JointShares shares{};

@@ -13,6 +13,8 @@ namespace {
 constexpr int kSmoothingPasses = 3;
 constexpr float kTowardNeighbours = 0.5F;
 
+/// One pass of Laplacian smoothing: half of every vertex's weights, half the mean of its
+/// neighbours'.
 std::vector<JointShares> smoothed(const std::vector<JointShares>& shares,
                                   const Neighbours& neighbours) {
     std::vector<JointShares> result(shares.size());
@@ -26,6 +28,8 @@ std::vector<JointShares> smoothed(const std::vector<JointShares>& shares,
         for (const std::uint32_t neighbour : around) {
             const JointShares& other = shares[neighbour / 2];
             for (std::size_t j = 0; j < mixed.size(); ++j) {
+                // A neighbour on the right half has the weights of its left image with the sides
+                // exchanged.
                 mixed[neighbour % 2 == 0 ? j : mirrored_joint(j)] += each * other[j];
             }
         }
@@ -39,6 +43,7 @@ void keep_sides_apart(glm::vec3 p, JointShares& shares) noexcept {
     constexpr float kApart = 0.020F;
     const float kept = 1.0F - smootherstep(kShared, kApart, p.x);
     const auto fade = [&](std::size_t joint) { shares[joint] *= kept; };
+    // The right side's bones, and helpers, are last in their order.
     for (std::size_t bone = motion::index_of(motion::Bone::right_upper_leg);
          bone < motion::kBoneNames.size();
          ++bone) {
@@ -56,6 +61,7 @@ PackedWeights pack(const JointShares& shares) noexcept {
     std::iota(order.begin(), order.end(), std::uint8_t{0});
     std::partial_sort(
         order.begin(), order.begin() + 4, order.end(), [&](std::uint8_t a, std::uint8_t b) {
+            // Equal weights are ordered by joint, so that the result does not depend on the sort.
             return shares[a] != shares[b] ? shares[a] > shares[b] : a < b;
         });
     float sum = 0.0F;
@@ -65,6 +71,7 @@ PackedWeights pack(const JointShares& shares) noexcept {
     PackedWeights packed;
     int left = 255;
     for (std::size_t k = 0; k < 4; ++k) {
+        // The four kept ones are scaled up to a sum of 1 before rounding.
         const float exact = 255.0F * shares[order[k]] / sum;
         const auto rounded = static_cast<std::uint8_t>(std::lround(exact));
         packed.weights[k] = rounded;
@@ -93,6 +100,7 @@ std::vector<PackedWeights> skin_weights(const BodyField& field,
     std::vector<PackedWeights> packed;
     packed.reserve(shares.size());
     for (std::size_t i = 0; i < shares.size(); ++i) {
+        // Behind the smoothing, which is what carries the other side's joints over.
         keep_sides_apart(mesh.positions[i], shares[i]);
         packed.push_back(pack(shares[i]));
     }

@@ -43,7 +43,7 @@ class SkinRule {
 
 struct PackedWeights {
     std::array<std::uint8_t, 4> joints{};
-    std::array<std::uint8_t, 4> weights{};  ///< sum 255, falling
+    std::array<std::uint8_t, 4> weights{};  ///< sum 255; in falling order but for rounding
 };
 
 /// Weights of the left half: the rule, three smoothing passes over the mesh, four largest kept.

@@ -12,6 +12,7 @@
 namespace raks::render {
 namespace {
 
+// Newton steps that bring a vertex onto the surface.
 constexpr int kProjections = 4;
 constexpr float kProjectionStep = 0.0015F;  // metres, of the gradient's tetrahedron
 
@@ -21,6 +22,8 @@ class Contouring {
     Contouring(const BodyField& field, const BindFrames& frames)
         : field_(field), cells_(field, frames) {}
 
+    // Vertices come first: `connect` needs those of all neighbours. Its list of leaves does not
+    // grow, while a leaf without vertex may still get one there.
     MirroredMesh run() {
         place_vertices();
         const std::size_t count = cells_.leaves().size();
@@ -32,12 +35,14 @@ class Contouring {
     }
 
  private:
+    // An edge of a cell: its lower end, the axis it is parallel to, its length in finest cells.
     struct Edge {
         GridPoint low;
         int axis;
         int length;
     };
 
+    /// Where the field, taken as linear between two grid points of different sign, is zero.
     [[nodiscard]] glm::vec3 crossing(GridPoint a, GridPoint b) {
         const float at_a = cells_.value_at(a);
         const float at_b = cells_.value_at(b);
@@ -56,6 +61,7 @@ class Contouring {
             for (const auto& edge : kCellEdges) {
                 const int a = cell.corner_groups[static_cast<std::size_t>(edge[0])];
                 const int b = cell.corner_groups[static_cast<std::size_t>(edge[1])];
+                // Only an edge with one end inside crosses the surface.
                 if ((a < 0) == (b < 0)) {
                     continue;
                 }
@@ -70,6 +76,7 @@ class Contouring {
         }
     }
 
+    /// Makes the quads around all edges of a leaf that cross the surface.
     void connect(const SurfaceCell& cell) {
         for (const auto& ends : kCellEdges) {
             const int a = cell.corner_groups[static_cast<std::size_t>(ends[0])];
@@ -77,6 +84,7 @@ class Contouring {
             if ((a < 0) == (b < 0)) {
                 continue;
             }
+            // Corner numbers are three bits x, y, z: their difference along an edge is 1, 2 or 4.
             const int axis = ends[1] - ends[0] == 1 ? 0 : ends[1] - ends[0] == 2 ? 1 : 2;
             connect_around(cell, {corner_of(cell, ends[0]), axis, cell.size});
         }
@@ -88,15 +96,19 @@ class Contouring {
         const auto axis = static_cast<std::size_t>(edge.axis);
         const std::size_t b = (axis + 1) % 3;
         const std::size_t c = (axis + 2) % 3;
+        // The four cells around the edge, in turning order about its axis.
         constexpr std::array<std::array<int, 2>, 4> kAround = {
             {{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}};
         std::array<SurfaceCell*, 4> around{};
         std::array<std::uint32_t, 4> is_mirrored{};
         for (std::size_t k = 0; k < 4; ++k) {
             GridPoint place = edge.low;
+            // A finest cell beside the middle of the edge; `leaf_at` finds the leaf that holds it.
             place[axis] += edge.length / 2;
             place[b] += kAround[k][0];
             place[c] += kAround[k][1];
+            // Right of the mirror plane lies the image of a stored cell; its vertices have odd
+            // numbers.
             if (place[0] < 0) {
                 place[0] = -1 - place[0];
                 is_mirrored[k] = 1;
@@ -113,9 +125,11 @@ class Contouring {
         for (std::size_t k = 0; k < 4; ++k) {
             quad[k] = 2 * vertex_of(*around[k], edge) + is_mirrored[k];
         }
+        // Triangles run counter-clockwise seen from outside: the surface faces the outside end.
         if (cells_.value_at(edge.low) >= 0.0F) {
             std::reverse(quad.begin(), quad.end());
         }
+        // Such a quad holds its own mirror image, so `add_triangle` does not add it a second time.
         const bool spans_the_mirror = is_mirrored != std::array<std::uint32_t, 4>{};
         add_quad(quad, spans_the_mirror);
     }
@@ -132,6 +146,7 @@ class Contouring {
         const GridPoint high = high_end(edge);
         const GridPoint inside = cells_.value_at(edge.low) < 0.0F ? edge.low : high;
         if (cell.first_vertex >= 0) {
+            // The cell has the inside corner among its own corners when it is of the edge's size.
             for (int k = 0; k < 8; ++k) {
                 const int group = cell.corner_groups[static_cast<std::size_t>(k)];
                 if (group >= 0 && corner_of(cell, k) == inside) {
@@ -139,6 +154,7 @@ class Contouring {
                 }
             }
         }
+        // A larger cell may hold the crossing although none of its own corners is inside.
         const glm::vec3 place = crossing(edge.low, high);
         if (cell.first_vertex < 0) {
             cell.first_vertex = static_cast<int>(mesh_.positions.size());
@@ -148,6 +164,7 @@ class Contouring {
         return nearest_vertex(cell, place);
     }
 
+    /// Number (left half) of the cell's vertex nearest to `place`.
     [[nodiscard]] std::uint32_t nearest_vertex(const SurfaceCell& cell, glm::vec3 place) const {
         int best = cell.first_vertex;
         float best_distance = std::numeric_limits<float>::max();
@@ -175,7 +192,9 @@ class Contouring {
         }
     }
 
+    /// Adds a triangle and its mirror image, whose corners run the other way round.
     void add_triangle(const std::array<std::uint32_t, 3>& t, bool spans_the_mirror) {
+        // Between cells of different size two corners of a quad can be the same vertex.
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
             return;
         }
@@ -185,6 +204,7 @@ class Contouring {
         }
     }
 
+    /// Newton's method along the gradient: p -= g d / |g|^2.
     void project_all() {
         for (glm::vec3& p : mesh_.positions) {
             for (int i = 0; i < kProjections; ++i) {
@@ -193,6 +213,8 @@ class Contouring {
                     break;
                 }
                 const glm::vec3 gradient = field_.gradient(p, kProjectionStep);
+                // The floor of 0.05 keeps the step short where the gradient nearly vanishes
+                // (creases).
                 p -= gradient * (distance / std::max(glm::dot(gradient, gradient), 0.05F));
             }
         }

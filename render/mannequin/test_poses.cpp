@@ -21,6 +21,7 @@ struct BoneRotation {
     glm::quat rotation;  // w, x, y, z
 };
 
+// One thigh raised past the horizontal with the knee bent, both forearms folded over the chest.
 constexpr std::array kCross = {
     BoneRotation{Bone::left_upper_leg, {0.67559F, -0.73728F, 0.0F, 0.0F}},
     BoneRotation{Bone::left_lower_leg, {0.57358F, 0.81915F, 0.0F, 0.0F}},
@@ -30,6 +31,7 @@ constexpr std::array kCross = {
     BoneRotation{Bone::right_upper_arm, {0.79973F, 0.12414F, 0.55998F, 0.1773F}},
     BoneRotation{Bone::right_lower_arm, {0.46175F, 0.0F, 0.88701F, 0.0F}},
 };
+// Arms hanging beside the body.
 constexpr std::array kDown = {
     BoneRotation{Bone::left_upper_leg, {0.99966F, 0.0F, 0.0F, 0.02618F}},
     BoneRotation{Bone::left_foot, {0.99722F, -0.00183F, 0.06973F, -0.02611F}},
@@ -37,23 +39,29 @@ constexpr std::array kDown = {
     BoneRotation{Bone::left_upper_arm, {0.81081F, 0.11249F, -0.05724F, -0.57153F}},
     BoneRotation{Bone::left_lower_arm, {0.99027F, 0.0F, -0.13917F, 0.0F}},
 };
+// Left elbow bent by 140 degrees.
 constexpr std::array kElbowBend = {
     BoneRotation{Bone::left_lower_arm, {0.34202F, 0.0F, -0.93969F, 0.0F}},
 };
+// Left thigh raised by 115 degrees, the knee bent by 90.
 constexpr std::array kHipBend = {
     BoneRotation{Bone::left_upper_leg, {0.5373F, -0.84339F, 0.0F, 0.0F}},
     BoneRotation{Bone::left_lower_leg, {0.70711F, 0.70711F, 0.0F, 0.0F}},
 };
+// Left thigh raised by 60 degrees, the knee bent by 135.
 constexpr std::array kKneeBend = {
     BoneRotation{Bone::left_upper_leg, {0.86603F, -0.5F, 0.0F, 0.0F}},
     BoneRotation{Bone::left_lower_leg, {0.38268F, 0.92388F, 0.0F, 0.0F}},
 };
+// Both arms over the head, the collar bones raised by 22 degrees.
 constexpr std::array kOver = {
     BoneRotation{Bone::left_shoulder, {0.98163F, 0.0F, 0.0F, 0.19081F}},
     BoneRotation{Bone::left_upper_arm, {0.74233F, -0.42858F, -0.25752F, 0.44604F}},
     BoneRotation{Bone::left_lower_arm, {0.9703F, 0.0F, -0.24192F, 0.0F}},
     BoneRotation{Bone::left_hand, {0.99619F, 0.0F, 0.0F, -0.08716F}},
 };
+// A pose of a dance: every joint of trunk, arms and legs turned a little, left and right
+// differently.
 constexpr std::array kSideStep = {
     BoneRotation{Bone::hips, {0.99069F, -0.00744F, 0.12164F, 0.06059F}},
     BoneRotation{Bone::spine, {0.99414F, 0.02071F, -0.08856F, -0.05852F}},
@@ -75,6 +83,7 @@ constexpr std::array kSideStep = {
     BoneRotation{Bone::right_lower_arm, {0.67559F, 0.0F, 0.73728F, 0.0F}},
     BoneRotation{Bone::right_hand, {0.96063F, 0.2574F, -0.02705F, 0.10097F}},
 };
+// Deep squat: thighs raised by 120 degrees, knees bent by 128.
 constexpr std::array kSquat = {
     BoneRotation{Bone::hips, {0.99452F, 0.10453F, 0.0F, 0.0F}},
     BoneRotation{Bone::spine, {0.99255F, 0.12187F, 0.0F, 0.0F}},
@@ -86,6 +95,7 @@ constexpr std::array kSquat = {
     BoneRotation{Bone::left_upper_arm, {0.76313F, 0.05602F, -0.64034F, -0.06677F}},
     BoneRotation{Bone::left_lower_arm, {0.98481F, 0.0F, -0.17365F, 0.0F}},
 };
+// Trunk turned against the hips, forearms bent, hands rolled by 80 degrees.
 constexpr std::array kTwist = {
     BoneRotation{Bone::hips, {0.99452F, 0.0F, -0.10453F, 0.0F}},
     BoneRotation{Bone::spine, {0.98769F, 0.0F, 0.15643F, 0.0F}},
@@ -104,12 +114,15 @@ constexpr std::array kTwist = {
     BoneRotation{Bone::right_lower_arm, {0.76604F, 0.0F, 0.64279F, 0.0F}},
     BoneRotation{Bone::right_hand, {0.76604F, -0.64279F, 0.0F, 0.0F}},
 };
+// Left hand rolled by 120 degrees about the forearm, which its twist helper must take half of.
 constexpr std::array kWristBend = {
     BoneRotation{Bone::left_hand, {0.5F, 0.86603F, 0.0F, 0.0F}},
 };
 
+/// The rotation seen in a mirror at x = 0.
 glm::quat mirror_image(const glm::quat& q) noexcept { return {q.w, q.x, -q.y, -q.z}; }
 
+/// The rest pose with some bones turned.
 Pose posed(std::span<const BoneRotation> rotations) noexcept {
     Pose pose;
     for (const BoneRotation& entry : rotations) {
@@ -145,6 +158,7 @@ void curl_fingers(Side side, float curl, float thumb, Pose& pose) noexcept {
     constexpr std::array kShares = {0.9F, 1.1F, 0.7F};  // of the three joints
     constexpr glm::vec3 kFingerAxis{0.0F, 0.0F, -1.0F};
     for (std::size_t finger = 0; finger < kBases.size(); ++finger) {
+        // The little finger curls most, as in a relaxed hand.
         const float degrees = curl * (1.0F + 0.06F * static_cast<float>(finger));
         for (std::size_t joint = 0; joint < kShares.size(); ++joint) {
             const auto bone = static_cast<Bone>(motion::index_of(kBases[finger]) + joint);
@@ -156,6 +170,7 @@ void curl_fingers(Side side, float curl, float thumb, Pose& pose) noexcept {
     bend(Bone::left_thumb_distal, kThumbAxis, thumb);
 }
 
+/// Curls the fingers of both hands alike.
 Pose with_hands(Pose pose, float curl, float thumb) noexcept {
     for (const Side side : motion::kSides) {
         curl_fingers(side, curl, thumb, pose);
@@ -163,12 +178,14 @@ Pose with_hands(Pose pose, float curl, float thumb) noexcept {
     return pose;
 }
 
+/// The bind pose with the hips at the origin, as all test poses have them.
 Pose bind() noexcept {
     Pose pose = mannequin_bind_pose();
     pose.hips_position = {};
     return pose;
 }
 
+/// The hands differ, as the rest of the pose does.
 Pose side_step() noexcept {
     Pose pose = posed(kSideStep);
     curl_fingers(Side::left, 22.0F, 20.0F, pose);

@@ -7,6 +7,7 @@ namespace {
 
 using motion::Bone;
 
+// t is the height over the floor. Waist at 1.11 m; shoulders come from trapezius and deltoid.
 constexpr std::array kTorsoStations = {
     // t, half width, half front, half back, shift to the side, shift to the front
     Station{0.845F, 0.118F, 0.07F, 0.08F, 0.0F, -0.006F},

@@ -6,11 +6,13 @@
 namespace raks::render {
 namespace {
 
+/// Upper half of the card: the genre's name with its posterior as a number and a bar.
 void draw_genre(const Pen& pen, const OverlayState& state, const Box& box) {
     const OverlayFonts& fonts = pen.fonts();
     const float x = box.x + kInner;
     const float right = box.right() - kInner;
     pen.text(fonts.small, x, box.y + 14.0F, palette::kDim, "MUSIC");
+    // The classifier's class "unknown" is shown in words, without a posterior.
     const bool is_known = !state.genre.empty() && state.genre != "unknown";
     const float posterior = is_known ? state.genre_posterior : 0.0F;
     if (is_known) {
@@ -31,6 +33,7 @@ void draw_genre(const Pen& pen, const OverlayState& state, const Box& box) {
     pen.bar({x, box.y + 55.0F, right - x, 3.0F}, posterior, palette::kTeal);
 }
 
+/// Lower half: dance and figure, and one field for each of the figure's counts.
 void draw_figure(const Pen& pen, const OverlayState& state, const Box& box) {
     const OverlayFonts& fonts = pen.fonts();
     const float x = box.x + kInner;
@@ -47,10 +50,12 @@ void draw_figure(const Pen& pen, const OverlayState& state, const Box& box) {
              right - x);
     const int counts = state.figure_counts;
     const float gap = 3.0F;
+    // The fields share the card's width, so that figures of any length fit.
     const float width =
         (right - x - gap * static_cast<float>(counts - 1)) / static_cast<float>(counts);
     for (int i = 0; i < counts; ++i) {
         const bool is_past = is_dancing && i < state.figure_count;
+        // The current count is bright, those danced already are dim.
         const bool is_now = is_dancing && i == state.figure_count - 1;
         const Colour colour = is_now    ? palette::kAmber
                               : is_past ? palette::kAmber.faded(0.4F)
@@ -60,7 +65,8 @@ void draw_figure(const Pen& pen, const OverlayState& state, const Box& box) {
     }
 }
 
-/// What a careful person looks for, quiet while all is well.
+/// The line below the card: latency and frame rate, dim; before them, in amber, what went wrong, if
+/// anything did.
 void draw_health(const Pen& pen, const OverlayState& state, float right, float y) {
     const auto add = [](std::string& line, const std::string& part) {
         line += (line.empty() ? "" : "   ") + part;
@@ -71,6 +77,7 @@ void draw_health(const Pen& pen, const OverlayState& state, float right, float y
             add(trouble, fmt::format("{} {}", number, number == 1 ? one : many));
         }
     };
+    // Numbers of zero are left out.
     count(state.xruns, "gap in the sound", "gaps in the sound");
     count(state.drops, "drop", "drops");
     count(state.late, "late", "late");
@@ -93,6 +100,7 @@ void draw_health(const Pen& pen, const OverlayState& state, float right, float y
 }  // namespace
 
 void draw_dance(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
+    // A narrow picture keeps the cards on the left only.
     if (!has_two_columns(canvas)) {
         return;
     }

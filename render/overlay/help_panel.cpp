@@ -8,6 +8,7 @@
 namespace raks::render {
 namespace {
 
+// Sizes in the pen's units.
 constexpr float kColumnWidth = 346.0F;
 constexpr float kMostPitch = 25.0F;  // from one line to the next, where there is room
 constexpr float kLeastPitch = 18.0F;
@@ -37,7 +38,9 @@ float draw_cap(const Pen& pen, std::string_view name, float x, float y, float he
     return width;
 }
 
+/// The keys of one line as caps, then what they do, from a fixed place on.
 void draw_row(const Pen& pen, const HelpRow& row, float x, float y, float pitch) {
+    // Caps shrink with the pitch, so that those of two lines never touch.
     const float height = std::min(kCapHeight, pitch - kLeastGap);
     float key_x = x;
     for (const std::string& key : row.keys) {
@@ -51,6 +54,7 @@ void draw_row(const Pen& pen, const HelpRow& row, float x, float y, float pitch)
              row.text);
 }
 
+/// Whether line i has a title above it.
 bool begins_group(std::span<const HelpRow> rows, std::size_t i) {
     return i == 0 || rows[i].group != rows[i - 1].group;
 }
@@ -66,6 +70,7 @@ float height_of_titles(std::span<const HelpRow> rows) {
     return height;
 }
 
+/// Height of a column, units.
 float height_of(std::span<const HelpRow> rows, float pitch) {
     return height_of_titles(rows) + static_cast<float>(rows.size()) * pitch;
 }
@@ -91,7 +96,9 @@ float pitch_of(const Layout& layout, float room) {
     return std::max(pitch, kLeastPitch);
 }
 
+/// Breaks between the two groups where the taller column is lowest; then sets the pitch.
 Layout layout_of(std::span<const HelpRow> rows, float room) {
+    // A single group is never divided: it stays in one column.
     Layout best{rows, {}};
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const Layout layout{rows.first(i), rows.subspan(i)};
@@ -103,6 +110,7 @@ Layout layout_of(std::span<const HelpRow> rows, float room) {
     return best;
 }
 
+/// Titles and lines from (x, y) downward.
 void draw_column(const Pen& pen, std::span<const HelpRow> rows, float pitch, float x, float y) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (begins_group(rows, i)) {
@@ -123,6 +131,7 @@ bool has_room_beside_help(const Canvas& canvas) noexcept {
 
 void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canvas) {
     const float frame = 2.0F * kEdge + kHeadHeight;
+    // What the panel's own edges and title leave of the picture is the lines' room.
     const Layout layout = layout_of(rows, canvas.height - frame - 2.0F * kLeastMargin);
     const float height = layout.height() + frame;
     const Box box{(canvas.width - kWidth) / 2.0F, (canvas.height - height) / 2.0F, kWidth, height};

@@ -25,6 +25,7 @@ constexpr float kLargestScale = 4.0F;
 // Latin, Greek, Cyrillic, dashes and the ellipsis: names of files and devices.
 constexpr std::array<ImWchar, 11> kNameRanges = {
     0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x052F, 0x2010, 0x2027, 0x20AC, 0x20AC, 0};
+// Labels are the program's own words, and large glyphs take much of the font texture.
 constexpr std::array<ImWchar, 5> kLabelRanges = {0x0020, 0x00FF, 0x2010, 0x2027, 0};
 
 /// Where Debian, Fedora and Arch put DejaVu.
@@ -61,11 +62,13 @@ float scale_for(const FrameTarget& target, float content_scale) {
     return std::min(std::floor(wanted * 4.0F + 0.5F) / 4.0F, kLargestScale);
 }
 
+/// `value` within its range; NaN is the lower bound.
 template <typename Number>
 Number finite(Number value, Number low, Number high) {
     return std::isnan(value) ? low : std::clamp(value, low, high);
 }
 
+/// The same; NaN counts as not known.
 std::optional<double> finite(std::optional<double> value, double low, double high) {
     return value && !std::isnan(*value) ? std::optional(std::clamp(*value, low, high))
                                         : std::nullopt;
@@ -124,6 +127,7 @@ struct Overlay::Impl {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;  // no imgui.ini
         io.LogFilename = nullptr;
+        // Nothing here reacts to the mouse.
         io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
         has_backend = ImGui_ImplOpenGL3_Init("#version 330 core");
     }
@@ -140,6 +144,7 @@ struct Overlay::Impl {
     void make_fonts(float scale);
 };
 
+/// Rasterizes the fonts for a scale, unless it is the one that they have.
 void Overlay::Impl::make_fonts(float scale) {
     if (scale == font_scale) {
         return;
@@ -147,6 +152,7 @@ void Overlay::Impl::make_fonts(float scale) {
     const bool is_first = font_scale == 0.0F;
     font_scale = scale;
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    // All four share one texture, which is built anew as a whole.
     atlas.Clear();
     const std::string plain = font_file("DejaVuSans.ttf");
     const std::string bold = font_file("DejaVuSans-Bold.ttf");
@@ -179,6 +185,7 @@ void Overlay::draw(const OverlayState& given,
                    const FrameTarget& target,
                    float content_scale) {
     const OverlayState state = in_range(given);
+    // A hidden overlay costs nothing.
     const bool has_nothing =
         view == OverlayView::hidden && state.message.empty() && state.help.empty();
     if (target.width <= 0 || target.height <= 0 || has_nothing) {
@@ -191,15 +198,18 @@ void Overlay::draw(const OverlayState& given,
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(target.x + target.width),
                       static_cast<float>(target.y + target.height)};
+    // ImGui asks for a time > 0; nothing here is animated by it.
     io.DeltaTime = 1.0F / 60.0F;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
 
+    // ImGui's y starts at the top of the display, which is the target's upper edge.
     const Pen pen(
         *ImGui::GetBackgroundDrawList(), impl_->fonts, scale, {static_cast<float>(target.x), 0.0F});
     const Canvas canvas{static_cast<float>(target.width) / scale,
                         static_cast<float>(target.height) / scale};
     const bool is_help = !state.help.empty();
+    // Cards below the list of keys would shine through it.
     if (view == OverlayView::shown && (!is_help || has_room_beside_help(canvas))) {
         draw_tempo(pen, state);
         draw_dance(pen, state, canvas);

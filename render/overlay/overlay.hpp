@@ -36,6 +36,7 @@ struct OverlayState {
     std::string_view dance{};      ///< "salsa"; empty: none
     std::string_view figure{};     ///< "basic step"
     int figure_count = 0;          ///< 1 to figure_counts; 0: none
+    /// counts that the figure has, 1 to 16
     int figure_counts = 8;
     // Sound.
     std::string_view source{};         ///< file name or device
@@ -44,6 +45,7 @@ struct OverlayState {
     float volume = 1.0F;               ///< [0, 1]
     std::optional<double> position{};  ///< seconds into the file; none when live
     std::optional<double> duration{};  ///< seconds, where known
+    /// playback stands still
     bool is_paused = false;
     // Health.
     std::optional<double> latency_ms{};  ///< measured, sound to picture
@@ -59,6 +61,7 @@ struct OverlayState {
 /// From this confidence on the tempo counts as found.
 inline constexpr float kLockedConfidence = 0.35F;
 
+/// Whether the cards are drawn.
 enum class OverlayView : std::uint8_t {
     hidden,  ///< nothing but the message line and the keys
     shown,
@@ -73,8 +76,11 @@ class Overlay {
  public:
     /// Errors: no usable OpenGL context.
     [[nodiscard]] static Expected<Overlay> create();
+    /// The source may only be destroyed or assigned to.
     Overlay(Overlay&&) noexcept;
+    /// As the constructor.
     Overlay& operator=(Overlay&&) noexcept;
+    /// Frees fonts and shaders; the context must be current.
     ~Overlay();
 
     /// Draws over `target`. Text grows with the height of the picture, and with `content_scale`

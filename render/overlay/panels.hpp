@@ -9,8 +9,11 @@
 /// state is in its documented range here.
 namespace raks::render {
 
+/// Size of the picture in the pen's units.
 struct Canvas {
+    /// Units, not pixels.
     float width = 1280.0F;
+    /// As width.
     float height = 720.0F;
 };
 
@@ -18,7 +21,9 @@ struct Canvas {
 inline constexpr float kMargin = 24.0F;      ///< between a card and the picture's edge
 inline constexpr float kInner = 18.0F;       ///< between a card's edge and its text
 inline constexpr float kCardWidth = 214.0F;  ///< all but the source's
+/// Height of the cards at the top.
 inline constexpr float kTopHeight = 138.0F;
+/// Height of the cards at the bottom.
 inline constexpr float kBottomHeight = 76.0F;
 
 /// Whether cards fit side by side; else those on the right are left out.

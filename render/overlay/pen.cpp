@@ -12,6 +12,7 @@ namespace {
 constexpr float kPanelRadius = 10.0F;
 constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
 
+/// ImGui's colour: red in the lowest byte.
 ImU32 packed(Colour colour) {
     const auto alpha =
         static_cast<ImU32>(std::lround(std::clamp(colour.alpha, 0.0F, 1.0F) * 255.0F));
@@ -21,10 +22,12 @@ ImU32 packed(Colour colour) {
     return red | green << 8U | blue << 16U | alpha << 24U;
 }
 
+/// ImGui takes text as two pointers.
 const char* end_of(std::string_view text) { return text.data() + text.size(); }
 
 }  // namespace
 
+/// Units to pixels.
 ImVec2 Pen::at(float x, float y) const noexcept {
     return {origin_.x + x * unit_, origin_.y + y * unit_};
 }
@@ -58,6 +61,7 @@ void Pen::bar(const Box& box, float fraction, Colour colour) const {
     fill(box, palette::kTrough, radius);
     const float full = std::isnan(fraction) ? 0.0F : std::clamp(fraction, 0.0F, 1.0F) * box.width;
     if (full > 0.0F) {
+        // Never shorter than it is high, or its round ends would not fit.
         fill({box.x, box.y, std::max(full, box.height), box.height}, colour, radius);
     }
 }
@@ -85,9 +89,11 @@ float Pen::text(const ImFont* font,
                 std::string_view line,
                 Align align,
                 float max_width) const {
+    // Names of files and devices may hold line breaks, which ImGui would obey.
     std::string shown = one_line(line);
     float width = width_of(font, shown);
     if (width > max_width) {
+        // The ellipsis must fit, too.
         const float room = std::max(max_width - width_of(font, kEllipsis), 0.0F);
         const char* cut = nullptr;  // first character that does not fit
         font->CalcTextSizeA(font->FontSize, room * unit_, 0.0F, shown.data(), end_of(shown), &cut);
@@ -95,6 +101,7 @@ float Pen::text(const ImFont* font,
         shown += kEllipsis;
         width = width_of(font, shown);
     }
+    // How far left of `x` the text starts.
     const float shift = align == Align::left ? 0.0F : align == Align::right ? width : width / 2.0F;
     const ImVec2 place = at(x - shift, y);
     // On whole pixels: the glyphs were rasterized for them.

@@ -13,6 +13,7 @@ constexpr int kMeterSegments = 24;
 constexpr float kSourceShare = 0.34F;  // of the width, so that the feet stay free
 constexpr float kWidestSource = 460.0F;
 
+/// The source's card; in a narrow picture it has the whole width to itself.
 Box source_box(const Canvas& canvas) {
     const float width = has_two_columns(canvas)
                             ? std::clamp(kSourceShare * canvas.width, kCardWidth, kWidestSource)
@@ -20,6 +21,7 @@ Box source_box(const Canvas& canvas) {
     return {kMargin, canvas.height - kMargin - kBottomHeight, width, kBottomHeight};
 }
 
+/// The meter covers 60 dB, so 0.8 of it is -12 dBFS.
 Colour segment_colour(float fraction) {
     if (fraction > 0.95F) {  // above -3 dBFS
         return palette::kRed;
@@ -27,6 +29,7 @@ Colour segment_colour(float fraction) {
     return fraction > 0.8F ? palette::kAmber : palette::kTeal;
 }
 
+/// Level in segments of 2.5 dB; one is lit when the level reaches its middle.
 void draw_meter(const Pen& pen, const OverlayState& state, float x, float y) {
     const float full = meter_fraction(state.level_dbfs);
     const float gap = 2.0F;
@@ -40,7 +43,8 @@ void draw_meter(const Pen& pen, const OverlayState& state, float x, float y) {
     }
 }
 
-/// Two bars, a triangle, or the red dot of a live input. Says what happens, as a player does.
+/// The sign of what goes on: two bars when paused, a triangle when a file plays, a dot for a live
+/// input, red while there is sound.
 void draw_state_sign(const Pen& pen, const OverlayState& state, float x, float y) {
     if (state.is_paused) {
         pen.fill({x - 6.0F, y - 8.0F, 4.5F, 16.0F}, palette::kAmber, 1.0F);
@@ -52,6 +56,7 @@ void draw_state_sign(const Pen& pen, const OverlayState& state, float x, float y
     }
 }
 
+/// "1:05 / 3:20", or in words where there is no position.
 std::string time_text(const OverlayState& state) {
     if (!state.position) {
         return state.is_paused ? "paused" : "live";
@@ -82,6 +87,7 @@ void draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas
              state.source.empty() ? "no source" : state.source,
              Align::left,
              right - left);
+    // Only a source of known length has a position bar; without it the time moves up.
     const bool has_end = state.position && state.duration && *state.duration > 0.0;
     if (has_end) {
         pen.bar({left, box.y + 39.0F, right - left, 4.0F},
@@ -110,6 +116,7 @@ void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas)
     const float x = box.x + kInner;
     const float right = box.right() - kInner;
     draw_meter(pen, state, x, box.y + 20.0F);
+    // Below it the number says nothing.
     constexpr float kFloor = -60.0F;
     pen.text(fonts.small,
              x,
@@ -131,6 +138,7 @@ void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas
     }
     const OverlayFonts& fonts = pen.fonts();
     const Box source = source_box(canvas);
+    // A long message is cut with an ellipsis rather than running out of the picture.
     const float widest = canvas.width - 2.0F * (kMargin + kInner);
     const float width = std::min(pen.width_of(fonts.body, one_line(message)), widest);
     const float height = 36.0F;

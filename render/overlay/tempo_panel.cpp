@@ -10,8 +10,10 @@ namespace {
 
 constexpr Box kPanel{kMargin, kMargin, kCardWidth, kTopHeight};
 
+// What the card can say of the tempo.
 enum class Tempo { silent, listening, found };
 
+/// Silence counts more than the last tempo; a tempo of little confidence is not yet found.
 Tempo tempo_of(const OverlayState& state) {
     if (state.is_silent) {
         return Tempo::silent;
@@ -23,10 +25,12 @@ Tempo tempo_of(const OverlayState& state) {
 /// How bright a beat still is after `phase` beats, [0, 1].
 float flash(double phase) { return static_cast<float>(std::exp(-3.5 * phase)); }
 
+/// The tempo with its decimal smaller, or dashes where there is none.
 void draw_number(const Pen& pen, const OverlayState& state, Tempo tempo) {
     const float x = kPanel.x + kInner;
     const float y = kPanel.y + 10.0F;
     const OverlayFonts& fonts = pen.fonts();
+    // Puts the small text on the large number's base line.
     const float unit_y = y + pen.height_of(fonts.large) - pen.height_of(fonts.body) - 9.0F;
     if (tempo == Tempo::silent || state.bpm <= 0.0) {
         const float width = pen.text(fonts.large, x, y, palette::kDim, "\xE2\x80\x93 \xE2\x80\x93");
@@ -42,16 +46,20 @@ void draw_number(const Pen& pen, const OverlayState& state, Tempo tempo) {
     pen.text(fonts.body, x + whole + rest + 8.0F, unit_y, palette::kDim, "BPM");
 }
 
+/// One dot a beat of the bar; the current beat flashes and fades. Without a known downbeat one dot
+/// flashes on every beat.
 void draw_dots(const Pen& pen, const OverlayState& state, Tempo tempo) {
     const int dots = state.is_bar_known ? state.beats_per_bar : 1;
     const float step = std::min(30.0F, (kPanel.width - 2.0F * kInner) / static_cast<float>(dots));
     const float y = kPanel.y + 82.0F;
     const int beat = static_cast<int>(state.bar_position) % dots;
+    // Beat phase, [0, 1).
     const double phase = state.bar_position - std::floor(state.bar_position);
     for (int i = 0; i < dots; ++i) {
         const float x = kPanel.x + kInner + 8.0F + step * static_cast<float>(i);
         const bool is_downbeat = state.is_bar_known && i == 0;
         const float radius = std::min(is_downbeat ? 8.0F : 6.0F, step * 0.4F);
+        // Empty rings: without a sure tempo no beat is shown.
         if (tempo != Tempo::found) {
             pen.ring(x, y, radius, palette::kTrough);
             continue;
@@ -66,6 +74,7 @@ void draw_dots(const Pen& pen, const OverlayState& state, Tempo tempo) {
     }
 }
 
+/// State in a word, confidence as a number and a bar.
 void draw_confidence(const Pen& pen, const OverlayState& state, Tempo tempo) {
     const float y = kPanel.bottom() - 32.0F;
     const float x = kPanel.x + kInner;

@@ -9,6 +9,7 @@ namespace raks::render {
 
 std::string clock_text(double seconds) {
     constexpr double kLongest = 100.0 * 3600.0;
+    // The comparison is false for NaN, which gives 0; infinity is cut to 100 hours.
     const auto total = seconds > 0.0 ? static_cast<long>(std::min(seconds, kLongest)) : 0L;
     if (total >= 3600) {
         return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);

@@ -17,6 +17,7 @@ constexpr float kLeastConfidence = 0.05F;
 }  // namespace
 
 BeatRing beat_ring(float age, BeatAccent accent) noexcept {
+    // Written so that NaN is refused, too.
     if (!(age >= 0.0F)) {
         return {};
     }
@@ -33,9 +34,11 @@ BeatRings beat_rings(const BeatGrid& grid, StreamTime time) noexcept {
     if (!(grid.confidence >= kLeastConfidence)) {
         return rings;
     }
+    // The last beat and the two before it; the ring of any older one is faint.
     double beat = std::floor(grid.beats_at(time).count());
     for (BeatRing& ring : rings) {
         const Nanos age = time - grid.time_of(Beats(beat));
+        // Positions are whole at a beat up to rounding: 0 is the downbeat.
         const bool is_downbeat = grid.bar_position(Beats(beat)) < 0.5;
         ring = beat_ring(static_cast<float>(to_seconds(age)),
                          is_downbeat ? BeatAccent::downbeat : BeatAccent::beat);

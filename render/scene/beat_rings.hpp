@@ -16,12 +16,13 @@ struct BeatRing {
 /// The rings that are alive; those that are not have brightness 0.
 using BeatRings = std::array<BeatRing, 3>;
 
-/// The rings of the beats at and before `time`: one leaves on every beat, a brighter one on the
-/// downbeat. None where the grid's confidence is below 0.05 (nothing is known). Pure.
+/// The rings of the last beats up to `time`: one leaves on every beat, a brighter one on the
+/// downbeat. None where the grid's confidence is below 0.05, that is, where no beat is known. Pure.
 [[nodiscard]] BeatRings beat_rings(const BeatGrid& grid, StreamTime time) noexcept;
 
-/// The ring of one beat, `age` >= 0 seconds after it; dark once it has faded.
+/// Whether a beat begins a bar.
 enum class BeatAccent { beat, downbeat };
+/// The ring of one beat, `age` >= 0 seconds after it; brightness 0 once it has faded.
 [[nodiscard]] BeatRing beat_ring(float age, BeatAccent accent) noexcept;
 
 }  // namespace raks::render

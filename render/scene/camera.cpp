@@ -14,15 +14,18 @@
 namespace raks::render {
 namespace {
 
+// Clip planes, metres: nearer than any permitted distance, farther than the floor's end.
 constexpr float kNear = 0.1F;
 constexpr float kFar = 60.0F;
 constexpr float kNarrowestAspect = 0.75F;
 
+/// The same angle within [-pi, pi).
 float wrapped(float angle) noexcept {
     const float turn = 2.0F * glm::pi<float>();
     return angle - turn * std::floor((angle + glm::pi<float>()) / turn);
 }
 
+// A named framing: angles in degrees, lengths in metres, over the middle of the floor.
 struct Preset {
     std::string_view name;
     float yaw_degrees;
@@ -42,6 +45,7 @@ constexpr std::array<Preset, 6> kPresets = {{
     {"top", 0.0F, 55.0F, 5.6F, 0.5F, 26.0F},
 }};
 
+// The names alone, for the command line's help.
 constexpr auto kCameraNames = [] {
     std::array<std::string_view, kPresets.size()> names{};
     std::transform(kPresets.begin(), kPresets.end(), names.begin(), [](const Preset& preset) {
@@ -50,6 +54,7 @@ constexpr auto kCameraNames = [] {
     return names;
 }();
 
+/// The camera of a preset, in radians.
 Camera camera_of(const Preset& preset) noexcept {
     Camera camera;
     camera.yaw = wrapped(glm::radians(preset.yaw_degrees));
@@ -74,6 +79,7 @@ void Camera::pan(float right, float up) noexcept {
     if (!std::isfinite(right) || !std::isfinite(up)) {
         return;
     }
+    // The picture's right hand direction lies in the floor's plane, whatever the pitch is.
     target.x = std::clamp(target.x + right * std::cos(yaw), -kMaxPan, kMaxPan);
     target.z = std::clamp(target.z - right * std::sin(yaw), -kMaxPan, kMaxPan);
     target.y = std::clamp(target.y + up, 0.0F, kMaxTargetHeight);
@@ -99,10 +105,13 @@ glm::vec3 Camera::position() const noexcept {
 }
 
 glm::mat4 Camera::view_from_world() const noexcept {
+    // The pitch stays below 85 degrees, so "up" never coincides with the line of sight.
     return glm::lookAt(position(), target, glm::vec3(0.0F, 1.0F, 0.0F));
 }
 
 glm::mat4 Camera::clip_from_view(float aspect) const noexcept {
+    // The horizontal field of view stays what it is at 3:4; the tangent is what scales with the
+    // aspect.
     const float narrowing = std::max(1.0F, kNarrowestAspect / aspect);
     const float fov = 2.0F * std::atan(std::tan(0.5F * vertical_fov) * narrowing);
     return glm::perspective(fov, aspect, kNear, kFar);

@@ -22,12 +22,15 @@ struct Camera {
     static constexpr float kMinDistance = 0.6F;   ///< a portrait of the head
     static constexpr float kMaxDistance = 14.0F;  ///< the whole floor, small
     static constexpr float kMaxPan = 3.0F;        ///< of the target, from the middle of the floor
+    /// Of the target, from the floor.
     static constexpr float kMaxTargetHeight = 2.2F;
 
     float yaw = glm::radians(-14.0F);  ///< 0: from the front; positive: from the dancer's left
     float pitch = glm::radians(6.0F);  ///< above the horizon
     float distance = 5.2F;             ///< from `target`
+    /// Point looked at, world space.
     glm::vec3 target{0.0F, 0.84F, 0.0F};
+    /// Field of view from the lower to the upper edge; wider in narrow pictures.
     float vertical_fov = glm::radians(26.0F);
 
     /// Turns around the target. Yaw wraps into [-pi, pi), pitch stops at its limits.
@@ -48,12 +51,14 @@ struct Camera {
     /// Where the camera stands in the world.
     [[nodiscard]] glm::vec3 position() const noexcept;
 
+    /// World space to the camera's: x right, y up, looking along -z.
     [[nodiscard]] glm::mat4 view_from_world() const noexcept;
 
     /// Perspective for a picture of width / height = `aspect` (> 0). Where a picture is narrower
     /// than 3:4 the field of view grows, so that spread arms stay inside a tall window.
     [[nodiscard]] glm::mat4 clip_from_view(float aspect) const noexcept;
 
+    /// Both in one: world space to OpenGL's clip space.
     [[nodiscard]] glm::mat4 clip_from_world(float aspect) const noexcept {
         return clip_from_view(aspect) * view_from_world();
     }

@@ -34,6 +34,7 @@ double rest_height(const motion::MotionClip& clip, const std::vector<glm::dvec3>
     return high - low;
 }
 
+/// Whether a joint is called "head", with or without a name space or prefix before it.
 bool is_named_head(const std::string& name) {
     const std::string plain = motion::lower(name.substr(name.rfind(':') + 1));
     return plain == "head" || plain.ends_with("_head") || plain.ends_with(" head");
@@ -57,6 +58,7 @@ Expected<ClipFigures> ClipFigures::create(const motion::MotionClip& clip, double
     return figures;
 }
 
+/// A humanoid's joints are known by their part in the skeleton; of anything else only the head.
 void ClipFigures::find_bones() {
     if (auto mapping = motion::map_humanoid(*clip_)) {
         mapping_ = *mapping;
@@ -70,6 +72,7 @@ void ClipFigures::find_bones() {
     }
 }
 
+/// Size, sides and fingers come from the rest pose, where they do not depend on the motion.
 void ClipFigures::look_at_rest_pose() {
     const std::vector<glm::dvec3> rest = motion::rest_positions(*clip_);
     const double height = rest_height(*clip_, rest);
@@ -84,6 +87,7 @@ void ClipFigures::look_at_rest_pose() {
         if (std::abs(rest[j].x) > kMiddle * height) {
             joint.side = rest[j].x > 0.0 ? JointSide::left : JointSide::right;
         }
+        // A joint below the head is hidden, and with it everything below that joint.
         joint.is_drawn = parent == j || (joints_[parent].is_drawn && parent != head_);
     }
 }
@@ -99,12 +103,15 @@ void ClipFigures::find_origin() {
         high = glm::max(high, world.positions[0]);
         double least = 1e300;
         for (std::size_t j = 0; j < joints_.size(); ++j) {
+            // A foot's end site is lower than its joint; without end site the tip is the joint
+            // itself.
             const glm::dvec3 tip = clip_->joints[j].end_site.value_or(glm::dvec3(0.0));
             least = std::min(
                 {least, world.positions[j].y, (world.positions[j] + world.rotations[j] * tip).y});
         }
         lowest.push_back(least);
     }
+    // A low percentile, not the minimum: single frames with a foot below the floor would lift all.
     const auto at = static_cast<std::ptrdiff_t>(kFloorShare * static_cast<double>(lowest.size()));
     std::nth_element(lowest.begin(), lowest.begin() + at, lowest.end());
     origin_ = metres_per_unit_ * glm::dvec3(0.5 * (low.x + high.x),
@@ -114,10 +121,13 @@ void ClipFigures::find_origin() {
     origin_.y -= static_cast<double>(kStickTaper * kStickBoneRadius * size_);
 }
 
+/// World place on the stage. The subtraction is in doubles: clips may be recorded far from their
+/// origin.
 glm::vec3 ClipFigures::place_of(const glm::dvec3& in_file_units) const {
     return glm::vec3(metres_per_unit_ * in_file_units - origin_);
 }
 
+/// The sphere of a joint, the stick to its parent, and the stick to its tip where it ends a limb.
 void ClipFigures::add_joint(const motion::ClipWorldPose& world,
                             std::size_t j,
                             Shape<StickVertex>& shape) const {
@@ -129,6 +139,7 @@ void ClipFigures::add_joint(const motion::ClipWorldPose& world,
     const glm::vec3 place = place_of(world.positions[j]);
     const float radius = size_ * (joint.is_small ? kStickFingerRadius : kStickJointRadius);
     builder.set_tint(1.0F);
+    // Few triangles for fingers: they are small in the picture and there are many.
     builder.add_ellipsoid(
         place, glm::vec3(radius), joint.is_small ? 6 : 10, joint.is_small ? 8 : 18);
     builder.set_tint(part == StickPart::middle ? 0.0F : kStickBoneTint);
@@ -145,6 +156,7 @@ void ClipFigures::add_joint(const motion::ClipWorldPose& world,
     }
 }
 
+/// The head is built at the origin in the mannequin's size, then turned, scaled and moved.
 void ClipFigures::add_head(const motion::ClipWorldPose& world, Shape<StickVertex>& shape) const {
     if (!head_) {
         return;
@@ -160,6 +172,8 @@ void ClipFigures::add_head(const motion::ClipWorldPose& world, Shape<StickVertex
     }
 }
 
+/// Places of the humanoid's bones. Bones come after their parents, so a missing one can take the
+/// place that its parent already has.
 motion::WorldPose ClipFigures::landmarks(const motion::ClipWorldPose& world) const {
     motion::WorldPose landmarks;
     landmarks.rotations.fill(motion::kNoRotation);

@@ -23,13 +23,14 @@ struct ClipFigure {
     motion::WorldPose landmarks;
 };
 
-/// The stick figure of a clip's own skeleton, whatever it is: nothing is carried over to another
-/// body. Feet on the floor (y = 0 at the 5th percentile of the lowest joint's height), the middle
-/// of its way at the stage's centre. Joints with their rest place left or right of the middle have
-/// that side's colour; the head is an egg with a nose where one is known by name.
-/// Threads: any (immutable). Real-time: no.
+/// The stick figure of a clip's own skeleton, of whatever shape: nothing is retargeted. Feet on the
+/// floor (y = 0 at the 5th percentile of the lowest joint's height), the middle of the root's way
+/// at the stage's centre. Joints whose rest place is left or right of the middle have that side's
+/// colour; the head is an egg with a nose where one is known by name. Threads: any (immutable).
+/// Real-time: no.
 class ClipFigures {
  public:
+    /// The most joints that are drawn.
     static constexpr std::size_t kMaxJoints =
         200;  ///< what 16-bit indices of one mesh have room for
 
@@ -37,10 +38,10 @@ class ClipFigures {
     [[nodiscard]] static Expected<ClipFigures> create(const motion::MotionClip& clip,
                                                       double metres_per_unit);
 
-    /// Height of the body against the mannequin's: how far a camera should be in proportion.
+    /// Height of the body divided by the mannequin's: the factor for a camera's distance.
     [[nodiscard]] float size() const noexcept { return size_; }
 
-    /// `frame` < the clip's.
+    /// The figure at a frame of the clip; `frame` < the clip's frame count.
     [[nodiscard]] ClipFigure at(std::size_t frame) const;
 
  private:

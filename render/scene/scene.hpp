@@ -20,10 +20,14 @@ enum class Backdrop { stage, transparent };
 ///     scene.rings = beat_rings(grid, moment_shown);
 ///     renderer.draw(scene, track.at(moment_shown), target);
 struct Scene {
+    /// Skinned body or stick figure.
     View view = View::skin;
+    /// Where the picture is seen from.
     Camera camera;
     const Theme* theme = &default_theme();  ///< never null
+    /// Rings of light at this moment.
     BeatRings rings{};
+    /// Stage or transparent.
     Backdrop backdrop = Backdrop::stage;
 };
 

@@ -21,13 +21,14 @@ glm::vec3 turned(glm::vec3 direction, float angle) noexcept {
     return {c * direction.x + s * direction.z, direction.y, c * direction.z - s * direction.x};
 }
 
+// The blob of one joint, as it is with the joint on the floor.
 struct BlobRecipe {
     Bone bone;
     float above;  // metres over the joint
     float radius;
     float strength;
 };
-// Looked at and tuned in the prototype (rendering notes, `shadow_blobs`).
+// Tuned by eye: feet darkest, since they touch the floor.
 constexpr std::array<BlobRecipe, kShadowBlobs> kBlobs = {{
     {Bone::left_foot, 0.0F, 0.12F, 0.85F},
     {Bone::right_foot, 0.0F, 0.12F, 0.85F},
@@ -41,12 +42,14 @@ constexpr std::array<BlobRecipe, kShadowBlobs> kBlobs = {{
     {Bone::left_hand, 0.0F, 0.09F, 0.35F},
     {Bone::right_hand, 0.0F, 0.09F, 0.35F},
 }};
+// Penumbra: with height a shadow gets wider (metres a metre) and weaker.
 constexpr float kWiderPerMetre = 0.05F;
 constexpr float kWeakerPerMetre = 0.25F;
 
 }  // namespace
 
 LightDirections light_directions(const Camera& camera) noexcept {
+    // Directions for a camera in front; key from the left, fill from the right, rim from behind.
     return {turned(glm::normalize(glm::vec3(-0.55F, 0.95F, 0.70F)), kKeyFollowsYaw * camera.yaw),
             turned(glm::normalize(glm::vec3(0.85F, 0.25F, 0.45F)), camera.yaw),
             turned(glm::normalize(glm::vec3(0.45F, 0.55F, -0.75F)), camera.yaw)};
@@ -59,6 +62,7 @@ std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world
         const BlobRecipe& recipe = kBlobs[i];
         const glm::vec3 joint = world.position(recipe.bone) + glm::vec3(0.0F, recipe.above, 0.0F);
         const float height = std::max(joint.y, 0.0F);
+        // Where the ray from the key light through the joint meets the floor.
         blobs[i] = {.x = joint.x - key.x / key.y * height,
                     .z = joint.z - key.z / key.y * height,
                     .radius = recipe.radius + kWiderPerMetre * height,
@@ -70,6 +74,7 @@ std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world
 glm::mat4 light_clip_from_world(glm::vec3 hips, float spread, glm::vec3 key) noexcept {
     const float half_side = 1.25F + spread;
     constexpr float kDepth = 3.0F;  // in front of and behind the middle
+    // A fixed height, about the middle of a standing body.
     const glm::vec3 middle{hips.x, 0.85F, hips.z};
     const glm::mat4 view = glm::lookAt(middle + kDepth * key, middle, glm::vec3(0.0F, 1.0F, 0.0F));
     return glm::ortho(-half_side, half_side, -half_side, half_side, 0.0F, 2.0F * kDepth) * view;

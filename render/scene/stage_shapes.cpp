@@ -27,6 +27,7 @@ float share(std::size_t i, std::size_t count) noexcept {
     return static_cast<float>(i) / static_cast<float>(count);
 }
 
+/// Point i of `count` on the unit circle. Point `count` repeats point 0, so that a grid closes.
 glm::vec2 on_circle(std::size_t i, std::size_t count) noexcept {
     const float angle = 2.0F * glm::pi<float>() * share(i, count);
     return {std::cos(angle), std::sin(angle)};
@@ -40,6 +41,7 @@ Shape<glm::vec2> floor_disc() {
     constexpr float kDensity = 1.6F;  // > 1: more rings near the middle
     Shape<glm::vec2> shape;
     for (std::size_t ring = 0; ring <= kRings; ++ring) {
+        // Rings are crowded in the middle, where shadows and rings of light need fine triangles.
         const float radius = kFloorRadius * std::pow(share(ring, kRings), kDensity);
         for (std::size_t spoke = 0; spoke <= kSpokes; ++spoke) {
             shape.vertices.push_back(radius * on_circle(spoke, kSpokes));
@@ -55,6 +57,7 @@ Shape<glm::vec4> ring_strip() {
     constexpr float kGlow = 1.5F;   // the line has become glow
     constexpr float kHalo = 4.0F;   // the glow is a third
     constexpr float kDark = 10.0F;  // the glow has ended
+    // The cross-section of a ring: place in half widths of the line, brightness there.
     struct Profile {
         float offset;
         float brightness;

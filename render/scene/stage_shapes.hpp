@@ -10,8 +10,10 @@
 /// viewer. Pure; called once at start.
 namespace raks::render {
 
+/// Vertices and triangles of one mesh.
 template <typename Vertex>
 struct Shape {
+    /// At most 65,536: indices have 16 bits.
     std::vector<Vertex> vertices;
     std::vector<std::uint16_t> indices;  ///< three a triangle
 };

@@ -9,6 +9,7 @@
 namespace raks::render {
 namespace {
 
+// Metres, from the head's joint at the top of the neck.
 constexpr glm::vec3 kHeadRadii{0.073F, 0.099F, 0.088F};
 constexpr glm::vec3 kHeadMiddle{0.0F, 0.095F, 0.012F};
 constexpr float kNoseRadius = 0.014F;
@@ -19,6 +20,7 @@ float ratio(std::size_t i, std::size_t count) noexcept {
 
 }  // namespace
 
+/// A part of the middle has neither side's colour.
 void StickBuilder::set_tint(float tint) noexcept {
     const auto share = static_cast<std::uint8_t>(std::lround(255.0F * tint));
     left_ = part_ == StickPart::left ? share : std::uint8_t{0};
@@ -37,6 +39,7 @@ void StickBuilder::add_ellipsoid(glm::vec3 middle,
             const glm::vec3 unit{std::sin(polar) * std::cos(around),
                                  std::cos(polar),
                                  -std::sin(polar) * std::sin(around)};
+            // The normal of an ellipsoid is the unit sphere's, divided by the radii.
             add_vertex(middle + radii * unit, glm::normalize(unit / radii));
         }
     }
@@ -46,6 +49,7 @@ void StickBuilder::add_ellipsoid(glm::vec3 middle,
 void StickBuilder::add_cone(glm::vec3 from, glm::vec3 to, float from_radius, float to_radius) {
     constexpr std::size_t kSides = 12;
     const float length = glm::length(to - from);
+    // Joints in one place have no axis between them.
     if (length < 1e-4F) {
         return;
     }
@@ -54,8 +58,10 @@ void StickBuilder::add_cone(glm::vec3 from, glm::vec3 to, float from_radius, flo
         std::abs(axis.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
     const glm::vec3 u = glm::normalize(glm::cross(axis, other));
     const glm::vec3 v = glm::cross(axis, u);
+    // A taper tilts the normals toward the thin end.
     const float slope = (from_radius - to_radius) / length;
     const std::size_t first = shape_.vertices.size();
+    // From the far ring to the near one: so that the triangles face outward.
     for (const auto& [centre, radius] : {std::pair{to, to_radius}, std::pair{from, from_radius}}) {
         for (std::size_t side = 0; side <= kSides; ++side) {
             const float angle = 2.0F * glm::pi<float>() * ratio(side, kSides);
@@ -81,6 +87,8 @@ void StickBuilder::add_vertex(glm::vec3 position, glm::vec3 normal) {
                                .occlusion = 230});
 }
 
+/// Two triangles for each cell of a grid whose rows have one point more than cells: the last column
+/// repeats the first.
 void StickBuilder::connect(std::size_t first, std::size_t rows, std::size_t columns) {
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column < columns; ++column) {

@@ -11,6 +11,7 @@ using motion::Bone;
 
 constexpr float kEndRadius = 0.022F;  // metres; hands, feet, clavicles
 
+/// Bones are ordered: middle, then left, then right.
 StickPart part_of(Bone bone) noexcept {
     if (bone < Bone::left_upper_leg) {
         return StickPart::middle;
@@ -18,6 +19,7 @@ StickPart part_of(Bone bone) noexcept {
     return bone < Bone::right_upper_leg ? StickPart::left : StickPart::right;
 }
 
+/// A builder for pieces fixed to `bone`, in its side's colour.
 StickBuilder builder_for(Shape<StickVertex>& shape, Bone bone) {
     return {shape, static_cast<std::uint8_t>(bone), part_of(bone)};
 }
@@ -27,10 +29,12 @@ bool is_finger(Bone bone) noexcept {
            (bone >= Bone::right_thumb_metacarpal && bone <= Bone::right_little_distal);
 }
 
+/// The last bone of a finger, which has no child joint to draw a stick to.
 bool is_fingertip(Bone bone) noexcept {
     return is_finger(bone) && motion::kBoneNames[motion::index_of(bone)].ends_with("Distal");
 }
 
+/// Joints at the ends of limbs and at the neck are smaller, those of fingers much smaller.
 float joint_radius(Bone bone) noexcept {
     switch (bone) {
         case Bone::left_shoulder:
@@ -49,6 +53,7 @@ float joint_radius(Bone bone) noexcept {
     }
 }
 
+/// The sphere of a joint in the full colour of its side.
 void add_joint(Shape<StickVertex>& shape, Bone bone) {
     StickBuilder builder = builder_for(shape, bone);
     builder.set_tint(1.0F);
@@ -69,8 +74,11 @@ void add_bone(Shape<StickVertex>& shape, Bone bone, glm::vec3 end, Bone colour_o
     }
 }
 
+/// The egg stands on the head's joint, which keeps its own sphere.
 void add_head(Shape<StickVertex>& shape) { builder_for(shape, Bone::head).add_head(); }
 
+/// Heel and toes: the skeleton gives their places as points, not as joints. They are given for the
+/// left foot and mirrored for the right.
 void add_foot(Shape<StickVertex>& shape, const motion::Skeleton& skeleton, motion::Side side) {
     const float sign = side == motion::Side::left ? 1.0F : -1.0F;
     const glm::vec3 mirror{sign, 1.0F, 1.0F};
@@ -91,6 +99,8 @@ Shape<StickVertex> stick_figure(const motion::Skeleton& skeleton) {
         const auto bone = static_cast<Bone>(i);
         add_joint(shape, bone);
         if (i > 0) {
+            // A stick turns with the bone it lies along, the parent, but has the colour of its
+            // lower end.
             const auto parent = static_cast<Bone>(motion::kBoneParents[i]);
             add_bone(shape, parent, skeleton.offsets[i], bone, End::joint);
         }

@@ -20,6 +20,7 @@ glm::vec3 srgb(std::uint32_t hex) noexcept {
     return {channel(16), channel(8), channel(0)};
 }
 
+/// Night-blue stage with warm key light and a cold rim; the default.
 Theme stage() noexcept {
     Theme theme;
     theme.name = "stage";
@@ -48,6 +49,7 @@ Theme stage() noexcept {
     return theme;
 }
 
+/// A plain mannequin before dark blue.
 Theme workshop_dark() noexcept {
     Theme theme;
     theme.name = "workshop_dark";
@@ -73,6 +75,7 @@ Theme workshop_dark() noexcept {
     return theme;
 }
 
+/// A wooden mannequin before a bright wall.
 Theme studio_light() noexcept {
     Theme theme;
     theme.name = "studio_light";
@@ -89,7 +92,9 @@ Theme studio_light() noexcept {
     theme.floor_centre = srgb(0xeae4dc);
     theme.floor_edge = srgb(0xe7dfd5);
     theme.ring = srgb(0xb05a3c);
+    // A bright floor is lit mostly from all around: its shadows are pale.
     theme.floor_ambient = 0.72F;
+    // Light added to a nearly white floor would not show, so here the rings cover it.
     theme.ring_cover = 1.0F;
     theme.key_light = {2.1F, 1.98F, 1.82F};
     theme.fill_light = {0.3F, 0.34F, 0.42F};
@@ -103,6 +108,7 @@ Theme studio_light() noexcept {
 constexpr std::array<std::string_view, 3> kThemeNames = {"stage", "workshop_dark", "studio_light"};
 
 const std::array<Theme, kThemeNames.size()>& themes() noexcept {
+    // In the order of kThemeNames; made on first use, since std::pow is not constexpr.
     static const std::array<Theme, kThemeNames.size()> all = {
         stage(), workshop_dark(), studio_light()};
     return all;

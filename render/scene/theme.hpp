@@ -15,40 +15,40 @@ enum class Dress { dancer, mannequin };
 /// Colours and lights of one look. Colours are linear (not sRGB), [0, 1]; lights are linear and may
 /// exceed 1.
 struct Theme {
-    std::string_view name;
-    Dress dress = Dress::dancer;
+    std::string_view name;        ///< as in theme_names
+    Dress dress = Dress::dancer;  ///< which colours below the body uses
 
     // Dress::dancer
-    glm::vec3 skin{};
-    glm::vec3 suit{};
-    glm::vec3 stripe{};
-    glm::vec3 hair{};
-    glm::vec3 shoes{};
-    glm::vec3 trim{};
+    glm::vec3 skin{};    ///< face, neck and arms
+    glm::vec3 suit{};    ///< unitard
+    glm::vec3 stripe{};  ///< side stripe of the suit
+    glm::vec3 hair{};    ///< hair cap and bun
+    glm::vec3 shoes{};   ///< dance shoes; soles are darker
+    glm::vec3 trim{};    ///< piping along the suit's edge
     // Dress::mannequin
-    glm::vec3 body{};
-    glm::vec3 joint_bands{};
-    glm::vec3 band_edge{};
+    glm::vec3 body{};         ///< everything but the bands
+    glm::vec3 joint_bands{};  ///< bands at neck, waist and limb joints
+    glm::vec3 band_edge{};    ///< dark line along a band
     // stick figure
-    glm::vec3 stick_middle{};
-    glm::vec3 stick_left{};
-    glm::vec3 stick_right{};
+    glm::vec3 stick_middle{};  ///< trunk and head
+    glm::vec3 stick_left{};    ///< the body's left side
+    glm::vec3 stick_right{};   ///< the body's right side
 
-    glm::vec3 background_top{};
-    glm::vec3 background_glow{};
-    glm::vec3 background_horizon{};
-    glm::vec3 floor_centre{};
-    glm::vec3 floor_edge{};
-    glm::vec3 ring{};
-    float floor_ambient = 0.2F;  ///< share of the floor's light that no shadow takes, (0, 1)
-    float ring_cover = 0.5F;     ///< from 0: rings add light, to 1: they cover the floor
+    glm::vec3 background_top{};      ///< upper edge of the backdrop
+    glm::vec3 background_glow{};     ///< its bright middle
+    glm::vec3 background_horizon{};  ///< where it meets the floor
+    glm::vec3 floor_centre{};        ///< albedo under the dancer
+    glm::vec3 floor_edge{};          ///< albedo far out
+    glm::vec3 ring{};                ///< rings of light
+    float floor_ambient = 0.2F;      ///< share of the floor's light that no shadow takes, (0, 1)
+    float ring_cover = 0.5F;         ///< from 0: rings add light, to 1: they cover the floor
 
-    glm::vec3 key_light{};
-    glm::vec3 fill_light{};
-    glm::vec3 rim_light{};
+    glm::vec3 key_light{};     ///< main light; casts the shadow
+    glm::vec3 fill_light{};    ///< lifts the dark side
+    glm::vec3 rim_light{};     ///< bright edge, from behind
     glm::vec3 sky_light{};     ///< hemisphere light from above
     glm::vec3 ground_light{};  ///< and from below
-    float exposure = 1.0F;
+    float exposure = 1.0F;     ///< factor before tone mapping
 };
 
 /// Names for --theme, the default first: "stage", "workshop_dark", "studio_light".

@@ -9,21 +9,26 @@ extern "C" {
 #include <memory>
 #include <string>
 
-/// Owners of FFmpeg's objects.
+/// Owners of FFmpeg's objects: each is freed by the function that FFmpeg has for it.
 namespace raks::render {
 
+/// Frees an encoder.
 struct FreeCodec {
     void operator()(AVCodecContext* codec) const noexcept { avcodec_free_context(&codec); }
 };
+/// Frees a picture or a piece of sound.
 struct FreeFrame {
     void operator()(AVFrame* frame) const noexcept { av_frame_free(&frame); }
 };
+/// Frees encoded data.
 struct FreePacket {
     void operator()(AVPacket* packet) const noexcept { av_packet_free(&packet); }
 };
+/// Frees a colour converter.
 struct FreeScaler {
     void operator()(SwsContext* scaler) const noexcept { sws_freeContext(scaler); }
 };
+/// Closes the file and frees the container's writer.
 struct FreeMuxer {
     void operator()(AVFormatContext* muxer) const noexcept {
         avio_closep(&muxer->pb);
@@ -43,8 +48,8 @@ using MuxerHandle = std::unique_ptr<AVFormatContext, FreeMuxer>;
     return text;
 }
 
-/// The same number of threads everywhere: x264 writes it into the file, and the pictures of other
-/// numbers differ.
+/// Threads of an encoder. A fixed number, so that the same input gives the same file on every
+/// machine: x264 writes the number into the file, and its pictures depend on it.
 inline constexpr int kEncoderThreads = 2;
 
 }  // namespace raks::render

@@ -46,23 +46,28 @@ class Film final : public VideoWriter {
     std::optional<Error> failure_;
 };
 
+/// The first failure is kept: what follows it would only report its consequences.
 tl::unexpected<Error> Film::give_up(const std::string& why) {
     failure_ = Error{name_ + ": " + why};
     return fail(*failure_);
 }
 
+/// A track of the file for an encoder that is open.
 Expected<AVStream*> Film::add_stream(const AVCodecContext& codec) {
     AVStream* const stream = avformat_new_stream(muxer_.get(), nullptr);
     if (stream == nullptr || avcodec_parameters_from_context(stream->codecpar, &codec) < 0) {
         return give_up("out of memory");
     }
+    // A wish: the muxer may choose another when it writes the header.
     stream->time_base = codec.time_base;
     stream->avg_frame_rate = codec.framerate;
     return stream;
 }
 
+/// Opens the encoders first, so that a wrong option is refused before anything is written.
 Expected<void> Film::open(FilmForm form) {
     AVFormatContext* muxer = nullptr;
+    // With the protocol named, a path with a colon in it is not taken for another protocol.
     const std::string url = "file:" + file_.part().string();
     const char* const format = form == FilmForm::mp4 ? "mp4" : "avi";
     if (const int error = avformat_alloc_output_context2(&muxer, nullptr, format, url.c_str());
@@ -71,6 +76,7 @@ Expected<void> Film::open(FilmForm form) {
                        av_reason(error));
     }
     muxer_.reset(muxer);
+    // No date and no library version in the file.
     muxer_->flags |= AVFMT_FLAG_BITEXACT;
     packet_.reset(av_packet_alloc());
 
@@ -112,6 +118,7 @@ Expected<void> Film::encode(AVCodecContext& codec, const AVStream& stream, const
     }
     for (;;) {
         int error = avcodec_receive_packet(&codec, packet_.get());
+        // The encoder wants more input, or, after the end was sent, has given everything.
         if (error == AVERROR(EAGAIN) || error == AVERROR_EOF) {
             return {};
         }
@@ -121,8 +128,10 @@ Expected<void> Film::encode(AVCodecContext& codec, const AVStream& stream, const
         if (packet_->duration == 0 && codec.codec_type == AVMEDIA_TYPE_VIDEO) {
             packet_->duration = 1;  // else the last picture of an .mp4 has no length
         }
+        // Encoder and container count time in different units.
         av_packet_rescale_ts(packet_.get(), codec.time_base, stream.time_base);
         packet_->stream_index = stream.index;
+        // The muxer orders the packets of both tracks by time.
         error = av_interleaved_write_frame(muxer_.get(), packet_.get());
         if (error < 0) {
             return give_up("cannot be written: " + av_reason(error));
@@ -130,6 +139,7 @@ Expected<void> Film::encode(AVCodecContext& codec, const AVStream& stream, const
     }
 }
 
+/// pictures * audio_rate / fps, in integers: no rounding error adds up over a long film.
 std::int64_t Film::sound_end() const noexcept {
     return av_rescale_rnd(
         picture_count_,
@@ -138,6 +148,7 @@ std::int64_t Film::sound_end() const noexcept {
         AV_ROUND_DOWN);
 }
 
+/// Encodes the sound that the pictures have reached; the rest waits.
 Expected<void> Film::encode_sound() {
     for (;;) {
         auto frame = sound_->next(sound_end());
@@ -160,6 +171,7 @@ Expected<void> Film::add_picture(std::span<const std::uint8_t> rgba) {
     if (auto fits = check_picture(rgba, options_); !fits) {
         return give_up(fits.error().message);
     }
+    // The picture's number is its time in units of the encoder's time base.
     auto frame = pictures_->convert(rgba, picture_count_);
     if (!frame) {
         return give_up(frame.error().message);
@@ -182,10 +194,12 @@ Expected<void> Film::add_sound(std::span<const float> interleaved) {
         return give_up(std::to_string(interleaved.size()) + " samples are no whole number of " +
                        std::to_string(options_.audio_channels) + "-channel audio frames");
     }
+    // Whole audio frames only: half a frame would exchange the channels from there on.
     sound_->add(interleaved);
     return encode_sound();
 }
 
+/// Sound to the end of the last picture, then what the encoders still hold, then the trailer.
 Expected<void> Film::finish() {
     if (!failure_ && picture_count_ == 0) {
         return give_up("no picture was drawn; nothing is written");
@@ -198,6 +212,7 @@ Expected<void> Film::finish() {
         if (auto done = encode_sound(); !done) {
             return done;
         }
+        // A null frame ends a track: encoders look ahead and hold frames back.
         if (auto done = encode(sound_->codec(), *sound_stream_, nullptr); !done) {
             return done;
         }
@@ -206,11 +221,13 @@ Expected<void> Film::finish() {
         return done;
     }
     int error = av_write_trailer(muxer_.get());
+    // A full disk may show only when the file is closed.
     const int close_error = avio_closep(&muxer_->pb);
     error = error < 0 ? error : close_error;
     if (error < 0) {
         return give_up("cannot be written: " + av_reason(error));
     }
+    // Further calls are mistakes of the caller, and get this line.
     failure_ = Error{name_ + ": is finished already"};
     return file_.commit();
 }

@@ -13,6 +13,8 @@ FrameRate FrameRate::nearest(double fps) noexcept {
             return {whole * 1000, 1001};
         }
     }
+    // Everything else is a fraction of thousandths in lowest terms; the bound keeps the int in
+    // range.
     const int thousandths = static_cast<int>(std::lround(std::min(fps, 1e6) * 1000.0));
     const int common = std::gcd(thousandths, 1000);
     return {thousandths / common, 1000 / common};

@@ -2,6 +2,7 @@
 
 namespace raks::render {
 
+// Stands for film.cpp where the build has no FFmpeg.
 Expected<std::unique_ptr<VideoWriter>> create_film(const std::filesystem::path& path,
                                                    FilmForm /*form*/,
                                                    const VideoOptions& /*options*/) {

@@ -11,12 +11,14 @@ extern "C" {
 namespace raks::render {
 namespace {
 
+// Settings of one VideoQuality, as in the table of video_writer.hpp.
 struct QualityRow {
     const char* x264_preset;
     int x264_crf;
     int jpeg_scale;
 };
 
+/// `normal` stands for anything else, too.
 QualityRow row_of(VideoQuality quality) {
     switch (quality) {
         case VideoQuality::draft:
@@ -29,12 +31,14 @@ QualityRow row_of(VideoQuality quality) {
     return {"veryfast", 20, 3};
 }
 
+/// BT.709 in limited range with 4:2:0 colour: what players assume of a film of this size.
 void set_h264(AVCodecContext& codec, const QualityRow& row) {
     codec.pix_fmt = AV_PIX_FMT_YUV420P;
     codec.color_range = AVCOL_RANGE_MPEG;
     codec.colorspace = AVCOL_SPC_BT709;
     codec.color_primaries = AVCOL_PRI_BT709;
     codec.color_trc = AVCOL_TRC_BT709;
+    // A key frame at least every two seconds: that far a player may have to seek back.
     codec.gop_size = std::max(1, static_cast<int>(std::lround(2.0 * av_q2d(codec.framerate))));
     av_opt_set(codec.priv_data, "preset", row.x264_preset, 0);
     av_opt_set_double(codec.priv_data, "crf", row.x264_crf, 0);
@@ -49,6 +53,8 @@ void set_jpeg(AVCodecContext& codec, const QualityRow& row) {
     codec.global_quality = FF_QP2LAMBDA * row.jpeg_scale;
 }
 
+/// Converts RGBA to the encoder's format with its own colour matrix and range; swscale alone would
+/// assume BT.601 for everything. Null on failure.
 ScalerHandle make_scaler(const AVCodecContext& codec) {
     ScalerHandle scaler(sws_getContext(codec.width,
                                        codec.height,
@@ -64,6 +70,7 @@ ScalerHandle make_scaler(const AVCodecContext& codec) {
         constexpr int kUnity = 1 << 16;
         const bool is_full = codec.color_range == AVCOL_RANGE_JPEG;
         const int* const from_rgb = sws_getCoefficients(is_full ? SWS_CS_ITU601 : SWS_CS_ITU709);
+        // Source: full range RGB. Destination: the matrix above, full range for JPEG alone.
         sws_setColorspaceDetails(scaler.get(),
                                  sws_getCoefficients(SWS_CS_DEFAULT),
                                  1,
@@ -97,10 +104,12 @@ Expected<PictureEncoder> PictureEncoder::create(FilmForm form,
     AVCodecContext& codec = *encoder.codec_;
     codec.width = options.width;
     codec.height = options.height;
+    // One picture lasts one unit of time.
     codec.time_base = {options.rate.denominator, options.rate.numerator};
     codec.framerate = {options.rate.numerator, options.rate.denominator};
     codec.sample_aspect_ratio = {1, 1};
     codec.thread_count = kEncoderThreads;
+    // No library version in the stream.
     codec.flags |= AV_CODEC_FLAG_BITEXACT;
     if ((muxer_flags & AVFMT_GLOBALHEADER) != 0) {
         codec.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;

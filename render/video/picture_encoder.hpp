@@ -9,16 +9,20 @@
 
 namespace raks::render {
 
-/// H.264 for .mp4, Motion JPEG for .avi: one RGBA picture in, frames of libavcodec's own out.
+/// H.264 for .mp4, Motion JPEG for .avi: converts RGBA pictures into frames for libavcodec.
+/// Threads: one. Real-time: no.
 class PictureEncoder {
  public:
-    /// `has_global_header`: the container keeps the codec's header itself.
+    /// Opens the encoder. `muxer_flags` are AVOutputFormat's: they tell whether the container keeps
+    /// the codec's header. Errors: no such encoder in this FFmpeg, or one that does not start.
     [[nodiscard]] static Expected<PictureEncoder> create(FilmForm form,
                                                          const VideoOptions& options,
                                                          int muxer_flags);
 
+    /// The open encoder; owned by this object.
     [[nodiscard]] AVCodecContext& codec() const noexcept { return *codec_; }
-    /// The picture in the codec's colours, at time `number` / rate.
+    /// The picture in the codec's pixel format, at time `number` / rate. `rgba` has the size of the
+    /// options. Errors: out of memory.
     [[nodiscard]] Expected<FrameHandle> convert(std::span<const std::uint8_t> rgba,
                                                 std::int64_t number) const;
 

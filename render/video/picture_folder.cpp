@@ -22,12 +22,14 @@ class PictureFolder final : public VideoWriter {
             return fail(std::move(fits.error()).in(path_.string()));
         }
         std::array<char, 32> name{};
+        // Numbered from 1; six digits sort by name for 9 hours at 30 pictures a second.
         std::snprintf(name.data(), name.size(), "%06lld.png", ++pictures_);
         return write_png(folder_.part() / name.data(), options_.width, options_.height, rgba);
     }
 
     Expected<void> add_sound(std::span<const float> /*interleaved*/) override { return {}; }
 
+    // The folder gets its name only when complete, like a film.
     Expected<void> finish() override {
         if (pictures_ == 0) {
             return fail(path_.string() + ": no picture was drawn; nothing is written");

@@ -18,16 +18,19 @@ struct Sink {
     std::string error;
 };
 
+/// libpng's write function: collects the bytes in memory.
 void append(png_structp png, png_bytep data, png_size_t size) {
     auto* const sink = static_cast<Sink*>(png_get_io_ptr(png));
     sink->bytes.append(reinterpret_cast<const char*>(data), size);
 }
 
+/// libpng's error function must not return: it jumps back to `encode`.
 void keep_error(png_structp png, png_const_charp text) {
     static_cast<Sink*>(png_get_error_ptr(png))->error = text;
     png_longjmp(png, 1);
 }
 
+/// Else libpng writes them to stderr.
 void ignore_warning(png_structp, png_const_charp) {}
 
 /// libpng leaves by longjmp: nothing with a destructor may be made in here after setjmp.
@@ -50,12 +53,14 @@ void encode(png_structp png,
                  PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png, level);
+    // No filter: faster, and drawn pictures have large areas of one colour anyway.
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_write_info(png, info);
     png_write_image(png, rows);
     png_write_end(png, nullptr);
 }
 
+/// Checks size and bytes, then encodes. `level`: zlib's, 1 fast to 9 small.
 Expected<std::string> encoded(int width,
                               int height,
                               std::span<const std::uint8_t> rgba,
@@ -66,6 +71,7 @@ Expected<std::string> encoded(int width,
         return fail("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
                     " does not have " + std::to_string(rgba.size()) + " bytes");
     }
+    // Everything with a destructor is made out here, where no longjmp leaves it behind.
     std::vector<png_bytep> rows(high);
     for (std::size_t y = 0; y < high; ++y) {
         // libpng takes rows as writable and only reads them.
@@ -86,6 +92,7 @@ Expected<std::string> encoded(int width,
     } else {
         sink.error = "out of memory";
     }
+    // Frees both, also when one of them was not made.
     png_destroy_write_struct(&png, &info);
     if (!sink.error.empty()) {
         return fail("a picture cannot be encoded as PNG: " + sink.error);

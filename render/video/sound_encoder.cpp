@@ -12,9 +12,11 @@ extern "C" {
 namespace raks::render {
 namespace {
 
+// PCM has no frame size of its own: any will do.
 constexpr std::int64_t kPcmFrameSize = 1024;
 constexpr std::int64_t kAacBitsPerChannel = 80'000;
 
+/// "8000, 11025, ...": rising, for the error line.
 std::string rates_of(const AVCodec& kind) {
     std::vector<int> rates;
     for (const int* rate = kind.supported_samplerates; *rate != 0; ++rate) {
@@ -28,6 +30,7 @@ std::string rates_of(const AVCodec& kind) {
     return text;
 }
 
+/// An encoder without a list takes every rate.
 bool is_rate_known(const AVCodec& kind, int rate) {
     if (kind.supported_samplerates == nullptr) {
         return true;
@@ -40,8 +43,10 @@ bool is_rate_known(const AVCodec& kind, int rate) {
     return false;
 }
 
+/// Encoders may not be given NaN or what is out of range.
 float clean(float sample) { return std::isnan(sample) ? 0.0F : std::clamp(sample, -1.0F, 1.0F); }
 
+/// One array a channel: AAC's form.
 void fill_planar(AVFrame& frame, const float* from, std::size_t channels) {
     const auto count = static_cast<std::size_t>(frame.nb_samples);
     for (std::size_t c = 0; c < channels; ++c) {
@@ -52,6 +57,7 @@ void fill_planar(AVFrame& frame, const float* from, std::size_t channels) {
     }
 }
 
+/// Interleaved 16 bit: PCM's form.
 void fill_packed(AVFrame& frame, const float* from, std::size_t channels) {
     auto* const to = reinterpret_cast<std::int16_t*>(frame.data[0]);
     const std::size_t count = static_cast<std::size_t>(frame.nb_samples) * channels;
@@ -85,7 +91,9 @@ Expected<SoundEncoder> SoundEncoder::create(FilmForm form,
     codec.sample_fmt = is_aac ? AV_SAMPLE_FMT_FLTP : AV_SAMPLE_FMT_S16;
     codec.sample_rate = options.audio_rate;
     av_channel_layout_default(&codec.ch_layout, options.audio_channels);
+    // The rate of PCM follows from its samples.
     codec.bit_rate = is_aac ? kAacBitsPerChannel * options.audio_channels : 0;
+    // One audio frame lasts one unit of time.
     codec.time_base = {1, options.audio_rate};
     codec.thread_count = kEncoderThreads;
     codec.flags |= AV_CODEC_FLAG_BITEXACT;
@@ -100,6 +108,7 @@ Expected<SoundEncoder> SoundEncoder::create(FilmForm form,
     return encoder;
 }
 
+/// Audio frames that wait.
 std::int64_t SoundEncoder::kept() const noexcept {
     return static_cast<std::int64_t>(samples_.size() - first_) / channels_;
 }
@@ -115,6 +124,7 @@ void SoundEncoder::add(std::span<const float> interleaved) {
 void SoundEncoder::set_length(std::int64_t audio_frames) {
     length_ = audio_frames;
     const std::int64_t left = std::max<std::int64_t>(0, audio_frames - position_);
+    // Cuts what goes beyond the last picture, or appends silence.
     samples_.resize(first_ + static_cast<std::size_t>(left * channels_), 0.0F);
 }
 
@@ -123,9 +133,11 @@ Expected<FrameHandle> SoundEncoder::next(std::int64_t until) {
     if (ready >= frame_size_) {
         return take(frame_size_);
     }
+    // Only the last frame may be shorter than the codec's size.
     return length_ >= 0 && ready > 0 ? take(ready) : FrameHandle();
 }
 
+/// Moves samples into a frame of the codec's format and advances both positions.
 Expected<FrameHandle> SoundEncoder::take(std::int64_t audio_frames) {
     FrameHandle frame(av_frame_alloc());
     if (!frame) {
@@ -134,6 +146,8 @@ Expected<FrameHandle> SoundEncoder::take(std::int64_t audio_frames) {
     frame->format = codec_->sample_fmt;
     frame->sample_rate = codec_->sample_rate;
     frame->nb_samples = static_cast<int>(audio_frames);
+    // Time stamps count audio frames from the start; the encoder's own delay is the muxer's to take
+    // off.
     frame->pts = position_;
     if (av_channel_layout_copy(&frame->ch_layout, &codec_->ch_layout) < 0 ||
         av_frame_get_buffer(frame.get(), 0) < 0) {

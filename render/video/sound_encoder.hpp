@@ -10,14 +10,19 @@
 
 namespace raks::render {
 
-/// AAC for .mp4, 16 bit PCM for .avi: keeps samples until a frame of the codec's size is full.
+/// AAC for .mp4, 16 bit PCM for .avi: collects samples until a frame of the codec's size is full.
+/// Threads: one. Real-time: no.
 class SoundEncoder {
  public:
+    /// Opens the encoder; `muxer_flags` are AVOutputFormat's. Errors: no such encoder in this
+    /// FFmpeg, a sample rate that it does not have, or one that does not start.
     [[nodiscard]] static Expected<SoundEncoder> create(FilmForm form,
                                                        const VideoOptions& options,
                                                        int muxer_flags);
 
+    /// The open encoder; owned by this object.
     [[nodiscard]] AVCodecContext& codec() const noexcept { return *codec_; }
+    /// Appends interleaved samples, whole audio frames.
     void add(std::span<const float> interleaved);
     /// Cuts or fills with silence, so that the sound ends after `audio_frames`.
     void set_length(std::int64_t audio_frames);

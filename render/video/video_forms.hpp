@@ -6,6 +6,7 @@
 /// The forms of a film, each a VideoWriter of its own. Options are valid when they come here.
 namespace raks::render {
 
+/// Container of a film; codecs follow from it.
 enum class FilmForm { mp4, avi };
 
 /// .mp4 and .avi through FFmpeg's libraries.

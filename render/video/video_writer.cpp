@@ -9,11 +9,13 @@
 namespace raks::render {
 namespace {
 
+// Limits as in VideoOptions.
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 8192;
 constexpr double kMinFps = 1.0;
 constexpr double kMaxFps = 240.0;
 
+/// "1280x720".
 std::string size_text(int width, int height) {
     return std::to_string(width) + "x" + std::to_string(height);
 }
@@ -44,6 +46,7 @@ Expected<void> check_options(const VideoOptions& options) {
     return {};
 }
 
+/// 4:2:0 halves the colour's resolution both ways, so films need even sides.
 Expected<void> check_even(const VideoOptions& options) {
     if (options.width % 2 != 0 || options.height % 2 != 0) {
         return fail("a film of " + size_text(options.width, options.height) +
@@ -53,6 +56,7 @@ Expected<void> check_even(const VideoOptions& options) {
     return {};
 }
 
+/// ".MP4" means ".mp4".
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
@@ -61,6 +65,7 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
+/// No extension means a folder, and so does a folder that exists, whatever its name.
 Expected<std::unique_ptr<VideoWriter>> create_by_extension(const std::filesystem::path& path,
                                                            const VideoOptions& options) {
     const std::string extension = lower_extension(path);

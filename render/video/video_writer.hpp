@@ -11,12 +11,15 @@ namespace raks::render {
 
 /// Pictures per second as a fraction, so that no picture time is ever rounded: 30/1, 30000/1001.
 struct FrameRate {
+    /// Pictures, > 0.
     int numerator = 30;
+    /// Seconds in which they are shown, > 0.
     int denominator = 1;
 
     /// The fraction that is meant by a decimal number: 29.97 is 30000/1001, 12.5 is 25/2.
     /// `fps` > 0; the result is exact to 0.001.
     [[nodiscard]] static FrameRate nearest(double fps) noexcept;
+    /// Pictures a second.
     [[nodiscard]] double fps() const noexcept {
         return static_cast<double>(numerator) / denominator;
     }
@@ -29,10 +32,12 @@ struct FrameRate {
 ///   high      medium,    crf 17    qscale 2
 enum class VideoQuality : std::uint8_t { draft, normal, high };
 
+/// Size, rate and quality of a film; `VideoWriter::create` refuses what is out of range.
 struct VideoOptions {
     int width = 1280;  ///< pixels; 16 to 8192, even unless pictures are written as files
     int height = 720;  ///< pixels; as width
     FrameRate rate{};  ///< 1 to 240 pictures a second
+    /// Of the pictures; PNG files are lossless.
     VideoQuality quality = VideoQuality::normal;
     int audio_rate = 48'000;  ///< Hz; .mp4: one of AAC's rates (8,000 to 96,000)
     int audio_channels = 2;   ///< 0 (no sound track), 1 or 2
@@ -44,16 +49,15 @@ struct VideoOptions {
 ///   X.avi   Motion JPEG and 16 bit PCM: plays everywhere, needs no H.264 encoder
 ///   X, X/   a folder of pictures 000001.png, 000002.png, ...; sound is accepted and dropped
 ///
-/// Picture k is shown from k / rate on and sample n is heard at n / audio_rate: what is added at
-/// the same time is seen and heard at the same time (the encoders' own delay is taken off in the
-/// file). Sound may be added ahead of the pictures (it waits in memory until they reach
-/// it) or behind them; the sound track ends exactly with
-/// the last picture: it is cut, or filled with silence.
+/// Picture k is shown from k / rate on and sample n is played at n / audio_rate; the encoders' own
+/// delay is taken off in the file. Sound may be added ahead of the pictures (it waits in memory
+/// until they reach it) or behind them. The sound track ends exactly with the last picture: it is
+/// cut, or filled with silence.
 ///
 /// The same input gives the same bytes (fixed thread count, no dates, no library versions).
-/// Everything goes to NAME.part first, which gets its name in finish(): a film that is not
-/// finished leaves nothing behind. A program that is told to stop calls finish() and keeps what
-/// was added. It also ignores SIGXFSZ, so that a file size limit arrives here as an error.
+/// Everything goes to NAME.part first, which gets its name in finish(): a film that is not finished
+/// leaves nothing behind. A program that is told to stop calls finish() and keeps what was added.
+/// It also ignores SIGXFSZ, so that a file size limit arrives here as an error.
 ///
 ///     auto film = VideoWriter::create("out.mp4", {.width = 1280, .height = 720});
 ///     (*film)->add_sound(samples);  (*film)->add_picture(rgba);  (*film)->finish();
@@ -67,7 +71,9 @@ class VideoWriter {
     [[nodiscard]] static Expected<std::unique_ptr<VideoWriter>> create(
         const std::filesystem::path& path, const VideoOptions& options);
 
+    /// One file, one writer: not to be copied or moved.
     VideoWriter(const VideoWriter&) = delete;
+    /// As the constructor.
     VideoWriter& operator=(const VideoWriter&) = delete;
     /// Removes the part unless finish() succeeded.
     virtual ~VideoWriter() = default;

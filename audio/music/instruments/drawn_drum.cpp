@@ -10,22 +10,27 @@
 namespace raks::audio {
 namespace {
 
-/// From what the sounds of one kind are drawn. A level of 0 to 0: without.
+/// Ranges from which the sounds of one kind are drawn: levels, hertz, seconds. A level range of 0
+/// to 0 leaves that part out.
 struct Kind {
+    // The membrane: level, frequency, decay; how far its pitch may fall; number of further modes.
     LogRange body;
     LogRange hertz;
     LogRange body_t60;
     double most_fall;
     int modes;
+    // Noise through the band-pass: level, middle, decay.
     LogRange noise;
     LogRange noise_hertz;
     LogRange noise_t60;
+    // Metal through the high-pass: level, lowest sine, decay.
     LogRange metal;
     LogRange metal_hertz;
     LogRange metal_t60;
 };
 
 constexpr LogRange kNone = {0.0, 0.0};
+// For parts whose level is none: never audible.
 constexpr LogRange kAny = {1'000.0, 8'000.0};
 constexpr LogRange kShort = {0.02, 0.1};
 
@@ -131,12 +136,13 @@ constexpr Kind kShakerKind = {kNone,
                               {5'000, 10'000},
                               {0.03, 0.3}};
 
-/// Lower drums of a kind sound lower.
+/// A kind of sound, and a factor on its pitch: lower drums of a kind get a lower one.
 struct Sound {
     const Kind* kind;
     double pitch = 1.0;
 };
 
+/// Kind of a General MIDI key. Keys that are not named here are drums with a skin.
 Sound sound_of(int key) {
     switch (key) {
         case drum_named("acoustic_kick"):
@@ -190,13 +196,15 @@ Sound sound_of(int key) {
     }
 }
 
+/// A drawn level; 0 for a part that the kind does not have (a logarithm of 0 cannot be drawn).
 double level_of(const LogRange& range, Dice& dice) {
     return range.high > 0.0 ? range.draw(dice) : 0.0;
 }
 
+/// Cabasa to guiro are shaken or scraped, so their noise has no hard attack.
 bool swells(int key) { return key >= drum_named("cabasa") && key <= drum_named("long_guiro"); }
 
-/// Noise through the band-pass, in bursts.
+/// Envelope of the noise at `t` seconds: bursts that each decay, the last one for longest.
 double noise_at(const DrawnDrum& drum, double t) {
     double gain = 0.0;
     for (int burst = 0; burst < drum.bursts; ++burst) {
@@ -225,6 +233,7 @@ DrawnDrum draw_drum(int key, Dice& dice) {
     for (std::size_t mode = 0; mode < drum.modes.size(); ++mode) {
         const bool sounds = static_cast<int>(mode) < kind.modes;
         drum.modes[mode] = sounds ? drum.body * dice.uniform(0.0, 0.6) : 0.0;
+        // Near the ratios of a circular membrane, whose second mode is at 1.59.
         drum.ratios[mode] = (1.59 + 0.6 * static_cast<double>(mode)) * dice.uniform(0.9, 1.1);
     }
     drum.noise = level_of(kind.noise, dice);
@@ -232,12 +241,14 @@ DrawnDrum draw_drum(int key, Dice& dice) {
     drum.noise_q = dice.log_uniform(0.4, 2.0);
     drum.noise_t60 = kind.noise_t60.draw(dice);
     drum.noise_rise = swells(key) ? dice.log_uniform(0.002, 0.04) : 0.0005;
+    // A clap is several hands.
     drum.bursts = sound.kind == &kClapKind ? dice.whole(1, 4) : 1;
     drum.burst_gap = dice.uniform(0.006, 0.015);
     drum.metal = level_of(kind.metal, dice);
     drum.metal_hertz = kind.metal_hertz.draw(dice);
     drum.metal_t60 = kind.metal_t60.draw(dice);
     for (double& ratio : drum.partials) {
+        // Inharmonic: sines at no whole ratios sound like metal.
         ratio = dice.uniform(1.0, 2.7);
     }
     drum.drive = dice.chance(0.3) ? dice.log_uniform(1.0, 8.0) : 1.0;
@@ -246,11 +257,13 @@ DrawnDrum draw_drum(int key, Dice& dice) {
 }
 
 std::vector<float> strike(const DrawnDrum& drum, int rate) {
+    // A stroke ends when its longest part has lost 60 dB.
     const double longest = std::max({drum.body > 0.0 ? drum.body_t60 : 0.0,
                                      drum.noise_t60 + drum.bursts * drum.burst_gap,
                                      drum.metal > 0.0 ? drum.metal_t60 : 0.0});
     const double hertz = rate;
     std::vector<float> out(static_cast<std::size_t>(longest * hertz));
+    // Seeded by the drum itself: the same drum has the same noise.
     const CounterRandom random(static_cast<std::uint64_t>(drum.noise_hertz), 3);
     StateVariableFilter band(drum.noise_hertz, drum.noise_q, hertz);
     StateVariableFilter above(0.8 * drum.metal_hertz, 0.7, hertz);
@@ -260,6 +273,7 @@ std::vector<float> strike(const DrawnDrum& drum, int rate) {
         metal.emplace_back(ratio * drum.metal_hertz, drum.metal / 3.0, drum.metal_t60, hertz);
     }
     for (std::size_t mode = 0; mode < drum.modes.size(); ++mode) {
+        // Higher modes die away faster than the lowest.
         modes.emplace_back(
             drum.ratios[mode] * drum.hertz, drum.modes[mode], 0.6 * drum.body_t60, hertz);
     }
@@ -269,6 +283,7 @@ std::vector<float> strike(const DrawnDrum& drum, int rate) {
     float peak = 1e-6F;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double t = static_cast<double>(i) / hertz;
+        // The phase is summed up, since the frequency changes from sample to sample.
         phase += drum.hertz * (1.0 + drum.fall * std::exp(-t / drum.fall_time)) / hertz;
         double sum = body * std::sin(kTwoPi * phase);
         body *= body_loss;

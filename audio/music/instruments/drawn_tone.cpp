@@ -37,8 +37,8 @@ constexpr std::array<Family, 16> kFamilies = {{
     {true, {0.01, 0.3}, {0.1, 1.0}},       // sound effects
 }};
 
-constexpr double kLongestRelease = 5.0;  // times the release until a note is over
-constexpr int kControlSamples = 32;      // the filter is set anew that often
+constexpr double kLongestRelease = 5.0;  // release times after which a note is cut
+constexpr int kControlSamples = 32;      // samples between updates of the filter
 
 /// The oscillators of one note.
 class Oscillators {
@@ -46,7 +46,9 @@ class Oscillators {
     Oscillators(const DrawnTone& tone, double rate, const CounterRandom& random)
         : tone_(tone), rate_(rate) {
         for (int voice = 0; voice < tone.voices; ++voice) {
+            // Voices start at phases of their own, or they would sum to a click at the attack.
             const double start = random.uniform(static_cast<std::uint64_t>(voice));
+            // -1 to 1: voices are detuned evenly to both sides.
             const double place = tone.voices > 1 ? 2.0 * voice / (tone.voices - 1.0) - 1.0 : 0.0;
             voices_.push_back({Saw(start),
                                Saw(std::fmod(start + tone.pulse_width, 1.0)),
@@ -55,6 +57,7 @@ class Oscillators {
         }
     }
 
+    /// The next sample at this frequency; `brightness` in [0, 1] scales the modulation index.
     double next(double hertz, double brightness) {
         double sum = 0.0;
         for (Voice& voice : voices_) {
@@ -64,6 +67,7 @@ class Oscillators {
                     sum += voice.saw.next(f, rate_);
                     break;
                 case DrawnTone::Oscillator::pulse:
+                    // The difference of two saws is a pulse, as wide as they are apart.
                     sum += voice.saw.next(f, rate_) - voice.second.next(f, rate_);
                     break;
                 case DrawnTone::Oscillator::modulated:
@@ -74,6 +78,7 @@ class Oscillators {
                     break;
             }
         }
+        // Detuned voices are uncorrelated: their power adds, not their amplitude.
         return sum / std::sqrt(static_cast<double>(voices_.size()));
     }
 
@@ -91,6 +96,7 @@ class Oscillators {
 
 /// Loudness over a note's time: a straight rise, a fall towards `sustain`, a fall after the end.
 double envelope(const DrawnTone& tone, double t, double length) {
+    // After the end the level stays what it was there, and the release takes it down.
     const double inside = std::min(t, length);
     const double rise = std::min(1.0, inside / tone.attack);
     const double held =
@@ -108,9 +114,11 @@ DrawnTone draw_tone(int program, Dice& dice) {
                                  DrawnTone::Oscillator::pulse,
                                  DrawnTone::Oscillator::modulated});
     const bool is_modulated = tone.oscillator == DrawnTone::Oscillator::modulated;
+    // A modulated sine has sidebands enough without detuned copies.
     tone.voices = is_modulated ? 1 : dice.pick({1, 1, 2, 3});
     tone.detune = dice.log_uniform(0.001, 0.015);
     tone.pulse_width = dice.uniform(0.15, 0.5);
+    // Whole ratios give harmonic sounds, the others bells.
     tone.ratio = dice.pick({0.5, 1.0, 1.0, 2.0, 3.0, 3.5, 5.0, 7.0, 1.41, 11.0});
     tone.index = dice.log_uniform(0.2, 6.0);
     tone.breath = dice.chance(0.25) ? dice.log_uniform(0.02, 0.4) : 0.0;
@@ -136,6 +144,7 @@ void add_note(const DrawnTone& tone, const ToneNote& note, int rate, std::span<f
     const std::size_t count =
         std::min(samples.size() - begin,
                  static_cast<std::size_t>((note.length + kLongestRelease * tone.release) * hops));
+    // Seeded by place and pitch: the same note is the same samples.
     const CounterRandom random(begin, static_cast<std::uint64_t>(note.hertz));
     Oscillators oscillators(tone, hops, random);
     StateVariableFilter filter(1'000.0, tone.resonance, hops);
@@ -143,9 +152,11 @@ void add_note(const DrawnTone& tone, const ToneNote& note, int rate, std::span<f
     double hertz = note.hertz;
     for (std::size_t i = 0; i < count; ++i) {
         const double t = static_cast<double>(i) / hops;
+        // Brightness decays like the note: a struck string loses its overtones first.
         if (i % kControlSamples == 0) {
             brightness = std::exp(-t / tone.decay);
             hertz = note.hertz * (1.0 + tone.vibrato * std::sin(kTwoPi * 5.5 * t));
+            // Soft notes are darker. The cut-off is in harmonics, so that high notes keep theirs.
             const double harmonics =
                 (tone.cutoff + tone.opening * brightness) * (0.5 + 0.5 * note.strength);
             filter.set(std::clamp(harmonics * hertz, 60.0, 18'000.0), tone.resonance, hops);

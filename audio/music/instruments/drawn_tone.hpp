@@ -10,7 +10,9 @@ namespace raks::audio {
 /// A synthesizer's sound for what has a pitch: oscillators (saw, pulse or a sine that another sine
 /// modulates; Chowning 1973) through a low-pass that opens and closes.
 struct DrawnTone {
+    /// Wave form.
     enum class Oscillator : std::uint8_t { saw, pulse, modulated };
+    /// Of all voices.
     Oscillator oscillator = Oscillator::saw;
     int voices = 1;            ///< detuned against each other
     double detune = 0.0;       ///< of the outermost voices, as a part of the frequency
@@ -27,21 +29,22 @@ struct DrawnTone {
     double resonance = 0.8;    ///< Q
     double vibrato = 0.0;      ///< as a part of the frequency
     double drive = 1.0;        ///< into a soft limit
-    double level = 1.0;
+    double level = 1.0;        ///< in the mix
 };
 
-/// Of the kind that an instrument of General MIDI (`program`, 0-127) is: what is struck dies away,
-/// what is bowed or blown stays, pads swell.
+/// Draws a sound of the kind that belongs to an instrument of General MIDI (`program`, 0-127): what
+/// is struck dies away, what is bowed or blown stays, pads swell.
 [[nodiscard]] DrawnTone draw_tone(int program, Dice& dice);
 
+/// One note to synthesize.
 struct ToneNote {
-    double time = 0.0;    ///< s
-    double length = 0.2;  ///< s
-    double hertz = 220.0;
+    double time = 0.0;      ///< s
+    double length = 0.2;    ///< s
+    double hertz = 220.0;   ///< fundamental
     double strength = 1.0;  ///< (0, 1]
 };
 
-/// Adds a note to the samples; what does not fit is cut off.
+/// Adds a note to `samples` (mono, `rate` a second, from time 0); what does not fit is cut off.
 void add_note(const DrawnTone& tone, const ToneNote& note, int rate, std::span<float> samples);
 
 }  // namespace raks::audio

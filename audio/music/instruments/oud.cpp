@@ -14,6 +14,7 @@ std::vector<float> play_oud(std::span<const OudNote> notes, int rate, std::size_
         if (begin >= samples) {
             continue;
         }
+        // A hard pluck is brighter as well as louder.
         const std::vector<float> pluck = synthesize_tone({.sound = Sound::oud,
                                                           .hertz = note.hertz,
                                                           .seconds = std::max(0.1, note.length),
@@ -24,6 +25,7 @@ std::vector<float> play_oud(std::span<const OudNote> notes, int rate, std::size_
             sum[begin + i] += static_cast<float>(note.strength) * pluck[i];
         }
     }
+    // Not 0, so that silence is not divided by zero.
     float peak = 1e-6F;
     for (const float sample : sum) {
         peak = std::max(peak, std::abs(sample));

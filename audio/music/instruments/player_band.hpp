@@ -20,22 +20,27 @@ struct BandPlayer {
     friend bool operator==(const BandPlayer&, const BandPlayer&) = default;
 };
 
-/// Who plays a performance: a player for each channel, and several at the drums, so that three
-/// soundfonts make many kits and bands rather than three. What is learnt from them has to hold for
-/// a fourth.
+/// Who plays a performance: a player for each channel, and several at the drums, so that a few
+/// soundfonts make many kits and bands. A model trained on them has to hold for soundfonts that it
+/// was not trained on.
 struct PlayerBand {
+    /// Players that the drums are dealt to.
     static constexpr std::size_t kDrummers = 8;
+    /// MIDI keys.
     static constexpr std::size_t kKeys = 128;
 
+    /// By MIDI channel; the drum channel's entry is not used.
     std::array<BandPlayer, 16> channels;
+    /// Each with a soundfont and kit of its own.
     std::array<BandPlayer, kDrummers> drummers;
+    /// Index into `drummers` for each drum.
     std::array<std::size_t, kKeys> drummer_of_key{};
 
     friend bool operator==(const PlayerBand&, const PlayerBand&) = default;
 };
 
-/// Each player's soundfont is drawn of `soundfonts`, its tuning, brightness, decay and level about
-/// what the soundfont has.
+/// Draws a band: each player's soundfont out of `soundfonts` (> 0), and its tuning, brightness,
+/// decay and level around the soundfont's own.
 [[nodiscard]] PlayerBand draw_band(std::size_t soundfonts, Dice& dice);
 
 }  // namespace raks::audio

@@ -14,6 +14,7 @@ constexpr std::size_t kDelay = 110;  // samples: measured on clicks
 // FluidSynth's MIDI channels: the score's, then one for each drummer of a band.
 constexpr int kChannels = 32;
 constexpr int kFirstDrummer = 16;
+// The bank under which soundfonts have their drum kits.
 constexpr int kDrumBank = 128;
 
 constexpr int kNoBend = 8'192;  // MIDI's middle; the whole way up is two semitones
@@ -26,6 +27,8 @@ struct PlayerEvent {
     PlayedNote note;
 };
 
+/// Starts and ends in order of time. At one sample ends come first, so that a note that is struck
+/// again is not ended by the note before it.
 std::vector<PlayerEvent> events_of(const Performance& performance) {
     const auto sample_of = [](double seconds) {
         return static_cast<std::size_t>(std::max(0.0, seconds) * SoundfontPlayer::kRate);
@@ -49,11 +52,13 @@ struct SoundfontPlayer::Synth {
     std::vector<int> soundfonts;  // FluidSynth's numbers
 
     Synth() {
-        // A reset ends more voices at once than its list holds: said for each, and harmless.
+        // A reset ends more voices at once than FluidSynth's list holds. It logs each of them
+        // although nothing is wrong, so its log is off.
         fluid_set_log_function(FLUID_ERR, nullptr, nullptr);
         fluid_set_log_function(FLUID_WARN, nullptr, nullptr);
         fluid_set_log_function(FLUID_INFO, nullptr, nullptr);
         fluid_settings_setnum(settings, "synth.sample-rate", kRate);
+        // Only the samples of instruments that play are read.
         fluid_settings_setint(settings, "synth.dynamic-sample-loading", 1);
         fluid_settings_setint(settings, "synth.chorus.active", 0);
         fluid_settings_setint(settings, "synth.polyphony", 256);
@@ -68,7 +73,7 @@ struct SoundfontPlayer::Synth {
     Synth(const Synth&) = delete;
     Synth& operator=(const Synth&) = delete;
 
-    /// Plays the notes one after the other. `band`: null for the first soundfont as it is.
+    /// Mono samples of the performance; `band` null: the first soundfont plays everything as it is.
     std::vector<float> play(const Performance& performance,
                             const PlayerRoom& room,
                             const PlayerBand* band) {
@@ -81,6 +86,7 @@ struct SoundfontPlayer::Synth {
         std::vector<float> mono;
         mono.reserve(total + kDelay);
         for (const PlayerEvent& event : events_of(performance)) {
+            // FluidSynth has no clock: samples are rendered up to an event, then it is sent.
             const std::size_t at = std::min(event.sample, total + kDelay);
             if (at > mono.size()) {
                 render(at - mono.size(), mono);
@@ -90,6 +96,7 @@ struct SoundfontPlayer::Synth {
         if (mono.size() < total + kDelay) {
             render(total + kDelay - mono.size(), mono);
         }
+        // Taking the delay off puts onsets where the performance's beats are.
         mono.erase(mono.begin(), mono.begin() + kDelay);
         mono.resize(total);
         float peak = 1e-6F;
@@ -109,10 +116,12 @@ struct SoundfontPlayer::Synth {
         int bend = kNoBend;
     };
 
+    /// Sends one event to its channel, with the program and pitch bend that it needs before it.
     void send(const PlayerEvent& event, const PlayerRoom& room, const PlayerBand* band) {
         const PlayedNote& note = event.note;
         const bool is_drum = note.channel == kDrumChannel;
         const auto key = static_cast<std::size_t>(note.key);
+        // In a band each drummer has a channel, because a channel has one kit and one sound.
         const std::size_t drummer = band != nullptr && is_drum ? band->drummer_of_key[key] : 0;
         const int channel =
             band != nullptr && is_drum ? kFirstDrummer + static_cast<int>(drummer) : note.channel;
@@ -130,9 +139,11 @@ struct SoundfontPlayer::Synth {
                        player.kit.value_or(note.program));
                 set_sound(channel, player);
             }
+            // Controller 91 is the reverb send.
             fluid_synth_cc(synth, channel, 91, static_cast<int>(127 * room.level));
             state.program = note.program;
         }
+        // A bend holds for the whole channel; it is sent with a note's start only.
         const int wanted = kNoBend + static_cast<int>(std::lround(kBendOfCent * note.cents));
         if (event.is_on && state.bend != wanted) {
             fluid_synth_pitch_bend(synth, channel, wanted);
@@ -145,9 +156,11 @@ struct SoundfontPlayer::Synth {
         }
     }
 
-    /// The soundfont's own instrument or, where it has none, another's; kits fall back to the
-    /// standard one.
+    /// Selects the instrument of this soundfont, or of the next that has it, else program 0. Kits
+    /// that the soundfont lacks become its standard kit.
     void select(int channel, std::size_t soundfont, int bank, int program) const {
+        // Drums do not move on to another soundfont: a kit of its own is what makes a drummer
+        // differ.
         for (const int wanted : {program, 0}) {
             for (std::size_t i = 0; i < soundfonts.size(); ++i) {
                 const int from = soundfonts[(soundfont + i) % soundfonts.size()];
@@ -161,6 +174,7 @@ struct SoundfontPlayer::Synth {
         }
     }
 
+    /// SoundFont generators of a channel: cents for tuning and times, centibels for the level.
     void set_sound(int channel, const BandPlayer& player) const {
         constexpr double kCentsOfOctave = 1'200.0;
         constexpr double kCentibelsOfDecibel = 10.0;
@@ -174,6 +188,7 @@ struct SoundfontPlayer::Synth {
         set(GEN_ATTENUATION, -kCentibelsOfDecibel * player.level);
     }
 
+    /// Appends `frames` samples, both channels mixed.
     void render(std::size_t frames, std::vector<float>& mono) {
         std::array<float, 1024> left{};
         std::array<float, 1024> right{};
@@ -197,14 +212,15 @@ SoundfontPlayer& SoundfontPlayer::operator=(SoundfontPlayer&&) noexcept = defaul
 SoundfontPlayer::~SoundfontPlayer() = default;
 
 Expected<SoundfontPlayer> SoundfontPlayer::open(std::span<const std::filesystem::path> soundfonts) {
-    // The first synthesizer fills FluidSynth's tables, and a second thread's would play before they
-    // are full: now and then a run's first pieces differed.
+    // The first synthesizer fills FluidSynth's global tables. One is made here, once, before any
+    // other thread plays: with tables half full the samples would differ between runs.
     [[maybe_unused]] static const bool are_tables_full = [] {
         const Synth first;
         return first.synth != nullptr;
     }();
     auto synth = std::make_unique<Synth>();
-    // FluidSynth takes an instrument from the soundfont that came last: the first, here.
+    // FluidSynth looks an instrument up in the soundfont that was loaded last, so the first one is
+    // loaded last.
     for (std::size_t i = soundfonts.size(); i-- > 0;) {
         const int number = synth->synth == nullptr
                                ? FLUID_FAILED

@@ -18,25 +18,29 @@ struct PlayerRoom {
     double level = 0.0;  ///< of the reverb, 0 to 1
 };
 
-/// Plays performances with a soundfont (FluidSynth). Threads: one each.
+/// Plays performances with soundfonts (FluidSynth). Threads: one each. Real-time: no.
 class SoundfontPlayer {
  public:
+    /// Samples a second of what it plays.
     static constexpr int kRate = kPerformanceRate;
 
     /// Errors: a soundfont cannot be loaded.
     [[nodiscard]] static Expected<SoundfontPlayer> open(
         std::span<const std::filesystem::path> soundfonts);
 
-    /// Mono samples at kRate, peak 0.7, its delay of 2.5 ms taken off. All of it by the first
-    /// soundfont.
+    /// Mono samples at kRate, performance.seconds long, peak 0.7; the synthesizer's delay of 2.5 ms
+    /// is taken off. The first soundfont plays everything.
     [[nodiscard]] std::vector<float> play(const Performance& performance, const PlayerRoom& room);
-    /// The same by a band, whose players have soundfonts and sounds of their own.
+    /// The same, played by a band whose players have soundfonts and sounds of their own.
     [[nodiscard]] std::vector<float> play(const Performance& performance,
                                           const PlayerRoom& room,
                                           const PlayerBand& band);
 
+    /// The source may only be destroyed or assigned to.
     SoundfontPlayer(SoundfontPlayer&&) noexcept;
+    /// As the constructor.
     SoundfontPlayer& operator=(SoundfontPlayer&&) noexcept;
+    /// Frees the soundfonts.
     ~SoundfontPlayer();
 
  private:
@@ -45,13 +49,14 @@ class SoundfontPlayer {
     std::unique_ptr<Synth> synth_;
 };
 
-/// Which of `soundfonts` (not empty) play a piece: of several mostly all, as a band, else one.
+/// Draws which of `soundfonts` (not empty) play a piece: mostly all of them, as a band, else one.
 [[nodiscard]] std::vector<std::filesystem::path> draw_soundfonts(
     std::span<const std::filesystem::path> soundfonts, Dice& dice);
 
-/// Played by a band drawn of several soundfonts, or by the one. Each piece has a new player: one
-/// that has played before does not play the same samples again, and loading it costs less than a
-/// second of music. Errors: a soundfont cannot be loaded.
+/// Samples of `performance` as in SoundfontPlayer::play, by a band drawn of several soundfonts, or
+/// by the only one. Each piece has a new player: one that has played before does not give the same
+/// samples again, and loading costs less than a second of music. Errors: a soundfont cannot be
+/// loaded.
 [[nodiscard]] Expected<std::vector<float>> play_with(
     std::span<const std::filesystem::path> soundfonts,
     const Performance& performance,

@@ -9,9 +9,11 @@
 namespace raks::audio {
 namespace {
 
-/// Those that come and go together.
+/// Groups of instruments that pause and echo together.
 enum class Part : char { bass_drum, snare, other_drums, bass, chords, lead };
 
+/// Channels are those of add_band: 0 bass, 1 chords. Keys up to 36 are bass drums; up to 40,
+/// snares, sticks and claps.
 Part part_of(const ScoreNote& note) {
     if (note.channel != kDrumChannel) {
         return note.channel == 0 ? Part::bass : note.channel == 1 ? Part::chords : Part::lead;
@@ -21,6 +23,7 @@ Part part_of(const ScoreNote& note) {
 
 /// General MIDI's electronic kits, synthetic basses, leads and pads.
 void choose_sounds(Score& score, Dice& dice) {
+    // What is listed more often is drawn more often; 24 and 25 are the electronic kits.
     const int kit = dice.pick({24, 24, 25, 25, 0, 16});
     const std::map<Part, int> programs = {
         {Part::bass, dice.pick({38, 39, 38, 39, 87, 33})},
@@ -32,12 +35,14 @@ void choose_sounds(Score& score, Dice& dice) {
     }
 }
 
-/// A delay line repeats the short notes of one part.
+/// Echoes of a delay line for the short notes of one part; long ones would blur.
 void add_echoes(Part part, Score& score, Dice& dice) {
     constexpr double kSoftest = 25.0;
     constexpr double kLongest = 0.6;  // beats
     const double delay = dice.pick({0.75, 0.75, 0.5, 0.375, 1.0});
+    // Each echo is softer by this factor, down to a velocity that no longer matters.
     const double feedback = dice.uniform(0.55, 0.85);
+    // The echoes are appended behind: they have no echoes of their own.
     const std::size_t played = score.notes.size();
     for (std::size_t i = 0; i < played; ++i) {
         ScoreNote note = score.notes[i];
@@ -51,8 +56,10 @@ void add_echoes(Part part, Score& score, Dice& dice) {
     }
 }
 
-/// In each phrase some parts are silent, but one that has at least half the notes of the busiest.
+/// In each phrase some parts are silent, but never all: one that has at least half the notes of the
+/// busiest part carries the phrase.
 void add_pauses(Score& score, Dice& dice) {
+    // Beats.
     const double length = dice.pick({8.0, 8.0, 16.0, 16.0, 32.0});
     const double silent = dice.uniform(0.15, 0.45);
     const auto phrase_of = [length](const ScoreNote& note) {
@@ -88,9 +95,10 @@ void add_pauses(Score& score, Dice& dice) {
 
 /// A low-pass of 12 dB an octave whose corner goes up and down.
 void sweep(int sample_rate, std::vector<float>& samples, Dice& dice) {
-    constexpr std::size_t kHop = 64;  // the corner stays for so long
+    constexpr std::size_t kHop = 64;  // samples between updates of the corner
     const double middle = std::log(dice.log_uniform(700.0, 4000.0));
     const double octaves = dice.uniform(0.5, 2.5) * std::numbers::ln2;
+    // One sweep takes 6 to 50 s.
     const double turn = 2.0 * std::numbers::pi / (dice.log_uniform(6.0, 50.0) * sample_rate);
     const double start = dice.uniform(0.0, 2.0 * std::numbers::pi);
     double share = 0.0;
@@ -100,6 +108,8 @@ void sweep(int sample_rate, std::vector<float>& samples, Dice& dice) {
         if (i % kHop == 0) {
             const double corner =
                 std::exp(middle + octaves * std::sin(start + turn * static_cast<double>(i)));
+            // The coefficient of a one-pole low-pass with this corner; two in a row make 12 dB an
+            // octave.
             share = 1.0 - std::exp(-2.0 * std::numbers::pi * corner / sample_rate);
         }
         first += share * (static_cast<double>(samples[i]) - first);
@@ -135,6 +145,7 @@ void pump(std::span<const double> drums,
           int sample_rate,
           std::vector<float>& samples) {
     constexpr double kAttack = 0.015;  // seconds: the drum itself gets through
+    // Share of the dip that is left `since` seconds after a drum.
     const auto recovering = [release](double since) {
         return std::max(0.0, 1.0 - (since - kAttack) / release);
     };
@@ -148,6 +159,7 @@ void pump(std::span<const double> drums,
             last = *next;
         }
         const double since = now - last;
+        // During the attack the dip grows, but does not fall below what the drum before has left.
         const double held = since < kAttack ? std::max(since / kAttack, recovering(now - before))
                                             : recovering(since);
         samples[i] *= static_cast<float>(1.0 - depth * held);

@@ -9,17 +9,17 @@
 
 namespace raks::audio {
 
-/// Makes of a score what machines play: drum machines and synthesizers, exactly in time; echoes in
-/// time with the beat; parts that come and go with the phrases of 2 or 4 bars, each drawn.
+/// Turns a score into one for drum machines and synthesizers: exactly in time, with echoes in time
+/// with the beat, and parts that come and go with phrases of 2 or 4 bars; each of these is drawn.
 void give_to_machines(Score& score, Dice& dice);
 
-/// What a studio does to electronic music after it is played, each drawn: a compressor that the
-/// bass drum drives ("pumping"), a low-pass that opens and closes over seconds. Changes `samples`
-/// (mono).
+/// Effects of a studio on electronic music that is played already, each drawn: a compressor that
+/// the bass drum drives ("pumping"), a low-pass that opens and closes over seconds. Changes
+/// `samples` (mono); `played` tells where the bass drum is.
 void produce(const Performance& played, int sample_rate, std::vector<float>& samples, Dice& dice);
 
-/// The level of what a compressor lets through that dips by `depth` of it after each of `drums`
-/// (seconds, ascending) and is back after `release` seconds. Changes `samples`.
+/// Pumping: the level dips by the share `depth` ([0, 1]) after each of `drums` (seconds, ascending)
+/// and is back after `release` seconds. Changes `samples`.
 void pump(std::span<const double> drums,
           double depth,
           double release,

@@ -22,6 +22,7 @@ class Dealer {
  public:
     Dealer(double share, Dice& dice) : share_(share), dice_(dice) {}
 
+    /// Drawn once for each instrument, when its first note is met, then the same for all its notes.
     bool is_synthesized(const PlayedNote& note) {
         const bool is_drum = note.channel == kDrumChannel;
         const std::pair instrument(note.channel, is_drum ? note.key : note.program);
@@ -38,6 +39,7 @@ class Dealer {
     std::map<std::pair<int, int>, bool> dealt_;
 };
 
+/// Moves the notes of the dealt instruments out of the performance.
 std::vector<PlayedNote> take_notes(double share, Performance& performance, Dice& dice) {
     Dealer dealer(share, dice);
     std::vector<PlayedNote> taken;
@@ -49,7 +51,7 @@ std::vector<PlayedNote> take_notes(double share, Performance& performance, Dice&
     return taken;
 }
 
-/// Adds the strokes of all drums.
+/// Adds the strokes of all drums. Each key's stroke is synthesized once and then only scaled.
 void play_drums(std::span<const PlayedNote> notes, int rate, std::vector<float>& out, Dice& dice) {
     std::map<int, std::pair<double, std::vector<float>>> strokes;
     for (const PlayedNote& note : notes) {
@@ -71,6 +73,7 @@ void play_drums(std::span<const PlayedNote> notes, int rate, std::vector<float>&
     }
 }
 
+/// Adds all notes that have a pitch; each instrument's sound is drawn when its first note is met.
 void play_tones(std::span<const PlayedNote> notes, int rate, std::vector<float>& out, Dice& dice) {
     std::map<std::pair<int, int>, DrawnTone> tones;
     for (const PlayedNote& note : notes) {
@@ -82,6 +85,7 @@ void play_tones(std::span<const PlayedNote> notes, int rate, std::vector<float>&
         if (known == tones.end()) {
             known = tones.emplace(instrument, draw_tone(note.program, dice)).first;
         }
+        // MIDI key 69 is 440 Hz.
         const double semitones = note.key - 69 + note.cents / 100.0;
         add_note(known->second,
                  {note.time,
@@ -97,6 +101,7 @@ void play_tones(std::span<const PlayedNote> notes, int rate, std::vector<float>&
 void duck(std::span<const PlayedNote> notes, int rate, std::vector<float>& out, Dice& dice) {
     const double depth = dice.uniform(0.3, 0.9);
     const double time = dice.log_uniform(0.06, 0.25);  // s until 1/e
+    // In samples; ascending, as the notes are by time.
     std::vector<std::size_t> kicks;
     for (const PlayedNote& note : notes) {
         if (note.channel == kDrumChannel && note.key == drum_named("kick")) {
@@ -113,6 +118,7 @@ void duck(std::span<const PlayedNote> notes, int rate, std::vector<float>& out, 
     }
 }
 
+/// Scales the samples so that the largest has this amplitude.
 void scale_to_peak(float peak, std::vector<float>& samples) {
     float most = 1e-6F;
     for (const float sample : samples) {
@@ -139,6 +145,7 @@ std::vector<float> play_synthesizers(double share, int rate, Performance& perfor
         sample *= beside_drums;
     }
     if (dice.chance(kDucked)) {
+        // Before the drums are added: the kick must not duck itself.
         duck(notes, rate, tones, dice);
     }
     play_drums(notes, rate, tones, dice);

@@ -11,9 +11,11 @@
 namespace raks::audio {
 namespace {
 
+// Chance that the music of a dance is complete: no missing player and no break.
 constexpr double kComplete = 0.8;
 constexpr int kBandLead = 2;  // the channel that add_band writes its melody on
 constexpr int kMelody = kMelodyChannel;
+// Channels that follow the band's three: the voice after the melody, then drone or guitar.
 constexpr int kSecond = 4;
 constexpr int kDrone = 5;
 
@@ -34,6 +36,7 @@ constexpr std::array<Scale, 5> kQuarterToneMaqamat = {{
     {0, 3, 6, 8, 14, 16, 20},   // saba
     {0, 3, 7, 9, 15, 17, 21},   // huzam
 }};
+// Major, natural minor and dorian, in quarter tones like the others.
 constexpr std::array<Scale, 3> kWesternScales = {{
     {0, 4, 8, 10, 14, 18, 22},
     {0, 4, 6, 10, 14, 16, 20},
@@ -51,6 +54,7 @@ struct Manner {
     double phrase = 8.0;          ///< beats, then a rest
 };
 
+/// The manner behind a palette's word; parts of it are drawn anew for each piece.
 Manner manner_of(Melody melody, Dice& dice) {
     switch (melody) {
         case Melody::riffs_ahead:
@@ -85,6 +89,7 @@ class MelodyWriter {
     MelodyWriter(Score& score, const Scale& scale, int tonic, Dice& dice)
         : score_(score), scale_(scale), tonic_(tonic), dice_(dice) {}
 
+    /// A random walk over the degrees of the scale, with rests, grace notes and a second voice.
     void write(const Manner& manner, const BandPalette& palette) {
         program_ = dice_.pick<int>(palette.leads);
         second_program_ = dice_.pick<int>(palette.leads);
@@ -92,14 +97,17 @@ class MelodyWriter {
         const double level = dice_.uniform(70.0, 112.0);
         const double late = dice_.uniform(0.0, 0.06);  // of the second voice, beats
         const bool is_followed = dice_.chance(0.45);
+        // The tonic in the middle of two octaves.
         int degree = 7;
         for (double at = 0.0; at < last;) {
             const double length = dice_.pick<double>(manner.lengths);
+            // Two of three phrases play; the third mostly rests.
             const bool is_pause =
                 static_cast<int>(at / manner.phrase) % 3 == 2 && dice_.chance(0.7);
             if (!is_pause && !dice_.chance(manner.rest)) {
                 degree = std::clamp(degree + dice_.whole(-manner.leap, manner.leap), 1, 13);
                 const double begin = std::max(0.0, at - manner.early);
+                // A grace note is the step above, just before the note.
                 if (dice_.chance(manner.grace)) {
                     add(kMelody,
                         program_,
@@ -111,6 +119,7 @@ class MelodyWriter {
                 for (int voice = 0; voice < manner.voices; ++voice) {
                     add(kMelody, program_, begin, 0.9 * length, degree - 2 * voice, level);
                 }
+                // Heterophony: another instrument plays the same melody a little later.
                 if (is_followed) {
                     add(kSecond, second_program_, begin + late, 0.8 * length, degree, 0.8 * level);
                 }
@@ -119,9 +128,10 @@ class MelodyWriter {
         }
     }
 
-    /// The tonic and its fifth below everything.
+    /// A drone: the tonic and its fifth, held below everything.
     void drone(const BandPalette& palette) {
         const int program = dice_.pick<int>(palette.chords);
+        // Beats that the tonic is held before it is struck again.
         const double bar = dice_.pick({4.0, 8.0, 16.0});
         for (double at = 0.0; at < static_cast<double>(score_.bar_position.size()); at += bar) {
             note(kDrone, program, at, bar, 36 + tonic_, 70.0);
@@ -135,6 +145,7 @@ class MelodyWriter {
         const double step = dice_.pick({0.5, 0.5, 1.0, 4.0});
         int root = 0;
         for (double at = 0.0; at < static_cast<double>(score_.bar_position.size()); at += step) {
+            // The root changes on downbeats only, and not on all of them.
             if (score_.bar_position[static_cast<std::size_t>(at)] == 1 && dice_.chance(0.5)) {
                 root = scale_[static_cast<std::size_t>(dice_.whole(0, 6))] / 2;
             }
@@ -145,9 +156,11 @@ class MelodyWriter {
 
  private:
     void add(int channel, int program, double at, double length, int degree, double velocity) {
+        // Voices below the melody may fall under the scale's first degree: they stay on it.
         const int inside = std::max(degree, 0);
         const int quarters = scale_[static_cast<std::size_t>(inside % 7)] + kOctave * (inside / 7);
         note(channel, program, at, length, 55 + tonic_ + quarters / 2, velocity);
+        // MIDI keys are semitones; an odd number of quarter tones is the key below, 50 cents up.
         score_.notes.back().cents = 50.0 * (quarters % 2);
     }
     void note(int channel, int program, double at, double length, int key, double velocity) {
@@ -162,7 +175,7 @@ class MelodyWriter {
     int second_program_ = 0;
 };
 
-/// The palette's instruments in place of any.
+/// Replaces the instruments of drums and band by some drawn from the palette.
 void reinstrument(const BandPalette& palette, Score& score, Dice& dice) {
     const std::array<int, 3> programs = {dice.pick<int>(palette.bass),
                                          dice.pick<int>(palette.chords),
@@ -177,6 +190,7 @@ void reinstrument(const BandPalette& palette, Score& score, Dice& dice) {
     }
 }
 
+/// Takes out all notes of one channel.
 void remove_channel(int channel, Score& score) {
     std::erase_if(score.notes,
                   [channel](const ScoreNote& note) { return note.channel == channel; });
@@ -188,13 +202,15 @@ Score arrange(
     const StyleBook& book, const RhythmStyle& style, int beats, Dice& dice, OrientalScales scales) {
     Score score = drum_score(style, beats, dice);
     const std::string_view dance = style.label ? std::string_view(style.label->dance) : "";
-    // Most of the time all of a dance's music plays: what is left in a break may be any music.
+    // Mostly no player of a dance's music is missing or pauses: what a break leaves could be music
+    // for any other dance as well.
     score.is_complete = !dance.empty() && dice.chance(kComplete);
     const BandPalette& palette = book.palette_of(dance);
     if (dice.chance(palette.band_chance)) {
         add_band(style.bass, style.comping, score, dice, palette.players);
     }
     reinstrument(palette, score, dice);
+    // Drawn for each piece, whatever key the band plays in.
     const int tonic = dice.whole(0, 11);
     const bool is_maqam = palette.melody == Melody::maqam;
     const bool has_quarters =
@@ -204,10 +220,11 @@ Score arrange(
                                       : dice.pick<Scale>(kWesternScales);
     MelodyWriter melody(score, scale, tonic, dice);
     if (dice.chance(palette.lead_chance)) {
+        // The palette's melody replaces the band's own.
         remove_channel(kBandLead, score);
         melody.write(manner_of(palette.melody, dice), palette);
     }
-    // No player of chords has quarter tones.
+    // Chords have semitones only, so they give way to the drone where the scale has quarter tones.
     if (is_maqam && (dice.chance(0.5) || has_quarters)) {
         remove_channel(1, score);  // no chords: the drone is all harmony there is
         melody.drone(palette);

@@ -8,14 +8,15 @@
 
 namespace raks::audio {
 
+/// MIDI channel of the melody.
 inline constexpr int kMelodyChannel = 3;
 
-/// Which scales oriental melodies have: the five maqamat of semitones alone, or also rast, bayati,
+/// Scales of oriental melodies: the five maqamat that have semitones only, or also rast, bayati,
 /// sikah, saba and huzam with their quarter tones.
 enum class OrientalScales : std::uint8_t { semitones, quarter_tones };
 
-/// A piece of `beats` beats in this style of the book: its drums, and a band of the instruments and
-/// a melody in the manner that the palette of its dance has.
+/// A piece of `beats` beats in this style of the book: its drums, and a band and a melody drawn
+/// from the palette of the style's dance.
 [[nodiscard]] Score arrange(const StyleBook& book,
                             const RhythmStyle& style,
                             int beats,

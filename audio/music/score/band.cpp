@@ -13,6 +13,7 @@ constexpr int kBassChannel = 0;
 constexpr int kChordChannel = 1;
 constexpr int kLeadChannel = 2;
 
+// A triad or seventh chord without fifth, as semitones over its root.
 struct Chord {
     int root = 0;  // semitones over the key
     std::array<int, 3> tones{};
@@ -22,6 +23,7 @@ constexpr Chord major(int root) { return {root, {0, 4, 7}}; }
 constexpr Chord minor(int root) { return {root, {0, 3, 7}}; }
 constexpr Chord dominant(int root) { return {root, {0, 4, 10}}; }
 
+// Common progressions of four chords, in semitones over the key.
 constexpr std::array<std::array<Chord, 4>, 12> kLoops = {{
     {major(0), major(7), minor(9), major(5)},
     {minor(0), major(8), major(3), major(10)},
@@ -37,7 +39,7 @@ constexpr std::array<std::array<Chord, 4>, 12> kLoops = {{
     {major(0), major(10), major(5), major(0)},
 }};
 
-/// What all players agree on.
+/// What all players share: key, chords, bars, instruments and levels. Its methods write notes.
 class Band {
  public:
     Band(Score& score, Dice& dice)
@@ -46,6 +48,7 @@ class Band {
           key_(dice.whole(0, 11)),
           loop_(dice.pick<std::array<Chord, 4>>(kLoops)),
           bars_per_chord_(dice.pick({1, 1, 1, 2, 4})) {
+        // Counting downbeats numbers the bars; beats before the first one belong to bar 0.
         int bar = -1;
         for (const int position : score.bar_position) {
             bar += position == 1 ? 1 : 0;
@@ -57,10 +60,12 @@ class Band {
     [[nodiscard]] int position(int beat) const {
         return score_.bar_position[static_cast<std::size_t>(beat)];
     }
+    /// The chord at a beat; beats past the end have the last bar's, for lines that play ahead.
     [[nodiscard]] const Chord& chord(int beat) const {
         const int bar = bar_of_beat_[static_cast<std::size_t>(std::clamp(beat, 0, beats() - 1))];
         return loop_[static_cast<std::size_t>(bar / bars_per_chord_ % 4)];
     }
+    /// Beats of the bar that begins at `beat`: the last position before the next downbeat.
     [[nodiscard]] int beats_in_bar(int beat) const {
         int last = position(beat);
         for (int next = beat + 1; next < beats() && position(next) > 1; ++next) {
@@ -69,6 +74,7 @@ class Band {
         return last;
     }
     void play_bass(int beat, double at, double length, double velocity = 95.0, int interval = 0) {
+        // Roots above G are taken an octave down, into a bass's range.
         const int root = 36 + (key_ + chord(beat).root) % 12;
         add(kBassChannel,
             bass_program_,
@@ -87,6 +93,7 @@ class Band {
                 velocity);
         }
     }
+    /// One tone of the chord; tones 3 to 5 are the same an octave higher.
     void play_tone(int beat, double at, double length, int tone, double velocity = 75.0) {
         const Chord& now = chord(beat);
         const int octave = tone / 3 * 12;
@@ -134,6 +141,7 @@ class Band {
 std::vector<bool> random_cell(int beats_per_bar, bool has_beat_1, Dice& dice) {
     std::vector<bool> cell(static_cast<std::size_t>(4 * beats_per_bar));
     for (std::size_t step = 0; step < cell.size(); ++step) {
+        // Beats are likelier than eighths between them, and these than sixteenths.
         const double weight = step % 4 == 0 ? 0.45 : step % 2 == 0 ? 0.35 : 0.12;
         cell[step] = dice.chance(weight) || (step == 0 && has_beat_1);
     }
@@ -151,18 +159,22 @@ void play_cell(const std::vector<bool>& cell, int bar_beats, const Play& play) {
     }
 }
 
+/// A tone on every beat: root, third, fifth or a neighbour of them, drawn.
 void play_walking_bass(int beat, int bar_beats, Band& band) {
     for (int i = 0; i < bar_beats; ++i) {
         band.play_bass(beat, beat + i, 0.9, 92.0, band.dice().pick({0, 4, 7, 9, 5, 2}));
     }
 }
 
+/// Root and fifth in turn on every other beat; in bars of three the root alone.
 void play_root_fifth(int beat, int bar_beats, Band& band) {
     for (int i = 0; i < bar_beats; i += bar_beats == 3 ? 3 : 2) {
         band.play_bass(beat, beat + i, 0.9, 95.0, i % 4 == 0 ? 0 : 7);
     }
 }
 
+/// Samba's surdo: soft root on odd beats, loud fifth on even ones, each with a sixteenth ahead of
+/// the next beat.
 void play_surdo(int beat, int bar_beats, Band& band) {
     for (int i = 0; i < bar_beats; ++i) {
         const int interval = i % 2 == 0 ? 0 : 7;
@@ -171,6 +183,7 @@ void play_surdo(int beat, int bar_beats, Band& band) {
     }
 }
 
+/// Dotted eighth, sixteenth, two eighths in every two beats.
 void play_habanera(int beat, int bar_beats, Band& band) {
     for (const double at : {0.0, 0.75, 1.0, 1.5}) {
         for (int half = 0; half + 1 < bar_beats; half += 2) {
@@ -179,10 +192,12 @@ void play_habanera(int beat, int bar_beats, Band& band) {
     }
 }
 
+/// One bar of a bass line from `beat` on; `cell` is the rhythm of a random line.
 void play_bass_bar(
     BassLine line, const std::vector<bool>& cell, int beat, int bar_beats, Band& band) {
     const auto each = [&](double from, double step, double length, bool is_octave = false) {
         for (double at = from; at < bar_beats; at += step) {
+            // Octaves alternate: root on the beat, an octave higher off it.
             const bool is_up = is_octave && std::lround(at / step) % 2 == 1;
             band.play_bass(beat, beat + at, length, 95.0, is_up ? 12 : 0);
         }
@@ -233,12 +248,14 @@ void play_bass_bar(
     }
 }
 
+/// One bar of a piano montuno: chord tones in octaves, mostly off the beat.
 void play_montuno_bar(int beat, int bar_beats, Band& band) {
-    // Octaves off the beat, but for the 1 of every other bar.
+    // Octaves off the beat, and on beat 1 of six bars in ten.
     constexpr std::array kSteps = {0.0, 0.5, 1.5, 2.5, 3.5};
     for (std::size_t i = 0; i < kSteps.size(); ++i) {
         if (kSteps[i] < bar_beats && (i > 0 || band.dice().chance(0.6))) {
             const int tone = static_cast<int>(i) % 3;
+            // From beat 4 on the next bar's chord, like the tumbao.
             const int at_chord = kSteps[i] >= 3.0 ? beat + bar_beats : beat;
             band.play_tone(at_chord, beat + kSteps[i], 0.4, tone, 85.0);
             band.play_tone(at_chord, beat + kSteps[i], 0.4, tone + 3, 85.0);
@@ -246,6 +263,7 @@ void play_montuno_bar(int beat, int bar_beats, Band& band) {
     }
 }
 
+/// One bar of accompaniment from `beat` on; `cell` is the rhythm of a random one.
 void play_comping_bar(
     Comping comping, const std::vector<bool>& cell, int beat, int bar_beats, Band& band) {
     const auto each = [&](double from, double step, double length) {
@@ -273,6 +291,7 @@ void play_comping_bar(
             each(0.0, 0.5, 0.4);
             break;
         case Comping::after_beats:
+            // Waltz: chords on beats 2 and 3; else on the eighths between the beats.
             if (bar_beats == 3) {
                 each(1.0, 1.0, 0.6);
             } else {
@@ -294,6 +313,7 @@ void play_comping_bar(
     }
 }
 
+/// A random walk over a major, minor or phrygian dominant scale.
 void play_lead(Band& band) {
     constexpr std::array<std::array<int, 7>, 3> kScales = {
         {{0, 2, 4, 5, 7, 9, 11}, {0, 2, 3, 5, 7, 8, 10}, {0, 1, 4, 5, 7, 8, 10}}};
@@ -302,7 +322,7 @@ void play_lead(Band& band) {
     const double unit = dice.pick({0.25, 0.5, 0.5, 1.0, 1.0 / 3.0});
     int degree = 7;
     for (double at = 0.0; at < band.beats();) {
-        // Four bars of twelve or so are silent.
+        // Every third stretch of 16 beats is silent.
         const bool is_silent = static_cast<int>(at / 16.0) % 3 == 2;
         const double length = unit * dice.pick({1, 1, 2, 2, 3, 4});
         if (!is_silent && dice.chance(0.8)) {
@@ -341,8 +361,10 @@ void add_band(std::span<const BassLine> bass,
     const bool has_bass = dice.chance(chances.bass);
     const bool has_chords = dice.chance(chances.chords);
     const bool has_lead = dice.chance(chances.lead);
+    // The order of the draws is part of the result: the same dice give the same band.
     Band band(score, dice);
     const int bar_beats = band.beats() > 0 ? band.beats_in_bar(0) : 4;
+    // A random cell is drawn once a piece: a rhythm that repeats is what makes it a style.
     const std::vector<bool> bass_cell = random_cell(bar_beats, true, dice);
     const std::vector<bool> chord_cell = random_cell(bar_beats, false, dice);
     for (int beat = 0; beat < band.beats(); ++beat) {

@@ -9,9 +9,10 @@
 
 namespace raks::audio {
 
-/// Lays a random band over a score: bass, chords and lead over a loop of chords that changes once
-/// a bar (or every 2 or 4), on beat 1 except where the bass plays a tumbao. `bass` and `comping`:
-/// what is drawn from; empty means anything that fits most music.
+/// Adds a random band to a score: bass, chords and lead over a loop of four chords. The chord
+/// changes on beat 1 of every bar, or every 2 or 4 bars, except that a tumbao plays the next chord
+/// ahead of it. `bass` and `comping`: the choices to draw from; empty means anything that fits most
+/// music. `chances`: how likely each player is.
 void add_band(std::span<const BassLine> bass,
               std::span<const Comping> comping,
               Score& score,

@@ -7,6 +7,7 @@
 namespace raks::audio {
 namespace {
 
+/// MIDI velocity of a step's letter; 0 plays nothing.
 double velocity_of(char step) {
     switch (step) {
         case 'X':
@@ -20,6 +21,7 @@ double velocity_of(char step) {
     }
 }
 
+/// One of the variants of a pattern, which are parted by '|'.
 std::string draw_variant(std::string_view pattern, Dice& dice) {
     std::vector<std::string> variants;
     while (true) {
@@ -32,7 +34,7 @@ std::string draw_variant(std::string_view pattern, Dice& dice) {
     }
 }
 
-/// Changes about one step in twelve, for a piece that nobody has heard yet.
+/// Changes about one step in twelve, so that training pieces are not exact copies of a pattern.
 void vary(std::string& row, Dice& dice) {
     for (char& step : row) {
         if (dice.chance(0.08)) {
@@ -41,19 +43,22 @@ void vary(std::string& row, Dice& dice) {
     }
 }
 
+// What one drum plays over the cell: a letter a step.
 struct Row {
     int key = 36;
     double level = 1.0;
     std::string steps;
 };
 
+/// The drums of a piece. Drawn again until at least two play, where the style has two.
 std::vector<Row> draw_rows(const RhythmStyle& style, Dice& dice) {
     const bool is_varied = dice.chance(0.35);
     std::vector<Row> rows;
     while (rows.size() < 2 && rows.size() < style.lanes.size()) {
         rows.clear();
         for (const DrumLane& lane : style.lanes) {
-            // Every instrument is missing now and then.
+            // Any drum may be missing, also one whose chance is 1: a model must not rely on one of
+            // them.
             if (!dice.chance(lane.chance) || dice.chance(0.08)) {
                 continue;
             }
@@ -66,6 +71,7 @@ std::vector<Row> draw_rows(const RhythmStyle& style, Dice& dice) {
     return rows;
 }
 
+/// Four sixteenths of one drum on the last beat of a phrase, and perhaps a crash after them.
 void add_fill(int from_beat, Score& score, Dice& dice) {
     const int key = dice.pick({38, 45, 43, 47, 63, 65});
     for (int step = 0; step < 4; ++step) {
@@ -79,6 +85,7 @@ void add_fill(int from_beat, Score& score, Dice& dice) {
     }
 }
 
+/// Fills before some of the phrases of four bars; how often is drawn for the piece.
 void add_fills(int beats, int beats_per_bar, Score& score, Dice& dice) {
     const int phrase = 4 * beats_per_bar;
     const double chance = dice.uniform(0.0, 0.7);
@@ -89,6 +96,7 @@ void add_fills(int beats, int beats_per_bar, Score& score, Dice& dice) {
     }
 }
 
+/// A score without notes whose beats are numbered from a downbeat on.
 Score empty_score(int beats, int beats_per_bar) {
     Score score;
     for (int beat = 0; beat < beats; ++beat) {
@@ -97,8 +105,10 @@ Score empty_score(int beats, int beats_per_bar) {
     return score;
 }
 
+/// Repeats every row over the whole score.
 void play_rows(
     const std::vector<Row>& rows, int steps_per_beat, int beats, Score& score, Dice& dice) {
+    // Swing in some pieces: every second sixteenth comes late, by up to 0.12 beats.
     const double swing = dice.chance(0.2) && steps_per_beat == 4 ? dice.uniform(0.0, 0.12) : 0.0;
     const int kit = dice.pick({0, 0, 0, 8, 16, 24, 25, 32, 40});
     for (const Row& row : rows) {
@@ -126,6 +136,7 @@ Score drum_score(const RhythmStyle& style, int beats, Dice& dice) {
     score.lowest_bpm = style.lowest_bpm;
     score.highest_bpm = style.highest_bpm;
     play_rows(draw_rows(style, dice), style.steps_per_beat, beats, score, dice);
+    // Fills are in sixteenths and would clash with triplets.
     if (style.steps_per_beat != 3) {
         add_fills(beats, style.beats_per_bar, score, dice);
     }
@@ -137,6 +148,7 @@ Score free_drum_score(int beats, Dice& dice) {
     const int steps_per_beat = dice.pick({4, 4, 2, 3});
     Score score = empty_score(beats, beats_per_bar);
     score.lowest_bpm = 58.0;
+    // Eighths alone can go faster than sixteenths.
     score.highest_bpm = steps_per_beat == 2 ? 215.0 : 170.0;
     constexpr std::array kKeys = {36, 36, 38, 37, 39, 42, 46, 51, 45, 43, 41, 56, 60,
                                   61, 62, 63, 64, 65, 67, 69, 70, 75, 76, 82, 54};
@@ -147,6 +159,7 @@ Score free_drum_score(int beats, Dice& dice) {
         const double metre = dice.uniform(0.3, 1.0);  // how much the beat counts
         Row row{dice.pick<int>(kKeys), dice.uniform(0.6, 1.1), {}};
         for (int step = 0; step < beats_per_bar * steps_per_beat; ++step) {
+            // Downbeat, beat and what is between them: a metre is felt, though mildly.
             const double weight = step == 0 ? 1.9 : step % steps_per_beat == 0 ? 1.4 : 0.75;
             const double chance = density * (1.0 - metre + metre * weight);
             row.steps.push_back(dice.chance(chance) ? dice.pick({'X', 'x', 'x', 'o'}) : '.');

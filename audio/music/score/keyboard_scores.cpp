@@ -34,12 +34,15 @@ struct KeyboardPiece {
     int program = 0;
 };
 
+/// Writes the notes of one piece bar by bar.
 class Keyboard {
  public:
     Keyboard(const KeyboardPiece& piece, Score& score, Dice& dice)
         : piece_(piece), score_(score), dice_(dice) {}
 
+    /// Bar by bar: the texture, and every two bars a line of the melody.
     void play() {
+        // Two rhythms of two bars each: repetition gives the piece phrases.
         const std::vector<double> theme = draw_rhythm(2 * piece_.beats_per_bar);
         const std::vector<double> answer = draw_rhythm(2 * piece_.beats_per_bar);
         const int beats = static_cast<int>(score_.bar_position.size());
@@ -61,6 +64,7 @@ class Keyboard {
             const bool has_melody =
                 piece_.texture != Texture::figuration && piece_.texture != Texture::chords;
             if (has_melody && bar % 2 == 0) {
+                // Three times the theme, then the answer.
                 play_melody(at, bar / 2 % 4 == 3 ? answer : theme, kRightHand);
                 if (piece_.texture == Texture::two_voices) {
                     play_melody(at, bar / 2 % 2 == 0 ? answer : theme, kLeftHand);
@@ -70,6 +74,7 @@ class Keyboard {
     }
 
  private:
+    /// One note with the level of its hand, an accent on beats, and a little chance.
     void add(double beat, double length, int hand, int key, double softer = 0.0) {
         const double nearest = std::round(beat);
         double accent = 0.0;
@@ -85,12 +90,14 @@ class Keyboard {
                                 piece_.program,
                                 level + accent - softer + dice_.normal(5.0)});
     }
+    /// Scale degree on which the chord of this bar stands.
     [[nodiscard]] int chord_degree(int beat) const {
         const int bar = beat / piece_.beats_per_bar;
         return piece_.degrees[static_cast<std::size_t>(bar % 4)];
     }
     /// The key of a degree of the scale, counted from the tonic, over `base`.
     [[nodiscard]] int key_of(int degree, int base) const {
+        // Floor, not truncation: degrees below the tonic are negative.
         const int octave = static_cast<int>(std::floor(degree / 7.0));
         return base + piece_.key + piece_.scale[static_cast<std::size_t>(degree - 7 * octave)] +
                12 * octave;
@@ -99,6 +106,7 @@ class Keyboard {
     /// Lengths that fill `beats`: now and then a held note, else beats halved and parted.
     std::vector<double> draw_rhythm(int beats) {
         std::vector<double> lengths;
+        // How often beats are divided; slow pieces have more held and whole notes.
         const double speed = dice_.uniform(0.2, 0.9);
         for (double left = beats; left > 1e-6;) {
             if (left >= 2.0 && dice_.chance(0.25 * (1.0 - speed))) {
@@ -123,6 +131,7 @@ class Keyboard {
         return lengths;
     }
 
+    /// A random walk over the scale in the given rhythm, from beat `first` on.
     void play_melody(int first, const std::vector<double>& rhythm, int hand) {
         double beat = first;
         const int base = hand == kRightHand ? 72 : 48;
@@ -141,6 +150,7 @@ class Keyboard {
         }
     }
 
+    /// Steady fast notes over a bar: a scale that turns at random, or a broken chord.
     void play_run(int bar, int hand) {
         const int base = hand == kRightHand ? 66 : 48;
         const bool is_scale = dice_.chance(0.4);
@@ -156,6 +166,7 @@ class Keyboard {
         }
     }
 
+    /// Long notes against the run, on the chord's root or fifth.
     void play_slow(int bar, int hand) {
         const int base = hand == kRightHand ? 66 : 42;
         const double length =
@@ -168,6 +179,7 @@ class Keyboard {
         }
     }
 
+    /// Four voices on every beat; in some beats two of them pass through an eighth.
     void play_chorale(int bar) {
         for (int beat = 0; beat < piece_.beats_per_bar; ++beat) {
             const int degree = chord_degree(bar) + dice_.pick({0, 0, 3, 4});
@@ -188,6 +200,7 @@ class Keyboard {
         }
     }
 
+    /// A bass note on the strong beats, chords on the others.
     void play_bass_and_chords(int bar) {
         const int chord = chord_degree(bar);
         for (int beat = 0; beat < piece_.beats_per_bar; ++beat) {
@@ -202,6 +215,7 @@ class Keyboard {
         }
     }
 
+    /// The left hand under a melody.
     void play_accompaniment(int bar) {
         constexpr std::array kAlberti = {0, 4, 2, 4};
         constexpr std::array kBroken = {-7, 0, 2, 4, 7, 4, 2, 0};
@@ -213,6 +227,8 @@ class Keyboard {
             return;  // the left hand has a melody of its own
         }
         const bool is_alberti = piece_.texture == Texture::alberti;
+        // Accompaniments are not faster than four notes a beat, broken chords not faster than
+        // three.
         const int parts = std::min(piece_.parts, is_alberti && piece_.parts != 3 ? 4 : 3);
         for (int step = 0; step < piece_.beats_per_bar * parts; ++step) {
             const int degree = is_alberti ? kAlberti[static_cast<std::size_t>(step % 4)]
@@ -260,7 +276,7 @@ Score keyboard_score(int beats, Dice& dice) {
     for (int beat = 0; beat < beats; ++beat) {
         score.bar_position.push_back(beat % piece.beats_per_bar + 1);
     }
-    // Fast notes in slow beats, slow notes in fast ones.
+    // Beats that hold many notes are slow, beats that hold few may be fast.
     score.lowest_bpm = piece.parts >= 4 ? 52.0 : 80.0;
     score.highest_bpm = piece.parts == 6 ? 80.0 : piece.parts == 4 ? 112.0 : 200.0;
     score.has_drums = false;

@@ -20,6 +20,7 @@ class MidiBytes {
         left_.remove_prefix(count);
         return taken;
     }
+    /// Big-endian, as all numbers of the format are.
     std::optional<std::uint32_t> number(std::size_t bytes) {
         const auto taken = take(bytes);
         if (!taken) {
@@ -46,6 +47,7 @@ class MidiBytes {
         }
         return std::nullopt;
     }
+    /// The next byte, which stays.
     [[nodiscard]] std::optional<std::uint8_t> peek() const {
         return left_.empty() ? std::nullopt
                              : std::optional(static_cast<std::uint8_t>(left_.front()));
@@ -62,12 +64,14 @@ std::optional<MidiEvent> read_event(MidiBytes& bytes, std::uint8_t& running) {
     if (!next) {
         return std::nullopt;
     }
+    // Running status: an event without a status byte has that of the channel message before it.
     const std::uint8_t status = *next >= 0x80 ? *next : running;
     if (*next >= 0x80) {
         static_cast<void>(bytes.take(1));
     }
     MidiEvent event;
     event.status = status;
+    // Meta events and system-exclusive messages say how long they are; only meta has a type.
     if (status >= 0xF0) {
         const auto type = status == 0xFF ? bytes.number(1) : std::optional<std::uint32_t>(0);
         const auto length = bytes.variable();
@@ -82,7 +86,9 @@ std::optional<MidiEvent> read_event(MidiBytes& bytes, std::uint8_t& running) {
     if (status < 0x80) {
         return std::nullopt;  // data without a status
     }
+    // Meta events, above, leave the running status as it was.
     running = status;
+    // Program change and channel pressure have one data byte, all others two.
     const bool has_two = (status & 0xE0) != 0xC0;
     const auto first = bytes.number(1);
     const auto second = has_two ? bytes.number(1) : std::optional<std::uint32_t>(0);
@@ -94,6 +100,7 @@ std::optional<MidiEvent> read_event(MidiBytes& bytes, std::uint8_t& running) {
     return event;
 }
 
+/// Appends the track's events with their pulses since the start of the file.
 void read_track(std::string_view track, std::vector<MidiEvent>& events) {
     constexpr std::uint8_t kMeta = 0xFF;
     constexpr std::uint8_t kEndOfTrack = 0x2F;
@@ -106,6 +113,7 @@ void read_track(std::string_view track, std::vector<MidiEvent>& events) {
         if (!event || (event->status == kMeta && event->first == kEndOfTrack)) {
             return;
         }
+        // Times are relative to the event before, also to one that is passed over.
         pulse += *delta;
         event->pulse = pulse;
         if (event->status < 0xF0 || event->status == kMeta) {
@@ -127,6 +135,7 @@ Expected<MidiFile> parse_midi(std::string_view bytes) {
         return fail("not a MIDI file");
     }
     const std::uint32_t division = *MidiBytes(header->substr(4)).number(2);
+    // With the upper bit set the division counts parts of a second.
     if (division == 0 || division >= 0x8000) {
         return fail("MIDI in time code, not in beats");
     }
@@ -143,6 +152,7 @@ Expected<MidiFile> parse_midi(std::string_view bytes) {
         if (!body) {
             break;
         }
+        // Chunks of other kinds are allowed and passed over.
         if (*chunk == kTrack) {
             read_track(*body, midi.events);
             ++tracks;
@@ -151,6 +161,7 @@ Expected<MidiFile> parse_midi(std::string_view bytes) {
     if (tracks == 0) {
         return fail("MIDI without a whole track");
     }
+    // Stable: at one pulse a track's own order matters (program change before note).
     std::stable_sort(midi.events.begin(),
                      midi.events.end(),
                      [](const MidiEvent& a, const MidiEvent& b) { return a.pulse < b.pulse; });

@@ -18,15 +18,15 @@ struct MidiEvent {
     std::string meta;         ///< of meta events: what they say
 };
 
-/// A standard MIDI file, all tracks in one row.
+/// A standard MIDI file with all tracks merged.
 struct MidiFile {
-    int pulses_per_quarter = 480;
+    int pulses_per_quarter = 480;   ///< MIDI's unit of time
     std::vector<MidiEvent> events;  ///< by pulse; at one pulse in the order of the tracks
 };
 
-/// Reads the bytes of a file (Standard MIDI Files 1.0). A track gives what came before the first
-/// thing that is no event; tracks that are cut short and system-exclusive messages are passed over.
-/// Errors: no header, time code (SMPTE) instead of beats, no whole track.
+/// Reads the bytes of a file (Standard MIDI Files 1.0). A track ends at the first bytes that are no
+/// event and keeps what came before. Tracks that are cut short and system-exclusive messages are
+/// skipped. Errors: no header, time code (SMPTE) instead of beats, no whole track.
 [[nodiscard]] Expected<MidiFile> parse_midi(std::string_view bytes);
 
 }  // namespace raks::audio

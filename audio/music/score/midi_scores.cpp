@@ -23,13 +23,14 @@ constexpr int kFewestBars = 4;
 constexpr std::size_t kMostIndexBytes = std::size_t{16} << 20U;
 constexpr double kMostQuarters = 20'000.0;  // more than an hour: a damaged file
 
-/// A time signature from a tick on.
+/// A time signature from a place in the file on.
 struct Signature {
     double quarter = 0.0;
     int numerator = 4;
     int denominator = 4;
 };
 
+// A note of the file: start and length in quarters.
 struct MidiNote {
     double quarter = 0.0;
     double length = 0.0;  // quarters
@@ -39,6 +40,7 @@ struct MidiNote {
     int velocity = 0;
 };
 
+// What is read of a file.
 struct MidiSong {
     std::vector<MidiNote> notes;
     std::vector<Signature> signatures;  // the first at 0
@@ -46,13 +48,13 @@ struct MidiSong {
     double bpm = 120.0;  // quarters a minute, the file's first
 };
 
-/// How a signature is tapped.
+/// The beat that is tapped in a time signature, and how many of them a bar has.
 struct Metre {
     double beat_quarters = 1.0;
     int beats_per_bar = 4;
 };
 
-/// Nothing for signatures that are not danced here.
+/// The metre of a signature; nothing for those that no dance here has.
 std::optional<Metre> metre_of(const Signature& signature) {
     const int n = signature.numerator;
     const double unit = 4.0 / signature.denominator;
@@ -68,7 +70,7 @@ std::optional<Metre> metre_of(const Signature& signature) {
     return std::nullopt;
 }
 
-/// Pads of the electronic kit without a General MIDI sound of their own.
+/// The General MIDI key for a pad of the groove set's electronic kit; other keys are the same.
 int general_midi_drum(int key) {
     static const std::map<int, int> pads = {
         {22, 42}, {26, 46}, {58, 43}, {52, 57}, {40, 38}, {55, 49}, {59, 51}, {50, 48}, {47, 45}};
@@ -93,6 +95,7 @@ class NoteReader {
         if (event.status != kMeta) {
             take_channel(event, quarter);
         } else if (event.first == kTimeSignature && event.meta.size() >= 2) {
+            // The denominator is stored as a power of two; the bound keeps the shift defined.
             song_.signatures.push_back({quarter, byte(0), 1 << std::min<int>(byte(1), 5)});
         } else if (event.first == kTempo && event.meta.size() >= 3 && !has_tempo_) {
             const int micros = byte(0) << 16 | byte(1) << 8 | byte(2);
@@ -101,6 +104,7 @@ class NoteReader {
         }
     }
     MidiSong finish() {
+        // Without a signature at the start the standard's default holds: 4/4.
         if (song_.signatures.empty() || song_.signatures.front().quarter > 0.0) {
             song_.signatures.insert(song_.signatures.begin(), Signature{});
         }
@@ -119,6 +123,8 @@ class NoteReader {
         if (kind != 0x90 && kind != 0x80) {
             return;
         }
+        // A note ends at its note-off or when its key is struck again; a note-on of velocity 0 is
+        // an off.
         const auto sounding = open_.find({channel, event.first});
         if (sounding != open_.end()) {
             MidiNote& note = song_.notes[sounding->second];
@@ -127,6 +133,7 @@ class NoteReader {
         }
         if (kind == 0x90 && event.second > 0) {
             open_[{channel, event.first}] = song_.notes.size();
+            // The length is provisional: it stays for notes that never end.
             song_.notes.push_back({quarter, 0.25, channel, event.first, program, event.second});
         }
     }
@@ -138,6 +145,7 @@ class NoteReader {
     bool has_tempo_ = false;
 };
 
+/// Reads one MIDI file into notes, signatures and tempo.
 Expected<MidiSong> read_midi(const std::filesystem::path& path) {
     const auto bytes = read_file(path);
     if (!bytes) {
@@ -160,7 +168,8 @@ Score score_of(const MidiSong& song, double from, double to, const Metre& metre,
     score.bpm = song.bpm / metre.beat_quarters;
     score.has_drums = false;
     for (const MidiNote& note : song.notes) {
-        // Human hits lie a little before the beat: the first belongs to the stretch.
+        // People hit a little before the beat: a note just before the stretch belongs to its first
+        // beat.
         if (note.quarter < from - 0.06 || note.quarter >= to - 0.06) {
             continue;
         }
@@ -174,6 +183,7 @@ Score score_of(const MidiSong& song, double from, double to, const Metre& metre,
         score.has_drums = score.has_drums || written.channel == kDrumChannel;
         score.notes.push_back(written);
     }
+    // The small addition keeps a rounding error from losing the last beat.
     const int beats = static_cast<int>((to - from) / metre.beat_quarters + 0.01);
     for (int beat = 0; beat < beats; ++beat) {
         score.bar_position.push_back(beat % metre.beats_per_bar + 1);
@@ -181,6 +191,7 @@ Score score_of(const MidiSong& song, double from, double to, const Metre& metre,
     return score;
 }
 
+// One line of index.tsv.
 struct IndexRow {
     std::string file;
     std::string set;
@@ -190,6 +201,7 @@ struct IndexRow {
     std::string style;
 };
 
+/// Cells of a tab-separated line.
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> cells;
     std::istringstream stream(text);
@@ -220,7 +232,8 @@ std::optional<Signature> signature_of(std::string_view text) {
     return Signature{0.0, *numerator, *denominator};
 }
 
-/// Error: a tempo or a signature that is none (of the set "groove": the others' files say theirs).
+/// One line of the index. Tempo and signature count for the set "groove" alone: the other sets'
+/// files say their own. Errors: a tempo or a signature that is none.
 Expected<IndexRow> row_of(const std::vector<std::string>& cells,
                           std::map<std::string, std::size_t>& columns) {
     IndexRow row;
@@ -245,6 +258,7 @@ Expected<IndexRow> row_of(const std::vector<std::string>& cells,
     return row;
 }
 
+/// All lines of the index; columns are found by name, in any order.
 Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
     const auto text = read_text_file(path, kMostIndexBytes);
     if (!text) {
@@ -281,7 +295,8 @@ Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
     return rows;
 }
 
-/// groove: the index says tempo and signature, the file only its hits.
+/// For the set "groove": tempo and signature of the index replace the file's, which holds only drum
+/// hits.
 void apply_index(const IndexRow& row, MidiSong& song) {
     song.bpm = row.bpm;
     if (row.signature) {
@@ -289,6 +304,7 @@ void apply_index(const IndexRow& row, MidiSong& song) {
     }
 }
 
+/// One stretch for each time signature of the song that has a metre and is long enough.
 void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiStretch>& into) {
     for (std::size_t i = 0; i < song.signatures.size(); ++i) {
         const double from = song.signatures[i].quarter;
@@ -310,12 +326,14 @@ void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiSt
         stretch.score.is_expressive = row.set == "lieder";
         const double bpm = stretch.score.bpm;
         if (row.set == "lieder") {
+            // Songs are sung slower and faster than written; other music keeps closer to its tempo.
             stretch.score.lowest_bpm = std::max(50.0, 0.7 * bpm);
             stretch.score.highest_bpm = std::min(217.0, 1.4 * bpm);
         } else {
             stretch.score.lowest_bpm = std::max<double>(kLowestBpm, 0.85 * bpm);
             stretch.score.highest_bpm = std::min<double>(kHighestBpm, 1.18 * bpm);
         }
+        // By the tempo as written, not by the range around it.
         const bool is_tempo_fit = bpm >= kLowestBpm && bpm <= kHighestBpm;
         if (!stretch.score.notes.empty() && is_tempo_fit) {
             into.push_back(std::move(stretch));

@@ -13,9 +13,11 @@ namespace raks::audio {
 /// A stretch of a MIDI file in one time signature, as a score: beats are what is tapped (quarters;
 /// dotted quarters in 6/8, 9/8, 12/8; the bar in 3/8).
 struct MidiStretch {
+    /// The notes, with the stretch's first beat at 0.
     Score score;
     std::string set;    ///< "groove", "freedoom", "lieder"
     std::string style;  ///< of groove, as its index says: "rock", "funk", ...; else empty
+    /// Of groove: a drum fill rather than a beat; may be shorter than four bars.
     bool is_fill = false;
 };
 
@@ -28,7 +30,7 @@ struct MidiStretch {
 [[nodiscard]] Expected<std::vector<MidiStretch>> read_midi_pack(
     const std::filesystem::path& folder);
 
-/// Bars [first, first + bars) of a score, its first beat moved to 0.
+/// Beats [first_beat, first_beat + beats) of a score, which must have them, the first moved to 0.
 [[nodiscard]] Score cut_beats(const Score& score, int first_beat, int beats);
 
 }  // namespace raks::audio

@@ -11,10 +11,10 @@
 namespace raks::audio {
 namespace {
 
-/// Seconds to the next of events that come at any time, `rate` a second on average.
+/// Seconds to the next event of a Poisson process with `rate` events a second on average.
 double wait(double rate, Dice& dice) { return -std::log(1.0 - dice.uniform()) / rate; }
 
-/// Adds a burst of noise that dies away.
+/// Adds a burst of noise that decays to 1/e in `decay` samples.
 void add_clap(
     std::size_t first, double level, double decay, std::vector<float>& samples, Dice& dice) {
     const std::size_t end = std::min(samples.size(), first + static_cast<std::size_t>(6.0 * decay));
@@ -29,6 +29,7 @@ void add_clap(
     }
 }
 
+/// Claps of a crowd: independent, so that no pulse arises.
 void add_applause(int rate, std::vector<float>& samples, Dice& dice) {
     const double seconds = static_cast<double>(samples.size()) / rate;
     const double claps = dice.log_uniform(8.0, 150.0);
@@ -50,6 +51,7 @@ void add_talk(int rate, std::vector<float>& samples, Dice& dice) {
         const double length = haste * dice.uniform(0.06, 0.28);
         const bool is_hiss = dice.chance(0.25);
         const double level = loudness * dice.uniform(0.3, 1.0);
+        // The pitch wanders from syllable to syllable, within 0.7 to 1.5 times the voice's own.
         pitch = std::clamp(pitch * std::exp(dice.normal(0.08)), 0.7 * centre, 1.5 * centre);
         const std::array formants = {
             dice.uniform(280.0, 850.0), dice.uniform(850.0, 2400.0), dice.uniform(2400.0, 3400.0)};
@@ -61,6 +63,7 @@ void add_talk(int rate, std::vector<float>& samples, Dice& dice) {
             const double t = static_cast<double>(i) / rate;
             const double edge = std::min({1.0, t / 0.02, (length - t) / 0.05});
             phase += pitch * (1.0 + glide * t / length) / rate;
+            // Each period of the voice starts every formant anew, as a glottal pulse does.
             const double in_period = phase - std::floor(phase);
             double tone = 0.0;
             for (std::size_t k = 0; k < formants.size(); ++k) {
@@ -85,6 +88,7 @@ void add_swelling_noise(std::vector<float>& samples, Dice& dice) {
     double log_level = 0.0;
     for (float& sample : samples) {
         low = colour * low + (1.0 - colour) * dice.normal(1.0);
+        // The log of the level is a mean-reverting random walk: it swells but does not run away.
         log_level += speed * -0.5 * log_level + std::sqrt(speed) * dice.normal(0.7);
         sample += static_cast<float>(level * std::exp(log_level) * low /
                                      std::sqrt((1.0 - colour) / (1.0 + colour)));
@@ -95,6 +99,7 @@ void add_swelling_noise(std::vector<float>& samples, Dice& dice) {
 
 std::vector<float> noise_of_people(int rate, double seconds, Dice& dice) {
     std::vector<float> samples(static_cast<std::size_t>(seconds * rate));
+    // Applause and talk in 40 % each, noise alone in 20 %; in some of the others noise behind them.
     const double kind = dice.uniform();
     if (kind < 0.4) {
         add_applause(rate, samples, dice);

@@ -15,7 +15,8 @@
 namespace raks::audio {
 namespace {
 
-/// No drums, and strings, winds, choirs or soft synthesizers in a free tempo for the rest.
+/// Takes out the drums and gives the rest to strings, winds, choirs or soft synthesizers in a free
+/// tempo.
 void make_orchestral(Score& score, Dice& dice) {
     std::erase_if(score.notes, [](const ScoreNote& note) { return note.channel == kDrumChannel; });
     score.has_drums = false;
@@ -30,20 +31,23 @@ void make_orchestral(Score& score, Dice& dice) {
     }
 }
 
-/// A piano in bars of three may play a waltz.
+/// Whether bars have three beats: such a piano piece may be a waltz, hence music for a dance.
 bool is_in_three(const Score& score) {
     return *std::max_element(score.bar_position.begin(), score.bar_position.end()) == 3;
 }
 
+/// A rhythm of the book that is for no dance.
 const RhythmStyle& draw_other_style(const StyleBook& book, Dice& dice) {
     const std::vector<const RhythmStyle*> styles = book.rhythms_for("");
     return *dice.pick<const RhythmStyle*>(styles);
 }
 
+/// Applause, talk or noise: samples, not a performance.
 WrittenPiece people(const StyleBook& /*book*/, double seconds, Dice& dice) {
     return {"people", "", {}, noise_of_people(kPerformanceRate, seconds, dice)};
 }
 
+/// A rhythm that is for no dance, without drums and in free tempo.
 WrittenPiece orchestra(const StyleBook& book, double seconds, Dice& dice) {
     Score score = arrange(book, draw_other_style(book, dice), kWrittenBeats, dice);
     make_orchestral(score, dice);
@@ -60,11 +64,13 @@ WrittenPiece pads(const StyleBook& /*book*/, double seconds, Dice& dice) {
                                  dice.pick({48, 49, 50, 51, 52, 54, 89, 90, 91, 95}),
                                  dice.pick({4, 8, 9, 10, 11, 14, 46, 88, 96, 98, 99, 101, 103})};
     const int tonic = dice.whole(36, 48);
+    // Natural minor without its second, over two octaves.
     constexpr std::array kDegrees = {0, 3, 5, 7, 8, 10, 12, 15, 17, 19, 24};
     const auto add = [&](int channel, double at, double length, int key, int velocity) {
         played.notes.push_back(
             {at, length, channel, key, programs[static_cast<std::size_t>(channel)], velocity, 0.0});
     };
+    // Chords last longer than the time to the next one: they overlap.
     for (double at = 0.0; at < seconds; at += stay * dice.uniform(0.6, 1.4)) {
         const int voices = dice.whole(2, 5);
         for (int voice = 0; voice < voices; ++voice) {
@@ -105,10 +111,12 @@ WrittenPiece solo(const StyleBook& /*book*/, double seconds, Dice& dice) {
     return {"solo", "", std::move(played), {}};
 }
 
+/// Random notes without beats.
 WrittenPiece without_pulse(const StyleBook& /*book*/, double seconds, Dice& dice) {
     return {"no pulse", "", notes_without_pulse(seconds, dice), {}};
 }
 
+/// Keyboard music that is no waltz.
 WrittenPiece piano(const StyleBook& /*book*/, double seconds, Dice& dice) {
     Score score = keyboard_score(kWrittenBeats, dice);
     for (int tries = 0; is_in_three(score) && tries < 20; ++tries) {
@@ -117,18 +125,20 @@ WrittenPiece piano(const StyleBook& /*book*/, double seconds, Dice& dice) {
     return {"piano", "", perform(score, seconds, dice), {}};
 }
 
+/// A whole arrangement in a rhythm that is for no dance.
 WrittenPiece other_rhythm(const StyleBook& book, double seconds, Dice& dice) {
     const RhythmStyle& style = draw_other_style(book, dice);
     Score score = arrange(book, style, kWrittenBeats, dice);
     return {style.name, "", perform(score, seconds, dice), {}};
 }
 
-/// A kind of music, and the share of what is drawn up to and with it.
+/// A kind of music; `until` is its upper bound in cumulative probability.
 struct Kind {
     double until;
     WrittenPiece (*write)(const StyleBook& book, double seconds, Dice& dice);
 };
 
+/// Draws a kind by its share and writes a piece of it; the last kind takes the rest.
 WrittenPiece draw_kind(std::span<const Kind> kinds,
                        const StyleBook& book,
                        double seconds,

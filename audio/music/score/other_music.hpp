@@ -9,18 +9,21 @@
 
 namespace raks::audio {
 
+/// Beats that a piece is written for; it is performed as far as its seconds reach.
 inline constexpr int kWrittenBeats = 96;
 
-/// A piece before it sounds.
+/// A piece as written, before it is synthesized.
 struct WrittenPiece {
+    /// Of the kind of music: a rhythm's name, "piano", "people", ...
     std::string name;
     std::string dance;  ///< that it is music for; empty: none of them
+    /// What is to be played; empty where there are `samples`.
     Performance performance;
     std::vector<float> samples;  ///< of what no soundfont plays; empty: it is performed
 };
 
-/// Music for none of the book's dances, and what is no music: half of it in rhythms of the book
-/// that are for none; it has one at least.
+/// Music for none of the book's dances, or no music; more than half in rhythms of the book that are
+/// for no dance, of which it must have at least one.
 [[nodiscard]] WrittenPiece other_piece(const StyleBook& book, double seconds, Dice& dice);
 
 /// What has no beat to dance to: people, applause, notes without a pulse, pads, one voice, an

@@ -8,8 +8,8 @@ namespace raks::audio {
 
 /// A drum of General MIDI's percussion map.
 struct DrumName {
-    int key;
-    std::string_view name;
+    int key;                ///< MIDI key, 35 to 87
+    std::string_view name;  ///< as in files of styles
 };
 
 /// General MIDI's percussion map (RP-003: 35 to 81; 82 to 87: General MIDI 2), as styles name it.
@@ -34,7 +34,7 @@ inline constexpr std::array<DrumName, 53> kDrumNames = {{
     {86, "mute_surdo"},     {87, "open_surdo"},
 }};
 
-/// The key of a drum of that table by its name.
+/// The key of a drum of that table by its name; nothing for an unknown name.
 [[nodiscard]] constexpr std::optional<int> drum_key(std::string_view name) noexcept {
     for (const DrumName& drum : kDrumNames) {
         if (drum.name == name) {

@@ -6,9 +6,12 @@ namespace raks::audio {
 namespace {
 
 constexpr NumberRange kChance = {0, 1};
+// General MIDI's programs, counted from 0.
 constexpr NumberRange kPrograms = {0, 127};
 constexpr std::size_t kMostPrograms = 64;
 
+/// The instruments under `key`, which must be there and hold at least one: a part without
+/// instrument could not be drawn.
 std::vector<int> read_programs(const toml::table& table,
                                std::string_view key,
                                TomlComplaints& complaints) {
@@ -31,6 +34,7 @@ std::vector<int> read_programs(const toml::table& table,
     return programs;
 }
 
+/// Chances of the band's players; what the file does not say stays as it is.
 void read_players(const toml::table& table, TomlComplaints& complaints, BandChances& players) {
     constexpr std::array<std::string_view, 3> kKeys = {"bass", "chords", "lead"};
     const toml::node* const node = table.get("players");
@@ -42,12 +46,14 @@ void read_players(const toml::table& table, TomlComplaints& complaints, BandChan
         complaints.complain(*node, "players must be { bass = ..., chords = ..., lead = ... }");
         return;
     }
+    // An unknown key is mostly a misspelt one, so it is a fault.
     complaints.check_keys(*chances, kKeys);
     complaints.read(*chances, "bass", kChance, players.bass);
     complaints.read(*chances, "chords", kChance, players.chords);
     complaints.read(*chances, "lead", kChance, players.lead);
 }
 
+/// The generator's music for this dance; nothing where the palette has none.
 std::optional<OwnMusic> read_own(const toml::table& table, TomlComplaints& complaints) {
     const toml::node* const node = table.get("own");
     if (node == nullptr) {
@@ -63,10 +69,12 @@ std::optional<OwnMusic> read_own(const toml::table& table, TomlComplaints& compl
     OwnMusic music;
     music.style = complaints.text(*own, "style");
     music.name = complaints.text(*own, "name");
+    // Both are used to find and to name such pieces.
     if (music.style.empty() || music.name.empty()) {
         complaints.complain(*node, "own needs style = \"...\" and name = \"...\"");
     }
     if (const auto* const tempo = complaints.needed(*own, "tempo", "tempo = [lowest, highest]")) {
+        // The same limits as for rhythms.
         const auto range =
             complaints.numbers<2>(*tempo, "tempo", {30.0, 300.0}, "[lowest, highest] in BPM");
         if (range[0] > range[1]) {
@@ -98,16 +106,19 @@ BandPalette read_palette(const toml::table& table, TomlComplaints& complaints) {
     if (dance.empty()) {
         complaints.complain(table, "a palette needs dance = \"...\", or \"none\"");
     }
+    // Every complaint from here on names the palette.
     complaints.enter(fmt::format("palette of \"{}\"", dance));
     complaints.check_keys(table, kKeys);
     palette.dance = dance_named(dance);
     if (const auto* const melody = complaints.needed(table, "melody", "melody = \"...\"")) {
+        // The word's index in kMelodyNames is the enumerator.
         palette.melody = static_cast<Melody>(complaints.word(*melody, "melody", kMelodyNames));
     }
     palette.bass = read_programs(table, "bass", complaints);
     palette.chords = read_programs(table, "chords", complaints);
     palette.leads = read_programs(table, "leads", complaints);
     palette.kits = read_programs(table, "kits", complaints);
+    // Chances are optional: the defaults are those of BandPalette.
     complaints.read(table, "band_chance", kChance, palette.band_chance);
     complaints.read(table, "lead_chance", kChance, palette.lead_chance);
     complaints.read(table, "drumless_chance", kChance, palette.drumless_chance);

@@ -5,7 +5,8 @@
 
 namespace raks::audio {
 
-/// Reads one [[palette]]. After a complaint what it returns is not to be used.
+/// Reads one [[palette]] of a file of styles. Faults go to `complaints`; after one, the result is
+/// not to be used.
 [[nodiscard]] BandPalette read_palette(const toml::table& table, TomlComplaints& complaints);
 
 }  // namespace raks::audio

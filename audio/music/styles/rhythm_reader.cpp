@@ -5,11 +5,13 @@
 namespace raks::audio {
 namespace {
 
+// Limits of what a file may say; a number beyond them is a fault, not a wish.
 constexpr NumberRange kTempi = {30, 300};
 constexpr NumberRange kCellBeats = {1, 64};
 constexpr NumberRange kStepsPerBeat = {1, 24};
 constexpr NumberRange kChances = {0.01, 1};  // of drums: a piece with none of them is never found
 constexpr NumberRange kWeights = {0.01, 100};
+// Bounds on lengths: a damaged file ends in a complaint, not in endless work.
 constexpr std::size_t kMostLanes = 32;
 constexpr std::size_t kMostChoices = 16;
 constexpr std::size_t kLongestName = 60;
@@ -20,6 +22,7 @@ std::string read_name(const toml::table& table,
                       std::string_view form,
                       TomlComplaints& complaints) {
     const toml::node* const node = complaints.needed(table, key, form);
+    // `needed` complains of a key that is missing; here it is there, but empty or too long.
     const std::string name = complaints.text(table, key);
     if (node != nullptr && (name.empty() || name.size() > kLongestName)) {
         complaints.complain(*node, fmt::format("{} must have 1 to {} letters", key, kLongestName));
@@ -45,15 +48,19 @@ std::vector<Enum> read_choices(const toml::table& table,
         return choices;
     }
     for (const toml::node& one : *array) {
+        // The name's index in `known` is the enumerator.
         choices.push_back(static_cast<Enum>(complaints.word(one, key, known)));
     }
     return choices;
 }
 
+/// Which dance the rhythm is for. No `dance` at all means that it is in no class of the genre
+/// training, which differs from dance = "none".
 std::optional<DanceLabel> read_label(const toml::table& table, TomlComplaints& complaints) {
     const toml::node* const dance = table.get("dance");
     const toml::node* const use = table.get("use");
     if (dance == nullptr) {
+        // Said of nothing, it is mostly a forgotten key.
         if (use != nullptr) {
             complaints.complain(*use, "use says how dance = \"...\" is used, which is not there");
         }
@@ -67,6 +74,7 @@ std::optional<DanceLabel> read_label(const toml::table& table, TomlComplaints& c
     return label;
 }
 
+/// Lowest and highest tempo in BPM, in this order.
 void read_tempo(const toml::table& table, TomlComplaints& complaints, RhythmStyle& rhythm) {
     constexpr std::string_view kForm = "tempo = [lowest, highest]";
     const toml::node* const node = complaints.needed(table, "tempo", kForm);
@@ -74,6 +82,7 @@ void read_tempo(const toml::table& table, TomlComplaints& complaints, RhythmStyl
         return;
     }
     const auto tempo = complaints.numbers<2>(*node, "tempo", kTempi, "[lowest, highest]");
+    // A range in the wrong order is a mistake to tell, not to mend.
     if (tempo[0] > tempo[1]) {
         complaints.complain(*node, "tempo must rise: [lowest, highest]");
     }
@@ -81,6 +90,8 @@ void read_tempo(const toml::table& table, TomlComplaints& complaints, RhythmStyl
     rhythm.highest_bpm = tempo[1];
 }
 
+/// Beats a bar, beats of the cell and steps a beat. A cell is whole bars, so that its first step is
+/// always a downbeat.
 void read_metre(const toml::table& table, TomlComplaints& complaints, RhythmStyle& rhythm) {
     const auto whole = [&](std::string_view key, NumberRange range, int& target) {
         const toml::node* const node = complaints.needed(table, key, fmt::format("{} = ...", key));
@@ -89,6 +100,7 @@ void read_metre(const toml::table& table, TomlComplaints& complaints, RhythmStyl
     whole("beats_per_bar", {1, 12}, rhythm.beats_per_bar);
     whole("cell_beats", kCellBeats, rhythm.cell_beats);
     whole("steps_per_beat", kStepsPerBeat, rhythm.steps_per_beat);
+    // Only with sound numbers: an unread beats_per_bar is 0.
     if (complaints.is_sound() && rhythm.cell_beats % rhythm.beats_per_bar != 0) {
         complaints.complain(*table.get("cell_beats"),
                             fmt::format("cell_beats is {}, must be whole bars of {} beats",
@@ -97,6 +109,7 @@ void read_metre(const toml::table& table, TomlComplaints& complaints, RhythmStyl
     }
 }
 
+/// A drum's key, from its General MIDI name or as a number.
 int read_drum(const toml::node& node, TomlComplaints& complaints) {
     if (!node.is_string()) {
         return complaints.whole(node, "drum", {0, 127});
@@ -111,6 +124,7 @@ int read_drum(const toml::node& node, TomlComplaints& complaints) {
 /// What is wrong with one row of a pattern; empty: nothing.
 std::string fault_of(std::string_view row, const RhythmStyle& rhythm) {
     const auto steps = static_cast<std::size_t>(rhythm.cell_beats * rhythm.steps_per_beat);
+    // Letters before length: a stray character explains a wrong length, too.
     const std::size_t odd = row.find_first_not_of("Xxo.");
     if (odd != std::string_view::npos) {
         return fmt::format("step {} is \"{}\", must be X, x, o or .", odd + 1, row[odd]);
@@ -125,6 +139,7 @@ std::string fault_of(std::string_view row, const RhythmStyle& rhythm) {
     return {};
 }
 
+/// Checks each variant of a pattern on its own, since a piece plays one of them.
 void check_pattern(const toml::node& node,
                    std::string_view pattern,
                    const RhythmStyle& rhythm,
@@ -142,6 +157,7 @@ void check_pattern(const toml::node& node,
     }
 }
 
+/// One drum's pattern. Needs the metre, which tells how many steps a pattern has.
 DrumLane read_lane(const toml::node& node, const RhythmStyle& rhythm, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 3> kKeys = {"drum", "chance", "pattern"};
     DrumLane lane;
@@ -162,8 +178,10 @@ DrumLane read_lane(const toml::node& node, const RhythmStyle& rhythm, TomlCompla
     return lane;
 }
 
+/// The rhythm's drums: at least one.
 void read_lanes(const toml::table& table, TomlComplaints& complaints, RhythmStyle& rhythm) {
     const toml::node* const node = complaints.needed(table, "lanes", "lanes = [{ drum = ... }]");
+    // After a fault in the metre every pattern would seem to have a wrong length.
     if (node == nullptr || !complaints.is_sound()) {
         return;
     }
@@ -197,11 +215,13 @@ RhythmStyle read_rhythm(const toml::table& table, TomlComplaints& complaints) {
                                                         "lanes"};
     RhythmStyle rhythm;
     rhythm.name = read_name(table, "name", "name = \"...\"", complaints);
+    // Every complaint from here on names the rhythm.
     complaints.enter(fmt::format("rhythm \"{}\"", rhythm.name));
     complaints.check_keys(table, kKeys);
     rhythm.family = read_name(table, "family", "family = \"...\"", complaints);
     rhythm.label = read_label(table, complaints);
     read_tempo(table, complaints, rhythm);
+    // Before the lanes, whose patterns are checked against it.
     read_metre(table, complaints, rhythm);
     rhythm.bass = read_choices<BassLine>(table, "bass", kBassLineNames, complaints);
     rhythm.comping = read_choices<Comping>(table, "comping", kCompingNames, complaints);

@@ -12,6 +12,7 @@
 namespace raks::audio {
 namespace {
 
+/// Pointers to the rhythms for which is_chosen(rhythm) is true, in their order.
 template <class IsChosen>
 std::vector<const RhythmStyle*> chosen_from(const std::vector<RhythmStyle>& rhythms,
                                             const IsChosen& is_chosen) {
@@ -24,6 +25,7 @@ std::vector<const RhythmStyle*> chosen_from(const std::vector<RhythmStyle>& rhyt
     return chosen;
 }
 
+/// The values by name: names stay when enumerators move.
 template <class Enum, std::size_t Count>
 std::string names_of(const std::vector<Enum>& values,
                      const std::array<std::string_view, Count>& names) {
@@ -34,6 +36,8 @@ std::string names_of(const std::vector<Enum>& values,
     return text;
 }
 
+/// A rhythm as text to be hashed. Names of variable length stand on lines of their own, so that two
+/// rhythms cannot run together into one text.
 std::string text_of(const RhythmStyle& rhythm) {
     std::string text = fmt::format("{}\n{}\n{} {} {} {} {} {} {}\n",
                                    rhythm.name,
@@ -45,6 +49,7 @@ std::string text_of(const RhythmStyle& rhythm) {
                                    rhythm.cell_beats,
                                    rhythm.steps_per_beat,
                                    rhythm.weight);
+    // A rhythm without label adds nothing, which differs from a label of the empty dance.
     if (rhythm.label) {
         text += fmt::format("for {} {}\n",
                             rhythm.label->dance,
@@ -57,6 +62,7 @@ std::string text_of(const RhythmStyle& rhythm) {
            names_of(rhythm.comping, kCompingNames) + "\n";
 }
 
+/// A palette as text to be hashed; one without own music counts as having the default's.
 std::string text_of(const BandPalette& palette) {
     const OwnMusic own = palette.own.value_or(OwnMusic{});
     return fmt::format("{}\n{}\n{}\n{}\n{}\n{} {} {} {} {} {} {}\n{} {} {} {} {}\n",
@@ -94,6 +100,7 @@ std::vector<const RhythmStyle*> StyleBook::rhythms_for(std::string_view dance) c
 std::vector<std::string> StyleBook::dances() const {
     std::vector<std::string> dances;
     for (const BandPalette& palette : palettes) {
+        // The palette of music for no dance has the empty name.
         if (!palette.dance.empty()) {
             dances.push_back(palette.dance);
         }
@@ -106,6 +113,7 @@ std::string StyleBook::own_name(std::string_view style) const {
         corpus_styles.begin(), corpus_styles.end(), [style](const CorpusStyle& corpus_style) {
             return corpus_style.style == style;
         });
+    // The name of a style that the book does not mention.
     return found != corpus_styles.end() ? found->name : fmt::format("own {}", style);
 }
 
@@ -116,6 +124,7 @@ const BandPalette& StyleBook::palette_of(std::string_view dance) const {
         });
     };
     const auto own = find(dance);
+    // A dance of which no palette knows gets the instruments of music for no dance.
     const auto found = own != palettes.end() ? own : find("");
     RAKS_ASSERT(found != palettes.end());
     return *found;
@@ -131,6 +140,7 @@ std::optional<DanceLabel> StyleBook::label_of(std::string_view name) const {
     }
     const auto style = std::find_if(
         corpus_styles.begin(), corpus_styles.end(), [name](const CorpusStyle& corpus_style) {
+            // "groove rock" stands for "groove rock-folk", too, but the hyphen is needed.
             return corpus_style.name == name || name.starts_with(corpus_style.name + "-");
         });
     return style == corpus_styles.end() ? std::nullopt
@@ -138,6 +148,7 @@ std::optional<DanceLabel> StyleBook::label_of(std::string_view name) const {
 }
 
 std::uint64_t fingerprint(const StyleBook& book) {
+    // Each text is hashed onto the hash before it, so the order counts, too.
     std::uint64_t hash = hash_of("");
     for (const RhythmStyle& rhythm : book.rhythms) {
         hash = hash_of(text_of(rhythm), hash);

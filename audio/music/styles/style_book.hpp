@@ -11,50 +11,52 @@
 
 namespace raks::audio {
 
-/// Music of the beat tracker's corpus that is written from no rhythm of the book, and which dance
-/// it is for.
+/// A kind of music in the beat tracker's corpus that is not written from a rhythm of the book, and
+/// the dance that it is for.
 struct CorpusStyle {
     std::string name;   ///< "groove rock", "own salsa", "piano"; also all names "groove rock-..."
     std::string dance;  ///< empty: none of the dances
-    std::string style;  ///< of our own generator, that is called so; empty: of another source
+    std::string style;  ///< the generator's style of this name; empty: another source
 };
 
-/// The styles that music is written in. Dances are named as in their files; the empty name is that
-/// of music for none of the dances.
+/// The styles in which training music is written. Dances are named as in their files; the empty
+/// name stands for music that is for none of the dances.
 ///
 ///     auto book = load_styles("config/styles");
 ///     for (const RhythmStyle* style : book->rhythms_for("salsa")) { ... }
 ///
-/// The order of `rhythms` is part of what is written: the same draw takes the rhythm at the same
-/// place. Pointers that the book gives live as long as the book stays as it is.
+/// The order of `rhythms` matters: a drawn index takes the rhythm at that place, so another order
+/// gives other music. Pointers that the book gives are valid as long as the book is not changed.
 /// Threads: any number may read. Real-time: no.
 struct StyleBook {
-    std::vector<RhythmStyle> rhythms;
-    std::vector<BandPalette> palettes;  ///< one a dance, and one for none of the dances
-    std::vector<CorpusStyle> corpus_styles;
+    std::vector<RhythmStyle> rhythms;        ///< in the order of the files
+    std::vector<BandPalette> palettes;       ///< one a dance, and one for none of the dances
+    std::vector<CorpusStyle> corpus_styles;  ///< in the order of the files
 
-    /// Those that the beat tracker's training has, in order.
+    /// The rhythms that the beat tracker's training uses, in order.
     [[nodiscard]] std::vector<const RhythmStyle*> rhythms_for_beats() const;
 
-    /// Those that are music for this dance, in order.
+    /// The rhythms that are music for this dance, in order; "" gives those for none.
     [[nodiscard]] std::vector<const RhythmStyle*> rhythms_for(std::string_view dance) const;
 
     /// The dances that have a palette, in order.
     [[nodiscard]] std::vector<std::string> dances() const;
 
-    /// What pieces of a style of our own generator are called.
+    /// The name of pieces in a style of the generator: a corpus style's, else "own STYLE".
     [[nodiscard]] std::string own_name(std::string_view style) const;
 
-    /// The dance's palette; without one of its own that of none of the dances.
+    /// The palette of a dance; where it has none, the palette of music for no dance, which the book
+    /// must have.
     [[nodiscard]] const BandPalette& palette_of(std::string_view dance) const;
 
-    /// Which dance music of this style is for, by the name that the beat tracker's training gives
-    /// it: a rhythm's or that of a corpus style. Nothing where it is neither clearly for a dance
-    /// nor clearly for none.
+    /// Which dance the music of this name is for, as the beat tracker's training names it: a
+    /// rhythm's name or a corpus style's, alone or with "-..." behind it. Nothing where it is
+    /// neither clearly for a dance nor clearly for none.
     [[nodiscard]] std::optional<DanceLabel> label_of(std::string_view name) const;
 };
 
-/// A number for all that the book says: music that is kept between runs is kept under it.
+/// Hash of the book's rhythms, palettes and corpus styles, under which music is kept between runs.
+/// The flag `is_by_machines` and a corpus style's generator style are not part of it.
 [[nodiscard]] std::uint64_t fingerprint(const StyleBook& book);
 
 }  // namespace raks::audio

@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20U;  // of a file
+// Behind every number that a file may give itself.
 constexpr int kLastOrder = 10'000;
 
 /// A file as TOML, before what it says is read.
@@ -28,7 +29,9 @@ struct StyleFile {
     toml::table root;
 };
 
+/// Parses the text; toml++ reports faults as exceptions, which end here.
 Expected<toml::table> parse_toml(const StyleText& file) {
+    // toml++ must not be given such a line: see base/toml_headers.hpp.
     if (const std::size_t line = line_of_nameless_header(file.text); line > 0) {
         return fail(fmt::format("{}: line {}: [ needs a name behind it", file.name, line));
     }
@@ -40,6 +43,7 @@ Expected<toml::table> parse_toml(const StyleText& file) {
     }
 }
 
+/// Format, version and top-level keys: a file of another kind is told from one with a fault.
 void check_head(const toml::table& root, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 8> kKeys = {"format",
                                                        "version",
@@ -49,6 +53,7 @@ void check_head(const toml::table& root, TomlComplaints& complaints) {
                                                        "rhythm",
                                                        "palette",
                                                        "corpus_style"};
+    // Shown to the user when the key is missing.
     const std::string form = fmt::format("format = \"{}\"", kStylesFormat);
     const toml::node* const format = complaints.needed(root, "format", form);
     if (format != nullptr && complaints.text(root, "format") != kStylesFormat) {
@@ -63,9 +68,11 @@ void check_head(const toml::table& root, TomlComplaints& complaints) {
             fmt::format("version must be a number up to {}; is Raks older than the file?",
                         kStylesVersion));
     }
+    // Behind the version: a newer file may have keys that are unknown here.
     complaints.check_keys(root, kKeys);
 }
 
+/// Parses one file and reads its head; what it holds is read once the files are in order.
 Expected<StyleFile> parse_file(const StyleText& text) {
     auto root = parse_toml(text);
     if (!root) {
@@ -92,6 +99,7 @@ class BookReader {
                 return fail(done.error());
             }
         }
+        // Only the whole book can tell, since a dance and its palette may be in different files.
         if (auto whole = check_dances(name); !whole) {
             return fail(whole.error());
         }
@@ -99,15 +107,17 @@ class BookReader {
     }
 
  private:
-    /// Where something was said.
+    /// File and line of a name, for errors about two places.
     struct Place {
         std::string file;
         std::size_t line = 0;
     };
     using Places = std::map<std::string, Place, std::less<>>;
 
+    /// Adds a file's rhythms, palettes and corpus styles to the book.
     Expected<void> read_file(const StyleFile& file) {
         TomlComplaints complaints(file.name);
+        // Flags stand at a file's top and hold for all of its rhythms.
         const bool is_for_beats = read_flag(file.root, "beat_training", true, complaints);
         const bool is_by_machines = read_flag(file.root, "machines", false, complaints);
         for_each_table(file.root, "rhythm", complaints, [&](const toml::table& table) {
@@ -116,6 +126,7 @@ class BookReader {
             rhythm.is_by_machines = is_by_machines;
             note_once({file.name, line_of(table, "name")}, rhythm.name, complaints, rhythms_);
             if (rhythm.label) {
+                // The first mention is kept, for the error about a dance without a palette.
                 dances_.emplace(rhythm.label->dance, Place{file.name, line_of(table, "dance")});
             }
             book_.rhythms.push_back(std::move(rhythm));
@@ -131,6 +142,7 @@ class BookReader {
         return complaints.is_sound() ? Expected<void>{} : fail(complaints.fault());
     }
 
+    /// A truth value that need not be there.
     static bool read_flag(const toml::table& root,
                           std::string_view key,
                           bool otherwise,
@@ -168,6 +180,7 @@ class BookReader {
         complaints.enter("");
     }
 
+    /// Adds one [[corpus_style]].
     void read_corpus_style(const toml::table& table,
                            const std::string& file,
                            TomlComplaints& complaints) {
@@ -184,15 +197,18 @@ class BookReader {
         book_.corpus_styles.push_back(std::move(style));
     }
 
+    /// Line of a key, or of the table where it does not have the key.
     static std::size_t line_of(const toml::table& table, std::string_view key) {
         const toml::node* const node = table.get(key);
         return (node != nullptr ? *node : table).source().begin.line;
     }
 
+    /// Complains when a name was given before, and says where.
     static void note_once(Place place,
                           const std::string& name,
                           TomlComplaints& complaints,
                           Places& places) {
+        // Read before `place` is moved from.
         const std::size_t line = place.line;
         const auto [other, is_new] = places.emplace(name, std::move(place));
         if (!is_new) {
@@ -203,9 +219,10 @@ class BookReader {
         }
     }
 
-    /// Every dance has a palette, and so has what is for none of them.
+    /// Fails unless every dance that is named has a palette, and so has music for none of them.
     Expected<void> check_dances(const std::string& name) const {
         std::vector<std::string_view> known;
+        // Only for the suggestion of the nearest name.
         for (const auto& [dance, place] : palettes_) {
             known.push_back(dance.empty() ? "none" : std::string_view(dance));
         }
@@ -229,6 +246,7 @@ class BookReader {
     Places dances_;  // where each was named first
 };
 
+/// Parses every file, puts them in order and reads the book.
 Expected<StyleBook> parse_book(std::span<const StyleText> texts, const std::string& name) {
     std::vector<StyleFile> files;
     for (const StyleText& text : texts) {
@@ -269,6 +287,7 @@ Expected<StyleBook> load_styles(const fs::path& folder) {
     if (paths.empty()) {
         return fail(folder.string() + ": holds no .toml file: where are the styles of music?");
     }
+    // A folder lists its files in any order; the book's order must not depend on that.
     std::sort(paths.begin(), paths.end());
     std::vector<StyleText> texts;
     for (const fs::path& path : paths) {
