@@ -21,16 +21,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// More than any written dance; bounds the memory for a wrong file.
 constexpr std::size_t kMaxTextBytes = std::size_t{1} << 20U;
-// Part of the name in the cache: another as soon as the same text is learnt otherwise.
+// Part of the folder's name: a program that learns the same text otherwise must not find the
+// figures of the one before. To be raised with every change of the learning.
 constexpr int kLearningVersion = 1;
 
+// A folder is complete once it has its dances.toml, which add_to_folder() writes last: a run that
+// was stopped left none.
 bool is_whole(const fs::path& folder) {
     std::error_code ignored;
     return fs::exists(engine::dances_path(folder), ignored);  // written last
 }
 
-/// The first of the cache and the folder for temporary files in which a folder can be made.
+// The folder to learn into: below the user's cache, or temporary where that cannot be made or
+// written. The temporary one carries the process' number, since nobody cleans it up for others.
 fs::path folder_for(const std::string& name) {
     const fs::path kept = engine::user_cache_path();
     std::error_code error;
@@ -46,12 +51,14 @@ fs::path folder_for(const std::string& name) {
 
 }  // namespace
 
+// A written dance has no title of its own: its name stands for it.
 DanceInfo info_of(const motion::AuthoredDance& dance) {
     DanceInfo info;
     info.name = info.title = dance.dance;
     info.beats_per_bar = dance.beats_per_bar;
     info.lowest = dance.slowest;
     info.highest = dance.fastest;
+    // The tempo that it was written at is the likely one.
     info.likely = dance.written;
     return info;
 }
@@ -64,6 +71,7 @@ Expected<std::vector<motion::AuthoredTrainingResult>> learn_figures(
     const std::function<void(const motion::AuthoredFigure&, const motion::AuthoredTrainingResult&)>&
         on_learnt) {
     std::vector<motion::AuthoredTrainingResult> learnt;
+    // Collected up to the end, for the suggestion when no figure has the name.
     std::vector<std::string_view> names;
     for (const motion::AuthoredFigure& one : dance.figures) {
         names.push_back(one.name);
@@ -94,9 +102,11 @@ Expected<fs::path> learn_written_dance(const fs::path& file, const motion::Skele
     if (!dance) {
         return fail(dance.error());
     }
+    // The name becomes part of a file's name: it must not leave the folder.
     if (!is_dance_name(dance->dance)) {
         return fail(fmt::format("{}: dance: {}", dance->file, why_no_dance_name(dance->dance)));
     }
+    // Same text and same way of learning, same folder.
     const std::uint64_t hash = hash_of(fmt::format("{}\n{}", kLearningVersion, *text));
     const fs::path folder = folder_for(fmt::format("{}-{:016x}", dance->dance, hash));
     if (is_whole(folder)) {
@@ -108,6 +118,7 @@ Expected<fs::path> learn_written_dance(const fs::path& file, const motion::Skele
     }
     std::vector<engine::LearntFigure> figures;
     for (const motion::AuthoredTrainingResult& one : *learnt) {
+        // Written, not counted: every figure has the same weight.
         figures.push_back({&one.model, 1.0});
     }
     if (auto added = engine::add_to_folder(folder, info_of(*dance), figures); !added) {

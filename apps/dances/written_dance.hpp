@@ -12,12 +12,12 @@
 
 namespace raks::apps {
 
-/// What a written dance is, for a dances.toml: its name, metre and tempi.
+/// The entry of a dances.toml for a written dance: name, metre and tempi.
 [[nodiscard]] DanceInfo info_of(const motion::AuthoredDance& dance);
 
-/// Learns figures of a written dance, in its order. `figure`: the one to learn; empty: all.
-/// `on_learnt` is called after each. Errors: no such figure (the nearest is named), one that cannot
-/// be learnt. Threads: workers. Real-time: no (a third of a second a figure).
+/// Learns the figures of a written dance, in the file's order. `figure`: the only one to learn;
+/// empty: all. `on_learnt` is called after each. Errors: no such figure (the nearest is named), a
+/// figure that cannot be learnt. Threads: workers. Real-time: no (a third of a second a figure).
 [[nodiscard]] Expected<std::vector<motion::AuthoredTrainingResult>> learn_figures(
     const motion::AuthoredDance& dance,
     std::string_view figure,
@@ -26,10 +26,10 @@ namespace raks::apps {
     const std::function<void(const motion::AuthoredFigure&, const motion::AuthoredTrainingResult&)>&
         on_learnt = {});
 
-/// Learns all figures of a written dance (.toml) into a folder of dances below the user's cache,
-/// $XDG_CACHE_HOME/raks/written; the same text is found there the next time. Without a cache that
-/// can be written, into a folder for temporary files. Returns the folder.
-/// Errors: those of the file and of its figures.
+/// Learns all figures of a written dance (.toml) into a folder of dances below the user's cache
+/// ($XDG_CACHE_HOME/raks/written), where the same text is found the next time; into a temporary
+/// folder where the cache cannot be written. Returns the folder. Errors: those of the file and of
+/// its figures.
 [[nodiscard]] Expected<std::filesystem::path> learn_written_dance(const std::filesystem::path& file,
                                                                   const motion::Skeleton& skeleton);
 

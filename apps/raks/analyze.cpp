@@ -23,7 +23,7 @@
 namespace raks::apps {
 namespace {
 
-/// Collects the states whose moment lies inside the file.
+// Passes on the states whose moment lies inside the file; the silence after it makes more of them.
 class Collect final : public audio::MusicAnalyzer::Sink {
  public:
     Collect(AnalysisDocument& document, PlotData* plot) : document_(document), plot_(plot) {}
@@ -44,25 +44,27 @@ class Collect final : public audio::MusicAnalyzer::Sink {
     PlotData* plot_;  // may be null
 };
 
+// The streaming method; paper_whole runs the paper's streaming method beside, for tempo and genre.
 audio::BeatMethod streaming_method(FileBeatMethod method) {
     return method == FileBeatMethod::pointer ? audio::BeatMethod::pointer
                                              : audio::BeatMethod::paper;
 }
 
-/// Everything that listens to the file.
+// Everything that gets the file's samples, and what is drawn in the end.
 struct Analyses {
     audio::MusicAnalyzer analyzer;
-    std::optional<audio::PaperFile> whole;  // --beat paper-whole
-    std::optional<PlotData> plot;           // --plot
-    std::optional<std::vector<BeatEvent>> reference;
-    std::optional<PendingFile> plot_file;
+    std::optional<audio::PaperFile> whole;            // --beat paper-whole
+    std::optional<PlotData> plot;                     // --plot
+    std::optional<std::vector<BeatEvent>> reference;  // --reference: beats to draw beside
+    std::optional<PendingFile> plot_file;  // written under another name until it is complete
 };
 
-/// Checks and opens all that is asked for before the first sample is heard.
+// Checks and opens all that is asked for before the analysis, which may take long.
 Expected<void> prepare(const AnalyzeArguments& arguments,
                        SampleRate rate,
                        const engine::AnalyzerModels& models,
                        Analyses& to) {
+    // A plot that cannot be written is noticed at once.
     if (!arguments.plot.empty()) {
         if (arguments.plot.extension() != ".svg") {
             return fail(arguments.plot.string() + ": a plot is written as .svg");
@@ -100,8 +102,7 @@ Expected<void> prepare(const AnalyzeArguments& arguments,
     return {};
 }
 
-/// All of the file, and the silence after it that brings the last hops out; what is said beyond the
-/// file's end is not told.
+// Analyzes the whole file, and then as much silence as brings out the last hops.
 void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& collect) {
     ProgressLine progress("analyzing");
     for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
@@ -112,11 +113,14 @@ void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& co
         if (analyses.plot) {
             analyses.plot->add(block.mono);
         }
+        // Not every file says how long it is: then no progress is shown.
         if (const auto share = source.progress()) {
             progress.show(*share);
         }
     }
+    // From here on states beyond the file's end are dropped.
     collect.end = StreamTime(source.given());
+    // delay() of silence completes the last hops; one hop more absorbs rounding.
     const std::array<float, 256> silence{};
     for (Nanos fed{};
          fed <= analyses.analyzer.delay() + kHop && collect.newest + kHop < collect.end;
@@ -125,6 +129,7 @@ void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& co
     }
 }
 
+// As the plot names the method.
 const char* name_of(FileBeatMethod method) {
     switch (method) {
         case FileBeatMethod::pointer:
@@ -137,6 +142,7 @@ const char* name_of(FileBeatMethod method) {
     return "";
 }
 
+// Draws the plot into its temporary file and gives it its name.
 Expected<void> write_plot(const AnalyzeArguments& arguments, Analyses& analyses, Nanos duration) {
     analyses.plot->finish(duration);
     const auto svg = draw_plot(*analyses.plot,
@@ -171,11 +177,13 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
     if (auto prepared = prepare(arguments, source->rate(), *models, analyses); !prepared) {
         return fail(std::move(prepared.error()));
     }
+    // The last class of the model's posterior.
     std::vector<std::string> genres = models->genres->genres;
     genres.emplace_back("unknown");
     AnalysisDocument document(arguments.input.string(), source->rate(), std::move(genres));
     Collect collect(document, analyses.plot ? &*analyses.plot : nullptr);
     analyze_source(*source, analyses, collect);
+    // The method with the whole file before it replaces the streaming beats, in both outputs.
     if (analyses.whole) {
         auto beats = analyses.whole->finish(source->given());
         if (analyses.plot) {
@@ -191,6 +199,7 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
             return fail(std::move(written.error()));
         }
     }
+    // One write: the document appears whole.
     const std::string text =
         arguments.as_json ? document.to_json(source->given()) : document.to_text(source->given());
     std::fwrite(text.data(), 1, text.size(), stdout);

@@ -14,8 +14,10 @@
 namespace raks::apps {
 namespace {
 
+// As --version prints it.
 constexpr const char* kVersion = "0.1.0";
 
+// Printed when no command is given.
 constexpr const char* kExamples =
     "raks: an avatar that dances to what it hears\n"
     "\n"
@@ -25,20 +27,21 @@ constexpr const char* kExamples =
     "\n"
     "raks --help lists all commands.\n";
 
-/// A dance that there is not. What names a place is looked at when it is opened.
+// The fault of a dance's name that is unknown; empty: none. A path is checked only when it is
+// opened: learning from it takes time.
 std::string fault_of_dances(engine::Settings settings) {
     if (is_dance_place(settings.dance)) {
         settings.dance = "auto";
     }
     const auto catalogue = engine::DanceCatalogue::load();
     if (!catalogue) {
-        return {};  // the command says so, if it dances
+        return {};  // the command reports it, if it dances
     }
     const auto checked = engine::check_dances(settings, *catalogue->list());
     return checked ? std::string() : checked.error().message;
 }
 
-/// The first fault of the settings: a value out of range, or a name that nothing has.
+// The first fault of the settings: a value out of range, or a name that is unknown.
 std::string fault_of(const engine::Settings& settings) {
     if (const auto faults = engine::validate(settings); !faults.empty()) {
         return faults.front();
@@ -68,6 +71,8 @@ void add_generator_option(CLI::App& app, engine::Settings& settings) {
 }
 
 ParsedCommand parse_arguments(int argc, char** argv) {
+    // The files first: options are parsed over what they say, and a fault of theirs is reported
+    // below.
     const auto settings = engine::load_settings();
     RaksCommands table(settings.value_or(engine::Settings{}));
     table.app().require_subcommand(0, 1);
@@ -76,6 +81,7 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     add_measuring_commands(table);
     add_training_commands(table);
     add_config(table);
+    // Help, version and wrong usage end here.
     if (const auto ended = read_usage(table.app(), argc, argv)) {
         return {nullptr, *ended};
     }
@@ -83,11 +89,12 @@ ParsedCommand parse_arguments(int argc, char** argv) {
         std::fputs(kExamples, stdout);
         return {nullptr, kExitDone};
     }
-    // Help is given, and the file found, whatever the file says.
+    // A faulty file must not prevent --help, nor `raks config`, which tells where the file lies.
     if (!settings && !table.app().got_subcommand("config")) {
         say(settings.error().message);
         return {nullptr, kExitUsage};
     }
+    // Checked after parsing, since file and options together make the values.
     if (table.chosen_settings() != nullptr) {
         if (const std::string fault = fault_of(*table.chosen_settings()); !fault.empty()) {
             say(fault);

@@ -4,8 +4,8 @@
 
 namespace raks::apps {
 
-/// Reads the command line over the settings files. Wrong usage is one line on stderr and
-/// kExitUsage.
+/// Parses the command line over the settings files. A wrong command line or setting is one line on
+/// stderr and kExitUsage.
 [[nodiscard]] ParsedCommand parse_arguments(int argc, char** argv);
 
 }  // namespace raks::apps

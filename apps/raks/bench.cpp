@@ -28,6 +28,7 @@
 
 namespace raks::apps {
 
+// Processor time instead of wall-clock time: other programs on the machine do not count.
 double thread_cpu_seconds() {
     rusage usage{};
     getrusage(RUSAGE_THREAD, &usage);
@@ -46,6 +47,7 @@ double process_cpu_seconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+// The value at each rank below, without interpolation.
 Spread spread_of(std::vector<double> values) {
     if (values.empty()) {
         return {};
@@ -59,6 +61,7 @@ Spread spread_of(std::vector<double> values) {
 
 namespace {
 
+// Fast music with all instruments of the generator's montuno: a heavy case for analyzer and dancer.
 Expected<audio::GeneratedMusic> bench_music(double seconds) {
     audio::MusicPlan plan;
     plan.style = audio::Style::montuno;
@@ -68,6 +71,7 @@ Expected<audio::GeneratedMusic> bench_music(double seconds) {
     return audio::generate(plan);
 }
 
+// Keeps all states. Memory is reserved, so that growing it is not measured.
 class CollectStates final : public audio::MusicAnalyzer::Sink {
  public:
     explicit CollectStates(double seconds) {
@@ -81,7 +85,8 @@ double microseconds_since(HostTime start) {
     return static_cast<double>((HostClock::now() - start).count()) * 1e-3;
 }
 
-/// Adds what an analyzer needs for a piece; names end in `suffix`.
+// Adds the cost of this analyzer on a piece; names end in `suffix`. Processor time over the whole
+// piece, wall-clock time a hop.
 void add_analysis(audio::MusicAnalyzer& analyzer,
                   const audio::GeneratedMusic& music,
                   double seconds,
@@ -90,6 +95,7 @@ void add_analysis(audio::MusicAnalyzer& analyzer,
     CollectStates collect(seconds);
     std::vector<double> hop_us;
     const double start = thread_cpu_seconds();
+    // 10 ms of samples: one hop.
     const std::size_t hop = static_cast<std::size_t>(music.rate.hertz() / 100);
     for (std::size_t at = 0; at + hop <= music.samples.size(); at += hop) {
         const HostTime hop_start = HostClock::now();
@@ -103,6 +109,7 @@ void add_analysis(audio::MusicAnalyzer& analyzer,
     report.spreads.emplace_back("wall_us_a_hop" + suffix, spread_of(hop_us));
 }
 
+// The analyzer without and with the genre recognition, and other programs on the same music.
 Expected<BenchReport> bench_analysis(double seconds) {
     const auto music = bench_music(seconds);
     engine::Settings settings;
@@ -125,6 +132,7 @@ Expected<BenchReport> bench_analysis(double seconds) {
     return report;
 }
 
+// Cost of the dancer alone: the states are computed before.
 Expected<BenchReport> bench_motion(double seconds) {
     const auto music = bench_music(seconds);
     if (!music) {
@@ -153,8 +161,10 @@ Expected<BenchReport> bench_motion(double seconds) {
     CollectStates collect(seconds);
     analyzer->process(music->samples, collect);
     const auto track = std::make_unique<motion::PoseTrack>();
-    constexpr HopIndex kHopsAFigure = 400;  // asks for another one so often: joins cost most
+    // Hops between two requests for another figure: transitions between figures cost most.
+    constexpr HopIndex kHopsAFigure = 400;
     std::set<std::string> figures;
+    // Each hop computes its pose and the predicted ones after it.
     constexpr double kPoses = 1.0 + motion::PoseTrack::kPredictedPoses;
     std::vector<double> pose_us;
     const double start = thread_cpu_seconds();
@@ -177,7 +187,8 @@ Expected<BenchReport> bench_motion(double seconds) {
     return report;
 }
 
-/// CPU milliseconds of whole pictures of one size, overlay and read-back apart.
+// Processor time in milliseconds of whole pictures of this size, without overlay and reading back;
+// of all threads, as a software renderer uses several.
 Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
                                             const render::Scene& scene,
                                             int width,
@@ -192,6 +203,7 @@ Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
     std::vector<double> costs;
     constexpr int kPictures = 60;
     for (int i = 0; i < kPictures; ++i) {
+        // finish() waits until the picture is drawn.
         const double start = process_cpu_seconds();
         renderer.draw(scene, pose, target->frame());
         target->finish();
@@ -200,6 +212,7 @@ Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
     return costs;
 }
 
+// Cost of building the mannequin, and of pictures in two sizes.
 Expected<BenchReport> bench_render() {
     const auto context = render::OffscreenContext::create();
     if (!context) {
@@ -215,6 +228,7 @@ Expected<BenchReport> bench_render() {
     BenchReport report;
     report.notes.emplace_back("driver", context->renderer_name());
     render::Scene scene;
+    // Rings that are shown: confidence and a moment near a beat.
     scene.rings = render::beat_rings({.confidence = 1.0F}, stream_time_from_seconds(0.2));
     for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{640, 360}}) {
         const auto costs = picture_costs(*renderer, scene, width, height);

@@ -20,12 +20,17 @@
 namespace raks::apps {
 namespace {
 
+// Pictures at 60 a second, as a usual screen shows them.
 constexpr Nanos kPictureTime = std::chrono::microseconds(16'667);
+// Steady, so that an error is the program's and not the music's.
 constexpr double kBpm = 180.0;
-// Silence before the first beat: time to connect the loop.
+// Seconds of silence before the first beat: time to connect the loop, and the silence that
+// audible_beats() needs.
 constexpr double kLeadIn = 2.0;
+// PacedClock's block, where no device says its own.
 constexpr int kOwnClockBlock = 256;
 
+// An absolute time: pictures that are late do not shift those after them.
 void sleep_until(HostTime time) {
     timespec until{};
     until.tv_sec = time.time_since_epoch().count() / 1'000'000'000;
@@ -33,7 +38,7 @@ void sleep_until(HostTime time) {
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
 }
 
-/// What every displayed picture would have shown.
+// What every picture would have shown, and the ages that belong to it.
 struct Watched {
     std::vector<double> music_age_ms;  // of the newest state, at the moment of drawing
     std::vector<double> pose_age_ms;   // how far the shown pose lies before the newest final one
@@ -45,6 +50,8 @@ struct Watched {
     motion::Skeleton skeleton;
 };
 
+// Draws nothing, but takes clock, stage and moment as a window's loop does at each picture. Errors:
+// the device has died.
 Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
     Watched watched;
     watched.pictures.reserve(static_cast<std::size_t>(seconds / to_seconds(kPictureTime)) + 1);
@@ -58,6 +65,7 @@ Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
         const engine::StageState& stage = graph.stage();
         const HostTime now = HostClock::now();
         const engine::ClockLine clock = graph.analysis().clock();
+        // Before the first pose there is nothing to show.
         if (stage.track().is_empty() || !clock.is_running) {
             continue;
         }
@@ -79,6 +87,7 @@ Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
     return watched;
 }
 
+// Drums with sharp attacks, which the loop's recording is searched for.
 Expected<audio::GeneratedMusic> music_for(const std::optional<audio::AudioDevice>& output,
                                           double seconds) {
     audio::MusicPlan plan;
@@ -86,20 +95,21 @@ Expected<audio::GeneratedMusic> music_for(const std::optional<audio::AudioDevice
     plan.tempo = {{0.0, kBpm}};
     plan.seconds = kLeadIn + seconds + 2.0;
     plan.first_beat_seconds = kLeadIn;
-    // At the loudspeaker's own rate: what comes back are the very samples that were made.
+    // At the device's own rate: nothing is resampled, so that the samples that come back are the
+    // ones that were generated.
     const SampleRate rate(output ? static_cast<int>(std::lround(output->default_rate)) : 48'000);
     plan.rate = rate.is_supported() ? rate : plan.rate;
     return audio::generate(plan);
 }
 
-/// Beats by which the tracker's bar lies after the music's, 0..3.
+// Beats by which the tracker's bar lies after the music's, 0 to 3.
 double bar_offset(const BeatGrid& grid, const audio::GeneratedMusic& music) {
     const double position = grid.bar_position(grid.beats_at(music.beats[0].time));
     return std::fmod(4.0 - std::round(position), 4.0);
 }
 
-/// How late the grid's beats lie after the music's, at each picture's moment; ms. What the landing
-/// inherits from the tracker.
+// How late the grid's beats lie after the music's at each picture's moment, ms: the part of the
+// landing error that comes from the tracker.
 std::vector<double> grid_errors_ms(const Watched& watched, const audio::GeneratedMusic& music) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < watched.pictures.size(); ++i) {
@@ -109,12 +119,14 @@ std::vector<double> grid_errors_ms(const Watched& watched, const audio::Generate
         const double beats =
             to_seconds(watched.pictures[i].moment - music.beats[0].time) * kBpm / 60.0;
         const double tracked = watched.grids[i].beats_at(watched.pictures[i].moment).count();
+        // The nearest beat: which one it is, is bar_offset()'s question.
         const double ahead = std::remainder(tracked - beats, 1.0);
         errors.push_back(-1e3 * ahead * 60.0 / kBpm);
     }
     return errors;
 }
 
+// Sizes of the landing errors.
 Spread absolute_errors_ms(const motion::LandingReport& landing) {
     std::vector<double> errors;
     for (const motion::Landing& one : landing.landings) {
@@ -123,6 +135,7 @@ Spread absolute_errors_ms(const motion::LandingReport& landing) {
     return spread_of(std::move(errors));
 }
 
+// Landings of the poses that were shown, against the beats as they were out.
 void add_landing(const Watched& watched,
                  const engine::SoundLine& sound,
                  const audio::GeneratedMusic& music,
@@ -148,12 +161,13 @@ void add_landing(const Watched& watched,
     report.spreads.emplace_back("landing_abs_ms", absolute_errors_ms(taken));
 }
 
-/// All that needs the sound that came back.
+// All measurements that need the recorded sound; notes say why where they are not made.
 void add_loop(const Watched& watched,
               const Expected<engine::LoopRecording>& recording,
               const audio::GeneratedMusic& music,
               Nanos reported_latency,
               BenchReport& report) {
+    // Fewer beats say too little.
     constexpr std::size_t kLeastBeats = 16;
     const auto not_measured = [&](const std::string& why) {
         for (const char* name : {"loop", "landing"}) {
@@ -174,6 +188,7 @@ void add_loop(const Watched& watched,
     const Spread latency = spread_of(engine::loop_latencies_ms(audible, music, watched.pictures));
     report.values.emplace_back("beats_back", static_cast<double>(audible.size()));
     report.values.emplace_back("loop_latency_ms", latency.p50);
+    // Positive: the sound came later than the device reports.
     report.values.emplace_back("loop_minus_reported_ms",
                                latency.p50 - 1e3 * to_seconds(reported_latency));
     report.spreads.emplace_back("loop_latency_ms_spread", latency);
@@ -182,7 +197,7 @@ void add_loop(const Watched& watched,
     add_landing(watched, sound, music, report);
 }
 
-/// What the device's thread does with its time.
+// Time that the device's thread spends in the callback, absolute and as a share of a block.
 void add_callback(engine::LiveGraph& graph, BenchReport& report) {
     const audio::DeviceStream* const stream = graph.stream();
     const engine::TimingHistogram& times = graph.analysis().callback_times();
@@ -194,14 +209,17 @@ void add_callback(engine::LiveGraph& graph, BenchReport& report) {
                               stream != nullptr ? stream->scheduling() : "no device");
     report.values.emplace_back("block_frames", block);
     report.values.emplace_back("sample_rate_hz", rate);
+    // 1 would mean that the callback takes as long as a block lasts.
     report.values.emplace_back("callback_p99_share", 1e-3 * callback.p99 * rate / block);
     report.spreads.emplace_back("callback_ms", callback);
 }
 
+// How old the analysis and the poses are when they are drawn.
 void add_ages(const Watched& watched, const audio::GeneratedMusic& music, BenchReport& report) {
     report.spreads.emplace_back("music_age_ms", spread_of(watched.music_age_ms));
     report.spreads.emplace_back("pose_age_ms", spread_of(watched.pose_age_ms));
     report.spreads.emplace_back("picture_late_ms", spread_of(watched.late_ms));
+    // The median: the tracker is still locking in the first seconds.
     report.values.emplace_back("bpm", spread_of(watched.bpm).p50);
     if (!watched.grids.empty()) {
         report.values.emplace_back("bar_offset_beats", bar_offset(watched.grids.back(), music));
@@ -209,12 +227,14 @@ void add_ages(const Watched& watched, const audio::GeneratedMusic& music, BenchR
     report.spreads.emplace_back("grid_late_ms", spread_of(grid_errors_ms(watched, music)));
 }
 
+// What was lost on the way.
 void add_counters(const engine::LiveCounters& counters, BenchReport& report) {
     report.values.emplace_back("dropped_states", static_cast<double>(counters.dropped_states));
     report.values.emplace_back("xruns", static_cast<double>(counters.xruns));
     report.values.emplace_back("underruns", static_cast<double>(counters.underruns));
 }
 
+// The recorder for this output. Errors: there is none, or it has no loop.
 Expected<std::unique_ptr<engine::LoopRecorder>> recorder_for(
     const Expected<audio::AudioSystem>& system,
     const std::optional<audio::AudioDevice>& output,
@@ -225,6 +245,7 @@ Expected<std::unique_ptr<engine::LoopRecorder>> recorder_for(
     return engine::LoopRecorder::start(system->devices(), *output, seconds);
 }
 
+// None where no audio system runs: the bench then measures what needs no sound.
 std::optional<audio::AudioDevice> loudspeaker(const Expected<audio::AudioSystem>& system) {
     if (!system) {
         return std::nullopt;
@@ -242,6 +263,7 @@ Expected<BenchReport> bench_latency(double seconds) {
     if (!music) {
         return fail(music.error());
     }
+    // Played from a file, as `raks play` does.
     const TemporaryMusic file(*music);
     if (!file.written()) {
         return fail(file.written().error());
@@ -253,6 +275,7 @@ Expected<BenchReport> bench_latency(double seconds) {
         return fail(setup.error());
     }
     const std::string dance = engine::dance_to_load(settings, *setup->catalogue.list());
+    // The figures' models are needed for their learnt landings, the library for dancing.
     const auto parts = setup->catalogue.read(dance, motion::DanceRole::lead, {});
     const auto library = engine::load_dance(setup->catalogue, dance, setup->skeleton);
     auto player = audio::FilePlayer::start({file.path()});
@@ -261,12 +284,15 @@ Expected<BenchReport> bench_latency(double seconds) {
     }
     config.models = setup->models;
     config.cast = engine::cast_of(*library, setup->skeleton, 1);
+    // The first callback must not find an empty ring.
     (*player)->wait_until_ready(4096);
+    // Room for the whole piece and some seconds of starting and ending.
     auto recorder = recorder_for(system, output, kLeadIn + seconds + 5.0);
     auto graph = engine::LiveGraph::play(std::move(*player), output, config);
     if (!graph) {
         return fail(graph.error());
     }
+    // After the graph has started, as the loop connects its running output.
     auto loop = recorder ? (*recorder)->close_loop() : fail(recorder.error());
     // One figure, whose learnt landings are compared with.
     (*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0);

@@ -21,6 +21,7 @@ extern char** environ;
 
 namespace raks::apps {
 
+// The time in the name keeps two runs apart.
 TemporaryMusic::TemporaryMusic(const audio::GeneratedMusic& music)
     : path_(temporary_folder() /
             fmt::format("raks-bench-{}.wav", HostClock::now().time_since_epoch().count())),
@@ -31,7 +32,9 @@ TemporaryMusic::~TemporaryMusic() {
     std::filesystem::remove(path_, ignored);
 }
 
+// posix_spawn instead of a shell: arguments need no quoting, and the child's own usage is known.
 Expected<double> cpu_seconds_of(const std::vector<std::string>& command) {
+    // argv must be writable and end in a null pointer.
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
@@ -41,6 +44,7 @@ Expected<double> cpu_seconds_of(const std::vector<std::string>& command) {
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;  // NOLINT: filled below
     posix_spawn_file_actions_init(&actions);
+    // Standard output and error.
     for (const int output : {1, 2}) {
         posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
     }
@@ -48,11 +52,13 @@ Expected<double> cpu_seconds_of(const std::vector<std::string>& command) {
     const int error =
         posix_spawnp(&child, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    // spawnp fails when no such program is found in PATH.
     if (error != 0) {
         return fail(fmt::format("{} is not installed", command.front()));
     }
     int status = 0;
     rusage used{};
+    // wait4 also gives the processor time of exactly this child.
     if (wait4(child, &status, 0, &used) != child || !WIFEXITED(status) ||
         WEXITSTATUS(status) != 0) {
         return fail(fmt::format("{} failed", command.front()));
@@ -64,6 +70,7 @@ Expected<double> cpu_seconds_of(const std::vector<std::string>& command) {
 }
 
 void add_aubio(const audio::GeneratedMusic& music, double seconds, BenchReport& report) {
+    // Its start and reading are included: the program cannot be measured otherwise.
     const TemporaryMusic file(music);
     const auto cpu = file.written() ? cpu_seconds_of({"aubiotrack", "-i", file.path().string()})
                                     : fail(file.written().error());
@@ -77,7 +84,7 @@ void add_aubio(const audio::GeneratedMusic& music, double seconds, BenchReport& 
 
 namespace {
 
-/// The music as a mono file at 16 kHz would hold it.
+// The music at 16 kHz mono, as both programs read it.
 Expected<audio::GeneratedMusic> at_16_khz(const audio::GeneratedMusic& music) {
     audio::GeneratedMusic low;
     low.rate = SampleRate(audio::MfccStream::kSampleRate);
@@ -89,6 +96,7 @@ Expected<audio::GeneratedMusic> at_16_khz(const audio::GeneratedMusic& music) {
     const std::vector<float> mono = music.mono();
     std::span<const float> left = mono;
     std::vector<float> made(4096);
+    // The resampler takes and makes what it can; the rest goes into the next round.
     while (!left.empty()) {
         const auto progress = resampler.process(left, made);
         left = left.subspan(progress.taken);
@@ -99,7 +107,7 @@ Expected<audio::GeneratedMusic> at_16_khz(const audio::GeneratedMusic& music) {
     return low;
 }
 
-/// Counts, and keeps the compiler from leaving the work out.
+// Counts the vectors and uses a value of each, so that the compiler cannot remove the computation.
 class CountVectors final : public audio::MfccStream::Sink {
  public:
     void on_vector(const audio::MfccVector& vector) noexcept override {
@@ -118,11 +126,13 @@ Expected<void> add_mfcc(const audio::GeneratedMusic& music, double seconds, Benc
         return fail(low.error());
     }
     const TemporaryMusic file(*low);
+    // The features are defined for samples of 16 bits.
     std::vector<float> scaled(low->samples.size());
     std::transform(low->samples.begin(), low->samples.end(), scaled.begin(), [](float sample) {
         return sample * 32768.0F;
     });
-    constexpr int kRounds = 5;  // the quickest counts: others share the machine
+    // The quickest round counts: other programs share the machine.
+    constexpr int kRounds = 5;
     double best = std::numeric_limits<double>::infinity();
     CountVectors count;
     for (int round = 0; round < kRounds; ++round) {
@@ -134,6 +144,7 @@ Expected<void> add_mfcc(const audio::GeneratedMusic& music, double seconds, Benc
     report.values.emplace_back("mfcc39_times_real_time", seconds / best);
     report.values.emplace_back("mfcc39_vectors", static_cast<double>(count.vectors / kRounds));
     double peer = std::numeric_limits<double>::infinity();
+    // A window of 512 samples and a hop of 160, which is 10 ms.
     for (int round = 0; round < kRounds && file.written(); ++round) {
         const auto cpu =
             cpu_seconds_of({"aubiomfcc", "-i", file.path().string(), "-B", "512", "-H", "160"});

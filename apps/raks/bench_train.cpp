@@ -10,16 +10,16 @@
 namespace raks::apps {
 namespace {
 
-// The shape that hmmlearn was timed at: 21.7 s of CPU to train, 5.2 us a frame to score.
+// The sizes that hmmlearn was timed at: 21.7 s of processor time to train, 5.2 us a frame to score.
 constexpr Eigen::Index kStates = 10;
 constexpr Eigen::Index kFeatures = 39;
 constexpr std::size_t kSequences = 50;
 constexpr Eigen::Index kFrames = 500;
 constexpr int kIterations = 20;
 
-/// Sequences of a left-to-right process: every state has a mean of its own, one standard deviation
-/// from the others in each feature, and neighbouring features are correlated. The borders between
-/// states differ from sequence to sequence.
+// Sequences of a left-to-right process: each state has a mean of its own, one standard deviation
+// from the others in each feature, and neighbouring features are correlated. The borders between
+// states differ from sequence to sequence.
 models::TrainingSet bench_sequences() {
     const CounterRandom of_states(1, 0);
     models::TrainingSet set;
@@ -27,6 +27,7 @@ models::TrainingSet bench_sequences() {
         const CounterRandom random(2, s);
         models::Frames frames(kFrames, kFeatures);
         for (Eigen::Index t = 0; t < kFrames; ++t) {
+            // A power bends the time axis a little, differently in each sequence.
             const double bend = 1.0 + 0.1 * random.normal(0);
             const double share = static_cast<double>(t) / static_cast<double>(kFrames);
             const auto state =
@@ -34,6 +35,7 @@ models::TrainingSet bench_sequences() {
             double before = 0.0;
             for (Eigen::Index i = 0; i < kFeatures; ++i) {
                 const auto feature = static_cast<std::uint64_t>(i);
+                // First-order recursion over the features: their neighbours are correlated.
                 before = 0.5 * before +
                          random.normal(1 + static_cast<std::uint64_t>(t * kFeatures) + feature);
                 frames(t, i) =
@@ -49,6 +51,7 @@ models::TrainingSet bench_sequences() {
 
 Expected<BenchReport> bench_train() {
     const models::TrainingSet set = bench_sequences();
+    // Tolerance 0: all iterations are done, however little they gain.
     const models::BaumWelchOptions options{.iterations = kIterations, .tolerance = 0.0};
     const auto start = models::sliced_start(kStates, models::CovarianceType::full, set, options);
     if (!start) {
@@ -65,6 +68,7 @@ Expected<BenchReport> bench_train() {
         return fail(scorer.error());
     }
     const double scoring_start = thread_cpu_seconds();
+    // The sum is reported, so that the scoring cannot be optimized away.
     double sum = 0.0;
     for (const models::Frames& frames : set.sequences) {
         sum += models::log_likelihood(*scorer, frames);

@@ -9,14 +9,15 @@
 
 namespace raks::apps {
 
-/// The commands of `raks`. Those with settings begin with what the files say.
+/// The commands of `raks`. Arguments with settings begin with what the settings files say.
 class RaksCommands : public CommandTable {
  public:
-    /// `settings`: what the files say; options are laid over them.
+    /// `settings`: read from the files; options are parsed over them.
     explicit RaksCommands(engine::Settings settings)
         : CommandTable("raks: an avatar that dances to what it hears", "raks"),
           settings_(std::move(settings)) {}
 
+    /// As CommandTable::add; arguments that have settings get those of the files first.
     template <typename Arguments>
     Command<Arguments> add(CLI::App& parent,
                            const char* name,
@@ -33,7 +34,7 @@ class RaksCommands : public CommandTable {
         return command;
     }
 
-    /// Of the command that was asked for; null where it has none.
+    /// Settings of the command that was asked for; null where it has none.
     [[nodiscard]] const engine::Settings* chosen_settings() const noexcept {
         return chosen_settings_.get();
     }
@@ -43,15 +44,16 @@ class RaksCommands : public CommandTable {
     std::shared_ptr<const engine::Settings> chosen_settings_;
 };
 
-/// play, live, render, dance, dances, sheet, stick, synth.
+/// Adds play, live, render, dance, dances, sheet, stick and synth.
 void add_dancing_commands(RaksCommands& table);
-/// analyze, eval, bench, devices.
+/// Adds analyze, eval, bench and devices.
 void add_measuring_commands(RaksCommands& table);
-/// train.
+/// Adds train, which starts another program.
 void add_training_commands(RaksCommands& table);
 
-/// Options of several commands.
+/// Adds --figures, which several commands have.
 void add_figures_option(CLI::App& app, engine::Settings& settings);
+/// Adds --generator, which several commands have.
 void add_generator_option(CLI::App& app, engine::Settings& settings);
 
 }  // namespace raks::apps

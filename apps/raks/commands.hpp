@@ -10,126 +10,147 @@
 #include "engine/setup/settings.hpp"
 #include "motion/figures/figure_model.hpp"
 
-/// The commands of the program `raks`. Each takes its arguments, checked for form only, and does
-/// its work.
+/// The commands of the program `raks`, one function each. Arguments are checked for their form
+/// only; the command checks the rest and does the work. Threads: main.
 namespace raks::apps {
 
-/// A stretch of a file, in seconds.
+/// A section of a file, in seconds.
 struct Section {
     double start = 0.0;              ///< >= 0
     std::optional<double> duration;  ///< > 0; to the end when absent
 };
 
+/// Arguments of `raks play`.
 struct PlayArguments {
-    engine::Settings settings;
-    std::vector<Path> files;  ///< files and folders; empty: the demo salsa
-    Section section;
-    bool is_headless = false;   ///< no window
-    bool is_soundless = false;  ///< no loudspeaker; paced by the clock
-    bool is_fullscreen = false;
+    engine::Settings settings;   ///< of the files and the options
+    std::vector<Path> files;     ///< files and folders; empty: the demo salsa
+    Section section;             ///< of every file
+    bool is_headless = false;    ///< no window
+    bool is_soundless = false;   ///< no loudspeaker; paced by the clock
+    bool is_fullscreen = false;  ///< the window fills the screen
 };
+/// Plays files and dances to them. Errors: the only file cannot be played, no loudspeaker.
 [[nodiscard]] ExitCode play(const PlayArguments& arguments);
 
+/// Arguments of `raks live`.
 struct LiveArguments {
-    engine::Settings settings;
-    std::optional<double> duration;  ///< seconds to listen; until stopped when absent
-    bool is_headless = false;
-    bool is_fullscreen = false;
+    engine::Settings settings;       ///< of the files and the options
+    std::optional<double> duration;  ///< seconds of the input; until stopped when absent
+    bool is_headless = false;        ///< no window
+    bool is_fullscreen = false;      ///< the window fills the screen
 };
+/// Dances to an input. Errors: no input, it cannot be opened.
 [[nodiscard]] ExitCode live(const LiveArguments& arguments);
 
+/// Arguments of `raks devices`.
 struct DevicesArguments {
-    bool as_json = false;
+    bool as_json = false;          ///< one JSON document instead of text
     bool asks_for_output = false;  ///< only the exit code: is there a loudspeaker?
 };
+/// Lists the audio devices and which of them are chosen.
 [[nodiscard]] ExitCode devices(const DevicesArguments& arguments);
 
+/// Arguments of `raks render`.
 struct RenderArguments {
-    engine::Settings settings;
-    Path input;   ///< empty: the demo salsa
-    Path output;  ///< .mp4, .avi, or a folder for .png
-    Section section;
+    engine::Settings settings;  ///< of the files and the options
+    Path input;                 ///< empty: the demo salsa
+    Path output;                ///< .mp4, .avi, or a folder for .png
+    Section section;            ///< of the input
 };
+/// Writes a film of the dance. Errors: those of input, OpenGL and the film.
 [[nodiscard]] ExitCode render(const RenderArguments& arguments);
 
-/// The trackers of audio::BeatMethod, and the paper's method with the whole file before it.
+/// How a file's beats are tracked: the methods of audio::BeatMethod, and the paper's method with
+/// the whole file before it.
 enum class FileBeatMethod : std::uint8_t { pointer, paper, paper_whole };
 
+/// Arguments of `raks analyze`.
 struct AnalyzeArguments {
-    Path input;
-    bool as_json = false;
-    FileBeatMethod beat = FileBeatMethod::pointer;
-    Path plot;       ///< .svg; empty: none
+    Path input;                                     ///< the music file
+    bool as_json = false;                           ///< one JSON document instead of text
+    FileBeatMethod beat = FileBeatMethod::pointer;  ///< how beats are tracked
+    Path plot;                                      ///< .svg; empty: none
     Path reference;  ///< beats to compare with in the plot; empty: none
 };
+/// Reports beats, tempo and dance of a file. Errors: those of the files.
 [[nodiscard]] ExitCode analyze(const AnalyzeArguments& arguments);
 
+/// Arguments of `raks eval beats`.
 struct EvalBeatsArguments {
     Path corpus;  ///< folder: index.tsv, NAME.beats, NAME.ogg
-    std::vector<FileBeatMethod> methods = {FileBeatMethod::pointer};
+    std::vector<FileBeatMethod> methods = {FileBeatMethod::pointer};  ///< each is scored
     std::vector<Path> peers;  ///< folders of other trackers' beats, or folders of such
     Path network;             ///< for the pointer; empty: what comes with Raks; "none": none
-    Path left_out;            ///< folder of CLASS.json, networks that never heard that class
-    std::string category;     ///< only excerpts of this class; empty: all
-    Path output;              ///< folder for what was heard; empty: not written
-    bool as_json = false;
+    /// Folder of CLASS.json: networks that were trained without excerpts of that class.
+    Path left_out;
+    std::string category;        ///< only excerpts of this class; empty: all
+    Path output;                 ///< folder for our trackers' beats; empty: not written
+    bool as_json = false;        ///< one JSON document instead of text
     bool asks_for_each = false;  ///< a row for each excerpt
 };
 /// Scores our trackers, and others', against annotated excerpts.
 [[nodiscard]] ExitCode eval_beats(const EvalBeatsArguments& arguments);
 
+/// Arguments of `raks eval dance`.
 struct EvalDanceArguments {
-    engine::Settings settings;
-    motion::DanceRole role = motion::DanceRole::lead;
-    std::vector<std::string> trials;  ///< by name; empty: all
-    Path clips;                       ///< folder of people's clips, TAKE.bvh; empty: none
-    Path labels;                      ///< TSV; needed with clips
-    Path counts;                      ///< TSV; empty: counts lie evenly in a label, no BAS
-    Path faults;                      ///< TSV of capture faults; empty: none
-    double fps = 0.0;                 ///< of the clips; 0: the files'
-    double scale = 1.0;               ///< metres per unit of the clips
-    bool as_json = false;
+    engine::Settings settings;                         ///< of the files and the options
+    motion::DanceRole role = motion::DanceRole::lead;  ///< which part is measured
+    std::vector<std::string> trials;                   ///< by name; empty: all
+    Path clips;            ///< folder of people's clips, TAKE.bvh; empty: none
+    Path labels;           ///< TSV; needed with clips
+    Path counts;           ///< TSV; empty: counts lie evenly in a label, no BAS
+    Path faults;           ///< TSV of capture faults; empty: none
+    double fps = 0.0;      ///< of the clips; 0: the files'
+    double scale = 1.0;    ///< metres per unit of the clips
+    bool as_json = false;  ///< one JSON document instead of text
 };
 /// Measures the dancer, from generated music to poses, beside people's clips.
 [[nodiscard]] ExitCode eval_dance(const EvalDanceArguments& arguments);
 
+/// Arguments of `raks dance`.
 struct DanceArguments {
-    engine::Settings settings;
-    Path input;
-    Path output;        ///< x.bvh; of several dancers x_1.bvh, x_2.bvh, ...
-    double fps = 60.0;  ///< [1, 240]
+    engine::Settings settings;  ///< of the files and the options
+    Path input;                 ///< the music file
+    Path output;                ///< x.bvh; of several dancers x_1.bvh, x_2.bvh, ...
+    double fps = 60.0;          ///< [1, 240]
 };
+/// Writes the dance to a file as motion. Errors: those of the files and of the dance.
 [[nodiscard]] ExitCode dance(const DanceArguments& arguments);
 
+/// Arguments of `raks eval genre`.
 struct EvalGenreArguments {
-    Path folder;
+    Path folder;               ///< of music
     Path groups;               ///< table of its clips; empty: one folder a genre
     Path model;                ///< .json; empty: the one that comes with Raks
     std::string labels;        ///< only clips whose label is one of these letters; empty: all
     bool with_damage = false;  ///< also quieter, low-passed, with noise, in a room
-    bool as_json = false;
-    int threads = 2;
+    bool as_json = false;      ///< one JSON document instead of text
+    int threads = 2;           ///< [1, 64]
 };
-/// How well a model tells dances apart on a folder of music, by each kind of evidence.
+/// Measures how well a model tells dances apart on a folder of music, by each kind of evidence.
 [[nodiscard]] ExitCode eval_genre(const EvalGenreArguments& arguments);
 
+/// Arguments of `raks dances`.
 struct DancesArguments {
-    bool as_json = false;
+    bool as_json = false;  ///< one JSON document instead of text
 };
 /// Lists all dances with their figures, where each lies, and why one that is broken is left out.
 [[nodiscard]] ExitCode dances(const DancesArguments& arguments);
 
+/// Arguments of `raks sheet`.
 struct SheetArguments {
-    engine::Settings settings;
-    Path output;         ///< .png: a sheet; else a film
-    std::string figure;  ///< of the dance; empty: its first
-    double bpm = 180.0;  ///< [50, 230]
+    engine::Settings settings;  ///< of the files and the options
+    Path output;                ///< .png: a sheet; else a film
+    std::string figure;         ///< of the dance; empty: its first
+    double bpm = 180.0;         ///< [50, 230]
 };
-/// A figure from the front and the side: every 1/8 beat of 8 on a sheet, or a film of 16 beats.
+/// Draws a figure from the front and the side: every 1/8 beat of 8 beats on a sheet, or a film of
+/// 16 beats.
 [[nodiscard]] ExitCode sheet(const SheetArguments& arguments);
 
+/// Arguments of `raks stick`.
 struct StickArguments {
-    engine::Settings settings;
+    engine::Settings settings;         ///< of the files and the options
     Path input;                        ///< .bvh, or a written dance (.toml)
     Path output;                       ///< .png: front and side views; empty: a window
     std::string figure;                ///< of a written dance; empty: all
@@ -143,26 +164,31 @@ struct StickArguments {
 /// The same of a written dance, on the mannequin.
 [[nodiscard]] ExitCode stick_dance(const StickArguments& arguments);
 
+/// Arguments of `raks synth`.
 struct SynthArguments {
-    std::string style;    ///< of the generator, or a dance; empty: the first dance's
-    Path output;          ///< .wav
-    double bpm = 180.0;   ///< [50, 230]
-    double seconds = 60;  ///< (0, 3600]
-    std::int64_t seed = 1;
+    std::string style;      ///< of the generator, or a dance; empty: the first dance's
+    Path output;            ///< .wav
+    double bpm = 180.0;     ///< [50, 230]
+    double seconds = 60;    ///< (0, 3600]
+    std::int64_t seed = 1;  ///< same seed, same music
 };
 /// Writes music of our own generator.
 [[nodiscard]] ExitCode synth(const SynthArguments& arguments);
 
+/// Arguments of `raks bench`.
 struct BenchArguments {
-    std::string what;  ///< latency, analysis, motion, render or train
-    bool as_json = false;
-    double seconds = 20.0;
+    std::string what;       ///< latency, analysis, motion, render or train
+    bool as_json = false;   ///< one JSON document instead of text
+    double seconds = 20.0;  ///< length of the music
 };
+/// Measures this machine and prints the results.
 [[nodiscard]] ExitCode bench(const BenchArguments& arguments);
 
+/// Arguments of `raks config`.
 struct ConfigArguments {
     std::string action = "show";  ///< show, path or init
 };
+/// Prints the settings or where their file lies, or writes the file.
 [[nodiscard]] ExitCode config(const ConfigArguments& arguments);
 
 }  // namespace raks::apps

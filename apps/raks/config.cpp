@@ -8,6 +8,7 @@
 namespace raks::apps {
 
 ExitCode config(const ConfigArguments& arguments) {
+    // `path` and `init` do not read the settings: they work with a faulty file, too.
     const Path path = engine::user_settings_path();
     if (arguments.action == "path") {
         std::printf("%s\n", path.c_str());
@@ -15,9 +16,11 @@ ExitCode config(const ConfigArguments& arguments) {
     }
     if (arguments.action == "init") {
         std::error_code error;
+        // Never over what a person has written.
         if (std::filesystem::exists(path, error)) {
             return fail(path.string() + ": is there already; edit it, or remove it first");
         }
+        // An error shows when the file is written.
         std::filesystem::create_directories(path.parent_path(), error);
         if (auto written = write_file(path, engine::to_toml({})); !written) {
             return fail(written.error());
@@ -25,6 +28,7 @@ ExitCode config(const ConfigArguments& arguments) {
         std::printf("%s\n", path.c_str());
         return kExitDone;
     }
+    // "show": all values that apply, defaults too.
     const auto settings = engine::load_settings();
     if (!settings) {
         return fail(settings.error());

@@ -18,7 +18,7 @@
 namespace raks::apps {
 namespace {
 
-/// x.bvh of one dancer; of several x_1.bvh, x_2.bvh, ...: of a couple 1 leads.
+// The file of one dancer: x.bvh when there is one, else x_1.bvh, x_2.bvh, ...; of a couple 1 leads.
 Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
     if (dancers == 1) {
         return output;
@@ -33,6 +33,7 @@ Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
 
 ExitCode dance(const DanceArguments& given) {
     DanceArguments arguments = given;
+    // Checked before the music is read, as everything that can fail at once.
     if (arguments.output.extension() != ".bvh") {
         return fail(arguments.output.string() + ": cannot write this kind of motion; known: .bvh");
     }
@@ -51,6 +52,7 @@ ExitCode dance(const DanceArguments& given) {
     if (!dancers) {
         return fail(dancers.error());
     }
+    // All dances must be ready: otherwise the result would depend on which thread is faster.
     for (const std::string& line : dancers->wait()) {
         say(line);
     }
@@ -58,6 +60,7 @@ ExitCode dance(const DanceArguments& given) {
     if (!driver) {
         return fail(driver.error());
     }
+    // Poses are kept in memory: BVH needs their number before the first.
     engine::CollectPoses collect(arguments.fps);
     ProgressLine progress("dancing");
     for (auto block = source->next(); !block.mono.empty() && !stop_signal();
@@ -67,14 +70,17 @@ ExitCode dance(const DanceArguments& given) {
             progress.show(*share);
         }
     }
+    // The end of the music, or of what was read when a signal came.
     driver->finish(collect);
     collect.finish(source->given());
     if (!source->warning().empty()) {
         say(source->warning());
     }
+    // No hop was danced.
     if (collect.dancers.empty()) {
         collect.dancers.emplace_back();  // of no length: write_bvh says that there are no poses
     }
+    // One file a dancer.
     for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
         const Path path = file_of(arguments.output, i, collect.dancers.size());
         if (auto written =

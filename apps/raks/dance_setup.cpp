@@ -14,10 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A written dance is one file; a folder of dances has several.
 bool is_written_dance(const fs::path& place) { return place.extension() == ".toml"; }
 
 }  // namespace
 
+// A name that could be a dance's is not looked for as a folder: "salsa" is the dance even where a
+// folder of that name lies.
 bool is_dance_place(const std::string& dance) {
     std::error_code ignored;
     return is_written_dance(dance) || dance.find('/') != std::string::npos ||
@@ -28,6 +31,7 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
     fs::path given;
     if (is_dance_place(settings.dance)) {
         given = settings.dance;
+        // Learnt figures make a folder of dances, which is then loaded like any other.
         if (is_written_dance(given)) {
             auto learnt = learn_written_dance(given, motion::mannequin_skeleton());
             if (!learnt) {
@@ -40,12 +44,15 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
     if (!catalogue) {
         return fail(std::move(catalogue.error()));
     }
+    // Only here, so that each note is printed once a run.
     for (const std::string& note : catalogue->notes()) {
         say(note);
     }
+    // From here on the settings hold a name, as all later steps expect.
     if (!given.empty()) {
         settings.dance = catalogue->given_dance();
     }
+    // The name can only be checked now that all dances are known.
     if (auto checked = engine::check_dances(settings, *catalogue->list()); !checked) {
         return fail(std::move(checked.error()));
     }

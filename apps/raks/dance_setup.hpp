@@ -8,20 +8,20 @@
 
 namespace raks::apps {
 
-/// What every command that dances begins with.
+/// What every command that dances starts with.
 struct DanceSetup {
-    engine::DanceCatalogue catalogue;
-    engine::AnalyzerModels models;
-    motion::Skeleton skeleton;  ///< of the body that dances
+    engine::DanceCatalogue catalogue;  ///< all dances
+    engine::AnalyzerModels models;     ///< of the analyzer
+    motion::Skeleton skeleton;         ///< of the body that dances
 };
 
-/// Whether `--dance` names a place: a folder of dances, or a written dance (.toml).
+/// True when `--dance` names a path: a folder of dances, or a written dance (.toml).
 [[nodiscard]] bool is_dance_place(const std::string& dance);
 
-/// Finds all dances, and says once what is shadowed or left out. Where `settings.dance` is a folder
-/// of dances or a written dance, that is danced, and its name takes the place's: a written dance is
-/// learnt first, into a folder of the user's cache, and found there the next time.
-/// Errors: those of the catalogue, of a written dance, and of the models of the analyzer.
+/// Finds all dances, and prints once what is hidden or left out. Where `settings.dance` is a path,
+/// the dance there is used, and its name replaces the path: a written dance is first learnt into a
+/// folder of the user's cache, where it is found the next time. Errors: those of the catalogue, of
+/// a written dance, and of the analyzer's models.
 [[nodiscard]] Expected<DanceSetup> open_dances(engine::Settings& settings);
 
 }  // namespace raks::apps

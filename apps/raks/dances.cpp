@@ -16,13 +16,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One dance as it was found.
+// One dance and what examining it found.
 struct FoundDance {
     const engine::CatalogueEntry* entry = nullptr;
     std::vector<std::string> figures;
     std::string fault;  ///< why it cannot be danced; empty: it can
 };
 
+// Origins as people read them.
 const char* name_of(engine::DanceOrigin origin) {
     switch (origin) {
         case engine::DanceOrigin::given:
@@ -35,8 +36,11 @@ const char* name_of(engine::DanceOrigin origin) {
     return "";
 }
 
+// Reads the dance in all its roles, as dancing it would: a fault is found here and not during a
+// show.
 FoundDance examine(const engine::DanceCatalogue& catalogue, const engine::CatalogueEntry& entry) {
     FoundDance found{&entry, {}, {}};
+    // A dance for one has no follow.
     for (const auto role : {motion::DanceRole::lead, motion::DanceRole::follow}) {
         if (role == motion::DanceRole::follow && entry.info.roles < 2) {
             continue;
@@ -46,6 +50,7 @@ FoundDance examine(const engine::DanceCatalogue& catalogue, const engine::Catalo
             found.fault = parts.error().message;
             return found;
         }
+        // The follow's figures have the same names.
         if (role == motion::DanceRole::lead) {
             for (const motion::FigureModel& figure : parts->figures) {
                 found.figures.push_back(figure.name);
@@ -55,6 +60,7 @@ FoundDance examine(const engine::DanceCatalogue& catalogue, const engine::Catalo
     return found;
 }
 
+// The fields of raks-dances-found, version 1; an empty fault means that the dance can be danced.
 Json json_of(const FoundDance& found) {
     const DanceInfo& info = found.entry->info;
     Json json = {{"name", info.name},
@@ -75,6 +81,7 @@ Json json_of(const FoundDance& found) {
     return json;
 }
 
+// A paragraph for people.
 std::string text_of(const FoundDance& found) {
     const DanceInfo& info = found.entry->info;
     std::string text = fmt::format("{} ({}, {})\n  {:g} to {:g} BPM, bars of {}{}\n  {}\n",
@@ -104,6 +111,7 @@ ExitCode dances(const DancesArguments& arguments) {
     Json json = {{"format", "raks-dances-found"}, {"version", 1}};
     json["dances"] = Json::array();
     std::string text;
+    // A broken dance is listed with its fault.
     for (const engine::CatalogueEntry& entry : catalogue->entries()) {
         const FoundDance found = examine(*catalogue, entry);
         json["dances"].push_back(json_of(found));
@@ -113,6 +121,7 @@ ExitCode dances(const DancesArguments& arguments) {
     for (const std::string& note : catalogue->notes()) {
         say(note);
     }
+    // A folder's name need not be UTF-8.
     if (arguments.as_json) {
         text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     }

@@ -6,12 +6,14 @@
 namespace raks::apps {
 namespace {
 
+// Several commands have it; the names are checked with the settings.
 void add_formation_option(CLI::App& app, engine::Settings& settings) {
     app.add_option(
         "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
 }
 
-/// The options of DESIGN 6 that play, live and render share.
+// The options that play, live and render share: they overwrite the settings of the files. Names and
+// ranges are checked with the settings, after parsing.
 void add_picture_options(CLI::App& app, engine::Settings& settings) {
     app.add_option("--dance",
                    settings.dance,
@@ -32,9 +34,11 @@ void add_picture_options(CLI::App& app, engine::Settings& settings) {
                    "milliseconds added to the latency that the device reports");
 }
 
+// --start and --duration, which play and render share.
 void add_section_options(CLI::App& app, Section& section) {
     app.add_option("--start", section.start, "seconds into the file")
         ->check(in_range(0.0, kLongestSeconds));
+    // A function, since an optional has no value to parse into.
     app.add_option_function<double>(
            "--duration",
            [&section](const double& seconds) { section.duration = seconds; },
@@ -42,6 +46,7 @@ void add_section_options(CLI::App& app, Section& section) {
         ->check(in_range(kShortestSeconds, kLongestSeconds));
 }
 
+// Each add_ function below adds one command with its options.
 void add_play(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
     app->add_option("files", a->files, "music files and folders; none: music of our own");
@@ -57,6 +62,7 @@ void add_play(RaksCommands& table) {
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
     app->add_option("--device", a->settings.device, "input: name, part of it, or number");
+    // The arguments are captured by their pointer: they outlive the parsing.
     app->add_option_function<double>(
            "--duration",
            [arguments = a](const double& seconds) { arguments->duration = seconds; },
@@ -106,6 +112,7 @@ void add_sheet(RaksCommands& table) {
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
     app->add_option("--bpm", a->bpm, "tempo danced to")->check(in_range(50.0, 230.0));
+    // The settings' checks would report it, too; here the option is named.
     app->add_option("--seed", a->settings.seed, "same seed, same dance")
         ->check(CLI::NonNegativeNumber);
     app->add_option("--fps", a->settings.fps, "pictures a second of a film")
@@ -131,6 +138,7 @@ void add_stick(RaksCommands& table) {
                arguments->frame = static_cast<std::size_t>(frame);
            },
            "stand at this frame; with -o draw it alone")
+        // As a whole number with a sign: a negative frame is refused instead of wrapped around.
         ->check(in_range<std::int64_t>(0, 1'000'000'000));
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
     app->add_option("--size", a->settings.size, "of the window, such as 1280x720");

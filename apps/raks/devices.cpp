@@ -10,6 +10,7 @@
 namespace raks::apps {
 namespace {
 
+// Numbers are those that --device and --output take.
 std::string to_json(const std::vector<audio::AudioDevice>& devices) {
     nlohmann::ordered_json document = {{"format", "raks-devices"}, {"version", 1}};
     auto& list = document["devices"] = nlohmann::ordered_json::array();
@@ -27,6 +28,7 @@ std::string to_json(const std::vector<audio::AudioDevice>& devices) {
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+// A table, and the devices that live and play would choose, with the reasons.
 std::string to_text(const std::vector<audio::AudioDevice>& devices) {
     if (devices.empty()) {
         return "no audio devices: no sound card, JACK or PulseAudio server was found\n";
@@ -58,6 +60,7 @@ ExitCode devices(const DevicesArguments& arguments) {
     if (!system) {
         return fail(system.error());
     }
+    // For scripts: nothing is printed.
     if (arguments.asks_for_output) {
         return audio::choose_output(system->devices()) ? kExitDone : kExitFailed;
     }

@@ -24,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Excerpts = std::vector<audio::BeatExcerpt>;
 
+// Names of our trackers in the report, and of their folders.
 const char* name_of(FileBeatMethod method) {
     switch (method) {
         case FileBeatMethod::pointer:
@@ -36,13 +37,14 @@ const char* name_of(FileBeatMethod method) {
     return "";
 }
 
-/// The excerpts of the class asked for, or all.
+// The excerpts of the class asked for, or all. Errors: those of the corpus; no such class.
 Expected<Excerpts> load_excerpts(const EvalBeatsArguments& arguments) {
     auto corpus = audio::load_beat_corpus(arguments.corpus);
     if (!corpus || arguments.category.empty()) {
         return corpus;
     }
     Excerpts chosen;
+    // All classes, for the suggestion.
     std::vector<std::string_view> known;
     for (const audio::BeatExcerpt& excerpt : *corpus) {
         if (excerpt.category == arguments.category) {
@@ -58,7 +60,8 @@ Expected<Excerpts> load_excerpts(const EvalBeatsArguments& arguments) {
     return chosen;
 }
 
-/// The folders of other trackers: those in `peers`, sorted, or `peers` itself when it holds beats.
+// The folders of other trackers' beats: `peers` itself when it holds .beats files, else the folders
+// in it, sorted.
 Expected<std::vector<Path>> tracker_folders(const Path& peers) {
     const auto listed = list_folder(peers);
     if (!listed) {
@@ -82,15 +85,15 @@ Expected<std::vector<Path>> tracker_folders(const Path& peers) {
     return folders;
 }
 
-/// Name of a folder, also of "a/b/" and ".".
+// The last part of a path, also of "a/b/" and ".".
 std::string folder_name(const Path& folder) {
     std::error_code ignored;
     const Path full = fs::weakly_canonical(folder, ignored);
     return full.filename().empty() ? folder.string() : full.filename().string();
 }
 
-/// Scores of a tracker that ran elsewhere. An excerpt without a file counts as one without beats,
-/// which is said.
+// Scores of a tracker that ran elsewhere. An excerpt without a file counts as one without beats,
+// and a line says so.
 Expected<ScoredTracker> score_peer(const Path& folder, const Excerpts& excerpts) {
     ScoredTracker tracker{folder_name(folder), {}};
     std::size_t missing = 0;
@@ -99,10 +102,12 @@ Expected<ScoredTracker> score_peer(const Path& folder, const Excerpts& excerpts)
         if (!estimate) {
             return fail(std::move(estimate.error()));
         }
+        // Zero beats score as low as they must: leaving excerpts out would flatter the tracker.
         missing += *estimate ? 0U : 1U;
         tracker.scores.push_back(
             audio::score_beats(excerpt.reference, estimate->value_or(audio::BeatEstimate{})));
     }
+    // All missing means a wrong folder.
     if (missing == excerpts.size()) {
         return fail(folder.string() + ": has no beats of any excerpt");
     }
@@ -115,7 +120,7 @@ Expected<ScoredTracker> score_peer(const Path& folder, const Excerpts& excerpts)
     return tracker;
 }
 
-/// Where a method's beats are written: one folder each when there are several.
+// The folder for a method's beats: one each when there are several methods.
 Expected<Path> output_folder(const EvalBeatsArguments& arguments, FileBeatMethod method) {
     const Path folder =
         arguments.methods.size() > 1 ? arguments.output / name_of(method) : arguments.output;
@@ -127,9 +132,10 @@ Expected<Path> output_folder(const EvalBeatsArguments& arguments, FileBeatMethod
     return folder;
 }
 
+// One network an excerpt, shared between excerpts; null: none.
 using Networks = std::vector<std::shared_ptr<const audio::BeatNetwork>>;
 
-/// The network asked for, for every excerpt.
+// The same network for every excerpt; "none": onset features without a network.
 Expected<Networks> networks_for(const Excerpts& excerpts, const Path& network) {
     if (network == "none") {
         return Networks(excerpts.size());
@@ -141,7 +147,7 @@ Expected<Networks> networks_for(const Excerpts& excerpts, const Path& network) {
     return Networks(excerpts.size(), *loaded);
 }
 
-/// For every excerpt folder/CLASS.json of its class.
+// For every excerpt the network of its class, folder/CLASS.json, loaded once a class.
 Expected<Networks> networks_by_class(const Excerpts& excerpts, const Path& folder) {
     std::map<std::string, std::shared_ptr<const audio::BeatNetwork>> loaded;
     Networks networks;
@@ -159,8 +165,8 @@ Expected<Networks> networks_by_class(const Excerpts& excerpts, const Path& folde
     return networks;
 }
 
-/// Runs one of our trackers over the excerpts, each with its network, and keeps the beats in
-/// `folder` if there is one; empty when a signal came before all were heard.
+// Runs one of our trackers over the excerpts, each with its network, and stores the beats in
+// `folder` if there is one. Empty when a signal came before all excerpts were done.
 Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
                                                  FileBeatMethod method,
                                                  const Networks& networks,
@@ -172,6 +178,7 @@ Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
     }
     ScoredTracker tracker{name, {}};
     for (std::size_t i = 0; i < excerpts.size(); ++i) {
+        // Not finished when a signal came.
         if (!(*analyzed)[i]) {
             continue;
         }
@@ -187,11 +194,12 @@ Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
             return fail(std::move(saved.error()));
         }
     }
+    // Scores are by position: an incomplete list would be assigned to wrong excerpts.
     const bool is_complete = tracker.scores.size() == excerpts.size();
     return is_complete ? std::optional(std::move(tracker)) : std::nullopt;
 }
 
-/// One method with the network asked for.
+// One method, with the network that was asked for; stores the beats where asked.
 Expected<std::optional<ScoredTracker>> score_method(const EvalBeatsArguments& arguments,
                                                     FileBeatMethod method,
                                                     const Excerpts& excerpts) {
@@ -210,7 +218,7 @@ Expected<std::optional<ScoredTracker>> score_method(const EvalBeatsArguments& ar
     return score_own(excerpts, method, *networks, name_of(method), folder);
 }
 
-/// The default tracker, each class heard by a network that was trained without it.
+// The default tracker, each class scored with a network that was trained without it.
 Expected<std::optional<ScoredTracker>> score_left_out(const Path& folder,
                                                       const Excerpts& excerpts) {
     const auto networks = networks_by_class(excerpts, folder);
@@ -220,7 +228,7 @@ Expected<std::optional<ScoredTracker>> score_left_out(const Path& folder,
     return score_own(excerpts, FileBeatMethod::pointer, *networks, "raks-left-out", std::nullopt);
 }
 
-/// All that other trackers said, scored before ours run: a fault there should not cost minutes.
+// Scores of all other trackers, computed before ours run: a fault there should not cost minutes.
 Expected<std::vector<ScoredTracker>> score_peers(const EvalBeatsArguments& arguments,
                                                  const Excerpts& excerpts) {
     std::vector<ScoredTracker> trackers;
@@ -247,6 +255,7 @@ ExitCode eval_beats(const EvalBeatsArguments& arguments) {
     if (!excerpts) {
         return fail(excerpts.error());
     }
+    // Estimates must not be written over the corpus' annotations.
     if (auto checked = check_is_no_input(arguments.output, {arguments.corpus}); !checked) {
         return fail(std::move(checked.error()));
     }
@@ -278,6 +287,7 @@ ExitCode eval_beats(const EvalBeatsArguments& arguments) {
         }
         report.trackers.push_back(std::move(**left_out));
     }
+    // Our trackers come first in the tables.
     std::move(peers->begin(), peers->end(), std::back_inserter(report.trackers));
     const Detail detail = arguments.asks_for_each ? Detail::by_excerpt : Detail::by_class;
     const std::string text = arguments.as_json ? to_json(report) : to_text(report, detail);

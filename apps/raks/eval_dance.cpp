@@ -19,10 +19,12 @@ namespace {
 
 using Figures = std::vector<motion::FigureModel>;
 
-/// All trials, or those named.
+// All standard trials of the dance, or those named. Errors: an unknown name.
 Expected<std::vector<engine::DanceTrial>> chosen_trials(const DanceInfo& dance,
                                                         const Figures& figures,
                                                         const std::vector<std::string>& names) {
+    // The mean period of all figures, which is averaged and not the tempo: trials are placed around
+    // it.
     double seconds_per_beat = 0.0;
     for (const motion::FigureModel& figure : figures) {
         seconds_per_beat +=
@@ -33,6 +35,7 @@ Expected<std::vector<engine::DanceTrial>> chosen_trials(const DanceInfo& dance,
     if (names.empty()) {
         return all;
     }
+    // For the suggestion.
     std::vector<std::string_view> known;
     known.reserve(all.size());
     for (const engine::DanceTrial& trial : all) {
@@ -50,7 +53,7 @@ Expected<std::vector<engine::DanceTrial>> chosen_trials(const DanceInfo& dance,
     return chosen;
 }
 
-/// What dances and is measured.
+// What is danced and measured.
 struct Measured {
     const DanceSetup& setup;
     const DanceReport& report;
@@ -62,7 +65,8 @@ struct Measured {
     }
 };
 
-/// The lead dances what `raks play` does; a follow has the figures learnt from follows.
+// The library that dances: the lead's is the one that `raks play` uses; for a follow
+// alone one is built from all figures that were learnt from follows.
 Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const Measured& measured,
                                                                  const Figures& figures) {
     if (measured.report.role == motion::DanceRole::lead) {
@@ -72,7 +76,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> library_of(const Measured&
         figures, measured.setup.skeleton, nullptr, measured.form.generator);
 }
 
-/// Who dances: the role alone, or in a couple.
+// The cast: the measured role alone, or the couple.
 Expected<engine::TrialCast> cast_of(const Measured& measured, const Figures& figures) {
     using motion::Formation;
     using motion::Repertoire;
@@ -98,10 +102,11 @@ Expected<engine::TrialCast> cast_of(const Measured& measured, const Figures& fig
         {motion::members_of(
              Formation::couple, Repertoire::of_one(*lead), Repertoire::of_one(*follow), seed),
          setup.skeleton},
+        // The lead is member 0, the follow member 1.
         static_cast<std::size_t>(measured.report.role)};
 }
 
-/// The figures of a written dance, each by itself.
+// The figures of a written dance, each danced by itself; empty where the dance was captured.
 Expected<std::vector<engine::DancedWrittenFigure>> written_of(const Measured& measured) {
     const auto library = measured.library(measured.report.role);
     if (!library) {
@@ -113,6 +118,7 @@ Expected<std::vector<engine::DancedWrittenFigure>> written_of(const Measured& me
                                           static_cast<std::uint64_t>(measured.report.seed));
 }
 
+// People's takes, measured like trials; none without clips.
 Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
                                                motion::DanceRole role,
                                                const Figures& figures) {
@@ -124,6 +130,7 @@ Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& argumen
     plan.labels = arguments.labels;
     plan.role = role;
     plan.metres_per_unit = arguments.scale;
+    // What is not given stays at the plan's default.
     if (!arguments.counts.empty()) {
         plan.counts = arguments.counts;
     }
@@ -154,7 +161,9 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     report.role = arguments.role;
     report.seed = arguments.settings.seed;
     report.generator = arguments.settings.generator;
+    // Refers to the report, whose dance and role are set above.
     const Measured measured{*setup, report, engine::form_of(arguments.settings)};
+    // The trained figures say where each step lands: trials and takes are measured against them.
     const auto figures = engine::trained_figures(
         *setup->catalogue.find(report.dance.name), report.role, measured.form.features);
     if (!figures) {
@@ -168,7 +177,7 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     if (!cast) {
         return fail(cast.error());
     }
-    // Clips before trials: a fault there should not cost a minute.
+    // Clips before trials: a fault in them should not cost the minute that the trials take.
     auto people = people_of(arguments, report.role, *figures);
     if (!people) {
         return fail(people.error());
@@ -179,6 +188,7 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
         return fail(written.error());
     }
     report.written = std::move(*written);
+    // In a scope of its own: the progress line is cleared before the report is printed.
     {
         ProgressLine progress("dancing");
         for (const engine::DanceTrial& trial : *trials) {

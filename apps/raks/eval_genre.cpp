@@ -1,4 +1,4 @@
-// raks eval genre: how well a model tells dances apart on a folder of music.
+// `raks eval genre`: measures how well a model tells dances apart on a folder of music.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +29,7 @@ namespace {
 using audio::GenreEvidence;
 using Json = nlohmann::ordered_json;
 
+// One row of the tables: a kind of evidence at a window length, after a kind of damage.
 struct Row {
     std::string damage;
     std::string evidence;
@@ -36,7 +37,8 @@ struct Row {
     audio::GenreTally tally;
 };
 
-/// What the program shows of one file: switches of the decision, and how long it was right.
+// What the program would show for one file: switches of the decision, and the share of time that it
+// was right.
 struct Shown {
     std::string file;
     std::string truth;
@@ -45,25 +47,29 @@ struct Shown {
     double right_share = 0.0;  ///< of the hops from 10 s on
 };
 
+// Everything that is reported.
 struct Evaluation {
     std::vector<std::string> genres;
-    std::vector<std::string> pair;  ///< two that are compared
-    std::vector<std::size_t> asked;
+    std::vector<std::string> pair;   ///< two that are compared
+    std::vector<std::size_t> asked;  // classes that are judged
     std::vector<Row> rows;
     std::vector<Shown> shown;
-    std::vector<std::string> skipped;
+    std::vector<std::string> skipped;  // files that could not be used, with the reason
     std::size_t files = 0;
 };
 
+// Follows the decision of the streaming analyzer hop by hop.
 class WatchDecision final : public audio::MusicAnalyzer::Sink {
  public:
-    /// `truth`: class of the model, whose last one is none of its genres.
+    // `truth`: class of the file; `none`: the class of "unknown".
     WatchDecision(std::size_t truth, std::size_t none) : truth_(truth), none_(none), last_(none) {}
     void on_state(const MusicState& state) noexcept override {
+        // The first decision is no switch, and neither is what follows "unknown".
         const bool is_switch = state.genre_class != last_ && last_ != none_;
         shown_.switches += is_switch ? 1 : 0;
         last_ = state.genre_class;
         shown_.seconds = to_seconds(state.time);
+        // The first seconds have too little music for a decision.
         if (shown_.seconds >= kSettled) {
             ++counted_;
             right_ += state.genre_class == truth_ ? 1 : 0;
@@ -78,7 +84,8 @@ class WatchDecision final : public audio::MusicAnalyzer::Sink {
     }
 
  private:
-    static constexpr double kSettled = 10.0;  // s
+    // Seconds until the decision is judged.
+    static constexpr double kSettled = 10.0;
     Shown shown_;
     std::size_t truth_;
     std::size_t none_;
@@ -87,11 +94,13 @@ class WatchDecision final : public audio::MusicAnalyzer::Sink {
     int right_ = 0;
 };
 
+// One file: features for the scores, and what the program would show.
 struct AnalyzedFile {
     audio::PieceFeatures piece;
     Shown shown;
 };
 
+// Computes both for one file after this damage. Errors: it cannot be read, or is too short.
 Expected<AnalyzedFile> analyze_file(const audio::MusicFile& file,
                                     audio::Damage damage,
                                     const engine::AnalyzerModels& models) {
@@ -106,6 +115,7 @@ Expected<AnalyzedFile> analyze_file(const audio::MusicFile& file,
     analyzed.piece.name = file.name;
     analyzed.piece.group = file.group;
     analyzed.piece.genre = file.genre;
+    // The features in windows, as the training computes them, with the model's options.
     if (auto done = audio::extract_features(music->samples,
                                             music->rate,
                                             {models.beats, models.genres->features.cepstral_mean},
@@ -121,12 +131,14 @@ Expected<AnalyzedFile> analyze_file(const audio::MusicFile& file,
         return fail(analyzer.error());
     }
     const std::vector<std::string>& genres = models.genres->genres;
+    // The whole program's analyzer, on the same samples.
     WatchDecision watch(audio::class_of(file.genre, genres), genres.size());
     analyzer->process(music->samples, watch);
     analyzed.shown = watch.result(file);
     return analyzed;
 }
 
+// The kinds of evidence in the order of the tables.
 constexpr std::array kEvidence = {std::pair{GenreEvidence::mfcc, "mfcc"},
                                   std::pair{GenreEvidence::mfcc_similarity, "mfcc+igs"},
                                   std::pair{GenreEvidence::rhythm, "rhythm"},
@@ -134,15 +146,18 @@ constexpr std::array kEvidence = {std::pair{GenreEvidence::mfcc, "mfcc"},
                                   std::pair{GenreEvidence::network, "network"},
                                   std::pair{GenreEvidence::fused, "fused"}};
 
+// Adds one row for each kind of evidence and window length.
 void add_rows(const audio::GenreModel& model,
               const std::vector<audio::WindowScore>& scores,
               const std::string& damage,
               Evaluation& evaluation) {
     for (const auto& [evidence, name] : kEvidence) {
+        // Not every model has that evidence.
         if (evidence == GenreEvidence::mfcc_similarity && !model.similarity) {
             continue;
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
+            // The model's fusion weighs all evidence; a single kind is taken as it is.
             const audio::GenreFusion fusion = evidence == GenreEvidence::fused
                                                   ? model.fusion[window]
                                                   : audio::GenreFusion{{1.0F}, {1.0F}, {}};
@@ -157,6 +172,7 @@ void add_rows(const audio::GenreModel& model,
                 audio::kGenreWindows[window] * audio::kSegmentSeconds,
                 audio::tally(
                     scores, logs, window, evaluation.genres, evaluation.asked, evaluation.pair)};
+            // No file is as long as this window.
             if (row.tally.windows > 0) {
                 evaluation.rows.push_back(std::move(row));
             }
@@ -164,7 +180,8 @@ void add_rows(const audio::GenreModel& model,
     }
 }
 
-/// Genres that occur in at least `least` files; all that occur when fewer than two do.
+// The classes that occur in at least `least` files, so that their recall means something; all that
+// occur when these are fewer than two.
 std::vector<std::size_t> asked_genres(const std::vector<audio::MusicFile>& files,
                                       const std::vector<std::string>& genres,
                                       std::ptrdiff_t least) {
@@ -179,6 +196,7 @@ std::vector<std::size_t> asked_genres(const std::vector<audio::MusicFile>& files
     return asked.size() < 2 && least > 1 ? asked_genres(files, genres, 1) : asked;
 }
 
+// Scores all files, once for each kind of damage; damage 0 is none.
 Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     auto model = engine::load_genre_model(arguments.model);
     auto network = engine::load_beat_network();
@@ -193,6 +211,7 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     if (!model || !network || !files) {
         return fail(!model ? model.error() : !network ? network.error() : files.error());
     }
+    // Labels are single letters.
     if (!arguments.labels.empty()) {
         std::erase_if(*files, [&](const audio::MusicFile& file) {
             return arguments.labels.find(file.label) == std::string::npos;
@@ -203,10 +222,12 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     evaluation.genres = (*model)->genres;
     evaluation.pair = catalogue->pair();
     evaluation.files = files->size();
+    // Fewer files of a genre say little about its recall.
     constexpr std::ptrdiff_t kEnoughFiles = 5;
     evaluation.asked = asked_genres(*files, evaluation.genres, kEnoughFiles);
     const std::size_t damages = arguments.with_damage ? std::size(audio::kDamageNames) : 1;
     for (std::size_t damage = 0; damage < damages; ++damage) {
+        // Each file has its place, whichever thread takes it.
         std::vector<Expected<AnalyzedFile>> analyzed(files->size(), fail("not heard"));
         run_parallel(files->size(), arguments.threads, [&](std::size_t i) {
             analyzed[i] = analyze_file((*files)[i], static_cast<audio::Damage>(damage), models);
@@ -214,6 +235,7 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
         std::vector<audio::WindowScore> scores;
         for (std::size_t i = 0; i < analyzed.size(); ++i) {
             if (!analyzed[i]) {
+                // A file that cannot be read is reported once, not for every damage.
                 if (damage == 0) {
                     evaluation.skipped.push_back(analyzed[i].error().message);
                 }
@@ -221,10 +243,12 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
             }
             auto part = audio::score_piece(**model, analyzed[i]->piece, i);
             std::move(part.begin(), part.end(), std::back_inserter(scores));
+            // The decision is shown for undamaged files only.
             if (damage == 0) {
                 evaluation.shown.push_back(std::move(analyzed[i]->shown));
             }
         }
+        // A damage that fails for all files is reported once.
         if (damage > 0 && scores.empty() && !analyzed.empty() && !analyzed.front()) {
             evaluation.skipped.push_back(analyzed.front().error().message);
         }
@@ -233,8 +257,10 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     return evaluation;
 }
 
+// Four decimals in JSON.
 double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
+// Over all files together, so that long files count for more.
 double switches_a_minute(const Evaluation& evaluation) {
     double seconds = 0.0;
     int switches = 0;
@@ -245,6 +271,7 @@ double switches_a_minute(const Evaluation& evaluation) {
     return seconds > 0.0 ? 60.0 * switches / seconds : 0.0;
 }
 
+// The document raks-eval-genre, version 1.
 std::string json_of(const Evaluation& evaluation) {
     Json json = {{"format", "raks-eval-genre"}, {"version", 1}, {"files", evaluation.files}};
     json["skipped"] = evaluation.skipped;
@@ -286,6 +313,7 @@ std::string json_of(const Evaluation& evaluation) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+// The table of all rows, and a line about the decision.
 std::string text_of(const Evaluation& evaluation) {
     std::string text = fmt::format("{:16} {:9} {:>6} {:>7} {:>7} {:>8} {:>7}\n",
                                    "sound",

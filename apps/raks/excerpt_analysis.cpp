@@ -20,11 +20,13 @@
 namespace raks::apps {
 namespace {
 
-constexpr auto kBetweenLooks = std::chrono::milliseconds(100);  // at how far the workers are
+// Time between two looks at how far the workers are.
+constexpr auto kBetweenLooks = std::chrono::milliseconds(100);
 
+// To microseconds, as the document of `raks analyze` writes them: both must score the same.
 double rounded_seconds(StreamTime time) { return std::round(to_seconds(time) * 1e6) / 1e6; }
 
-/// Notes beats and predictions of the states whose moment lies before `end`.
+// Collects beats and predictions of the states whose moment lies before `end`.
 class NoteBeats final : public audio::MusicAnalyzer::Sink {
  public:
     void on_state(const MusicState& state) noexcept override {
@@ -45,6 +47,7 @@ class NoteBeats final : public audio::MusicAnalyzer::Sink {
     std::vector<double> predicted;
 };
 
+// The paper's method knows no bars: a list without positions has no downbeat scores.
 enum class Bars { told, not_told };
 audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
     audio::BeatList list;
@@ -57,10 +60,12 @@ audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
     return list;
 }
 
+// Tracks with a streaming method; stops early after a signal.
 Expected<audio::BeatEstimate> analyze_streaming(engine::MusicSource& source,
                                                 audio::BeatMethod method,
                                                 std::shared_ptr<const audio::BeatNetwork> network) {
     auto analyzer =
+        // No genre model and no list of dances: beats do not need them.
         engine::make_analyzer(source.rate(), {std::move(network), nullptr, nullptr}, method);
     if (!analyzer) {
         return fail(std::move(analyzer.error()));
@@ -69,7 +74,7 @@ Expected<audio::BeatEstimate> analyze_streaming(engine::MusicSource& source,
     for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
         analyzer->process(block.mono, notes);
     }
-    // Silence brings the last hops out.
+    // delay() of silence completes the last hops; one hop more absorbs rounding.
     notes.end = StreamTime(source.given());
     const std::array<float, 256> silence{};
     for (Nanos fed{}; fed <= analyzer->delay() + kHop && notes.newest + kHop < notes.end;
@@ -80,6 +85,7 @@ Expected<audio::BeatEstimate> analyze_streaming(engine::MusicSource& source,
     return audio::BeatEstimate{list_of(notes.beats, bars), std::move(notes.predicted)};
 }
 
+// Tracks with the method that gets the whole file first.
 Expected<audio::BeatEstimate> analyze_whole(engine::MusicSource& source) {
     audio::PaperFile paper;
     if (auto prepared = paper.prepare(source.rate()); !prepared) {
@@ -105,6 +111,7 @@ Expected<ExcerptBeats> analyze_excerpt(const Path& audio,
         : method == FileBeatMethod::paper
             ? analyze_streaming(*source, audio::BeatMethod::paper, nullptr)
             : analyze_streaming(*source, audio::BeatMethod::pointer, std::move(network));
+    // The file's name is part of the error, as many files are tracked.
     if (!estimate) {
         return fail(std::move(estimate.error()).in(audio.string()));
     }
@@ -119,19 +126,21 @@ Expected<std::vector<std::optional<ExcerptBeats>>> analyze_excerpts(
     std::vector<std::optional<Expected<ExcerptBeats>>> analyzed(excerpts.size());
     std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> done{0};
-    // Each excerpt has its own slot. Relaxed: the futures' get() orders the slots before reading.
+    // Workers take the next excerpt each; every excerpt has a slot of its own. relaxed: the
+    // futures' get() orders the slots before they are read.
     const auto work = [&] {
         for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed); i < excerpts.size();
              i = next.fetch_add(1, std::memory_order_relaxed)) {
             auto result = analyze_excerpt(excerpts[i].audio, method, networks[i]);
             if (stop_signal()) {
-                return;  // this one may have been broken off
+                return;  // the signal may have cut this excerpt short
             }
             analyzed[i] = std::move(result);
             done.fetch_add(1, std::memory_order_relaxed);
         }
     };
     ProgressLine progress(what);
+    // Two workers; the results are the same for any number.
     std::array<std::future<void>, 2> workers = {std::async(std::launch::async, work),
                                                 std::async(std::launch::async, work)};
     for (std::future<void>& worker : workers) {
@@ -141,6 +150,7 @@ Expected<std::vector<std::optional<ExcerptBeats>>> analyze_excerpts(
         }
         worker.get();
     }
+    // In order, so that the first error does not depend on the threads.
     std::vector<std::optional<ExcerptBeats>> results;
     for (auto& result : analyzed) {
         if (result && !*result) {

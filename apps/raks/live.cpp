@@ -15,6 +15,7 @@ namespace raks::apps {
 
 ExitCode live(const LiveArguments& given) {
     LiveArguments arguments = given;
+    // The input first: without one there is nothing to dance to.
     auto system = audio::AudioSystem::open();
     if (!system) {
         return fail(system.error());
@@ -32,6 +33,7 @@ ExitCode live(const LiveArguments& given) {
     if (!formations) {
         return fail(formations.error());
     }
+    // The window before the audio: what comes in while it opens would be late.
     auto loop =
         StageLoop::create(arguments.settings,
                           {arguments.is_headless, arguments.is_fullscreen, arguments.duration},
@@ -43,16 +45,20 @@ ExitCode live(const LiveArguments& given) {
     engine::LiveGraphConfig config;
     config.models = setup->models;
     config.cast = formations->cast();
+    // No latency offset: it belongs to an output.
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);
     if (!graph) {
         return fail(graph.error());
     }
     say("listening to " + choice->reason);
+    // Why it ended does not matter: there is only one source.
     static_cast<void>((*loop)->run(**graph, {.name = choice->device.name}));
+    // Dances that could not be loaded meanwhile.
     for (const std::string& line : formations->wait()) {
         (*loop)->say(line);
     }
+    // A last line with what the tracker had found, also for headless runs.
     const BeatGrid grid = (*graph)->stage().music.grid;
     say(fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",
                     grid.tempo.bpm(),

@@ -7,13 +7,15 @@
 namespace raks::apps {
 namespace {
 
-template <typename Methods>  // one or several
+// Adds --beat to a command that takes one method, or several by repeating it.
+template <typename Methods>
 void add_beat_option(CLI::App& app, Methods& method) {
     const std::map<std::string, FileBeatMethod> names = {
         {"pointer", FileBeatMethod::pointer},
         {"paper", FileBeatMethod::paper},
         {"paper-whole", FileBeatMethod::paper_whole},
     };
+    // allow_extra_args(false): the word after the method is the file, not another method.
     app.add_option("--beat",
                    method,
                    "tracker: pointer, or the paper's method, streaming (paper) or with the whole "
@@ -23,6 +25,7 @@ void add_beat_option(CLI::App& app, Methods& method) {
         ->option_text("pointer|paper|paper-whole");
 }
 
+// Each add_ function below adds one command with its options.
 void add_devices(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "devices", "list inputs and loudspeakers", devices);
     app->add_flag("--json", a->as_json, "one JSON document");
@@ -55,6 +58,7 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
     auto* clips = app->add_option("--clips", a->clips, "folder of people's clips, TAKE.bvh");
     auto* labels =
         app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    // Clips are useless without labels, and labels without clips.
     clips->needs(labels);
     labels->needs(clips);
     app->add_option("--counts", a->counts, "TSV: when each count falls")->needs(clips);
@@ -77,6 +81,7 @@ void add_eval_genre(RaksCommands& table, CLI::App& eval) {
     app->add_flag("--json", a->as_json, "one JSON document");
 }
 
+// `eval` itself does nothing: one of its commands must follow.
 void add_eval(RaksCommands& table) {
     CLI::App* eval = table.app().add_subcommand("eval", "measure beats, genre and dance");
     eval->require_subcommand(1);

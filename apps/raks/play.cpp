@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is taken from a folder; a file that is named is tried whatever its name.
+// Extensions that are taken from a folder; a file that is named is tried whatever its extension.
 bool looks_like_music(const Path& path) {
     constexpr std::array<std::string_view, 17> kExtensions = {".wav",
                                                               ".flac",
@@ -39,6 +39,7 @@ bool looks_like_music(const Path& path) {
                                                               ".mov",
                                                               ".avi",
                                                               ".caf"};
+    // Compared in lower case: "SONG.MP3" is music, too.
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
         return static_cast<char>(std::tolower(c));
@@ -46,11 +47,13 @@ bool looks_like_music(const Path& path) {
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
-/// Folders become the music in them, sorted; nothing at all becomes the demo.
+// The files to play: a folder stands for the music in it, sorted; nothing stands for the demo.
+// Errors: a folder that cannot be read or has no music.
 Expected<std::vector<Path>> files_to_play(const std::vector<Path>& given) {
     std::vector<Path> files;
     for (const Path& path : given) {
         std::error_code error;
+        // Not checked further: opening it will tell.
         if (!fs::is_directory(path, error)) {
             files.push_back(path);
             continue;
@@ -64,6 +67,7 @@ Expected<std::vector<Path>> files_to_play(const std::vector<Path>& given) {
             listed->begin(), listed->end(), std::back_inserter(inside), [&](const Path& file) {
                 return fs::is_regular_file(file, error) && looks_like_music(file);
             });
+        // A folder without music is rather a mistake than nothing to play.
         if (inside.empty()) {
             return fail(path.string() + ": no music in this folder");
         }
@@ -79,6 +83,7 @@ Expected<std::vector<Path>> files_to_play(const std::vector<Path>& given) {
     return files;
 }
 
+// The device for the sound; none with --no-sound. Errors: no device, or none of that name.
 Expected<std::optional<audio::AudioDevice>> choose_output(const PlayArguments& arguments,
                                                           const audio::AudioSystem* system) {
     if (system == nullptr) {
@@ -92,7 +97,7 @@ Expected<std::optional<audio::AudioDevice>> choose_output(const PlayArguments& a
     return choice->device;
 }
 
-/// Several files, one after the other, on one stage.
+// Plays several files, one after the other, in one window.
 class Player {
  public:
     Player(const PlayArguments& arguments,
@@ -106,9 +111,10 @@ class Player {
           formations_(formations),
           loop_(loop) {}
 
-    /// Errors: the only file cannot be played. Of several it is said and the next one plays.
+    // Errors: the only file cannot be played. With several files a line is printed, and the next
+    // one plays.
     [[nodiscard]] Expected<void> play(const std::vector<Path>& files);
-    /// A file could not be played, or the device died.
+    // True when a file could not be played, or the device died.
     [[nodiscard]] bool has_failed() const noexcept { return has_failed_; }
 
  private:
@@ -123,6 +129,7 @@ class Player {
     bool has_failed_ = false;
 };
 
+// A file that ends, or that cannot be played, is followed by the next one.
 Expected<void> Player::play(const std::vector<Path>& files) {
     for (std::size_t i = 0; i < files.size();) {
         const auto end = play(files[i]);
@@ -135,30 +142,36 @@ Expected<void> Player::play(const std::vector<Path>& files) {
         } else if (*end == StageEnd::quit) {
             break;
         }
+        // From the first file "back" stays at the first.
         const bool is_back = end && *end == StageEnd::previous_file;
         i = is_back ? i - std::min<std::size_t>(i, 1) : i + 1;
     }
     return {};
 }
 
-/// Plays one file; what its end asks for.
+// Plays one file; returns why it ended.
 Expected<StageEnd> Player::play(const Path& file) {
     const Section& section = arguments_.section;
+    // The file is decoded from the section's start on.
     auto player = audio::FilePlayer::start({file}, {.start_seconds = section.start});
     if (!player) {
         return fail(player.error());
     }
+    // Asked before the player is handed over.
     const std::optional<double> duration = (*player)->first_info().claimed_seconds;
+    // The first callback must not find an empty ring.
     (*player)->wait_until_ready(4096);
     auto graph = engine::LiveGraph::play(std::move(*player), output_, graph_config());
     if (!graph) {
         return fail(graph.error());
     }
+    // The end is counted in seconds of the file.
     if (section.duration) {
         (*graph)->playback()->set_end(section.start + *section.duration);
     }
     say("playing " + file.string());
     const StageEnd end = loop_.run(**graph, {file.filename().string(), duration, section.start});
+    // Messages of the decoder, such as a damaged file.
     for (const std::string& message : (*graph)->playback()->player().take_messages()) {
         loop_.say(message);
     }
@@ -166,6 +179,7 @@ Expected<StageEnd> Player::play(const Path& file) {
     return end;
 }
 
+// The formation may have changed since the last file: its present cast dances on.
 engine::LiveGraphConfig Player::graph_config() const {
     engine::LiveGraphConfig config;
     config.models = models_;
@@ -183,10 +197,11 @@ ExitCode play(const PlayArguments& given) {
     if (!files) {
         return fail(files.error());
     }
-    // A missing file is said before a window opens.
+    // A missing file is reported before a window opens.
     if (const auto first = audio::open_audio_file(files->front()); !first) {
         return fail(first.error());
     }
+    // Without sound no audio system is opened, so that none is needed.
     std::optional<audio::AudioSystem> system;
     if (!arguments.is_soundless) {
         auto opened = audio::AudioSystem::open();
@@ -203,6 +218,7 @@ ExitCode play(const PlayArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
+    // The dance that the show begins with is solved here; others are solved while it runs.
     auto formations =
         engine::Formations::load(arguments.settings, setup->catalogue, setup->skeleton);
     if (!formations) {
@@ -219,6 +235,7 @@ ExitCode play(const PlayArguments& given) {
     if (const auto played = player.play(*files); !played) {
         return fail(played.error());
     }
+    // Dances that were left out meanwhile.
     for (const std::string& line : formations->wait()) {
         (*loop)->say(line);
     }

@@ -23,7 +23,8 @@
 namespace raks::apps {
 namespace {
 
-/// Draws the pictures that are due as the dance goes on, and hands them to the film.
+// Draws the pictures that are due as the dance goes on, and passes them to the film. Pictures are
+// due at an exact rate, whatever the hops.
 class Film final : public engine::OfflineDriver::Sink {
  public:
     Film(engine::Show& show,
@@ -41,6 +42,7 @@ class Film final : public engine::OfflineDriver::Sink {
           rgba_(static_cast<std::size_t>(target.width()) *
                 static_cast<std::size_t>(target.height()) * 4) {}
 
+    // The track is final up to its newest final hop: pictures up to there can be drawn.
     void on_hop(const engine::PerformedHop& hop) override {
         last_.emplace(Last{hop.music, hop.dancer});
         tracks_ = hop.tracks;
@@ -49,7 +51,7 @@ class Film final : public engine::OfflineDriver::Sink {
         }
     }
 
-    /// The pictures up to the end of the music that have not been drawn.
+    // Draws the remaining pictures up to the end of the music.
     void finish(StreamTime end) {
         while (!fault_ && last_ && next_moment() < end) {
             draw();
@@ -60,15 +62,18 @@ class Film final : public engine::OfflineDriver::Sink {
     [[nodiscard]] std::int64_t pictures() const noexcept { return next_; }
 
  private:
+    // Copies: the hop's references are valid during on_hop() only.
     struct Last {
         MusicState music;
         motion::DancerStatus dancer;
     };
 
+    // In whole nanoseconds from the picture's number: a rate such as 30000/1001 does not drift.
     [[nodiscard]] StreamTime next_moment() const {
         return StreamTime(Nanos(next_ * rate_.denominator * 1'000'000'000 / rate_.numerator));
     }
 
+    // The pose leads by pose_lead; overlay and beat rings show the moment itself.
     void draw() {
         const StreamTime moment = next_moment();
         render::OverlayState info;
@@ -79,6 +84,7 @@ class Film final : public engine::OfflineDriver::Sink {
             poses_.push_back(track.at(moment + lead_));
         }
         show_.draw({last_->music, last_->dancer, poses_, moment}, info, target_.frame());
+        // The first fault ends the film: later pictures are not drawn.
         auto done = target_.read_rgba(rgba_);
         if (done) {
             done = writer_.add_picture(rgba_);
@@ -104,12 +110,14 @@ class Film final : public engine::OfflineDriver::Sink {
     std::optional<Error> fault_;
 };
 
-/// Feeds the music to dancer and film, to its end or to a signal.
+// Feeds the music to dancer and film, to its end or to a signal; the film is complete in both
+// cases.
 Expected<void> run(engine::MusicSource& source,
                    engine::OfflineDriver& driver,
                    render::VideoWriter& writer,
                    Film& film) {
     ProgressLine progress("rendering");
+    // The sound of each block goes into the film before the pictures that it leads to.
     for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
         if (auto added = writer.add_sound(block.stereo); !added) {
             return added;
@@ -122,6 +130,7 @@ Expected<void> run(engine::MusicSource& source,
             progress.show(*share);
         }
     }
+    // The hops that the analyzer still delays, then the pictures after them.
     driver.finish(film);
     film.finish(StreamTime(source.given()));
     if (film.fault()) {
@@ -134,6 +143,7 @@ Expected<void> run(engine::MusicSource& source,
 
 ExitCode render(const RenderArguments& given) {
     RenderArguments arguments = given;
+    // Without a file, the demo.
     if (arguments.input.empty()) {
         const auto demo = engine::demo_music();
         if (!demo) {
@@ -141,6 +151,7 @@ ExitCode render(const RenderArguments& given) {
         }
         arguments.input = *demo;
     }
+    // A film over its own music would destroy it.
     if (auto checked = check_is_no_input(arguments.output, {arguments.input}); !checked) {
         return fail(std::move(checked.error()));
     }
@@ -171,12 +182,14 @@ ExitCode render(const RenderArguments& given) {
     render::VideoOptions options;
     options.width = look->size.width;
     options.height = look->size.height;
+    // The nearest rate that the format can express.
     options.rate = render::FrameRate::nearest(arguments.settings.fps);
     options.audio_rate = source->rate().hertz();
     auto writer = render::VideoWriter::create(arguments.output, options);
     if (!writer) {
         return fail(writer.error());
     }
+    // No window: rendering works without a display.
     const auto context = render::OffscreenContext::create();
     if (!context) {
         return fail(context.error());

@@ -14,16 +14,18 @@
 namespace raks::apps {
 namespace {
 
-constexpr int kCounts = 8;       // of a sheet
-constexpr int kFilmCounts = 16;  // of a film: at least two repeats
+// Beats of a sheet.
+constexpr int kCounts = 8;
+// Beats of a film: at least two repeats of a figure.
+constexpr int kFilmCounts = 16;
 
-/// How long, and how often there is a pose.
+// Length of the poses in beats, and their rate.
 struct SheetPlan {
     int counts = kCounts;
     double poses_per_beat = kPosesPerBeat;
 };
 
-/// One figure from count 1 on.
+// Poses of one figure, danced by itself on a steady beat, from count 1 on. Errors: no such figure.
 Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments,
                                                       const DanceSetup& setup,
                                                       const SheetPlan& plan) {
@@ -42,12 +44,14 @@ Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& argu
     if (figure == names.end() && !arguments.figure.empty()) {
         return fail(unknown_name("figure", arguments.figure, names));
     }
+    // The first figure when none is named.
     const auto index = arguments.figure.empty() ? 0 : figure - names.begin();
     std::vector<double> beats;
     const auto poses = static_cast<std::size_t>(plan.counts * plan.poses_per_beat);
     for (std::size_t i = 0; i < poses; ++i) {
         beats.push_back(static_cast<double>(i) / plan.poses_per_beat);
     }
+    // The dancer settles before count 1, so that the figure does not begin from standing.
     engine::FigureOnBeat on;
     on.figure = static_cast<std::size_t>(index);
     on.tempo = Bpm(arguments.bpm);
@@ -63,8 +67,10 @@ ExitCode sheet(const SheetArguments& given) {
     if (!look) {
         return fail(look.error());
     }
+    // The kind of output decides: a .png is a sheet, all else a film.
     const bool is_sheet = arguments.output.extension() == ".png";
     const double fps = arguments.settings.fps;
+    // A film has one pose a picture: 60 fps / BPM pictures a beat.
     const SheetPlan plan =
         is_sheet ? SheetPlan() : SheetPlan{kFilmCounts, 60.0 * fps / arguments.bpm};
     const auto setup = open_dances(arguments.settings);

@@ -14,12 +14,14 @@
 namespace raks::apps {
 namespace {
 
-/// What both draw with; the context outlives the renderer.
+// What sheets and films are drawn with. The context is destroyed after the renderer, which needs
+// it.
 struct Studio {
     render::OffscreenContext context;
     render::Renderer renderer;
 };
 
+// Errors: no OpenGL context, or the driver refuses.
 Expected<Studio> open_studio(const engine::Look& look) {
     auto context = render::OffscreenContext::create();
     if (!context) {
@@ -32,6 +34,7 @@ Expected<Studio> open_studio(const engine::Look& look) {
     return Studio{std::move(*context), std::move(*renderer)};
 }
 
+// Poses and clip figures alike: the sheet is a template over what is drawn.
 template <typename Body>
 Expected<void> write(const Path& output,
                      const engine::Look& look,
@@ -68,7 +71,8 @@ Expected<void> write_film(const Path& output,
                           const engine::Look& look,
                           std::span<const motion::Pose> poses,
                           double fps) {
-    const render::PoseSheetConfig config;  // its tile is one view of a picture
+    // The sheet's layout also says size and cameras of one view.
+    const render::PoseSheetConfig config;
     const auto views = static_cast<int>(config.cameras.size());
     auto studio = open_studio(look);
     if (!studio) {
@@ -91,9 +95,11 @@ Expected<void> write_film(const Path& output,
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(target->width()) *
                                    static_cast<std::size_t>(target->height()) * 4U);
     render::Scene scene = look.scene;
+    // One pose a picture; the views lie side by side.
     for (const motion::Pose& pose : poses) {
         for (int view = 0; view < views; ++view) {
             scene.camera = config.cameras[static_cast<std::size_t>(view)];
+            // The camera follows the body over the floor.
             scene.camera.pan_to(pose.hips_position);
             render::FrameTarget tile = target->frame();
             tile.x = view * config.tile_width;

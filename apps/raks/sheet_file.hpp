@@ -10,8 +10,9 @@
 
 namespace raks::apps {
 
-/// How figures are laid out on a sheet: two beats in eighths a row.
+/// Poses a beat on a sheet: every eighth.
 constexpr int kPosesPerBeat = 8;
+/// The layout of a sheet of figures: two beats in eighths a row.
 [[nodiscard]] inline render::PoseSheetConfig figure_sheet() {
     render::PoseSheetConfig config;
     config.columns = 2 * kPosesPerBeat;
@@ -20,19 +21,20 @@ constexpr int kPosesPerBeat = 8;
     return config;
 }
 
-/// Draws a pose sheet off-screen and writes it as PNG. Errors: no OpenGL, those of the sheet and of
-/// the file.
+/// Draws a pose sheet without a window and writes it as PNG: poses of the mannequin. Errors: no
+/// OpenGL, those of the sheet and of the file.
 [[nodiscard]] Expected<void> write_sheet(const Path& output,
                                          const engine::Look& look,
                                          std::span<const motion::Pose> poses,
                                          const render::PoseSheetConfig& config);
+/// The same for frames of a recorded clip, as stick figures.
 [[nodiscard]] Expected<void> write_sheet(const Path& output,
                                          const engine::Look& look,
                                          std::span<const render::ClipFigure> figures,
                                          const render::PoseSheetConfig& config);
 
-/// Films poses off-screen, one a picture: from the front and, beside it, from the side; no sound.
-/// `output`: .mp4 or .avi, or a folder of pictures. Errors: no OpenGL, those of the film.
+/// Films poses without a window, one a picture: from the front and, beside it, from the side; no
+/// sound. `output`: .mp4 or .avi, or a folder of pictures. Errors: no OpenGL, those of the film.
 [[nodiscard]] Expected<void> write_film(const Path& output,
                                         const engine::Look& look,
                                         std::span<const motion::Pose> poses,

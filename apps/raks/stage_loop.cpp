@@ -19,9 +19,12 @@ namespace {
 using DancerKind = motion::DancerCommand::Kind;
 using engine::Action;
 
+// Without a window: time between two looks at the graph.
 constexpr Nanos kHeadlessNap = std::chrono::milliseconds(20);
-constexpr double kStillTheStart = 3.0;  // seconds: from here on, going back is to the start
+// Up to this many seconds after a file's start, "back" means the file before; later, the start.
+constexpr double kStillTheStart = 3.0;
 
+// A relative time: nothing here depends on an exact rate.
 void nap(Nanos span) {
     timespec time{};
     time.tv_nsec = span.count();
@@ -30,6 +33,7 @@ void nap(Nanos span) {
 
 bool is_stop_requested() { return stop_signal().has_value(); }
 
+// Errors: no display, or no OpenGL.
 Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
                                          const engine::Look& look,
                                          const StageLoop::Options& options) {
@@ -52,6 +56,7 @@ Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
 
 }  // namespace
 
+// 20 characters from -60 to 0 dBFS.
 std::string level_meter(float dbfs) {
     constexpr int kWidth = 20;
     constexpr float kLowest = -60.0F;
@@ -76,6 +81,7 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
             return fail(window.error());
         }
         loop->window_.emplace(std::move(*window));
+        // The quality that the renderer chose by itself.
         if (const std::string notice(loop->window_->notice()); !notice.empty()) {
             loop->say(notice);
         }
@@ -103,12 +109,14 @@ void StageLoop::say(const std::string& line) {
     }
 }
 
+// Actions are bound anew for each file, as they act on its graph.
 StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     graph_ = &graph;
     source_ = source;
     wish_.reset();
     engine::GraphTarget target(graph);
     engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
+    // Volume and latency offset are carried over from the file before.
     live_actions_.attach(target);
     bind(actions);
     if (!window_) {
@@ -116,12 +124,14 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     } else if (window_->run(*this, actions) == engine::WindowEnd::quit) {
         return StageEnd::quit;
     }
+    // A signal also ends the list of files.
     if (is_stop_requested()) {
         return StageEnd::quit;
     }
     return wish_.value_or(StageEnd::finished);
 }
 
+// The same work as with a window, except for pictures.
 void StageLoop::run_headless(const std::string& source) {
     ProgressLine status(source);
     while (!is_stop_requested() && !is_finished()) {
@@ -133,6 +143,7 @@ void StageLoop::run_headless(const std::string& source) {
     }
 }
 
+// Actions of this class, beside those of LiveActions and of the window.
 void StageLoop::bind(engine::ActionDispatcher& actions) {
     live_actions_.bind(actions);
     actions.on(Action::next_file, [this](double) { wish_ = StageEnd::next_file; });
@@ -142,6 +153,7 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
     actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
 }
 
+// With every picture: is the device alive, and is a formation ready?
 void StageLoop::advance(double /*seconds*/) {
     if (const auto line = graph_->watch(HostClock::now())) {
         say(*line);
@@ -158,7 +170,7 @@ bool StageLoop::is_finished() const {
     if (wish_) {
         return true;
     }
-    // To the end of what is heard, not of what was handed over.
+    // Up to what leaves the loudspeaker, not up to what was handed over.
     const StreamTime audible = graph_->moment_at(HostClock::now());
     if (options_.seconds && to_seconds(audible) >= *options_.seconds) {
         return true;
@@ -167,7 +179,7 @@ bool StageLoop::is_finished() const {
     return playback != nullptr && playback->is_finished();
 }
 
-/// Back to the start or, close to it, to the file before.
+// Goes back to the start of the section or, when it is close, to the file before.
 void StageLoop::go_back() {
     engine::Playback* const playback = graph_->playback();
     if (playback == nullptr) {
@@ -185,7 +197,7 @@ void StageLoop::toggle_figure_view() {
     view = view == render::View::skin ? render::View::stick : render::View::skin;
 }
 
-/// The next dance after the selected one, in the order of the list; after the last as heard.
+// Selects the next dance of the list; after the last, the dance that is recognised again.
 void StageLoop::select_next_dance(engine::LiveGraph& graph) {
     if (settings_.dance != "auto") {
         say(fmt::format("keeping to {}: start without --dance for the others", settings_.dance));
@@ -200,7 +212,7 @@ void StageLoop::select_next_dance(engine::LiveGraph& graph) {
             : fmt::format("dancing {} (D: another dance)", dances_->name_of(selected_dance_)));
 }
 
-/// For dancers who take over from others.
+// Dancers who replaced others start with the recognised dance and must be told the selected one.
 void StageLoop::repeat_selected_dance(engine::LiveGraph& graph) const {
     if (selected_dance_ != DanceId::none) {
         graph.command(DancerKind::select_dance, static_cast<double>(selected_dance_));
@@ -211,7 +223,7 @@ void StageLoop::ask_for_next_formation() {
     say(fmt::format("formation {} (E: another one)", formations_.ask_for_next()));
 }
 
-/// What was asked of the dancers before them holds for those who take over.
+// Replaces the dancers by the new formation; what was asked of those before holds for them, too.
 void StageLoop::change_formation() {
     if (const auto replaced = graph_->replace_dancers(formations_.cast()); !replaced) {
         say(replaced.error().message);
@@ -219,6 +231,7 @@ void StageLoop::change_formation() {
     }
     live_actions_.brief_dancers();
     repeat_selected_dance(*graph_);
+    // Relative to the present distance, so that a person's zoom is kept.
     if (window_) {
         window_->scene().camera.zoom(engine::distance_for(formations_.name()) /
                                      engine::distance_for(formation_));
@@ -227,11 +240,13 @@ void StageLoop::change_formation() {
     say(fmt::format("dancing: {}", formation_));
 }
 
+// A camera preset is made for one or two dancers.
 render::Camera StageLoop::framed(render::Camera preset) const {
     preset.zoom(engine::distance_for(formation_));
     return preset;
 }
 
+// One stage and one moment for all dancers: they must not be drawn at different times.
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
@@ -245,7 +260,7 @@ void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState&
     describe(stage, overlay);
 }
 
-/// What the moment does not know.
+// The parts of the overlay that a moment does not know: source, place, latency and counters.
 void StageLoop::describe(const engine::StageState& stage, render::OverlayState& overlay) const {
     overlay.source = source_.name;
     overlay.duration = source_.duration;
@@ -254,6 +269,7 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
         overlay.is_paused = playback->is_paused();
         overlay.volume = live_actions_.volume();
         overlay.latency_ms = to_seconds(graph_->output_latency()) * 1e3;
+        // With an input the latency is that of the analysis: nothing is played.
     } else {
         overlay.latency_ms = to_seconds(graph_->analysis().taken_until() - stage.music.time) * 1e3;
     }

@@ -16,25 +16,25 @@
 
 namespace raks::apps {
 
-/// Why a piece ended.
+/// Why run() ended.
 enum class StageEnd { finished, next_file, previous_file, quit };
 
-/// What is on the stage, for the overlay.
+/// What is playing, for the overlay.
 struct StageSource {
     std::string name;                               ///< file or device
     std::optional<double> duration = std::nullopt;  ///< of the file in seconds, where known
     double start = 0.0;                             ///< where in the file it began, in seconds
 };
 
-/// The main thread of `play` and `live`: draws pictures, turns what is asked for into commands,
-/// watches the device; with or without a window. One of these lives as long as the window; run() is
-/// called for each file.
+/// The main thread of `play` and `live`: draws pictures, carries out actions and watches the
+/// device, with or without a window. One lives as long as the window; run() is called for each
+/// file. Threads: main.
 class StageLoop final : private engine::WindowContent {
  public:
-    /// Without `fullscreen` a window of the settings' size.
+    /// How the stage is shown and when it ends.
     struct Options {
-        bool is_headless = false;
-        bool is_fullscreen = false;
+        bool is_headless = false;       ///< no window: a line of progress instead
+        bool is_fullscreen = false;     ///< else a window of the settings' size
         std::optional<double> seconds;  ///< ends after this much of the music
     };
     /// `formations` must outlive this. Errors: no display, no OpenGL, an unknown theme or camera.
@@ -43,13 +43,15 @@ class StageLoop final : private engine::WindowContent {
         const Options& options,
         std::shared_ptr<const DanceList> dances,
         engine::Formations& formations);
+    /// Not copied: actions and window hold references to it.
     StageLoop(const StageLoop&) = delete;
-    StageLoop& operator=(const StageLoop&) = delete;
+    StageLoop& operator=(const StageLoop&) = delete;  ///< likewise
 
-    /// Runs until the music ends, somebody or a signal says so, or the time is up.
+    /// Runs until the music ends, a person or a signal ends it, or the time is up. `graph` must
+    /// outlive the call. Returns why it ended.
     [[nodiscard]] StageEnd run(engine::LiveGraph& graph, const StageSource& source);
 
-    /// A line for people on stderr, and for a while in the overlay.
+    /// Prints a line for people on stderr, and shows it over the picture for a while.
     void say(const std::string& line);
 
  private:
@@ -79,8 +81,8 @@ class StageLoop final : private engine::WindowContent {
     engine::Formations& formations_;
     std::optional<engine::WindowLoop> window_;
     engine::LiveActions live_actions_;
-    std::string formation_;                   // that the camera stands for
-    DanceId selected_dance_ = DanceId::none;  // none: as heard
+    std::string formation_;                   // whose distance the camera has
+    DanceId selected_dance_ = DanceId::none;  // none: the recognised one
     // While run() runs.
     engine::LiveGraph* graph_ = nullptr;
     StageSource source_;

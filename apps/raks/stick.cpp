@@ -18,8 +18,10 @@
 namespace raks::apps {
 namespace {
 
+// Poses of a sheet over a whole clip: two rows of twelve.
 constexpr std::size_t kSheetPoses = 24;
 
+// Errors: another kind of file, or those of the reader. Warnings of the reader are printed.
 Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
     if (motion::lower(arguments.input.extension().string()) != ".bvh") {
         return fail(arguments.input.string() +
@@ -38,7 +40,7 @@ Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
     return clip;
 }
 
-/// Metres a unit as given, or as guessed, which is said.
+// Metres a unit: as given, else guessed from the body's height, with a line that says so.
 double scale_of(const motion::MotionClip& clip, const StickArguments& arguments) {
     if (arguments.scale > 0.0) {
         return arguments.scale;
@@ -50,7 +52,7 @@ double scale_of(const motion::MotionClip& clip, const StickArguments& arguments)
     return guess;
 }
 
-/// The frame asked for alone, or some over the whole clip, the first and the last among them.
+// The frames to draw: the one asked for, or up to 24 evenly over the clip, with the first and last.
 std::vector<std::size_t> frames_to_draw(const motion::MotionClip& clip,
                                         const std::optional<std::size_t>& frame) {
     if (frame) {
@@ -64,11 +66,13 @@ std::vector<std::size_t> frames_to_draw(const motion::MotionClip& clip,
     return frames;
 }
 
+// Draws these frames from the front and the side, and prints their numbers.
 Expected<void> write_frames(const Path& output,
                             const engine::Look& look,
                             const render::ClipFigures& figures,
                             const std::vector<std::size_t>& frames) {
     render::PoseSheetConfig config;
+    // A single frame is drawn large.
     const bool is_alone = frames.size() == 1;
     config.columns = is_alone ? 1 : 12;
     config.tile_width = is_alone ? 720 : 180;
@@ -93,7 +97,7 @@ Expected<void> write_frames(const Path& output,
     return {};
 }
 
-/// Stands at the frame asked for, or plays.
+// The transport of the window: paused at the frame asked for, or playing.
 engine::ClipTransport transport_of(const motion::MotionClip& clip,
                                    const std::optional<std::size_t>& frame) {
     return frame ? engine::ClipTransport(clip.frame_count, clip.frames_per_second, *frame)
@@ -103,9 +107,11 @@ engine::ClipTransport transport_of(const motion::MotionClip& clip,
 }  // namespace
 
 ExitCode stick(const StickArguments& arguments) {
+    // Checked before the clip is read.
     if (!arguments.output.empty() && arguments.output.extension() != ".png") {
         return fail(arguments.output.string() + ": cannot write this kind of picture; known: .png");
     }
+    // A written dance has a window and sheets of its own.
     if (motion::lower(arguments.input.extension().string()) == ".toml") {
         return stick_dance(arguments);
     }
@@ -114,6 +120,7 @@ ExitCode stick(const StickArguments& arguments) {
         return fail(clip.error());
     }
     const std::string name = arguments.input.string();
+    // Frames count from 0.
     if (arguments.frame && *arguments.frame >= clip->frame_count) {
         return fail(fmt::format(
             "{}: has no frame {}, its last is {}", name, *arguments.frame, clip->frame_count - 1));
@@ -127,6 +134,7 @@ ExitCode stick(const StickArguments& arguments) {
         return fail(look.error());
     }
     look->scene.camera = framed(look->scene.camera, *figures);
+    // Without a display the sheet takes the window's place.
     Path output = arguments.output;
     if (output.empty()) {
         auto window = open_stick_window(name, *look, arguments.settings);

@@ -1,4 +1,5 @@
-// `raks stick dance.toml`: a written dance in a window while it is being written, or on a sheet.
+// `raks stick dance.toml`: shows a written dance in a window while it is being written, or draws it
+// on sheets.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 namespace raks::apps {
 namespace {
 
+// One sheet of the figure that the preview shows.
 Expected<void> write_figure(engine::DancePreview& preview,
                             const engine::Look& look,
                             const Path& output) {
@@ -31,7 +33,7 @@ Expected<void> write_figure(engine::DancePreview& preview,
     return {};
 }
 
-/// One sheet, or one for each figure: X_FIGURE.png.
+// Sheets: one of the figure asked for, or one of each figure as X_FIGURE.png.
 Expected<void> write_figures(engine::DancePreview& preview,
                              const engine::Look& look,
                              const Path& output,
@@ -51,7 +53,8 @@ Expected<void> write_figures(engine::DancePreview& preview,
     return {};
 }
 
-/// The dance in a window, and its newer text as soon as it is saved; the camera follows the body.
+// Shows the dance in a window, and its newer text as soon as it is saved; the camera follows the
+// body.
 class PreviewContent final : public engine::WindowContent {
  public:
     /// `preview` must outlive this.
@@ -74,11 +77,13 @@ class PreviewContent final : public engine::WindowContent {
 };
 
 void PreviewContent::advance(double seconds) {
-    constexpr double kLookEvery = 0.25;  // seconds: was the file saved?
+    // Seconds between two looks at whether the file was saved.
+    constexpr double kLookEvery = 0.25;
     preview_.advance(seconds);
     since_look_ += seconds;
     if (since_look_ > kLookEvery) {
         since_look_ = 0.0;
+        // A fault stays over the picture and is printed once.
         if (preview_.refresh() && !preview_.fault().empty()) {
             say(preview_.fault());
         }
@@ -89,6 +94,7 @@ void PreviewContent::draw(const engine::WindowPicture& picture, render::OverlayS
     const motion::Pose pose = preview_.pose();
     picture.scene.camera.pan_to(pose.hips_position);
     picture.renderer.draw(picture.scene, pose, picture.target);
+    // The overlay refers to the text until the next picture.
     status_ = preview_.status();
     overlay.message = status_;
 }

@@ -20,6 +20,7 @@ Expected<render::Window> open_stick_window(const std::string& name,
 Expected<void> show_in_window(render::Window window,
                               const engine::Look& look,
                               engine::WindowContent& content) {
+    // No cards: there is no music to inform about.
     auto loop = engine::WindowLoop::create(
         std::move(window),
         look,
@@ -34,6 +35,8 @@ Expected<void> show_in_window(render::Window window,
     return {};
 }
 
+// Distance and height are the mannequin's, scaled by the body's size and kept in the camera's
+// range.
 render::Camera framed(render::Camera camera, const render::ClipFigures& figures) {
     constexpr float kDistance = 4.8F;  // for the mannequin's size; metres
     constexpr float kMiddle = 1.0F;
@@ -52,6 +55,7 @@ std::vector<render::HelpRow> ClipContent::own_keys() const {
 }
 
 void ClipContent::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
+    // The camera pans with the hips, so that a body that walks stays in the middle.
     const render::ClipFigure figure = figures_.at(transport_.frame());
     picture.scene.camera.pan_to(figure.landmarks.position(motion::Bone::hips));
     picture.renderer.draw(picture.scene, figure, picture.target);

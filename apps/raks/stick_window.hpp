@@ -14,7 +14,7 @@
 
 namespace raks::apps {
 
-/// A window of its own for what `raks stick` shows. Errors: no display, no OpenGL 3.3.
+/// Opens a window for what `raks stick` shows. Errors: no display, no OpenGL 3.3.
 [[nodiscard]] Expected<render::Window> open_stick_window(const std::string& name,
                                                          const engine::Look& look,
                                                          const engine::Settings& settings);
@@ -25,22 +25,25 @@ namespace raks::apps {
                                             const engine::Look& look,
                                             engine::WindowContent& content);
 
-/// The camera moved so that a standing body with its hands up, of whatever size, fills a tile or a
-/// window.
+/// The camera at such a distance and height that a standing body with its hands up, of any size,
+/// fills a tile or a window.
 [[nodiscard]] render::Camera framed(render::Camera camera, const render::ClipFigures& figures);
 
-/// A clip of recorded motion, frame by frame; the camera follows the body.
+/// Shows a clip of recorded motion, frame by frame; the camera follows the body.
 class ClipContent final : public engine::WindowContent {
  public:
     /// `figures` must outlive this.
     ClipContent(const render::ClipFigures& figures, engine::ClipTransport transport)
         : figures_(figures), transport_(std::move(transport)) {}
 
+    /// The transport's keys.
     bool handle(const KeyEvent& key) override { return transport_.handle(key); }
-    [[nodiscard]] std::vector<render::HelpRow> own_keys() const override;
-    void advance(double seconds) override { transport_.advance(seconds); }
+    [[nodiscard]] std::vector<render::HelpRow> own_keys() const override;   ///< of the transport
+    void advance(double seconds) override { transport_.advance(seconds); }  ///< plays the clip
+    /// The frame's stick figure.
     void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
-    [[nodiscard]] bool is_finished() const override { return false; }
+    [[nodiscard]] bool is_finished() const override { return false; }  ///< a clip plays in a loop
+    /// By the size of the body.
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
 
  private:

@@ -9,8 +9,10 @@ namespace raks::apps {
 
 namespace {
 
-/// The style of this name, or the one that fits the dance of this name.
+// The style of this name, or the style of the dance of this name; without a name, that of the first
+// dance. Errors: neither a style nor a dance, or a dance without a style.
 Expected<audio::Style> style_of(const std::string& name) {
+    // Styles first: dances are only loaded when they are needed.
     if (const auto style = audio::style_from_name(name)) {
         return style;
     }
@@ -22,6 +24,7 @@ Expected<audio::Style> style_of(const std::string& name) {
     const DanceInfo* const dance =
         name.empty() ? &dances.all().front() : dances.find(dances.id_of(name));
     if (dance == nullptr) {
+        // Both kinds of names can be suggested.
         std::vector<std::string_view> known = dances.names();
         const auto styles = audio::style_names();
         known.insert(known.end(), styles.begin(), styles.end());
@@ -44,6 +47,7 @@ ExitCode synth(const SynthArguments& arguments) {
     if (!style) {
         return fail(style.error());
     }
+    // All but these four are the generator's defaults.
     audio::MusicPlan plan;
     plan.style = *style;
     plan.tempo = {{0.0, arguments.bpm}};

@@ -1,4 +1,4 @@
-// `raks train ...` becomes the program raks-train, which has libraries that dancing does not need.
+// `raks train ...` runs the program raks-train, which has libraries that dancing does not need.
 #include <unistd.h>
 
 #include <string>
@@ -9,13 +9,16 @@
 namespace raks::apps {
 namespace {
 
-/// Becomes raks-train, which lies beside this program; returns only when it is missing.
+// Replaces this process by raks-train, which lies beside this program; returns only when that
+// fails. A replaced process keeps terminal, signals and exit code.
 ExitCode become_trainer(const std::string& command, const std::vector<std::string>& arguments) {
     std::error_code problem;
+    // Found beside the running file, not by PATH: both must be of the same build.
     const Path self = std::filesystem::read_symlink("/proc/self/exe", problem);
     std::string program = (self.parent_path() / "raks-train").string();
     std::vector<std::string> words = {command};
     words.insert(words.end(), arguments.begin(), arguments.end());
+    // argv must be writable and end in a null pointer.
     std::vector<char*> argv = {program.data()};
     for (std::string& word : words) {
         argv.push_back(word.data());
@@ -40,6 +43,7 @@ void add_training_commands(RaksCommands& table) {
     train->require_subcommand(1);
     for (const Trainer& trainer : kTrainers) {
         CLI::App* command = train->add_subcommand(trainer.name, trainer.help);
+        // All words after the command are passed on unparsed, --help too.
         command->prefix_command();
         command->set_help_flag();
         command->callback([&table, command] {

@@ -6,20 +6,21 @@
 #include "apps/terminal/command_table.hpp"
 #include "training/figures/training_plan.hpp"
 
-/// The commands of the program `raks-train`, that `raks train` starts.
+/// The commands of the program `raks-train`, which `raks train` starts.
 namespace raks::apps {
 
-/// Labelled motion to learn from.
+/// Labelled motion to learn from: what the two commands on figures have in common.
 struct LabelledClips {
-    std::vector<Path> clips;  ///< BVH files, or one folder of them
-    Path labels;              ///< TSV
-    Path counts;              ///< TSV; empty: counts lie evenly between a label's start and end
-    Path faults;              ///< TSV of capture faults; empty: none
-    std::string split;        ///< empty: all labels
-    double min_confidence = 0.9;
-    double fps = 0.0;  ///< 0: the file's
+    std::vector<Path> clips;      ///< BVH files, or one folder of them
+    Path labels;                  ///< TSV
+    Path counts;                  ///< TSV; empty: counts lie evenly between a label's start and end
+    Path faults;                  ///< TSV of capture faults; empty: none
+    std::string split;            ///< of the labels' splits, the one to use; empty: all labels
+    double min_confidence = 0.9;  ///< [0, 1]; labels below it are not used
+    double fps = 0.0;             ///< frames a second where the file is wrong; 0: the file's
 };
 
+/// Arguments of `raks train figure`.
 struct TrainFigureArguments : LabelledClips {
     Path music;             ///< danced to: its beats are the counts; empty: none
     double offset = 0.0;    ///< seconds of the music at a clip's first frame
@@ -27,49 +28,59 @@ struct TrainFigureArguments : LabelledClips {
     std::string dance;      ///< empty: what `output` names, else the first of the list
     std::string extends;    ///< the dance that the figure joins; empty: none
     int beats_per_bar = 4;  ///< of the music of a dance that is new
-    motion::DanceRole role = motion::DanceRole::lead;
+    motion::DanceRole role = motion::DanceRole::lead;  ///< whose motion in the clips
+    /// What of the joints is learnt.
     motion::FigureFeatures features = motion::FigureFeatures::angles;
     double scale = 0.0;  ///< metres per unit; 0: guessed
     int states = 0;      ///< 0: 16, of a written dance as many as its figures need
-    int iterations = 0;
-    motion::CovarianceKind covariance = motion::CovarianceKind::tied;
+    int iterations = 0;  ///< of Baum-Welch
+    motion::CovarianceKind covariance = motion::CovarianceKind::tied;  ///< of the states' Gaussians
+    /// Where the states lie before Baum-Welch.
     motion::StatesStart start = motion::StatesStart::flat;
     std::string source;  ///< "cmu": the model carries CMU's acknowledgement
     std::string output;  ///< X.json, a folder, or the name of a dance; empty: the dance's name
 };
-/// Learns from clips, or from a written dance (one .toml in place of the clips).
+/// Learns a figure from clips, or passes a written dance (one .toml as clips) on to train_authored.
 [[nodiscard]] ExitCode train_figure(const TrainFigureArguments& arguments);
+/// Learns the figures of a written dance.
 [[nodiscard]] ExitCode train_authored(const TrainFigureArguments& arguments);
 
+/// Arguments of `raks train report`.
 struct TrainReportArguments : LabelledClips {
+    /// Uses labels of lower confidence than training does: it only judges.
     TrainReportArguments() { min_confidence = 0.7; }
 
+    /// What of the joints is learnt.
     motion::FigureFeatures features = motion::FigureFeatures::angles;
     std::vector<std::string> figures = {"basic"};  ///< two or more are also told apart
     std::string dance;                             ///< empty: the first of the list
     std::string role = "lead";                     ///< lead, follow or both
-    std::string test_split;  ///< to tell figures apart in; empty: only with takes left out
-    double test_confidence = 0.6;
-    std::vector<double> scales;  ///< metres per unit, the follow's last; empty: guessed
-    int most_states = 19;
-    int states = 14;     ///< of the models that tell figures apart
-    int iterations = 6;  ///< of Baum-Welch
-    int threads = 0;     ///< 0: all cores
-    Path output;         ///< .html
+    std::string test_split;        ///< to tell figures apart in; empty: only with takes left out
+    double test_confidence = 0.6;  ///< the min_confidence of test_split
+    std::vector<double> scales;    ///< metres per unit, the follow's last; empty: guessed
+    int most_states = 19;          ///< numbers of states are tried from 2 to this
+    int states = 14;               ///< of the models that tell figures apart
+    int iterations = 6;            ///< of Baum-Welch
+    int threads = 0;               ///< 0: all cores
+    Path output;                   ///< .html
 };
 /// Writes a page about how figures were learnt: how many states they need, what the states mean,
-/// and how well figures are told apart by them.
+/// and how well the models tell figures apart.
 [[nodiscard]] ExitCode train_report(const TrainReportArguments& arguments);
 
-/// What both training commands ask of these clips; the rest of the plan is theirs.
+/// The part of the plan that both commands take from the clips' arguments; the rest is their own.
 [[nodiscard]] motion::FigureTrainingPlan plan_of(const LabelledClips& clips);
-/// The files that they are read from.
+/// The files that are read, none of which may be written over.
 [[nodiscard]] std::vector<Path> inputs_of(const LabelledClips& clips);
 
-/// The options of each command. `command`: the command line as it is kept in what it makes.
+/// Adds the command with its options. `command`: the command line, which is stored in what it
+/// makes.
 void add_train_figure(CommandTable& table);
+/// Adds `report`.
 void add_train_report(CommandTable& table);
+/// Adds `beats`.
 void add_train_beats(CommandTable& table, const std::string& command);
+/// Adds `genre`.
 void add_train_genre(CommandTable& table, const std::string& command);
 
 }  // namespace raks::apps

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A name of a dance has neither a '/' nor dots; an existing folder of the same name wins.
 bool is_folder(const std::string& output) {
     std::error_code ignored;
     return output.find('/') != std::string::npos || output == "." || output == ".." ||
@@ -24,6 +25,7 @@ bool is_folder(const std::string& output) {
 
 Expected<Destination> destination_of(const std::string& output, const std::string& otherwise) {
     Destination destination;
+    // The three meanings of -o, the most explicit one first.
     if (fs::path(output).extension() == ".json") {
         destination.file = output;
         return destination;
@@ -37,6 +39,7 @@ Expected<Destination> destination_of(const std::string& output, const std::strin
     if (!is_dance_name(name)) {
         return fail(why_no_dance_name(name) + "; -o NAME, FOLDER/ or X.json says where it goes");
     }
+    // Installed as a folder of its own among the user's dances.
     const fs::path dances = engine::user_dances_path();
     if (dances.empty()) {
         return fail("there is no home to install dances in; give -o a folder");
@@ -49,6 +52,7 @@ Expected<Destination> destination_of(const std::string& output, const std::strin
 Expected<void> deliver(const Destination& destination,
                        const DanceInfo& dance,
                        std::span<const engine::LearntFigure> figures) {
+    // A file holds one model.
     if (!destination.file.empty()) {
         if (figures.size() != 1) {
             return fail(
@@ -62,6 +66,7 @@ Expected<void> deliver(const Destination& destination,
     if (auto added = engine::add_to_folder(destination.folder, dance, figures); !added) {
         return added;
     }
+    // The command that dances it: a folder elsewhere is named by its path.
     say(fmt::format("{} lies in {}; raks play SONG --dance {} dances it",
                     dance.name,
                     destination.folder.string(),

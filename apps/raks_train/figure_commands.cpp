@@ -9,9 +9,11 @@ void add_train_figure(CommandTable& table) {
         table.add(table.app(), "figure", "learn a dance figure from motion", train_figure);
     app->add_option("clips", a->clips, "BVH files, a folder of them, or a written X.toml")
         ->required();
+    // Not required here, since a written dance has no labels; train_figure() asks for them.
     app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
     auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
     auto* music = app->add_option("--music", a->music, "music danced to: its beats are the counts");
+    // Counts come from a table or from the music's beats, never from both.
     music->excludes(counts);
     app->add_option("--offset", a->offset, "seconds of the music at a clip's first frame")
         ->check(in_range(-kLongestSeconds, kLongestSeconds))
@@ -33,8 +35,10 @@ void add_train_figure(CommandTable& table) {
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
+    // From a tenth of a millimetre to 10 m: the units of motion files differ that much.
     app->add_option("--scale", a->scale, "metres per unit of the file")
         ->check(in_range(1e-4, 10.0));
+    // 0, the default, cannot be given: it stands for the number that suits the material.
     app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
     app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
     add_named_option(*app,
@@ -72,6 +76,7 @@ void add_train_report(CommandTable& table) {
                      motion::kFeaturesNames,
                      "of the joints: angles or positions");
     app->add_option("--split", a->split, "learn only from labels of this split");
+    // Training and test splits keep their repeats apart.
     app->add_option("--test-split", a->test_split, "tell figures apart in this split, too");
     app->add_option("--min-confidence", a->min_confidence, "learn only from labels as sure")
         ->check(in_range(0.0, 1.0));
@@ -79,9 +84,11 @@ void add_train_report(CommandTable& table) {
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
+    // One scale for both dancers, or the lead's and the follow's.
     app->add_option("--scale", a->scales, "metres per unit of the file: lead's, follow's")
         ->expected(1, 2)
         ->check(in_range(1e-4, 10.0));
+    // The report tries every number from 2 up; --states is for the classifier's models alone.
     app->add_option("--most-states", a->most_states, "tried: from 2 to this")
         ->check(in_range(2, 64));
     app->add_option("--states", a->states, "of the models that tell figures apart")

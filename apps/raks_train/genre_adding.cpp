@@ -11,6 +11,7 @@
 namespace raks::apps {
 namespace {
 
+// How a sample names the features that it was computed with.
 std::string text_of(const audio::FeaturePlan& feature_plan, const audio::GenreFeatures& features) {
     return fmt::format("{:016x}", feature_key(feature_plan, features));
 }
@@ -22,6 +23,7 @@ Expected<GenreBase> load_base(const std::filesystem::path& model) {
     if (!loaded) {
         return fail(loaded.error());
     }
+    // The sample lies beside the model under a name made from the model's.
     const std::filesystem::path beside = audio::samples_path(model);
     std::error_code ignored;
     if (!std::filesystem::exists(beside, ignored)) {
@@ -31,10 +33,12 @@ Expected<GenreBase> load_base(const std::filesystem::path& model) {
             beside.string(),
             model.filename().string()));
     }
+    // The sample stands in for the music of the old genres in the training.
     auto samples = audio::load_samples(beside);
     if (!samples) {
         return fail(samples.error());
     }
+    // A sample of other genres would label its pieces wrongly.
     if (samples->genres != (*loaded)->genres) {
         return fail(fmt::format("{}: is of another model than {}; train it again",
                                 beside.string(),
@@ -46,6 +50,7 @@ Expected<GenreBase> load_base(const std::filesystem::path& model) {
 Expected<void> check_features(const GenreBase& base,
                               const std::filesystem::path& model,
                               const audio::FeaturePlan& feature_plan) {
+    // Features of two kinds in one training would separate the genres by their kind.
     if (base.samples.feature_key != text_of(feature_plan, base.model->features)) {
         return fail(audio::samples_path(model).string() +
                     ": was heard with other features or another beat network than this program "
@@ -57,6 +62,7 @@ Expected<void> check_features(const GenreBase& base,
 void keep_known(const GenreBase& base,
                 const std::set<std::string>& renewed,
                 audio::GenreModel& model) {
+    // Genres are matched by name: the new model may number them otherwise.
     for (std::size_t i = 0; i < model.genres.size(); ++i) {
         const auto& known = base.model->genres;
         const auto found = std::find(known.begin(), known.end(), model.genres[i]);
@@ -73,6 +79,7 @@ Expected<void> keep_samples(const GenreOptions& options,
     if (options.sample_kilobytes == 0 || options.output.empty()) {
         return {};
     }
+    // The option is in kilobytes of 1,000 bytes.
     const auto bytes = static_cast<std::size_t>(options.sample_kilobytes) * 1'000;
     const audio::GenreSamples samples{text_of(feature_plan, options.plan.features),
                                       {genres.begin(), genres.end()},

@@ -23,39 +23,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Pieces a chunk: what an interrupted run loses at most.
 constexpr int kChunk = 70;
-constexpr std::size_t kReportEvery = 20;  // recordings
+// Recordings between two lines of progress.
+constexpr std::size_t kReportEvery = 20;
 
-/// Seconds that this thread has computed.
+// Processor time of this thread, seconds: threads that wait for one another do not count.
 double thread_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// Wall-clock time, for the estimate of the time left.
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What hearing a recording took, in seconds.
+// What computing the features of a recording took, in seconds.
 struct Cost {
-    double music = 0.0;              // its length
-    double feature_plan = 0.0;       // computed: reading and hearing it as it is
-    double altering = 0.0;           // computed: making the altered copies
-    double extracting_copies = 0.0;  // computed
+    double music = 0.0;       // its length
+    double extracting = 0.0;  // processor time: reading it and computing its features as it is
+    double altering = 0.0;    // processor time: making the altered copies
+    double extracting_copies = 0.0;  // processor time: computing the copies' features
     Cost& operator+=(const Cost& other) {
         music += other.music;
-        feature_plan += other.feature_plan;
+        extracting += other.extracting;
         altering += other.altering;
         extracting_copies += other.extracting_copies;
         return *this;
     }
 };
 
+// Hashes as they stand in names of files: 16 digits.
 std::string hex(std::uint64_t number) { return fmt::format("{:016x}", number); }
 
-/// One recording, clean and then its altered copies (a copy depends on the file's name and the
-/// seed), or damaged.
+// Features of one recording: as it is, and then of its altered copies, or, with `damage`, of the
+// damaged recording alone. The draws of a copy depend on the file's name, its number and the seed,
+// so that the order of the files does not matter.
 Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile& file,
                                                          const GenreOptions& options,
                                                          const audio::FeaturePlan& feature_plan,
@@ -63,6 +68,7 @@ Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile&
                                                          Cost& cost) {
     double start = thread_seconds();
     const auto lap = [&start] {
+        // Seconds since the last call of this function.
         const double before = std::exchange(start, thread_seconds());
         return start - before;
     };
@@ -72,6 +78,7 @@ Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile&
     }
     cost.music = static_cast<double>(music->samples.size()) / music->rate.hertz();
     std::vector<audio::PieceFeatures> pieces;
+    // Damaged recordings only judge; copies are for training.
     const int copies = damage == audio::Damage::none ? options.augmentation.copies : 0;
     for (int copy = 0; copy <= copies; ++copy) {
         std::vector<float> samples = music->samples;
@@ -79,6 +86,7 @@ Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile&
         if (auto damaged = audio::damage(damage, music->rate.hertz(), samples); !damaged) {
             return fail(file.path.string() + ": " + damaged.error().message);
         }
+        // Copy 0 is the recording as it is.
         if (copy > 0) {
             Dice dice(options.seed + 1000, hash_of(file.name) + static_cast<std::uint64_t>(copy));
             piece.kind = audio::PieceFeatures::Kind::altered;
@@ -93,7 +101,8 @@ Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile&
             !extracted) {
             return fail(file.path.string() + ": " + extracted.error().message);
         }
-        (copy == 0 ? cost.feature_plan : cost.extracting_copies) += lap();
+        (copy == 0 ? cost.extracting : cost.extracting_copies) += lap();
+        // Too little for one window; a copy is as long as its recording.
         if (copy == 0 && piece.windows.empty()) {
             return fail(file.path.string() + ": is silent or shorter than 1 s");
         }
@@ -101,7 +110,8 @@ Expected<std::vector<audio::PieceFeatures>> extract_file(const audio::MusicFile&
     return pieces;
 }
 
-/// What was kept under this name, or what `make` gives, which is then kept.
+// The pieces that the cache holds under this name, or those that `make` returns, which are then
+// stored.
 template <class Make>
 Expected<std::vector<audio::PieceFeatures>> cached(const GenreOptions& options,
                                                    const std::string& name,
@@ -120,11 +130,14 @@ Expected<std::vector<audio::PieceFeatures>> cached(const GenreOptions& options,
     return pieces;
 }
 
-/// Under which name the cache keeps a recording: another as soon as the file or its hearing is.
+// Name of a recording in the cache. It contains a hash of all that its features depend on: the
+// file's name, size and time, the seed, the copies, the way of computing, the effects and the
+// damage.
 std::string name_in_cache(const audio::MusicFile& file,
                           const GenreOptions& options,
                           std::uint64_t feature_plan,
                           audio::Damage damage) {
+    // Size and time stand for the content, which is not read for a recording in the cache.
     std::error_code error;
     const auto size = fs::file_size(file.path, error);
     const auto written = fs::last_write_time(file.path, error).time_since_epoch().count();
@@ -144,6 +157,7 @@ std::string name_in_cache(const audio::MusicFile& file,
                                                   damaged)));
 }
 
+// One line about the processor time; nothing when everything came from the cache.
 void print_cost(const Cost& cost, const GenreOptions& options) {
     if (cost.music <= 0.0) {
         return;  // all of it was in the cache
@@ -151,7 +165,7 @@ void print_cost(const Cost& cost, const GenreOptions& options) {
     std::fprintf(stderr,
                  "raks: %.1f min of recordings heard in %.1f s of computing",
                  cost.music / 60.0,
-                 cost.feature_plan);
+                 cost.extracting);
     if (options.augmentation.copies > 0) {
         std::fprintf(stderr,
                      "; %d altered copies made in %.1f s, heard in %.1f s",
@@ -176,6 +190,7 @@ std::string without(const audio::SoundEffects& effects) {
 
 std::uint64_t feature_key(const audio::FeaturePlan& feature_plan,
                           const audio::GenreFeatures& features) {
+    // The weights themselves: a network that was trained anew computes other rhythm features.
     const auto weights = feature_plan.beat_network->parameters();
     const std::uint64_t network =
         hash_of({reinterpret_cast<const char*>(weights.data()), weights.size_bytes()});
@@ -186,6 +201,7 @@ std::vector<audio::FeatureUnit> extract_recordings(const std::vector<audio::Musi
                                                    const GenreOptions& options,
                                                    const audio::FeaturePlan& feature_plan,
                                                    audio::Damage damage) {
+    // Only this machine's share is computed; units of the others stay empty in their places.
     const std::uint64_t way = feature_key(feature_plan, options.plan.features);
     std::vector<audio::FeatureUnit> units(files.size());
     std::vector<Cost> costs(files.size());
@@ -198,6 +214,7 @@ std::vector<audio::FeatureUnit> extract_recordings(const std::vector<audio::Musi
     const auto start = std::chrono::steady_clock::now();
     std::atomic<std::size_t> done{0};
     run_parallel(own.size(), options.threads, [&](std::size_t turn) {
+        // Each turn writes to its own places: no lock is needed.
         const audio::MusicFile& file = files[own[turn]];
         audio::FeatureUnit& unit = units[own[turn]];
         auto pieces = cached(options, name_in_cache(file, options, way, damage), [&] {
@@ -208,12 +225,13 @@ std::vector<audio::FeatureUnit> extract_recordings(const std::vector<audio::Musi
         } else {
             unit.fault = pieces.error().message;
         }
+        // The cache is shared between runs whose lists name and label a file otherwise.
         for (audio::PieceFeatures& piece : unit.pieces) {
             piece.name = file.name;
             piece.group = file.group;
             piece.genre = file.genre;
         }
-        // relaxed: only a count for the eye.
+        // relaxed: a count for the progress line only.
         const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
         if (finished % kReportEvery == 0) {
             std::fprintf(stderr,
@@ -243,10 +261,12 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
     plan.effects = options.augmentation.effects;
     plan.edition = static_cast<audio::WrittenCorpusPlan::Edition>(options.written.edition);
     const bool is_altered = plan.augmentation == audio::WrittenCorpusPlan::Augmentation::on;
+    // The soundfonts count by name and order: which one a piece gets is drawn from the list.
     std::uint64_t soundfonts = hash_of("");
     for (const auto& soundfont : plan.soundfonts) {
         soundfonts = hash_of(soundfont.filename().string() + "\n", soundfonts);
     }
+    // All else that the music depends on, so that the cache does not mix variants.
     const std::string variant =
         fmt::format("-edition{}-styles{}-{}{}",
                     options.written.edition,
@@ -254,6 +274,7 @@ std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
                     hex(soundfonts),
                     is_altered ? without(options.augmentation.effects) : std::string());
     std::vector<WrittenChunk> chunks;
+    // The last chunk may be shorter.
     for (plan.first = 0; plan.first < all; plan.first += kChunk) {
         plan.pieces = std::min(kChunk, all - plan.first);
         chunks.push_back(

@@ -11,37 +11,39 @@
 #include "training/genre/feature_shard.hpp"
 #include "training/genre/written_corpus.hpp"
 
-/// Hearing what genre models are learnt from, unit by unit; what a stopped run has finished is
-/// found again in the cache.
+/// Computes the features that genre models are trained on, unit by unit; what an interrupted run
+/// has finished is found in the cache by the next.
 namespace raks::apps {
 
-/// What tells music altered in one way from music altered in another: nothing if all may happen.
+/// Cache-key suffix for the disabled augmentations, such as "-no-room"; empty when all are enabled.
 [[nodiscard]] std::string without(const audio::SoundEffects& effects);
 
-/// Name of a way of hearing: the beat network and the features.
+/// Identifies how features are computed: a hash of the beat network's weights and the feature
+/// options.
 [[nodiscard]] std::uint64_t feature_key(const audio::FeaturePlan& feature_plan,
                                         const audio::GenreFeatures& features);
 
-/// One unit a file, in order: the recording, then its altered copies; those of other shares are
-/// empty. `damage`: the recordings after it, without copies. Progress with the time left, and what
-/// it cost, goes to stderr.
+/// Features of the files, one unit a file, in order: the recording, then its altered copies. Units
+/// of other shares are empty. `damage`: the recordings after this damage, without copies. Progress
+/// with the time left, and the cost, go to stderr.
 [[nodiscard]] std::vector<audio::FeatureUnit> extract_recordings(
     const std::vector<audio::MusicFile>& files,
     const GenreOptions& options,
     const audio::FeaturePlan& feature_plan,
     audio::Damage damage = audio::Damage::none);
 
-/// Written pieces that are made in one go.
+/// Written pieces whose features are computed and cached together.
 struct WrittenChunk {
-    std::string name;
-    audio::WrittenCorpusPlan plan;
+    std::string name;               ///< in the cache
+    audio::WrittenCorpusPlan plan;  ///< for these pieces alone
 };
-/// The pieces of a plan, 70 a chunk. The number of threads, effects and edition are the options'.
+/// Divides the pieces of a plan into chunks of 70. Threads, effects and edition are the options'.
 [[nodiscard]] std::vector<WrittenChunk> chunks_of(const GenreOptions& options,
                                                   const audio::FeaturePlan& feature_plan,
                                                   const std::string& name,
                                                   audio::WrittenCorpusPlan plan);
-/// Written, played and heard, or found in the cache. Errors: as write_corpus, load_pieces.
+/// Writes and plays the pieces of a chunk and computes their features, or finds these in the cache.
+/// Errors: as write_corpus, load_pieces.
 [[nodiscard]] Expected<std::vector<audio::PieceFeatures>> extract_chunk(const GenreOptions& options,
                                                                         const WrittenChunk& chunk);
 

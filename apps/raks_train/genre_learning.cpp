@@ -24,9 +24,11 @@
 namespace raks::apps {
 namespace {
 
+// Scores of all windows of these pieces, piece by piece; the order does not depend on the threads.
 std::vector<audio::WindowScore> scores_of(const audio::GenreModel& model,
                                           std::span<const audio::PieceFeatures> pieces,
                                           int threads) {
+    // Each piece has a place of its own, whichever thread scores it.
     std::vector<std::vector<audio::WindowScore>> parts(pieces.size());
     run_parallel(pieces.size(), threads, [&](std::size_t i) {
         parts[i] = audio::score_piece(model, pieces[i], i);
@@ -38,7 +40,8 @@ std::vector<audio::WindowScore> scores_of(const audio::GenreModel& model,
     return scores;
 }
 
-/// What an earlier run has learnt from written music; null if it left nothing that fits.
+// Weights that an earlier run stored; null when the file is missing or of another size than this
+// network's weights.
 std::shared_ptr<const models::RecurrentNetwork> load_weights(
     const std::filesystem::path& path,
     std::size_t classes,
@@ -54,7 +57,8 @@ std::shared_ptr<const models::RecurrentNetwork> load_weights(
     return network;
 }
 
-/// What an earlier run left in the cache under this name, or what `learn(report)` gives.
+// The network whose weights the cache holds under this name, or the one that `learn(report)`
+// trains, which is then stored.
 template <class Learn>
 std::shared_ptr<const models::RecurrentNetwork> learnt_once(const GenreOptions& options,
                                                             const std::string& name,
@@ -66,6 +70,7 @@ std::shared_ptr<const models::RecurrentNetwork> learnt_once(const GenreOptions& 
             return known;
         }
     }
+    // Progress with the time left, by the mean time of a step so far.
     const auto start = std::chrono::steady_clock::now();
     const audio::ReportNetwork report = [&](const audio::NetworkTrainingProgress& now) {
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -79,6 +84,7 @@ std::shared_ptr<const models::RecurrentNetwork> learnt_once(const GenreOptions& 
             spent.count() * (now.steps - now.step) / now.step);
     };
     auto network = std::make_shared<const models::RecurrentNetwork>(learn(report));
+    // A cache that cannot be written costs the next run time and nothing else.
     if (!options.cache.empty()) {
         const auto weights = network->parameters();
         static_cast<void>(write_file(
@@ -98,20 +104,25 @@ std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
     const auto hash_with = [](std::span<const float> values, std::uint64_t hash) {
         return hash_of({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, hash);
     };
+    // Hash of the written music's features: the cached weights belong to exactly that music.
     std::uint64_t music = hash_of("");
     for (const audio::PieceFeatures& piece : material.pieces) {
         pieces.push_back(&piece);
         classes.push_back(audio::class_of(piece.genre, genres));
+        // Recordings are in the list, too, but this training leaves them out.
         if (!piece.is_recorded()) {
             music = hash_with(piece.mel, music);
         }
     }
+    // Each network is trained with a start and draws of its own.
     std::vector<std::shared_ptr<const models::RecurrentNetwork>> networks;
     for (int number = 0; number < options.plan.network.networks; ++number) {
         const audio::NetworkTrainingPlan plan =
             options.plan.network.of_network(static_cast<std::size_t>(number));
+        // A network that goes on from given weights depends on those, too.
         const std::uint64_t learnt_from =
             plan.starts.empty() ? music : hash_with(plan.starts.front()->parameters(), music);
+        // All that the training depends on stands in the name; one class more is "unknown".
         const std::string run = fmt::format("network-{}-{}x{}-{}-{}-{}-{:016x}{}",
                                             genres.size() + 1,
                                             plan.layers,
@@ -124,6 +135,8 @@ std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
         auto learnt = learnt_once(options, run, genres.size() + 1, [&](const auto& report) {
             return audio::train_on_written(pieces, classes, genres.size() + 1, plan, report);
         });
+        // Branches go on from the trained weights; the mean of their weights replaces them. Stored
+        // apart, so that the number of branches can change without training anew.
         if (plan.branches > 1) {
             const std::string name = fmt::format("{}-{}x{}", run, plan.branches, plan.branch_steps);
             learnt = learnt_once(options, name, genres.size() + 1, [&](const auto& report) {
@@ -137,13 +150,14 @@ std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
 
 namespace {
 
-/// Recordings as they are heard after each damage, one after the other.
+// Features of recordings after each kind of damage, one kind after the other.
 struct DamagedMusic {
     std::vector<audio::PieceFeatures> pieces;
     std::vector<audio::Damage> damages;  // of each piece
 };
 
-/// Of the recordings in the material.
+// Features of the damaged recordings, of those alone that the undamaged material has: a file that
+// was left out there must not be judged.
 DamagedMusic extract_damaged(const GenreOptions& options,
                              const GenreMaterial& material,
                              const audio::FeaturePlan& feature_plan) {
@@ -154,10 +168,12 @@ DamagedMusic extract_damaged(const GenreOptions& options,
         }
     }
     DamagedMusic music;
+    // Damage 0 is none.
     for (std::size_t number = 1; number < std::size(audio::kDamageNames); ++number) {
         const auto damage = static_cast<audio::Damage>(number);
         for (audio::FeatureUnit& unit :
              extract_recordings(material.files, options, feature_plan, damage)) {
+            // A damage may fail for one recording: the others are judged all the same.
             if (!unit.fault.empty()) {
                 say(fmt::format("not judged with {}: {}", audio::kDamageNames[number], unit.fault));
             }
@@ -172,7 +188,8 @@ DamagedMusic extract_damaged(const GenreOptions& options,
     return music;
 }
 
-/// Names of the recordings that are not to be judged by.
+// Names of the recordings that do not count in the tables: those whose label is not among
+// options.judged_labels.
 std::set<std::string> unjudged(const GenreOptions& options, const GenreMaterial& material) {
     std::set<std::string> names;
     for (const audio::MusicFile& file : material.files) {
@@ -192,6 +209,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
     const audio::FeaturePlan& feature_plan,
     const std::vector<std::string>& genres) {
     const std::vector<audio::PieceFeatures>& pieces = material.pieces;
+    // Damaged recordings are scored by the same models as the undamaged ones, in the same folds.
     const DamagedMusic damaged = options.validation.judges_damage
                                      ? extract_damaged(options, material, feature_plan)
                                      : DamagedMusic{};
@@ -202,10 +220,13 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
     if (!scores) {
         return fail(scores.error());
     }
+    // Scores are divided by what they are used for: the undamaged ones fit the final fusion, and
+    // the tables are of recordings by kind of damage.
     const std::set<std::string> left_out = unjudged(options, material);
     std::vector<audio::WindowScore> undamaged;
     std::map<audio::Damage, std::vector<audio::WindowScore>> recorded;
     for (const audio::WindowScore& score : *scores) {
+        // Damaged pieces are numbered after the undamaged ones.
         const bool is_damaged = score.piece >= pieces.size();
         const std::size_t number = is_damaged ? score.piece - pieces.size() : score.piece;
         const audio::PieceFeatures& piece = is_damaged ? damaged.pieces[number] : pieces[number];
@@ -216,13 +237,17 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
             recorded[is_damaged ? damaged.damages[number] : audio::Damage::none].push_back(score);
         }
     }
+    // With written music alone there are no tables by artist.
     if (recorded.empty()) {
         return undamaged;
     }
+    // Genres with too few recordings are not judged.
     const auto asked = enough_recordings(pieces, genres);
+    // The fusions are fitted to undamaged scores alone, as those of the finished model are.
     const FoldFusions fusions(undamaged, genres.size() + 1, options.threads);
     for (const auto& [damage, judged_scores] : recorded) {
         const JudgedScores judged{judged_scores, fusions, nullptr, options.validation.pair};
+        // The page shows the undamaged recordings.
         const bool is_clean = damage == audio::Damage::none;
         GenrePage page =
             page_of(is_clean ? "recordings, by artist"
@@ -231,6 +256,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
                     judged,
                     genres,
                     asked);
+        // The tables go to stdout for every damage.
         print_page(page, asked);
         if (is_clean && !options.validation.report.empty()) {
             page.files = judged_files(pieces, judged, genres, asked);
@@ -246,6 +272,7 @@ Expected<void> test_on_written(const GenreOptions& options,
                                const audio::FeaturePlan& feature_plan,
                                const audio::GenreModel& model) {
     using Families = audio::WrittenCorpusPlan::Families;
+    // One test: written pieces without augmentation, scored by the model and printed.
     const auto test = [&](const std::string& name,
                           const auto& soundfonts,
                           Families families,
@@ -262,6 +289,7 @@ Expected<void> test_on_written(const GenreOptions& options,
         if (!pieces) {
             return fail(pieces.error());
         }
+        // All genres: written music has enough of each.
         const auto asked = all_genres(model.genres.size());
         const auto scores = scores_of(model, *pieces, options.threads);
         const FoldFusions fusions(scores, model.classes(), options.threads);
@@ -270,7 +298,9 @@ Expected<void> test_on_written(const GenreOptions& options,
             asked);
         return {};
     };
+    // Seeds beyond those of training: pieces that were never written before.
     const std::uint64_t seed = options.seed + 500;
+    // Families of arrangements that training left out have a test of their own.
     const Families known = options.written.leaves_out_families ? Families::always : Families::all;
     if (auto ok =
             test("written, new seeds, soundfonts heard", options.written.soundfonts, known, seed);
@@ -286,6 +316,7 @@ Expected<void> test_on_written(const GenreOptions& options,
             return ok;
         }
     }
+    // Sounds that training never used: does the model know the music or its soundfonts?
     if (!options.written_test.soundfonts.empty()) {
         return test(
             "written, soundfont never heard", options.written_test.soundfonts, known, seed + 2);

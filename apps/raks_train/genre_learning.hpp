@@ -11,22 +11,22 @@
 
 namespace raks::apps {
 
-/// The recurrent networks that have learnt from the written music; kept between runs in the cache.
+/// Trains the recurrent networks on the written music; weights are kept in the cache between runs.
 [[nodiscard]] std::vector<std::shared_ptr<const models::RecurrentNetwork>> written_networks(
     const GenreOptions& options,
     const GenreMaterial& material,
     const std::vector<std::string>& genres);
 
-/// Scores of pieces by models that did not hear their artist; prints how good they are, of
-/// recordings with damage, too, where that is asked for.
-/// Errors: as cross_validate; the report cannot be written.
+/// Cross-validates by artist: scores of pieces by models that were trained without their artist.
+/// Prints the tables; where asked for, also those of damaged recordings. Errors: as cross_validate;
+/// the report cannot be written.
 [[nodiscard]] Expected<std::vector<audio::WindowScore>> validate_by_group(
     const GenreOptions& options,
     const GenreMaterial& material,
     const audio::FeaturePlan& feature_plan,
     const std::vector<std::string>& genres);
 
-/// Prints how the finished model hears written music that it never heard.
+/// Tests the finished model on written music that it was not trained on, and prints the tables.
 /// Errors: a soundfont cannot be read.
 [[nodiscard]] Expected<void> test_on_written(const GenreOptions& options,
                                              const audio::FeaturePlan& feature_plan,

@@ -16,12 +16,15 @@
 namespace raks::apps {
 namespace {
 
-constexpr int kRestShare = 6;  // written pieces a piece by a rhythm that may be left out
-constexpr int kFurtherShare =
-    10;  // ... a piece without a beat to dance to, and one of our own generator's
-constexpr int kSynthesizedShare = 2;  // ... a piece with sounds drawn for it
+// For every 6 pieces of the main corpus one in a family of arrangements that may be held out.
+constexpr int kRestShare = 6;
+// For every 10 pieces one without a beat to dance to, and one of our own generator.
+constexpr int kFurtherShare = 10;
+// For every 2 pieces one whose sounds are synthesized for it.
+constexpr int kSynthesizedShare = 2;
 
-/// Hears chunks; those that `is_wanted(i)` refuses stay empty.
+// Features of the chunks, in order; chunks that `is_wanted(i)` refuses stay empty. One after the
+// other: the threads work inside a chunk.
 template <class IsWanted>
 Expected<std::vector<audio::FeatureUnit>> extract_chunks(const GenreOptions& options,
                                                          const std::vector<WrittenChunk>& chunks,
@@ -38,6 +41,7 @@ Expected<std::vector<audio::FeatureUnit>> extract_chunks(const GenreOptions& opt
             }
             units[i].pieces = std::move(*pieces);
         }
+        // Refused chunks count as done, so that the time left is about what remains.
         ++done;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
         std::fprintf(
@@ -53,8 +57,8 @@ Expected<std::vector<audio::FeatureUnit>> extract_chunks(const GenreOptions& opt
     return units;
 }
 
-/// The music asked for, to be written. What may be left out is written apart, so that a model
-/// without it learns the same music else.
+// The chunks of all written music that the options ask for. Families that may be held out are
+// written apart, so that a model that leaves them out is trained on the same other music.
 std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
                                      const audio::FeaturePlan& feature_plan) {
     using Families = audio::WrittenCorpusPlan::Families;
@@ -70,7 +74,10 @@ std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
         auto rest = chunks_of(options, feature_plan, "written-rest", plan);
         std::move(rest.begin(), rest.end(), std::back_inserter(chunks));
     }
+    // Editions 1 and 2 are the older corpora, from which a model can be trained again.
     if (options.written.edition >= 3) {
+        // Further music: pieces without a beat to dance to, pieces of our own generator, and pieces
+        // with drawn sounds; their numbers are shares of the main corpus.
         using Music = audio::WrittenCorpusPlan::Music;
         plan.families = Families::always;
         const auto add = [&](Music music, const char* name, int pieces) {
@@ -90,6 +97,7 @@ std::vector<WrittenChunk> all_chunks(const GenreOptions& options,
     return chunks;
 }
 
+// The soundfonts are credited in the model's file.
 std::string credit_of_written(const GenreOptions& options) {
     if (options.written.pieces == 0) {
         return {};
@@ -101,7 +109,8 @@ std::string credit_of_written(const GenreOptions& options) {
     return text + ". ";
 }
 
-/// All units of this machine's share; recordings first.
+// All units of this machine's share, recordings first. Units are numbered over recordings and
+// chunks, so that the shares divide both.
 Expected<audio::FeatureMaterial> extract_all(const GenreOptions& options,
                                              const audio::FeaturePlan& feature_plan) {
     audio::FeatureMaterial material;
@@ -116,11 +125,13 @@ Expected<audio::FeatureMaterial> extract_all(const GenreOptions& options,
             return fail(listed.error());
         }
         material.files = std::move(*listed);
+        // The same file under two genres would be trained both ways.
         if (auto distinct = audio::check_distinct(material.files); !distinct) {
             return fail(distinct.error());
         }
         material.units = extract_recordings(material.files, options, feature_plan);
     }
+    // The music is played by soundfonts; without one there is no sound.
     if (options.written.pieces > 0) {
         if (options.written.soundfonts.empty()) {
             return fail("--synthesize needs --soundfont X.sf2: what the music is played with");
@@ -137,7 +148,7 @@ Expected<audio::FeatureMaterial> extract_all(const GenreOptions& options,
     return material;
 }
 
-/// Says which recordings were left out.
+// Names the recordings that were left out, on stderr. With --strict one of them is an error.
 Expected<void> report_faults(const GenreOptions& options, const audio::FeatureMaterial& material) {
     std::size_t skipped = 0;
     const std::string* first = nullptr;
@@ -160,10 +171,11 @@ Expected<void> report_faults(const GenreOptions& options, const audio::FeatureMa
     return {};
 }
 
-/// All that shapes what is heard, in one line.
+// Everything that the features depend on, in one line: shards with other lines must not be merged.
 std::string plan_text(const GenreOptions& options,
                       const audio::FeaturePlan& feature_plan,
                       const audio::FeatureMaterial& material) {
+    // The list of files counts with its groups and genres, as units are numbered by it.
     std::uint64_t files = hash_of("");
     for (const audio::MusicFile& file : material.files) {
         files = hash_of(
@@ -190,6 +202,7 @@ Expected<std::vector<audio::PieceFeatures>> written(const GenreOptions& options,
                                                     const audio::FeaturePlan& feature_plan,
                                                     const std::string& name,
                                                     const audio::WrittenCorpusPlan& plan) {
+    // Tests write their own music: all chunks, whatever this machine's share.
     auto units = extract_chunks(
         options, chunks_of(options, feature_plan, name, plan), [](auto) { return true; });
     if (!units) {
@@ -212,6 +225,7 @@ Expected<void> write_shard(const GenreOptions& options,
     if (auto reported = report_faults(options, *material); !reported) {
         return reported;
     }
+    // The faults travel in the shard as well: merging reports them again.
     const std::string plan = plan_text(options, feature_plan, *material);
     return audio::save_shard({options.shards.share, plan, command, std::move(*material)},
                              options.output);
@@ -219,6 +233,8 @@ Expected<void> write_shard(const GenreOptions& options,
 
 Expected<GenreMaterial> gather(const GenreOptions& options,
                                const audio::FeaturePlan& feature_plan) {
+    // Shards hold what gather() would have computed, so that both ways lead to the same
+    // material.
     auto extracted = options.shards.merged.empty() ? extract_all(options, feature_plan)
                                                    : audio::merge_shards(options.shards.merged);
     if (!extracted) {
@@ -233,6 +249,7 @@ Expected<GenreMaterial> gather(const GenreOptions& options,
     for (audio::FeatureUnit& unit : extracted->units) {
         std::move(unit.pieces.begin(), unit.pieces.end(), std::back_inserter(material.pieces));
     }
+    // Music of the beat tracker's corpus: without windows, for the recurrent network alone.
     if (!options.written.beats_corpus.empty()) {
         using Families = audio::WrittenCorpusPlan::Families;
         auto more = audio::read_beats_corpus(
@@ -244,6 +261,7 @@ Expected<GenreMaterial> gather(const GenreOptions& options,
         }
         std::move(more->begin(), more->end(), std::back_inserter(material.pieces));
     }
+    // Genres to leave out are taken out here, after the cache, which holds all of them.
     std::erase_if(material.pieces, [&](const audio::PieceFeatures& piece) {
         const auto& left_out = options.recordings.left_out_genres;
         return std::find(left_out.begin(), left_out.end(), audio::shown_genre(piece.genre)) !=

@@ -12,27 +12,27 @@
 
 namespace raks::apps {
 
-/// Music to learn from: the files, and all of it (written music, too) as heard.
+/// Training material: the files, and the features of all pieces, written ones too.
 struct GenreMaterial {
-    std::vector<audio::MusicFile> files;
-    std::string written_with;  ///< credit of the written music, or empty
-    std::vector<audio::PieceFeatures> pieces;
+    std::vector<audio::MusicFile> files;       ///< the recordings
+    std::string written_with;                  ///< credit of the written music, or empty
+    std::vector<audio::PieceFeatures> pieces;  ///< recordings first, then written pieces
 };
 
-/// Reads and hears the folder's music, clean and damaged, and writes what is asked for; or merges
-/// the shards that are named. Files that cannot be read are named on stderr, counted and left out.
-/// Errors: no music at all, two genres with the same files, with --strict the first file that
-/// cannot be read; of shards: as merge_shards.
+/// Computes the features of the folder's music, with altered copies, and of the written music asked
+/// for; or merges the shards that are named. Files that cannot be read are named on stderr, counted
+/// and left out. Errors: no music at all; two genres with the same files; with --strict the first
+/// file that cannot be read; of shards: as merge_shards.
 [[nodiscard]] Expected<GenreMaterial> gather(const GenreOptions& options,
                                              const audio::FeaturePlan& feature_plan);
 
-/// Hears this machine's share of all that into a file. `command`: is kept in it.
-/// Errors: as gather; the file cannot be written.
+/// Computes the features of this machine's share and writes them to a file, with `command`. Errors:
+/// as gather; the file cannot be written.
 [[nodiscard]] Expected<void> write_shard(const GenreOptions& options,
                                          const audio::FeaturePlan& feature_plan,
                                          const std::string& command);
 
-/// Written music, chunk by chunk: what a stopped run has finished is found again by the next.
+/// Features of written music, chunk by chunk through the cache. Errors: as extract_chunk.
 [[nodiscard]] Expected<std::vector<audio::PieceFeatures>> written(
     const GenreOptions& options,
     const audio::FeaturePlan& feature_plan,

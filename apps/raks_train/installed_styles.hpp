@@ -5,8 +5,8 @@
 
 namespace raks::apps {
 
-/// The styles of music as installed: the folder config/styles beside the program, or below
-/// $RAKS_DATA. Errors: it is not there; as load_styles.
+/// The installed music styles: the folder config/styles beside the program, or below $RAKS_DATA.
+/// Errors: it is not there; as load_styles.
 [[nodiscard]] Expected<audio::StyleBook> load_installed_styles();
 
 }  // namespace raks::apps

@@ -10,7 +10,8 @@
 
 namespace raks::apps {
 
-/// "torso 1.2, upper 3.4, lower 5.6": of the parts that figures with these features have.
+/// "torso 1.2, upper 3.4, lower 5.6": log-likelihoods of those parts that figures with these
+/// features have.
 [[nodiscard]] inline std::string listed_likelihoods(motion::FigureFeatures features,
                                                     const std::array<double, 3>& log_likelihood) {
     std::string line;

@@ -1,5 +1,5 @@
-// The program raks-train, that `raks train` starts: it alone needs FluidSynth and a BLAS, which the
-// dancing program should not load.
+// The program raks-train, started by `raks train`. It is a program of its own since it alone needs
+// FluidSynth and a BLAS, which the dancing program should not load.
 #include <filesystem>
 #include <string>
 
@@ -11,7 +11,8 @@ namespace {
 
 using namespace raks::apps;
 
-/// The command as it is kept in what it makes: without folders.
+// The command line as it is stored in models: paths without their folders, which say nothing
+// elsewhere.
 std::string kept_command(int argc, char** argv) {
     std::string command = "raks train";
     for (int i = 1; i < argc; ++i) {

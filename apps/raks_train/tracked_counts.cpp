@@ -13,11 +13,16 @@
 namespace raks::apps {
 namespace {
 
-constexpr float kSure = 0.35F;         // of the first beat that counts
-constexpr std::size_t kEvenBeats = 8;  // that must be even to be carried back,
-constexpr double kEven = 0.1;          // each interval within this share of their mean,
-constexpr std::size_t kMostBack = 16;  // and by so many at most
+// Confidence of the first beat that counts: earlier ones come from a tracker that still searches.
+constexpr float kSure = 0.35F;
+// Intervals that must be even before beats are extrapolated from them.
+constexpr std::size_t kEvenBeats = 8;
+// Largest deviation of one of these intervals from their mean, as a share of the mean.
+constexpr double kEven = 0.1;
+// Beats that are extrapolated at most.
+constexpr std::size_t kMostBack = 16;
 
+// Collects the announced beats, and the time of the newest state.
 class CollectBeats final : public audio::MusicAnalyzer::Sink {
  public:
     void on_state(const MusicState& state) noexcept override {
@@ -30,7 +35,8 @@ class CollectBeats final : public audio::MusicAnalyzer::Sink {
     StreamTime newest{Nanos(-1)};
 };
 
-/// Beats before the first one, at the tempo of the first eight, when these are even.
+// Beats before the first one, extrapolated at the mean of the first eight intervals; none where
+// these are uneven. Their place in the bar is not known: 0.
 std::vector<motion::MusicBeat> carried_back(const std::vector<motion::MusicBeat>& beats) {
     if (beats.size() <= kEvenBeats) {
         return {};
@@ -53,6 +59,7 @@ std::vector<motion::MusicBeat> carried_back(const std::vector<motion::MusicBeat>
     return before;
 }
 
+// Beats from the first confident one on, with the extrapolated ones before them.
 std::vector<motion::MusicBeat> sure_beats(const std::vector<BeatEvent>& tracked, double duration) {
     const auto first = std::find_if(tracked.begin(), tracked.end(), [](const BeatEvent& beat) {
         return beat.confidence >= kSure;
@@ -60,6 +67,7 @@ std::vector<motion::MusicBeat> sure_beats(const std::vector<BeatEvent>& tracked,
     std::vector<motion::MusicBeat> beats;
     for (auto beat = first; beat != tracked.end(); ++beat) {
         const double seconds = to_seconds(beat->time);
+        // Beats must ascend; those in the silence after the end do not belong to the music.
         const bool is_later = beats.empty() || seconds > beats.back().seconds;
         if (is_later && seconds <= duration) {
             beats.push_back({seconds, beat->bar_position});
@@ -77,6 +85,7 @@ Expected<TrackedCounts> track_counts(const std::filesystem::path& file) {
     if (!source) {
         return fail(source.error());
     }
+    // The analyzer counts genres by the catalogue's list.
     const auto catalogue = engine::DanceCatalogue::load();
     if (!catalogue) {
         return fail(catalogue.error());
@@ -94,7 +103,8 @@ Expected<TrackedCounts> track_counts(const std::filesystem::path& file) {
         analyzer->process(block.mono, collect);
     }
     const StreamTime end(source->given());
-    const std::array<float, 256> silence{};  // brings the last hops out
+    // Silence after the end brings out the states that the analyzer still delays.
+    const std::array<float, 256> silence{};
     for (Nanos fed{}; fed <= analyzer->delay() + kHop && collect.newest + kHop < end;
          fed += source->rate().time_of(silence.size()).time_since_epoch()) {
         analyzer->process(silence, collect);

@@ -18,7 +18,7 @@
 namespace raks::apps {
 namespace {
 
-/// Steps with both feet in the air, which the writer may not have meant.
+// Warns of beats at which both feet are in the air, which the writer may not have meant.
 void tell_hops(const motion::AuthoredDance& dance, const motion::AuthoredFigure& figure) {
     std::string hops;
     for (const motion::Hop& hop : motion::hops_of(figure)) {
@@ -29,6 +29,7 @@ void tell_hops(const motion::AuthoredDance& dance, const motion::AuthoredFigure&
     }
 }
 
+// One line a figure: where it is, its size and how well the model fits it.
 void print_figure(const Destination& destination, const motion::AuthoredTrainingResult& trained) {
     const motion::FigureModel& model = trained.model;
     const Path path =
@@ -52,16 +53,20 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
     if (!dance) {
         return fail(dance.error());
     }
+    // Found before the training, so that a bad -o fails at once.
     const auto destination = destination_of(arguments.output, dance->dance);
     if (!destination) {
         return fail(destination.error());
     }
+    // One model for one file: a dance of several figures needs --figure then.
     const std::size_t wanted = arguments.figure.empty() ? dance->figures.size() : 1;
     if (!destination->file.empty() && wanted > 1) {
         return fail(fmt::format("{}: has {} figures; name one with --figure, or give -o a folder",
                                 dance->file,
                                 wanted));
     }
+    // The models carry the name that they are found by: the extended dance's, or the name given by
+    // -o.
     if (!arguments.extends.empty()) {
         dance->dance = arguments.extends;
     } else if (!destination->name.empty()) {
@@ -79,12 +84,14 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
     if (!learnt) {
         return fail(std::move(learnt.error()));
     }
+    // A written dance does not say how often a figure occurs: all have the same weight.
     std::vector<engine::LearntFigure> figures;
     for (const motion::AuthoredTrainingResult& trained : *learnt) {
         figures.push_back({&trained.model, 1.0});
     }
     DanceInfo info = info_of(*dance);
     info.extends = arguments.extends;
+    // Written first: the lines below name files that are there.
     if (auto delivered = deliver(*destination, info, figures); !delivered) {
         return fail(std::move(delivered.error()));
     }

@@ -1,4 +1,4 @@
-// `raks train beats`.
+// `raks train beats`: renders a corpus and trains the networks of beats and bars.
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -27,27 +27,30 @@
 namespace raks::apps {
 namespace {
 
+// Stored in the network's file: the licences of the material ask for it.
 constexpr const char* kAttribution =
     "Weights learnt from rendered MIDI: Google's Groove MIDI Dataset (CC-BY-4.0), Freedoom "
     "(BSD-3-Clause), OpenScore Lieder (CC0-1.0) and patterns of our own; soundfonts under MIT.";
 
+// Arguments of the command.
 struct Options {
     audio::StyleBook styles;  // that the corpus is written in
     audio::CorpusPlan corpus;
-    std::filesystem::path corpus_file;
-    std::vector<std::filesystem::path> more_files;
-    std::vector<std::string> left_out;
-    std::filesystem::path start;
-    std::vector<std::filesystem::path> averaged;
-    std::vector<std::filesystem::path> ensembled;
-    float trust = 1.0F;
-    audio::NetworkPlan network;
-    int bar_steps = 0;  // 0: learns beats
+    std::filesystem::path corpus_file;  // where the rendered corpus is kept; empty: nowhere
+    std::vector<std::filesystem::path> more_files;  // further corpora that were kept
+    std::vector<std::string> left_out;              // families of music
+    std::filesystem::path start;                    // network to go on from
+    std::vector<std::filesystem::path> averaged;    // networks whose weights' mean is taken
+    std::vector<std::filesystem::path> ensembled;   // networks whose outputs are averaged
+    float trust = 1.0F;          // factor on that average before the sigmoid; below 1: less sure
+    audio::NetworkPlan network;  // how the network is trained
+    int bar_steps = 0;           // 0: learns beats
     std::filesystem::path output;
-    std::filesystem::path music_folder;
+    std::filesystem::path music_folder;  // for --write
 };
 
-/// Returns what checks them together, once they are read.
+// Adds the options. Returns a function that checks them together, which the parser cannot; to be
+// called once they are read.
 std::function<void()> add_options(CLI::App& app, Options& options) {
     auto* average = app.add_option(
         "--average", options.averaged, "no training: the mean of these networks' weights");
@@ -95,6 +98,7 @@ std::function<void()> add_options(CLI::App& app, Options& options) {
     average->excludes(write);
     together->excludes(write);
     together->excludes(average);
+    // Without training only networks are needed; with it a pack of MIDI files and a soundfont.
     return [average, together, pack, soundfont, out, write] {
         if (average->count() + together->count() == 0 &&
             (pack->count() == 0 || soundfont->count() == 0)) {
@@ -106,6 +110,7 @@ std::function<void()> add_options(CLI::App& app, Options& options) {
     };
 }
 
+// The corpus of --corpus where that file exists, else rendered from the pack and stored there.
 Expected<std::vector<audio::TrainingExcerpt>> first_corpus_of(const Options& options) {
     std::error_code ignored;
     if (!options.corpus_file.empty() && std::filesystem::exists(options.corpus_file, ignored)) {
@@ -121,7 +126,8 @@ Expected<std::vector<audio::TrainingExcerpt>> first_corpus_of(const Options& opt
     return corpus;
 }
 
-/// Behind the first corpus those of --also: which pieces are kept for validation goes on counting.
+// The first corpus followed by those of --also. They are appended, so that every 16th excerpt of
+// the whole is kept for validation.
 Expected<std::vector<audio::TrainingExcerpt>> corpus_of(const Options& options) {
     auto corpus = first_corpus_of(options);
     if (!corpus) {
@@ -139,7 +145,8 @@ Expected<std::vector<audio::TrainingExcerpt>> corpus_of(const Options& options) 
     return corpus;
 }
 
-/// Empties the excerpts of these families. Errors: a family that the corpus does not have.
+// Empties the excerpts of these families; they keep their places, so that the same excerpts stay in
+// validation. Errors: a family that the corpus does not have.
 Expected<void> leave_out(const std::vector<std::string>& families,
                          std::vector<audio::TrainingExcerpt>& corpus) {
     for (const std::string& family : families) {
@@ -161,7 +168,7 @@ Expected<void> leave_out(const std::vector<std::string>& families,
     return {};
 }
 
-/// Writes what `make` makes of the networks in these files.
+// Loads the networks of these files and writes what `make` makes of them.
 template <class Make>
 Expected<void> write_made_of(const std::vector<std::filesystem::path>& files,
                              const Make& make,
@@ -191,7 +198,8 @@ void print_progress(const audio::NetworkProgress& progress) {
                  progress.validation_loss);
 }
 
-/// Beats as in --from, and bars learnt from what it says of them.
+// Trains the bar network on what the beat network of --from computes; that network's beats stay as
+// they are.
 Expected<void> learn_bars(const Options& options,
                           const std::vector<audio::TrainingExcerpt>& corpus,
                           const audio::NetworkNotes& notes) {
@@ -200,7 +208,9 @@ Expected<void> learn_bars(const Options& options,
     plan.steps = options.bar_steps;
     plan.seed = options.network.seed;
     plan.threads = options.network.threads;
+    // Stays when no piece has bars, since then nothing is reported.
     Expected<void> saved = fail("no piece of this corpus tells bars");
+    // Every report saves the file: an interrupted training leaves the last state.
     const auto report = [&](const audio::NetworkProgress& progress, const audio::BarNetwork& bars) {
         print_progress(progress);
         network.set_bars(std::make_shared<const audio::BarNetwork>(bars));
@@ -210,7 +220,9 @@ Expected<void> learn_bars(const Options& options,
     return saved;
 }
 
+// The command: its cheap variants first, then the training.
 Expected<void> run(Options& options, const std::string& command) {
+    // Averaging and joining networks need no music, and so no styles.
     const bool needs_music = options.averaged.empty() && options.ensembled.empty();
     if (needs_music) {
         auto styles = load_installed_styles();
@@ -220,11 +232,13 @@ Expected<void> run(Options& options, const std::string& command) {
         options.styles = std::move(*styles);
         options.corpus.styles = &options.styles;
     }
+    // --write only renders: nothing is trained.
     if (!options.music_folder.empty()) {
         return audio::write_music_folder(options.corpus, options.music_folder);
     }
     const audio::NetworkNotes notes{command, kAttribution};
     std::vector<std::filesystem::path> inputs = options.corpus.soundfonts;
+    // Inputs must not be written over by the output.
     inputs.push_back(options.corpus_file);
     inputs.insert(inputs.end(), options.more_files.begin(), options.more_files.end());
     if (auto checked = check_output(options.output, inputs); !checked) {
@@ -244,6 +258,8 @@ Expected<void> run(Options& options, const std::string& command) {
         if (!start) {
             return fail(start.error());
         }
+        // A compound network is several networks that were trained apart; going on would train only
+        // one.
         if (!(*start)->others().empty() && options.bar_steps == 0) {
             return fail(options.start.string() +
                         ": holds several networks, which learn apart; only --bar-steps goes on");
@@ -260,13 +276,14 @@ Expected<void> run(Options& options, const std::string& command) {
     if (options.bar_steps > 0) {
         return learn_bars(options, *corpus, notes);
     }
-    // What was learnt so far lies in the file, should this be stopped.
+    // Every report saves the file: an interrupted training leaves the last state.
     Expected<void> saved;
     const auto report = [&](const audio::NetworkProgress& progress,
                             const audio::BeatNetwork& network) {
         print_progress(progress);
         saved = audio::save_network(network, notes, options.output);
     };
+    // `report` saves the network: what is returned is not needed.
     audio::train_network(*corpus, options.network, report);
     return saved;
 }
@@ -279,6 +296,7 @@ void add_train_beats(CommandTable& table, const std::string& command) {
     const auto check = add_options(app, *options);
     app.callback([&table, options, check, command] {
         check();
+        // One option for rendering and training.
         options->corpus.threads = options->network.threads;
         table.choose([options, command] { return exit_code_of(run(*options, command)); });
     });

@@ -23,6 +23,7 @@
 namespace raks::apps {
 namespace {
 
+// The training plan of the arguments; what is not given stays at the plan's default.
 motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
                                        const std::string& dance) {
     motion::FigureTrainingPlan plan = plan_of(arguments);
@@ -32,6 +33,7 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
     plan.dance = dance;
     plan.role = arguments.role;
     plan.features = arguments.features;
+    // 0 and empty stand for "not given" in the arguments.
     if (arguments.scale > 0.0) {
         plan.metres_per_unit = arguments.scale;
     }
@@ -41,6 +43,7 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
     plan.baum_welch_iterations = arguments.iterations;
     plan.covariance = arguments.covariance;
     plan.start = arguments.start;
+    // CMU's motion may be used if it is acknowledged: the model's file does that.
     if (arguments.source == "cmu") {
         plan.attribution = std::string(motion::cmu_attribution());
     }
@@ -75,9 +78,10 @@ std::vector<Path> inputs_of(const LabelledClips& clips) {
 
 namespace {
 
-/// The dance that a figure from clips belongs to: as it is told, as the output is called, or the
-/// first of those that there are.
+// The dance of a figure from clips: as --extends or --dance say, as the output is called, or the
+// first of the list, in this order.
 Expected<std::string> dance_of(const TrainFigureArguments& arguments) {
+    // A figure that extends a dance is of that dance, whatever --dance says.
     for (const std::string& told : {arguments.extends, arguments.dance}) {
         if (!told.empty()) {
             return told;
@@ -93,13 +97,15 @@ Expected<std::string> dance_of(const TrainFigureArguments& arguments) {
     return catalogue->list()->all().front().name;
 }
 
-/// What a dances.toml says of the dance of one figure.
+// The dances.toml entry of a dance that has this one figure: its tempi lie around the learnt one.
 DanceInfo info_of(const motion::FigureModel& model, const TrainFigureArguments& arguments) {
-    constexpr double kReach = 0.2;  // of the tempo learnt from, to both sides
+    // Share of the learnt tempo by which the dance's range reaches to either side.
+    constexpr double kReach = 0.2;
     DanceInfo info;
     info.name = info.title = model.dance;
     info.extends = arguments.extends;
     info.beats_per_bar = arguments.beats_per_bar;
+    // So that the range around it stays within what a dances.toml may say (20 to 400 BPM).
     const double tempo = std::clamp(model.learnt_tempo.bpm(), 25.0, 330.0);
     info.lowest = Bpm(std::round((1.0 - kReach) * tempo));
     info.highest = Bpm(std::round((1.0 + kReach) * tempo));
@@ -107,13 +113,14 @@ DanceInfo info_of(const motion::FigureModel& model, const TrainFigureArguments& 
     return info;
 }
 
-/// The beats of the music as the counts of the plan.
+// Tracks the beats of the music and uses them as the plan's counts.
 Expected<void> take_counts(const TrainFigureArguments& arguments,
                            motion::FigureTrainingPlan& plan) {
     auto tracked = track_counts(arguments.music);
     if (!tracked) {
         return fail(std::move(tracked.error()));
     }
+    // A damaged file that still plays: its beats are used, and the person is told.
     if (!tracked->warning.empty()) {
         say(tracked->warning);
     }
@@ -125,9 +132,11 @@ Expected<void> take_counts(const TrainFigureArguments& arguments,
 }  // namespace
 
 ExitCode train_figure(const TrainFigureArguments& arguments) {
+    // A .toml is a written dance, all else is captured.
     if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {
         return train_authored(arguments);
     }
+    // Not required by the parser, as a written dance needs none.
     if (arguments.labels.empty()) {
         say("clips need --labels X.tsv: where each figure begins and ends");
         return kExitUsage;
@@ -140,6 +149,7 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     if (!destination) {
         return fail(destination.error());
     }
+    // Checked before the training, which takes long; a folder is only added to.
     if (!destination->file.empty()) {
         std::vector<Path> inputs = inputs_of(arguments);
         inputs.push_back(arguments.music);
@@ -157,9 +167,11 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     if (!report) {
         return fail(report.error());
     }
+    // What the person should know about clips and model; none of it prevents the training.
     for (const std::string& warning : report->warnings) {
         say(warning);
     }
+    // Repeats that were used weigh the figure in a new grammar.
     const auto used = std::count_if(report->repeats.begin(),
                                     report->repeats.end(),
                                     [](const auto& use) { return use.left_out.empty(); });
@@ -167,6 +179,7 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     if (auto done = deliver(*destination, info_of(report->model, arguments), {&figure, 1}); !done) {
         return fail(std::move(done.error()));
     }
+    // The path that the model was written to, for the line below.
     const Path path = !destination->file.empty() ? destination->file
                                                  : engine::figure_path(destination->folder,
                                                                        report->model.dance,

@@ -23,6 +23,7 @@ namespace {
 
 using motion::DanceRole;
 
+// The plan of one dancer: the follow's scale is the last that is given.
 motion::FigureTrainingPlan report_plan(const TrainReportArguments& arguments, DanceRole role) {
     motion::FigureTrainingPlan plan = plan_of(arguments);
     plan.role = role;
@@ -33,6 +34,7 @@ motion::FigureTrainingPlan report_plan(const TrainReportArguments& arguments, Da
     return plan;
 }
 
+// "both" reports the lead first.
 std::vector<DanceRole> roles_of(const std::string& role) {
     if (role == "both") {
         return {DanceRole::lead, DanceRole::follow};
@@ -40,7 +42,8 @@ std::vector<DanceRole> roles_of(const std::string& role) {
     return {role == "lead" ? DanceRole::lead : DanceRole::follow};
 }
 
-/// Loads and computes, figure by figure and dancer by dancer.
+// Loads the clips and computes the report, figure by figure and dancer by dancer; keeps the repeats
+// that the classifier is evaluated with.
 class Reporter {
  public:
     explicit Reporter(const TrainReportArguments& arguments) : arguments_(arguments) {
@@ -63,6 +66,7 @@ class Reporter {
                 data.figures.push_back(std::move(*figure));
             }
         }
+        // At least two figures are needed to tell apart.
         if (arguments_.figures.size() > 1) {
             progress_.show("telling figures apart");
             auto evaluation = motion::evaluate_classifier(
@@ -78,7 +82,8 @@ class Reporter {
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
  private:
-    /// A clip serves several figures: each warning is kept once.
+    // A clip serves several figures, so that the same warning would come several times: each is
+    // kept once.
     Expected<motion::TrainingMaterial> load(const motion::FigureTrainingPlan& plan) {
         Expected<motion::TrainingMaterial> material = motion::load_material(plan);
         if (material) {
@@ -91,6 +96,7 @@ class Reporter {
         return material;
     }
 
+    // Options that are the same for every model of the report.
     [[nodiscard]] motion::FigureTrainingOptions training() const {
         motion::FigureTrainingOptions training;
         training.dance = arguments_.dance;
@@ -99,13 +105,16 @@ class Reporter {
         return training;
     }
 
+    // The classifier's models have a fixed number of states; the report's own number is searched
+    // for.
     [[nodiscard]] motion::FigureTrainingOptions classifier_training() const {
         motion::FigureTrainingOptions options = training();
         options.states = arguments_.states;
         return options;
     }
 
-    /// One figure of one dancer; adds its repeats to what figures are told apart by.
+    // The report of one figure of one dancer; adds its repeats to the classifier's training
+    // material.
     Expected<motion::FigureReport> report_one(std::size_t f, motion::DancerExamples& dancer) {
         const std::string role(motion::kRoleNames[static_cast<std::size_t>(dancer.role)]);
         progress_.show(fmt::format("{} of the {}", arguments_.figures[f], role));
@@ -118,6 +127,7 @@ class Reporter {
         motion::FigureTrainingOptions options = training();
         options.name = plan.figure;
         options.role = dancer.role;
+        // A repeat has one beat more than the figure has counts: that of the next count 1.
         options.beats = static_cast<int>(material->repeats[0].beat_frames.size()) - 1;
         auto report = motion::report_figure(material->clips,
                                             material->repeats,
@@ -131,6 +141,8 @@ class Reporter {
         return add_unseen(f, plan, options, dancer).map([&] { return std::move(*report); });
     }
 
+    // Adds the repeats of the test split, which no model is trained on, to the classifier's test
+    // material.
     Expected<void> add_unseen(std::size_t f,
                               motion::FigureTrainingPlan plan,
                               const motion::FigureTrainingOptions& options,
@@ -155,6 +167,7 @@ class Reporter {
     ProgressLine progress_{"report"};
 };
 
+// The lines that are printed: chosen numbers of states, and how often figures are told apart.
 std::string summary_of(const ReportData& data) {
     std::string text;
     for (const motion::FigureReport& figure : data.figures) {
@@ -172,6 +185,7 @@ std::string summary_of(const ReportData& data) {
         }
         text += "\n";
     }
+    // The first two figures are also compared alone.
     const auto told_apart = [&](const std::string& who, const motion::Decisions& decisions) {
         text += fmt::format("told apart, {}: {} of {}; {} against {}: {} of {}\n",
                             who,
@@ -198,6 +212,7 @@ std::string summary_of(const ReportData& data) {
 }  // namespace
 
 ExitCode train_report(const TrainReportArguments& arguments) {
+    // The same figure twice would be told apart from itself.
     for (auto figure = arguments.figures.begin(); figure != arguments.figures.end(); ++figure) {
         if (std::find(arguments.figures.begin(), figure, *figure) != figure) {
             return fail("--figure names " + *figure + " twice");
@@ -206,13 +221,16 @@ ExitCode train_report(const TrainReportArguments& arguments) {
     if (auto checked = check_is_no_input(arguments.output, inputs_of(arguments)); !checked) {
         return fail(std::move(checked.error()));
     }
-    auto file = PendingFile::create(arguments.output);  // before the work, which takes a minute
+    // Created before the work, which takes a minute: an output that cannot be written fails at
+    // once.
+    auto file = PendingFile::create(arguments.output);
     if (!file) {
         return fail(std::move(file.error()));
     }
     std::vector<std::string> warnings;
     const auto data = [&] {
-        Reporter reporter(arguments);  // its progress line is gone before anything is printed
+        // In a scope of its own: its progress line is cleared before anything is printed.
+        Reporter reporter(arguments);
         auto report = reporter.report();
         warnings = reporter.warnings();
         return report;

@@ -10,11 +10,13 @@
 namespace raks::apps {
 namespace {
 
-constexpr HopIndex kHopsPerPoint = 50;  // tempo, genre and loudness twice a second
+// Hops between two points: tempo, genre and loudness come twice a second.
+constexpr HopIndex kHopsPerPoint = 50;
 
-/// Microseconds are finer than any beat; more digits only make the document longer.
+// To microseconds, finer than any beat: more digits only lengthen the document.
 double rounded(double seconds) { return std::round(seconds * 1e6) / 1e6; }
 double rounded(StreamTime time) { return rounded(to_seconds(time)); }
+// Four decimals of a confidence or posterior.
 double shortened(float value) { return std::round(static_cast<double>(value) * 1e4) / 1e4; }
 
 }  // namespace
@@ -24,6 +26,7 @@ AnalysisDocument::AnalysisDocument(std::string file,
                                    std::vector<std::string> genres)
     : file_(std::move(file)), rate_(rate), genres_(std::move(genres)) {}
 
+// Beats are taken at every hop, the slow quantities at every fiftieth.
 void AnalysisDocument::add(const MusicState& state) {
     if (state.has_beat) {
         beats_.push_back(state.beat);
@@ -31,6 +34,7 @@ void AnalysisDocument::add(const MusicState& state) {
     if (state.has_predicted) {
         predicted_.push_back(rounded(state.predicted));
     }
+    // The document has one metre: the last one.
     beats_per_bar_ = state.grid.beats_per_bar;
     if (state.hop % kHopsPerPoint != 0) {
         return;
@@ -44,19 +48,24 @@ void AnalysisDocument::add(const MusicState& state) {
 void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
     beats_ = std::move(beats);
     predicted_.clear();
-    std::size_t next = 1;  // the interval from beat next - 1 to next holds the moment
+    // Beats and points both ascend: the interval from beat next - 1 to next is the one around the
+    // point.
+    std::size_t next = 1;
     for (TempoPoint& point : tempo_) {
         while (next + 1 < beats_.size() && to_seconds(beats_[next].time) <= point.time) {
             ++next;
         }
+        // Beyond the last beat the tempo stays the streaming tracker's, without confidence.
         point.confidence = 0.0F;
         if (next < beats_.size()) {
+            // Tempo of the one interval, without smoothing.
             point.bpm = 60.0 / to_seconds(beats_[next].time - beats_[next - 1].time);
             point.confidence = beats_[next].confidence;
         }
     }
 }
 
+// ordered_json keeps the keys in the order in which they are added.
 std::string AnalysisDocument::to_json(Nanos duration) const {
     nlohmann::ordered_json document;
     document["format"] = "raks-analysis";
@@ -79,6 +88,7 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
     document["predicted"] = predicted_;
     document["meter"] = beats_per_bar_;
     auto& genre = document["genre"] = nlohmann::ordered_json::array();
+    // The posterior by class name; the state holds natural logarithms.
     for (const GenrePoint& point : genre_) {
         nlohmann::ordered_json posterior;
         for (std::size_t i = 0; i < genres_.size(); ++i) {
@@ -92,10 +102,11 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
         loudness.push_back({{"time", point.time},
                             {"lufs", std::round(static_cast<double>(point.lufs) * 10) / 10}});
     }
-    // A file name need not be UTF-8; what is not is shown as the replacement character.
+    // A file's name need not be UTF-8; invalid bytes become the replacement character.
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+// Median over the points at which the tracker was fairly sure; 0 when there are none.
 double AnalysisDocument::median_bpm() const {
     std::vector<double> bpm;
     for (const TempoPoint& point : tempo_) {
@@ -111,6 +122,7 @@ double AnalysisDocument::median_bpm() const {
     return *middle;
 }
 
+// The dance is the last decision, which rests on the most music.
 std::string AnalysisDocument::to_text(Nanos duration) const {
     const double bpm = median_bpm();
     std::string text = fmt::format("{}: {:.1f} s\n", file_, to_seconds(duration));

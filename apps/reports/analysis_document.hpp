@@ -9,25 +9,25 @@
 
 namespace raks::apps {
 
-/// What `raks analyze --json` tells of one file: the streaming tracker's own announcements, without
-/// look-ahead; `beats` are never revised, `predicted` are the beats as committed 100 ms ahead.
-/// The form is in docs/file_formats.md (raks-analysis, version 1).
+/// The document of `raks analyze --json` for one file: what the streaming tracker announced,
+/// without look-ahead. `beats` are never revised; `predicted` are beats as committed 100 ms ahead.
+/// The format is described in docs/file_formats.md (raks-analysis, version 1).
 class AnalysisDocument {
  public:
     /// `genres`: names of the classes of MusicState::genre_log_probability, "unknown" last.
     AnalysisDocument(std::string file, SampleRate rate, std::vector<std::string> genres);
 
-    /// Takes the next state, in order.
+    /// Takes the next state; states come in order, one a hop.
     void add(const MusicState& state);
 
-    /// The beats of a method that had the whole file before it, in place of the announced ones; the
-    /// tempo becomes that of the beats around each moment, and nothing is predicted.
+    /// Replaces the announced beats by those of a method that had the whole file; the tempo becomes
+    /// that of the beats around each moment, and nothing is predicted. After all states.
     void replace_beats(std::vector<BeatEvent> beats);
 
-    /// The JSON document. `duration`: length of the audio.
+    /// The document as JSON text. `duration`: length of the audio.
     [[nodiscard]] std::string to_json(Nanos duration) const;
 
-    /// A few lines for people: tempo, meter, beats, dance, loudness.
+    /// A few lines for people: tempo, metre, beats, dance.
     [[nodiscard]] std::string to_text(Nanos duration) const;
 
  private:

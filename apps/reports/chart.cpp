@@ -9,7 +9,10 @@
 
 namespace raks::apps {
 
+// The step of 1, 2, 5 or 10 powers of ten that is nearest to range / wanted; the bounds lie about
+// half-way between these on a logarithmic axis.
 double round_step(double range, int wanted) {
+    // An empty range would have no logarithm.
     const double raw = std::max(range, 1e-9) / std::max(wanted, 1);
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
     const double share = raw / power;
@@ -31,6 +34,7 @@ Chart::Chart(const Plan& plan) : plan_(plan) {
     }
 }
 
+// Linear from [low, high] to the pixels between the margins.
 double Chart::x(double value) const noexcept {
     const double share = (value - plan_.x.low) / (plan_.x.high - plan_.x.low);
     return plan_.left + share * (plan_.width - plan_.left - plan_.right);
@@ -43,7 +47,9 @@ double Chart::y(double value) const noexcept {
 
 void Chart::grid_y(int wanted) {
     const double step = round_step(plan_.y.high - plan_.y.low, wanted);
+    // As many decimals as the step has; 1e-9 keeps a step of exactly 0.1 at one.
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    // The first multiple of the step inside the range, with room for rounding at the ends.
     const double from = std::ceil(plan_.y.low / step - 1e-9);
     for (double i = from; i * step <= plan_.y.high + 1e-9 * step; i += 1.0) {
         const double value = i * step == 0.0 ? 0.0 : i * step;  // no "-0"
@@ -73,6 +79,7 @@ void Chart::tick_y(double value, std::string_view label) {
 }
 
 void Chart::line(std::span<const Point> points, std::string_view style) {
+    // M moves to the first point, L draws to each later one.
     std::string path;
     for (const Point& point : points) {
         path += fmt::format(
@@ -91,6 +98,7 @@ void Chart::dot(Point at, double radius, std::string_view style) {
 }
 
 void Chart::box(Point from, Point to, std::string_view style) {
+    // Corners may come in any order, and the axis may be turned over.
     const double left = std::min(x(from.first), x(to.first));
     const double top = std::min(y(from.second), y(to.second));
     body_ +=

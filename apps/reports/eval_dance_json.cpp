@@ -13,6 +13,7 @@ namespace {
 using engine::TrialKind;
 using Json = nlohmann::ordered_json;
 
+// Names as the document's readers know them.
 const char* name_of(TrialKind kind) {
     switch (kind) {
         case TrialKind::steady:
@@ -25,12 +26,15 @@ const char* name_of(TrialKind kind) {
     return "";
 }
 
+// JSON has no infinity: an open end of a bound is null.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+// A quantity that a dance does not have is null.
 Json optional_number(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+// The figures of these dances together.
 Json figures_of(std::span<const MeasuredDance> dances) {
     Json figures = Json::array();
     for (const FigureSummary& figure : figure_summaries(dances)) {
@@ -48,6 +52,7 @@ Json figures_of(std::span<const MeasuredDance> dances) {
     return figures;
 }
 
+// All quantities of a dance by their id.
 Json values_of(const MeasuredDance& dance) {
     Json values = Json::object();
     for (const DanceQuantity& quantity : dance_quantities()) {
@@ -56,7 +61,8 @@ Json values_of(const MeasuredDance& dance) {
     return values;
 }
 
-/// Landings of each figure, foot and count by themselves: where a mean comes from.
+// Mean and deviation of the landings of each figure, foot and count: they show where the overall
+// mean comes from.
 Json landings_of(const motion::LandingReport& report) {
     std::map<std::tuple<std::string, motion::Side, int>, motion::LandingReport> groups;
     for (const motion::Landing& landing : report.landings) {
@@ -65,6 +71,7 @@ Json landings_of(const motion::LandingReport& report) {
     Json landings = Json::array();
     for (auto& [key, group] : groups) {
         const auto& [figure, side, count] = key;
+        // The statistics of the group alone.
         motion::summarize(group);
         landings.push_back({{"figure", figure},
                             {"foot", side == motion::Side::left ? "left" : "right"},
@@ -76,6 +83,7 @@ Json landings_of(const motion::LandingReport& report) {
     return landings;
 }
 
+// Measures of each written figure, danced by itself.
 Json written_of(const DanceReport& report) {
     Json figures = Json::array();
     for (const engine::DancedWrittenFigure& figure : report.written) {
@@ -97,12 +105,13 @@ Json written_of(const DanceReport& report) {
     return figures;
 }
 
-/// Names of what lies outside its bound, or is missing where a bound asks for it.
+// Ids of the quantities that lie outside their bound, or that are missing although they have one.
 Json outside_of(const MeasuredDance& dance, const JerkStandard& jerk) {
     Json outside = Json::array();
     for (const DanceQuantity& quantity : dance_quantities()) {
         const auto bound = quantity.bound(*dance.kind, jerk);
         const auto value = quantity.value(dance);
+        // A missing value cannot lie within its bound.
         if (bound && !(value && bound->holds(*value))) {
             outside.push_back(std::string(quantity.id));
         }
@@ -110,6 +119,7 @@ Json outside_of(const MeasuredDance& dance, const JerkStandard& jerk) {
     return outside;
 }
 
+// The bounds that apply to trials of this kind.
 Json bounds_of(TrialKind kind, const JerkStandard& jerk) {
     Json bounds = Json::object();
     for (const DanceQuantity& quantity : dance_quantities()) {
@@ -130,6 +140,7 @@ std::string to_json(const DanceReport& report) {
                      {"role", motion::kRoleNames[static_cast<std::size_t>(report.role)]},
                      {"generator", report.generator},
                      {"seed", report.seed}};
+    // Bounds once a kind of trial, not with every trial.
     auto& bounds = document["bounds"] = Json::object();
     for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {
         bounds[name_of(kind)] = bounds_of(kind, jerk);
@@ -150,6 +161,7 @@ std::string to_json(const DanceReport& report) {
                                        {"overlapping", couple->overlapping}};
         }
     }
+    // Over all trials together.
     document["figures"] = figures_of(report.trials);
     if (!report.written.empty()) {
         document["written_figures"] = written_of(report);
@@ -167,7 +179,7 @@ std::string to_json(const DanceReport& report) {
             paces.push_back({{"pace", motion::kJudgedPaces[p]}, {"rms", jerks[p]}});
         }
     }
-    // A take's name need not be UTF-8; what is not is shown as the replacement character.
+    // A take's name need not be UTF-8; invalid bytes become the replacement character.
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -11,17 +11,27 @@ using Topic = DanceQuantity::Topic;
 using Value = std::optional<double>;
 using Limit = std::optional<Bound>;
 
-constexpr double kLeastOnBeat = 0.95;  // of the landings on a ramp within 80 ms
+// Least share of the landings on a ramp that must lie within 80 ms.
+constexpr double kLeastOnBeat = 0.95;
 
+// A mean over no landings says nothing.
 bool has_landings(const MeasuredDance& dance) { return !dance.result.landing.landings.empty(); }
+// The same of contacts of the feet.
 bool has_slips(const MeasuredDance& dance) { return !dance.result.measures.contacts.slips.empty(); }
+// People's takes have no tempo to follow: what only a dancer has stays empty for them.
 bool is_trial(const MeasuredDance& dance) { return dance.kind.has_value(); }
 
+// The value where the dance has one.
 Value value_if(bool is_there, double value) { return is_there ? Value(value) : std::nullopt; }
+// For quantities that are only reported.
 Limit no_bound(TrialKind /*kind*/, const JerkStandard& /*jerk*/) { return std::nullopt; }
+// A bound that holds for some kinds of trials only.
 Limit bound_if(bool applies, Bound bound) { return applies ? Limit(bound) : std::nullopt; }
 
+// The columns of the report, topic by topic. A row gives: topic, id, title, decimals, how the value
+// is read and which bound applies.
 constexpr DanceQuantity kQuantities[] = {
+    // landings: seconds become milliseconds
     {Topic::landing,
      "landing_mean_ms",
      "mean ms",
@@ -90,6 +100,7 @@ constexpr DanceQuantity kQuantities[] = {
          return value_if(is_trial(d), static_cast<double>(d.result.reanchors));
      },
      no_bound},
+    // feet: metres become centimetres or millimetres
     {Topic::feet,
      "slip_median_cm",
      "slip cm",
@@ -126,6 +137,7 @@ constexpr DanceQuantity kQuantities[] = {
      1,
      [](const MeasuredDance& d) { return Value(1e3 * d.result.lowest_sole); },
      [](TrialKind, const JerkStandard&) { return Limit({.lowest = -5.0}); }},
+    // smoothness: bounds from people, see jerk_standard()
     {Topic::smoothness,
      "jerk_rms",
      "jerk rms",
@@ -150,6 +162,7 @@ constexpr DanceQuantity kQuantities[] = {
      2,
      [](const MeasuredDance& d) { return Value(d.result.measures.peak_toe_speed); },
      no_bound},
+    // quantities of papers, without bounds
     {Topic::others,
      "bas_fact",
      "BAS FACT",
@@ -179,12 +192,16 @@ constexpr DanceQuantity kQuantities[] = {
 }  // namespace
 
 JerkStandard jerk_standard(const DanceInfo& dance, DanceRole role) noexcept {
-    // What people did, the dance part of all takes without faults (60 frames a second, 1-4-6-4-1).
+    // People's jerk over all takes without faults, their dance parts alone (60 frames a second,
+    // low-pass 1-4-6-4-1).
     const double rms = dance.people_jerk_rms[static_cast<std::size_t>(role)];
     const double p999 = dance.people_jerk_p999[static_cast<std::size_t>(role)];
+    // A dance that was not captured has no people to compare with: absolute bounds instead.
     if (!(rms > 0.0 && p999 > 0.0)) {
         return {.rms = Bound{60.0, 350.0}, .p999 = Bound{.highest = 2000.0}, .highest = {}};
     }
+    // As smooth as people within 20 to 25 %; the highest jerk may be three times what people exceed
+    // in a thousandth of the time.
     return {
         .rms = Bound{0.8 * rms, 1.25 * rms}, .p999 = {}, .highest = Bound{.highest = 3.0 * p999}};
 }

@@ -14,6 +14,7 @@ namespace {
 using engine::TrialKind;
 using Topic = DanceQuantity::Topic;
 
+// Heading of a topic's table; it says how the quantities are to be read.
 struct TopicTitle {
     Topic topic;
     std::string_view title;
@@ -26,8 +27,10 @@ constexpr std::array<TopicTitle, 4> kTopics = {
      {Topic::smoothness, "Smoothness (m/s^3 at 60 a second, 1-4-6-4-1; by pace)"},
      {Topic::others, "What papers report (no bounds: people who dance as couples score low)"}}};
 
+// A number with the quantity's decimals.
 std::string number(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
 
+// A bound as text: "<= 25", ">= 0.95" or "-15..15"; empty where there is none.
 std::string bound_cell(const std::optional<Bound>& bound, int digits) {
     if (!bound) {
         return "";
@@ -41,6 +44,7 @@ std::string bound_cell(const std::optional<Bound>& bound, int digits) {
     return number(bound->lowest, digits) + ".." + number(bound->highest, digits);
 }
 
+// A value as text; "!" marks one that lies outside its bound.
 std::string value_cell(const DanceQuantity& quantity,
                        const MeasuredDance& dance,
                        const JerkStandard& jerk) {
@@ -52,7 +56,7 @@ std::string value_cell(const DanceQuantity& quantity,
     return number(*value, quantity.digits) + (bound && !bound->holds(*value) ? "!" : "");
 }
 
-/// The bound of the first kind that has one: each quantity is judged alike wherever it is.
+// The bound of the first kind of trial that has one: the table has one row of bounds for all kinds.
 std::optional<Bound> any_bound(const DanceQuantity& quantity, const JerkStandard& jerk) {
     for (const TrialKind kind : {TrialKind::steady, TrialKind::ramp, TrialKind::breaks}) {
         if (const auto bound = quantity.bound(kind, jerk)) {
@@ -62,7 +66,7 @@ std::optional<Bound> any_bound(const DanceQuantity& quantity, const JerkStandard
     return std::nullopt;
 }
 
-/// Dances as rows, one table a topic.
+// One table: dances as rows, quantities as columns, bounds in the second row.
 std::string table_of(std::span<const MeasuredDance* const> dances,
                      const JerkStandard& jerk,
                      const TopicTitle& topic) {
@@ -83,6 +87,7 @@ std::string table_of(std::span<const MeasuredDance* const> dances,
     return fmt::format("{}\n\n{}\n", topic.title, text_table(rows));
 }
 
+// Median of one member over all repeats.
 double median_of(const std::vector<motion::Amplitude>& amplitudes,
                  double motion::Amplitude::*member) {
     std::vector<double> values;
@@ -93,9 +98,10 @@ double median_of(const std::vector<motion::Amplitude>& amplitudes,
     return motion::percentile(std::move(values), 0.5);
 }
 
-/// Between repeats of one figure. Of people all pairs; of trials those within one trial: the seed
-/// is the same in all of them, and so is what it draws.
+// Distances between repeats of one figure. Of people between all pairs; of trials within each trial
+// only, since the seed is the same in all trials and so are the draws.
 std::vector<double> distances_of(const motion::FigureMeasures& all,
+                                 // People's takes come without a kind.
                                  std::span<const MeasuredDance> dances) {
     if (dances.empty() || !dances.front().kind) {
         return motion::repeat_distances(all.shapes);
@@ -112,6 +118,7 @@ std::vector<double> distances_of(const motion::FigureMeasures& all,
     return distances;
 }
 
+// One row a figure of these dances; distances in centimetres.
 void append_figures(std::vector<Row>& rows,
                     const char* who,
                     std::span<const MeasuredDance> dances) {
@@ -146,12 +153,12 @@ std::string figures_table(const DanceReport& report) {
     return "Figures (medians; speed by pace)\n\n" + text_table(rows) + "\n";
 }
 
-/// Two repeats of one figure: salsa's absolute values.
+// True when two repeats differ enough and not too much. The bound is absolute, from people's salsa.
 bool is_varied(const engine::DancedWrittenFigure& figure) {
     return kRepeatDistance.holds(figure.measures.repeat_distance);
 }
 
-/// Nothing where the dance was captured.
+// The table of written figures, with their faults below; empty where the dance was captured.
 std::string written_table(const DanceReport& report) {
     if (report.written.empty()) {
         return "";
@@ -189,9 +196,11 @@ std::string written_table(const DanceReport& report) {
            text_table(rows) + "\n" + faults + (faults.empty() ? "" : "\n");
 }
 
-/// The bounds of jerk are people's own at their own tempo; the filter spares no faster dance.
+// People's jerk at other paces. The bounds hold at people's own tempo; the low-pass filter takes
+// more of a faster dance, so that the same bound is easier to keep there.
 std::string paces_table(const DanceReport& report) {
     const auto jerks = jerk_by_pace(report.people);
+    // The column of people's own tempo: shares are relative to it.
     const auto own = std::find(motion::kJudgedPaces.begin(), motion::kJudgedPaces.end(), 1.0) -
                      motion::kJudgedPaces.begin();
     std::vector<Row> rows = {{"pace"}, {"jerk rms"}, {"share"}};
@@ -204,7 +213,7 @@ std::string paces_table(const DanceReport& report) {
            text_table(rows) + "\n";
 }
 
-/// Nothing where nobody danced as a couple.
+// The table of a couple's measures; empty where nobody danced as a couple.
 std::string couple_table(const DanceReport& report) {
     std::vector<Row> rows = {
         {"trial", "hands p90 cm", "past one another p90 deg", "closest cm", "in", "overlap %"},
@@ -226,11 +235,14 @@ std::string couple_table(const DanceReport& report) {
                             number(1e2 * couple->overlapping, 2)});
         }
     }
+    // Two rows are the heads and the bounds.
     return rows.size() > 2
                ? "The couple (hands and facing in the basic)\n\n" + text_table(rows) + "\n"
                : "";
 }
 
+// One line: how many of the bounded values lie within their bounds. A missing value counts as
+// outside.
 std::string verdict(const DanceReport& report) {
     const JerkStandard jerk = jerk_standard(report.dance, report.role);
     std::size_t bounded = 0;
@@ -246,7 +258,8 @@ std::string verdict(const DanceReport& report) {
         }
     }
     for (const engine::DancedWrittenFigure& figure : report.written) {
-        bounded += 2;  // its file's expectations; two repeats apart
+        // Two bounds a figure: its file's expectations, and the distance of two repeats.
+        bounded += 2;
         outside += (figure.faults.empty() ? 0U : 1U) + (is_varied(figure) ? 0U : 1U);
     }
     return fmt::format(
@@ -255,6 +268,7 @@ std::string verdict(const DanceReport& report) {
 
 }  // namespace
 
+// The quantities that takes of people have lie where a trial's lie.
 std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes) {
     std::vector<MeasuredDance> rows;
     for (const motion::CapturedDance& take : takes) {
@@ -270,6 +284,7 @@ std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes)
 
 std::array<double, motion::kJudgedPaces.size()> jerk_by_pace(std::span<const MeasuredDance> takes) {
     motion::JerkByPace all{};
+    // Pooled by sums and counts, so that long takes count for more.
     std::array<double, motion::kJudgedPaces.size()> rms{};
     for (std::size_t p = 0; p < rms.size(); ++p) {
         for (const MeasuredDance& take : takes) {
@@ -281,6 +296,8 @@ std::array<double, motion::kJudgedPaces.size()> jerk_by_pace(std::span<const Mea
     return rms;
 }
 
+// Landings are pooled one by one and summarized again: means of means would weigh short takes too
+// much.
 MeasuredDance all_people(std::span<const MeasuredDance> takes) {
     MeasuredDance all{"people", std::nullopt, {}};
     std::vector<motion::DanceMeasures> measures;
@@ -299,6 +316,7 @@ MeasuredDance all_people(std::span<const MeasuredDance> takes) {
     return all;
 }
 
+// Only the figures' measures are pooled here; the rest of the measures is not needed.
 std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dances) {
     std::vector<motion::DanceMeasures> measures;
     for (const MeasuredDance& dance : dances) {

@@ -14,91 +14,99 @@
 
 namespace raks::apps {
 
-/// A dance that was measured: of the dancer, or of people.
+/// A measured dance: one trial of the dancer, or one take of people.
 struct MeasuredDance {
-    std::string name;
-    std::optional<engine::TrialKind> kind;  ///< none: people
-    engine::TrialResult result;
-    motion::JerkByPace jerk_by_pace{};  ///< of people
+    std::string name;                       ///< of the trial or take
+    std::optional<engine::TrialKind> kind;  ///< none: a take of people
+    engine::TrialResult result;         ///< of people only what they have: landings and measures
+    motion::JerkByPace jerk_by_pace{};  ///< of people only
 };
 
-/// [lowest, highest] that a quantity may have.
+/// The range that a quantity must lie in, both ends included.
 struct Bound {
-    double lowest = -std::numeric_limits<double>::infinity();
-    double highest = std::numeric_limits<double>::infinity();
+    double lowest = -std::numeric_limits<double>::infinity();  ///< -infinity: no lower bound
+    double highest = std::numeric_limits<double>::infinity();  ///< +infinity: no upper bound
 
+    /// True inside the range; false for NaN.
     [[nodiscard]] bool holds(double value) const noexcept {
         return value >= lowest && value <= highest;
     }
 };
 
-/// How smooth a dance must be, m/s^3: beside the people that it was learnt from, or, written, by
-/// absolute values.
+/// Bounds of the jerk, m/s^3: relative to the people that a dance was learnt from, or, for a
+/// written dance, absolute values.
 struct JerkStandard {
-    std::optional<Bound> rms;
-    std::optional<Bound> p999;
-    std::optional<Bound> highest;
+    std::optional<Bound> rms;      ///< of the root mean square
+    std::optional<Bound> p999;     ///< of what a thousandth of the values exceeds
+    std::optional<Bound> highest;  ///< of the highest value
 };
+/// The bounds for a dance and role. Threads: any.
 [[nodiscard]] JerkStandard jerk_standard(const DanceInfo& dance, motion::DanceRole role) noexcept;
 
+/// Everything that `raks eval dance` reports.
 struct DanceReport {
-    DanceInfo dance;
-    motion::DanceRole role = motion::DanceRole::lead;
-    std::string generator = "trajectories";
-    std::int64_t seed = 1;
-    std::vector<MeasuredDance> trials;
-    std::vector<MeasuredDance> people;                 ///< by take, empty without clips
+    DanceInfo dance;                                   ///< that was danced
+    motion::DanceRole role = motion::DanceRole::lead;  ///< that was measured
+    std::string generator = "trajectories";            ///< its name, as in the settings
+    std::int64_t seed = 1;                             ///< of the dancers
+    std::vector<MeasuredDance> trials;  ///< one a trial, in the order of standard_trials()
+    std::vector<MeasuredDance> people;  ///< by take, empty without clips
     std::vector<engine::DancedWrittenFigure> written;  ///< each by itself; empty: captured
 };
 
 /// Captured takes as rows of the report. What only a dancer has (pace, re-anchors) stays empty.
 [[nodiscard]] std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes);
-/// Of all takes together, had they danced at motion::kJudgedPaces. Jerk rms, by pace.
+/// RMS of the jerk over all takes, m/s^3, had they been danced at each of motion::kJudgedPaces.
 [[nodiscard]] std::array<double, motion::kJudgedPaces.size()> jerk_by_pace(
     std::span<const MeasuredDance> takes);
-/// All takes as one, samples pooled. At least one.
+/// All takes as one row, their samples pooled. `takes`: at least one.
 [[nodiscard]] MeasuredDance all_people(std::span<const MeasuredDance> takes);
 
-/// One column of the report.
+/// One quantity: a column of the report.
 struct DanceQuantity {
+    /// The tables that the columns are divided into.
     enum class Topic : std::uint8_t { landing, feet, smoothness, others };
-    Topic topic;
+    Topic topic;             ///< whose table it is in
     std::string_view id;     ///< in JSON: "landing_mean_ms"
     std::string_view title;  ///< of the column: "mean ms"
-    int digits;
-    /// Nothing where the dance has none.
+    int digits;              ///< decimals in the text table
+    /// Reads it from a dance; nothing where the dance does not have it.
     std::optional<double> (*value)(const MeasuredDance& dance);
-    /// Of a trial; nothing: only reported.
+    /// Its bound for a kind of trial; nothing: it is only reported.
     std::optional<Bound> (*bound)(engine::TrialKind kind, const JerkStandard& jerk);
 };
+/// All quantities, topic by topic. Threads: any.
 [[nodiscard]] std::span<const DanceQuantity> dance_quantities() noexcept;
 
-/// What a couple must keep to.
+/// Bound for the distance of hands that hold one another: 90th percentile in the basic, metres.
 inline constexpr Bound kCoupleHands = {.highest = 0.25};  ///< metres, p90 in the basic
-/// Metres: legs that step between one another touch; trunks that pass do not.
+/// Least distance skin to skin, metres: legs that step between one another touch; trunks that pass
+/// do not.
 inline constexpr Bound kCoupleClosest = {.lowest = -0.05};
 
-/// Metres between two repeats of a written figure; people's salsa: 11.6.
+/// Distance between two repeats of a written figure, metres; people's salsa: 0.116.
 inline constexpr Bound kRepeatDistance = {0.06, 0.14};
 
 /// One figure over several dances.
 struct FigureSummary {
-    std::string figure;
-    std::size_t repeats = 0;
+    std::string figure;            ///< its name
+    std::size_t repeats = 0;       ///< whole repeats that were measured
     double hips_travel = 0.0;      ///< median; metres
     double toe_travel = 0.0;       ///< median; metres
     double peak_toe_speed = 0.0;   ///< median; m/s
     double peak_ball_speed = 0.0;  ///< median; m/s
-    /// Between repeats, metres: of people any two, of trials two of one trial (the seed is the same
-    /// in all). Nothing with less than two.
+    /// Median, 10th and 90th percentile of the distance between repeats, metres: of people between
+    /// any two, of trials between two of the same trial (the seed is the same in all). Nothing with
+    /// less than two repeats.
     std::optional<double> distance_median, distance_p10, distance_p90;
 };
+/// One summary for each figure that these dances have.
 [[nodiscard]] std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dances);
 
-/// Tables in Markdown, a topic each: bounds, trials (what is out of bounds marked by "!"), people.
+/// Tables in Markdown, one a topic: bounds, trials (values out of bounds marked by "!"), people.
 [[nodiscard]] std::string to_text(const DanceReport& report);
 
-/// One document: format "raks-eval-dance", version 1.
+/// One JSON document: format "raks-eval-dance", version 1.
 [[nodiscard]] std::string to_json(const DanceReport& report);
 
 }  // namespace raks::apps

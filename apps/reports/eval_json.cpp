@@ -7,6 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Scores by the short names of the measures; null where a tracker has no value.
 Json scores_of(const audio::BeatScores& scores) {
     Json document = Json::object();
     for (std::size_t i = 0; i < audio::kBeatMeasures; ++i) {
@@ -17,6 +18,7 @@ Json scores_of(const audio::BeatScores& scores) {
     return document;
 }
 
+// One tracker: means by class, then every excerpt.
 Json tracker_of(const BeatReport& report, const ScoredTracker& tracker) {
     Json groups = Json::array();
     for (const BeatGroup& group : groups_of(report)) {
@@ -43,7 +45,7 @@ std::string to_json(const BeatReport& report) {
     for (const ScoredTracker& tracker : report.trackers) {
         trackers.push_back(tracker_of(report, tracker));
     }
-    // A file name need not be UTF-8; what is not is shown as the replacement character.
+    // A file's name need not be UTF-8; invalid bytes become the replacement character.
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -13,12 +13,14 @@ namespace {
 
 using audio::BeatMeasure;
 
+// The measures that several trackers are compared by, one table each.
 constexpr std::array kByClass = {BeatMeasure::f,
                                  BeatMeasure::cml_total,
                                  BeatMeasure::aml_total,
                                  BeatMeasure::prediction_f,
                                  BeatMeasure::downbeat_f};
 
+// Shares as percentages, other units as they are; "-" where there is no value.
 std::string cell(BeatMeasure measure, const std::optional<double>& value) {
     if (!value) {
         return "-";
@@ -27,6 +29,7 @@ std::string cell(BeatMeasure measure, const std::optional<double>& value) {
     return fmt::format("{:.1f}", is_share ? 100.0 * *value : *value);
 }
 
+// The heads of the columns, in the order of append_scores().
 void append_measure_names(Row& row) {
     for (std::size_t i = 0; i < audio::kBeatMeasures; ++i) {
         row.emplace_back(audio::info_of(static_cast<BeatMeasure>(i)).name);
@@ -42,6 +45,7 @@ void append_scores(Row& row, const audio::BeatSummary& summary) {
     row.push_back(std::to_string(summary.never_locked));
 }
 
+// Rows: classes; columns: measures.
 std::string one_tracker_by_class(const BeatReport& report) {
     std::vector<Row> rows = {{report.trackers.front().name, "n"}};
     append_measure_names(rows.front());
@@ -52,6 +56,7 @@ std::string one_tracker_by_class(const BeatReport& report) {
     return text_table(rows);
 }
 
+// Rows: trackers; columns: measures over all excerpts.
 std::string trackers_over_all(const BeatReport& report) {
     const BeatGroup all = groups_of(report).front();
     std::vector<Row> rows = {{fmt::format("{} excerpts", report.excerpts.size())}};
@@ -62,6 +67,7 @@ std::string trackers_over_all(const BeatReport& report) {
     return text_table(rows);
 }
 
+// Rows: trackers; columns: classes, for one measure. Empty where no tracker has the measure.
 std::string trackers_by_class(const BeatReport& report, BeatMeasure measure) {
     const std::vector<BeatGroup> groups = groups_of(report);
     std::vector<Row> rows = {{std::string(audio::info_of(measure).name)}};
@@ -73,7 +79,7 @@ std::string trackers_by_class(const BeatReport& report, BeatMeasure measure) {
         for (const BeatGroup& group : groups) {
             row.push_back(cell(measure, summary_of(tracker, group).scores[measure]));
         }
-        // A tracker that tells no bars or predicts nothing has no place in that table.
+        // A tracker without bars or predictions is left out of the tables of those.
         if (std::any_of(row.begin() + 1, row.end(), [](const auto& c) { return c != "-"; })) {
             rows.push_back(std::move(row));
         }
@@ -81,6 +87,7 @@ std::string trackers_by_class(const BeatReport& report, BeatMeasure measure) {
     return rows.size() > 1 ? "\n" + text_table(rows) : std::string();
 }
 
+// Rows: excerpts; columns: measures. A group of one excerpt gives its own scores.
 std::string by_excerpt(const BeatReport& report, const ScoredTracker& tracker) {
     std::vector<Row> rows = {{tracker.name, "class"}};
     append_measure_names(rows.front());
@@ -93,6 +100,7 @@ std::string by_excerpt(const BeatReport& report, const ScoredTracker& tracker) {
 
 }  // namespace
 
+// "all" comes first; classes follow in the order of their first excerpt.
 std::vector<BeatGroup> groups_of(const BeatReport& report) {
     std::vector<BeatGroup> groups = {{"all", {}}};
     for (std::size_t i = 0; i < report.excerpts.size(); ++i) {
@@ -109,6 +117,7 @@ std::vector<BeatGroup> groups_of(const BeatReport& report) {
     return groups;
 }
 
+// The summary decides how missing values count.
 audio::BeatSummary summary_of(const ScoredTracker& tracker, const BeatGroup& group) {
     std::vector<audio::BeatScores> scores;
     for (const std::size_t i : group.excerpts) {

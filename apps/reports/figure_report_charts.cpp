@@ -23,21 +23,24 @@ using motion::StatesTried;
 constexpr const char* kGrey = "#64748b";
 constexpr const char* kInk = "#0f172a";
 
+// The report of one part of the body.
 const PartReport& part_of(const FigureReport& report, Part part) {
     return report.parts[static_cast<std::size_t>(part)];
 }
 
+// SVG attributes of a line.
 std::string stroke(std::string_view colour, double width) {
     return fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\"", colour, width);
 }
 
-/// `range` wider by a share on both sides, and at least `least` wide.
+// The range [low, high], widened on both sides by a share of it, and to at least `least`.
 Chart::Range padded(double low, double high, double share, double least) {
     const double spare = std::max(share * (high - low), 0.5 * (least - (high - low)));
     return {low - spare, high + spare};
 }
 
-/// Ticks at states 1 ... n, every other when they are many.
+// Ticks at states 1 to n; every second one when there are more than 12, so that the labels do not
+// touch.
 void tick_states(Chart& chart, std::size_t states, double offset) {
     const std::size_t step = states > 12 ? 2 : 1;
     for (std::size_t k = 0; k < states; k += step) {
@@ -45,7 +48,8 @@ void tick_states(Chart& chart, std::size_t states, double offset) {
     }
 }
 
-/// One line of the selection; ticks and label of the states only where asked for.
+// An empty chart for one line of the selection: x spans the numbers tried, y the values of this
+// line. Without a label of x it is lower: the chart below carries the label.
 Chart selection_chart(const PartSelection& selection,
                       double StatesTried::*value,
                       double height,
@@ -56,6 +60,7 @@ Chart selection_chart(const PartSelection& selection,
         low = std::min(low, tried.*value);
         high = std::max(high, tried.*value);
     }
+    // A little room beyond the first and last number, for dots and rings.
     Chart chart({.height = height,
                  .x = {selection.tried.front().states - 0.6, selection.tried.back().states + 0.6},
                  .y = padded(low, high, 0.14, 0.2),
@@ -70,6 +75,7 @@ Chart selection_chart(const PartSelection& selection,
     return chart;
 }
 
+// The line's points: number of states and value.
 std::vector<Chart::Point> points_of(const PartSelection& selection, double StatesTried::*value) {
     std::vector<Chart::Point> points;
     for (const StatesTried& tried : selection.tried) {
@@ -78,7 +84,7 @@ std::vector<Chart::Point> points_of(const PartSelection& selection, double State
     return points;
 }
 
-/// The values of a curve against beats from count 1.
+// A curve's points: x is the beat, from 0 at count 1.
 std::vector<Chart::Point> curve_points(const std::vector<double>& values, double samples_per_beat) {
     std::vector<Chart::Point> points;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -87,7 +93,8 @@ std::vector<Chart::Point> curve_points(const std::vector<double>& values, double
     return points;
 }
 
-/// The mean of the state that each sample lies in, as steps.
+// The means of the states along a path, as steps: each state gives a point where it begins and one
+// where it ends.
 std::vector<Chart::Point> step_points(const std::vector<double>& means,
                                       const std::vector<std::size_t>& path,
                                       double samples_per_beat) {
@@ -105,11 +112,13 @@ std::vector<Chart::Point> step_points(const std::vector<double>& means,
     return points;
 }
 
+// Mean and sample standard deviation.
 struct MeanAndDeviation {
     double mean = 0.0;
     double deviation = 0.0;
 };
 
+// Divided by n - 1: the repeats are a sample. One value has no deviation.
 MeanAndDeviation spread_of(const std::vector<double>& values) {
     const double n = static_cast<double>(values.size());
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
@@ -127,6 +136,7 @@ const char* colour_of(Part part) {
     return kColours[static_cast<std::size_t>(part)];
 }
 
+// Two charts: held-out on top, since it decides; training below, which only rises.
 std::string draw_selection(Part part, const PartSelection& selection) {
     const char* const colour = colour_of(part);
     Chart held_out = selection_chart(selection, &StatesTried::held_out, 210.0, "");
@@ -135,6 +145,7 @@ std::string draw_selection(Part part, const PartSelection& selection) {
     for (const Chart::Point& point : points) {
         held_out.dot(point, 2.6, fmt::format("fill=\"{}\"", colour));
     }
+    // Solid ring: the chosen number. Dashed ring: the peak, where that is another.
     for (const Chart::Point& point : points) {
         const int states = static_cast<int>(point.first);
         if (states == selection.chosen) {
@@ -152,6 +163,7 @@ std::string draw_selection(Part part, const PartSelection& selection) {
            "<div class=\"over\">training, nats a sample</div>\n" + training.svg();
 }
 
+// All repeats share one range of y, so that they can be compared.
 std::string draw_curve(Part part, const FeatureCurve& curve, const FigureReport& report) {
     double low = *std::min_element(curve.state_means.begin(), curve.state_means.end());
     double high = *std::max_element(curve.state_means.begin(), curve.state_means.end());
@@ -171,10 +183,12 @@ std::string draw_curve(Part part, const FeatureCurve& curve, const FigureReport&
                      .bottom = 18.0,
                      .top = 4.0});
         chart.grid_y(3);
+        // Count c begins at beat c - 1.
         for (int count = 1; count <= report.beats; ++count) {
             chart.tick_x(count - 1.0, std::to_string(count));
         }
         chart.line(curve_points(curve.repeats[i], samples_per_beat), stroke(kGrey, 1.3));
+        // Each repeat has a state path of its own.
         chart.line(
             step_points(
                 curve.state_means, part_of(report, part).paths[report.shown[i]], samples_per_beat),
@@ -188,11 +202,14 @@ std::string draw_occurrence(Part part, const FigureReport& report) {
     const PartReport& data = part_of(report, part);
     const double states = static_cast<double>(data.states());
     const double counts = static_cast<double>(report.beats);
+    // One row of 23 pixels a count, and the margins.
     Chart chart({.height = 44.0 + 23.0 * counts,
                  .x = {0.0, states},
+                 // From high to low: count 1 is at the top.
                  .y = {counts, 0.0},
                  .x_label = "state",
                  .left = 28.0});
+    // Width of a cell in pixels: the chart's width less its margins.
     const double cell = (380.0 - 36.0) / states;
     for (std::size_t c = 0; c < data.occurrence.size(); ++c) {
         const double count = static_cast<double>(c);
@@ -200,17 +217,21 @@ std::string draw_occurrence(Part part, const FigureReport& report) {
         for (std::size_t k = 0; k < data.states(); ++k) {
             const double state = static_cast<double>(k);
             const double share = data.occurrence[c][k];
+            // Below half a per cent nothing is drawn.
             if (share < 0.005) {
                 continue;
             }
+            // Even small shares keep a visible shade.
             chart.box({state, count},
                       {state + 1.0, count + 1.0},
                       fmt::format("fill=\"{}\" fill-opacity=\"{:.2f}\"",
                                   colour_of(part),
                                   std::min(1.0, 0.06 + 0.94 * share)));
+            // Numbers only where they fit and say something.
             if (cell > 15.0 && share >= 0.095) {
                 chart.mark({state + 0.5, count + 0.5},
                            3.5,
+                           // White on dark cells.
                            share > 0.45 ? "#ffffff" : kInk,
                            fmt::format("{:.0f}", 100.0 * share));
             }
@@ -220,6 +241,7 @@ std::string draw_occurrence(Part part, const FigureReport& report) {
     return chart.svg();
 }
 
+// The longest stay sets the range: every dot and every whisker must fit.
 std::string draw_stays(Part part, const FigureReport& report) {
     const PartReport& data = part_of(report, part);
     double longest = 0.0;
@@ -232,6 +254,7 @@ std::string draw_stays(Part part, const FigureReport& report) {
     const double states = static_cast<double>(data.states());
     Chart chart({.x = {0.0, states}, .y = {0.0, 1.08 * longest}, .x_label = "state", .left = 36.0});
     chart.grid_y(4);
+    // All states of the same length would last this many beats.
     const double even = report.beats / states;
     const std::array<Chart::Point, 2> even_line = {Chart::Point{0.0, even}, {states, even}};
     chart.line(even_line, fmt::format("stroke-dasharray=\"4 4\" {}", stroke(kGrey, 1.2)));
@@ -247,6 +270,7 @@ std::string draw_stays(Part part, const FigureReport& report) {
                       2.2,
                       fmt::format("fill=\"{}\" fill-opacity=\"0.45\"", colour_of(part)));
         }
+        // Bar: mean. Whisker: one standard deviation to either side.
         const MeanAndDeviation spread = spread_of(stays);
         const std::array<Chart::Point, 2> whisker = {
             Chart::Point{middle, std::max(0.0, spread.mean - spread.deviation)},

@@ -18,7 +18,7 @@ using motion::Decisions;
 using motion::FigureReport;
 using motion::Part;
 
-/// "cross_body_lead" as words.
+// "cross_body_lead" as "cross body lead", escaped for HTML.
 std::string words_of(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return xml_text(name);
@@ -32,7 +32,8 @@ std::string_view name_of(Part part) { return motion::kPartNames[static_cast<std:
 
 using Parts = std::span<const Part>;
 
-/// One cell of a grid for each part, headed by the part's name in its colour.
+// A grid with one cell a part, headed by the part's name in its colour; `draw(part)` gives the
+// cell's content.
 template <typename Draw>
 std::string side_by_side(const FigureReport& figure, const Draw& draw) {
     std::string grid = "<div class=\"three\">\n";
@@ -45,6 +46,8 @@ std::string side_by_side(const FigureReport& figure, const Draw& draw) {
     return grid + "</div>\n";
 }
 
+// One row a figure: repeats, takes, and for each part the chosen number of states with its held-out
+// log-likelihood.
 std::string overview(const ReportData& data) {
     std::string table =
         "<table><thead><tr><th>figure</th><th>dancer</th><th>repeats</th><th>takes</th>";
@@ -54,10 +57,12 @@ std::string overview(const ReportData& data) {
     }
     table += "</tr></thead><tbody>\n";
     for (const FigureReport& figure : data.figures) {
+        // The folds divide the takes among them.
         std::size_t takes = 0;
         for (const auto& fold : figure.folds) {
             takes += fold.size();
         }
+        // The list of takes has one entry a repeat.
         table += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
                              words_of(figure.figure),
                              name_of(figure.role),
@@ -67,6 +72,7 @@ std::string overview(const ReportData& data) {
             const motion::PartSelection& selection =
                 figure.parts[static_cast<std::size_t>(part)].selection;
             const auto& tried = selection.tried;
+            // The chosen number is always among those that were tried.
             const auto chosen = std::find_if(tried.begin(), tried.end(), [&](const auto& one) {
                 return one.states == selection.chosen;
             });
@@ -80,6 +86,7 @@ std::string overview(const ReportData& data) {
     return table + "</tbody></table>\n";
 }
 
+// Fig. 11 of each part.
 std::string selection_section(const FigureReport& figure) {
     return fmt::format(
                "<h3>How many states</h3>\n<p>Mean log-likelihood of repeats whose take was left "
@@ -93,12 +100,14 @@ std::string selection_section(const FigureReport& figure) {
            });
 }
 
+// Fig. 12: a heading with the takes, then one row a feature.
 std::string curves_section(const FigureReport& figure) {
     std::string section = fmt::format(
         "<h3>What the states mean</h3>\n<p>{} repeats (grey) over the counts and, in colour, the "
         "means of the states that they pass through. Of each part the two features that move most "
         "from state to state.</p>\n<div class=\"row\">",
         figure.shown.size());
+    // Columns of this row and of the curves below have the same width.
     for (const std::size_t r : figure.shown) {
         section += fmt::format("<div class=\"take\">take {}</div>", xml_text(figure.takes[r]));
     }
@@ -120,6 +129,7 @@ std::string curves_section(const FigureReport& figure) {
     return section;
 }
 
+// Figs. 13 and 14 of each part.
 std::string tables_section(const FigureReport& figure) {
     return "<h3>Counts against states</h3>\n<p>Which share of each count (rows, %) is spent in "
            "which state: the most likely path of every repeat. A sharp diagonal says that the "
@@ -130,6 +140,7 @@ std::string tables_section(const FigureReport& figure) {
            side_by_side(figure, [&](Part part) { return draw_stays(part, figure); });
 }
 
+// A confusion matrix: rows are danced, columns decided; right cells green, wrong ones red.
 std::string decisions_table(const std::string& caption,
                             const std::vector<std::string>& figures,
                             const Decisions& decisions) {
@@ -158,18 +169,20 @@ std::string decisions_table(const std::string& caption,
     return table + "</tbody></table>\n";
 }
 
+// "12 of 15 (80 %)".
 std::string percent(int right, int total) {
     return total == 0 ? "-"
                       : fmt::format("{} of {} ({:.0f} %)", right, total, 100.0 * right / total);
 }
 
-/// Every two figures told apart from each other alone.
+// Decisions between every two figures, as if there were no others; only of unseen takes.
 std::string pairs_table(const ClassifierEvaluation& classifier) {
     std::string table =
         "<table><caption>Two at a time, unseen takes</caption><thead><tr><th>between</th>";
     for (const DancerEvaluation& dancer : classifier.dancers) {
         table += fmt::format("<th>{}</th>", name_of(dancer.role));
     }
+    // Both dancers' decisions exist only where both were reported.
     const bool has_couple = !classifier.couple.confusion.empty();
     table += has_couple ? "<th>both</th>" : "";
     table += "</tr></thead><tbody>\n";
@@ -195,6 +208,7 @@ std::string pairs_table(const ClassifierEvaluation& classifier) {
     return table + "</tbody></table>\n";
 }
 
+// The weights of the parts, as shares of their sum, and the decisions by each part alone.
 std::string weights_table(const ClassifierEvaluation& classifier, Parts parts) {
     std::string table =
         "<table><caption>Weights of the parts, and each part alone</caption><thead><tr>"
@@ -205,6 +219,7 @@ std::string weights_table(const ClassifierEvaluation& classifier, Parts parts) {
     table += "</tr></thead><tbody>\n";
     for (const DancerEvaluation& dancer : classifier.dancers) {
         table += fmt::format("<tr><td>{}</td>", name_of(dancer.role));
+        // Only the proportions of the weights matter.
         double sum = 0.0;
         for (const Part part : parts) {
             sum += dancer.weights[static_cast<std::size_t>(part)];
@@ -221,6 +236,7 @@ std::string weights_table(const ClassifierEvaluation& classifier, Parts parts) {
     return table + "</tbody></table>\n";
 }
 
+// The classifier: confusion on left-out takes and, with a test split, on unseen takes.
 std::string classifier_section(const ClassifierEvaluation& classifier, Parts parts) {
     std::string section =
         "<h2 id=\"apart\">Tells figures apart</h2>\n<p>A model of every part of every figure says "
@@ -233,6 +249,7 @@ std::string classifier_section(const ClassifierEvaluation& classifier, Parts par
             std::string(name_of(dancer.role)) + " alone", classifier.figures, dancer.left_out);
     }
     section += "</div>\n";
+    // Without a test split there are no unseen takes.
     if (classifier.dancers.front().unseen.total() == 0) {
         return section;
     }
@@ -256,6 +273,7 @@ std::string draw_report(const ReportData& data) {
         data.figures.front().features == motion::FigureFeatures::positions
             ? "where the joints of the upper and the lower body are"
             : "the joints' angles of torso, arms and legs");
+    // The overview first, then each figure, then all of them against one another.
     page += overview(data);
     for (const FigureReport& figure : data.figures) {
         page += fmt::format("<h2>{} <span class=\"sub\">of the {}, {} repeats</span></h2>\n",

@@ -9,17 +9,17 @@
 
 namespace raks::apps {
 
-/// What `raks train report` found.
+/// The results of `raks train report`.
 struct ReportData {
-    std::string dance;
-    std::vector<motion::FigureReport> figures;
+    std::string dance;                          ///< its name
+    std::vector<motion::FigureReport> figures;  ///< by dancer, then in the order of --figure
     std::optional<motion::ClassifierEvaluation> classifier;  ///< with two figures or more
 };
 
-/// One HTML page that needs nothing else: for every figure the log-likelihood against the number of
-/// states, the state means over a few realizations, counts against states and the states' lengths
-/// (the paper's Figs. 11 to 14); then how well the figures are told apart. The same data give the
-/// same bytes. Threads: any. Real-time: no.
+/// One self-contained HTML page: for every figure the log-likelihood against the number of states,
+/// the state means over a few repeats, counts against states and the states' durations (the paper's
+/// Figs. 11 to 14); then how well the figures are told apart. The same data give the same bytes.
+/// Threads: any. Real-time: no.
 [[nodiscard]] std::string draw_report(const ReportData& data);
 
 }  // namespace raks::apps

@@ -13,10 +13,10 @@
 namespace raks::apps {
 namespace {
 
-// One for each kind of evidence.
+// One colour a kind of evidence, in the order of the rows.
 constexpr std::array kColours = {"#dc2626", "#2563eb", "#7c3aed", "#ca8a04", "#64748b", "#16a34a"};
 
-/// From 0 to `most_x` and from 0 to 1.
+// An empty chart: x from 0 to `most_x`, y from 0 to 1.
 Chart empty_chart(double most_x, std::string_view x_label) {
     Chart chart({.width = 560.0, .height = 280.0, .x = {0.0, most_x}, .y = {}, .x_label = x_label});
     chart.grid_y(5);
@@ -26,7 +26,7 @@ Chart empty_chart(double most_x, std::string_view x_label) {
     return chart;
 }
 
-/// A curve with a dot at each point.
+// A line with a dot at each point.
 void draw_curve(Chart& chart, std::span<const Chart::Point> points, std::string_view colour) {
     chart.line(points, fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour));
     for (const Chart::Point& point : points) {
@@ -34,8 +34,11 @@ void draw_curve(Chart& chart, std::span<const Chart::Point> points, std::string_
     }
 }
 
-/// Macro recall against the window's length, one line a kind of evidence.
+// Mean recall over the genres against the window's length, one line a kind of evidence, with a
+// legend.
 std::string recall_chart(const GenrePage& page) {
+    // The rows come evidence by evidence: a new name begins a new line.
+    // The longest window that genre models use.
     constexpr double kMostSeconds = 10.0;
     std::vector<std::pair<std::string, std::vector<Chart::Point>>> lines;
     for (const GenrePage::Row& row : page.rows) {
@@ -47,6 +50,7 @@ std::string recall_chart(const GenrePage& page) {
     Chart chart = empty_chart(kMostSeconds, "window, s");
     std::string legend = "<p>";
     for (std::size_t i = 0; i < lines.size(); ++i) {
+        // at() and %: more kinds than colours would begin again.
         const char* const colour = kColours.at(i % kColours.size());
         draw_curve(chart, lines[i].second, colour);
         legend +=
@@ -55,9 +59,11 @@ std::string recall_chart(const GenrePage& page) {
     return legend + "</p>\n" + chart.svg();
 }
 
-/// How often what is said with some chance is right.
+// Share of right decisions against the posterior that was given to them, by bins of the posterior.
+// Calibrated posteriors lie on the dashed diagonal.
 std::string reliability_chart(const audio::GenreTally& tally) {
     std::vector<Chart::Point> points;
+    // Sums of a bin become means; empty bins have no point.
     for (const audio::GenreTally::Bin& bin : tally.reliability) {
         if (bin.weight > 0.0) {
             points.emplace_back(bin.chance / bin.weight, bin.right / bin.weight);
@@ -70,7 +76,7 @@ std::string reliability_chart(const audio::GenreTally& tally) {
     return chart.svg();
 }
 
-/// Genres that were not judged are left out as truths.
+// Confusion matrix in shares of each true genre. Genres that were not judged have no row.
 std::string confusion_table(const GenrePage& page, const audio::GenreTally& tally) {
     std::string html = "<table><thead><tr><th>truth</th>";
     for (const std::string& genre : page.genres) {
@@ -85,6 +91,7 @@ std::string confusion_table(const GenrePage& page, const audio::GenreTally& tall
         html += fmt::format("<tr><td>{}</td>", page.genres[truth]);
         for (std::size_t c = 0; c < page.genres.size(); ++c) {
             html += fmt::format("<td class=\"{}\">{:.2f}</td>",
+                                // Below half a per cent a cell is pale.
                                 shares[c] < 0.005 ? "none"
                                 : c == truth      ? "own"
                                                   : "wrong",
@@ -95,6 +102,7 @@ std::string confusion_table(const GenrePage& page, const audio::GenreTally& tall
     return html + "</tbody></table>\n";
 }
 
+// All measures, one row for each kind of evidence and window length.
 std::string rows_table(const GenrePage& page) {
     std::string html = fmt::format(
         "<table><thead><tr><th>evidence</th><th>window</th><th>mean recall</th><th>{}</th>"
@@ -114,6 +122,7 @@ std::string rows_table(const GenrePage& page) {
     return html + "</tbody></table>\n";
 }
 
+// Recordings of which less than half of the windows are right, the worst first.
 std::string failing_table(const GenrePage& page) {
     std::vector<GenrePage::File> failing;
     std::copy_if(page.files.begin(),
@@ -141,6 +150,7 @@ std::string draw_genre_page(const GenrePage& page) {
         "<p class=\"sub\">Every piece was judged by a model that heard no piece of its "
         "artist.</p>\n<h2>Recall against the window's length</h2>\n" +
         recall_chart(page) + rows_table(page);
+    // The detailed charts are of the decision that the program makes: fused, at 5 s.
     const auto fused =
         std::find_if(page.rows.begin(), page.rows.end(), [](const GenrePage::Row& row) {
             return row.evidence == "fused" && row.seconds == 5.0;

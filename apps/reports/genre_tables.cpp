@@ -15,14 +15,16 @@
 namespace raks::apps {
 namespace {
 
+// Indexed by GenreEvidence.
 constexpr const char* kEvidenceNames[] = {
     "fused", "MFCC", "MFCC+IGS", "rhythm", "sound", "network"};
 
-/// ln chances of all these windows by some of the evidence.
+// Log posteriors of all windows by this kind of evidence, one value a class.
 std::vector<audio::GenreScores::Values> fused_scores(const JudgedScores& judged,
                                                      std::size_t window,
                                                      std::size_t classes,
                                                      audio::GenreEvidence evidence) {
+    // The calibrated model fuses all evidence; single kinds have only the folds' fusions.
     const bool is_ready = judged.calibrated != nullptr && evidence == audio::GenreEvidence::fused;
     std::vector<audio::GenreScores::Values> logs;
     logs.reserve(judged.scores.size());
@@ -35,9 +37,11 @@ std::vector<audio::GenreScores::Values> fused_scores(const JudgedScores& judged,
     return logs;
 }
 
-constexpr std::size_t kFiveSeconds = 3;  // of kGenreWindows
+// Index of the 5 s window in kGenreWindows, which count segments of half a second.
+constexpr std::size_t kFiveSeconds = 3;
 static_assert(audio::kGenreWindows[kFiveSeconds] == 10);
 
+// Index of a fusion in its fold's list.
 std::size_t place_of(audio::GenreEvidence evidence, std::size_t window) {
     return static_cast<std::size_t>(evidence) * audio::kGenreWindows.size() + window;
 }
@@ -48,14 +52,18 @@ FoldFusions::FoldFusions(std::span<const audio::WindowScore> scores,
                          std::size_t classes,
                          int threads) {
     constexpr std::size_t kPlaces = std::size(kEvidenceNames) * audio::kGenreWindows.size();
+    // An entry for every fold that occurs.
     for (const audio::WindowScore& score : scores) {
         fusions_.try_emplace(score.fold, kPlaces);
     }
     for (auto& entry : fusions_) {
         std::vector<audio::WindowScore> others;
+        // A fold's own scores would make its fusion look better than it is; with one fold there are
+        // no others.
         std::copy_if(scores.begin(), scores.end(), std::back_inserter(others), [&](const auto& s) {
             return s.fold != entry.first || fusions_.size() == 1;
         });
+        // Each place is fitted independently: kinds of evidence times window lengths.
         run_parallel(kPlaces, threads, [&](std::size_t place) {
             const std::size_t windows = audio::kGenreWindows.size();
             entry.second[place] =
@@ -82,6 +90,7 @@ GenrePage page_of(const std::string& title,
     page.title = title;
     page.genres.assign(genres.begin(), genres.end());
     page.pair = judged.pair;
+    // MFCC+IGS is optional evidence: its scores are all zero where it was left out.
     const bool has_similarity =
         std::any_of(judged.scores.begin(), judged.scores.end(), [](const auto& score) {
             return score.similarity[0] != 0.0F;
@@ -96,11 +105,13 @@ GenrePage page_of(const std::string& title,
             continue;
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
+            // One class more than genres: "unknown".
             const auto logs = fused_scores(judged, window, genres.size() + 1, evidence);
             GenrePage::Row row{
                 kEvidenceNames[static_cast<std::size_t>(evidence)],
                 audio::kGenreWindows[window] * audio::kSegmentSeconds,
                 audio::tally(judged.scores, logs, window, genres, asked, judged.pair)};
+            // A window length that no piece fills has no row.
             if (row.tally.windows > 0) {
                 page.rows.push_back(std::move(row));
             }
@@ -126,6 +137,7 @@ void print_page(const GenrePage& page, std::span<const std::size_t> asked) {
                    row.tally.two_dances,
                    row.tally.auroc_unknown,
                    row.tally.calibration_error);
+        // The confusion of the decision that the program makes.
         if (row.evidence == "fused" && row.seconds == 5.0) {
             for (const std::size_t truth : asked) {
                 fmt::print("    {:8} {:3} pieces  {:.2f}\n",
@@ -135,6 +147,7 @@ void print_page(const GenrePage& page, std::span<const std::size_t> asked) {
             }
         }
     }
+    // The tables appear while the training goes on, also in a pipe.
     std::fflush(stdout);
 }
 
@@ -145,13 +158,16 @@ std::vector<GenrePage::File> judged_files(std::span<const audio::PieceFeatures> 
     const auto logs =
         fused_scores(judged, kFiveSeconds, genres.size() + 1, audio::GenreEvidence::fused);
     const std::span<const audio::WindowScore> scores = judged.scores;
+    // Right windows and all windows of each piece.
     std::map<std::size_t, std::pair<int, int>> right_of_all;
     for (std::size_t i = 0; i < scores.size(); ++i) {
         const std::size_t truth = scores[i].truth;
         const bool is_asked = std::find(asked.begin(), asked.end(), truth) != asked.end();
+        // Only windows of 5 s, and pieces whose genre is judged.
         if (scores[i].window != kFiveSeconds || !is_asked) {
             continue;
         }
+        // The most probable of the asked genres: "unknown" cannot win here.
         const std::size_t best = *std::max_element(
             asked.begin(), asked.end(), [&](auto a, auto b) { return logs[i][a] < logs[i][b]; });
         auto& [right, all] = right_of_all[scores[i].piece];
@@ -176,6 +192,7 @@ std::vector<std::size_t> all_genres(std::size_t count) {
     return classes;
 }
 
+// With fewer recordings than five a share of right ones says little.
 std::vector<std::size_t> enough_recordings(std::span<const audio::PieceFeatures> pieces,
                                            std::span<const std::string> genres) {
     std::vector<std::size_t> classes;

@@ -12,12 +12,14 @@
 
 namespace raks::apps {
 
-/// A fusion of each kind of evidence at every window length for each fold: fitted to the scores of
-/// the other folds, or, where there is but one, to its own.
+/// For each fold, the fusion of every kind of evidence at every window length: fitted to the scores
+/// of the other folds, or, where there is only one fold, to its own.
 class FoldFusions {
  public:
+    /// Fits all of them; `classes` includes "unknown". Takes `threads` threads.
     FoldFusions(std::span<const audio::WindowScore> scores, std::size_t classes, int threads);
 
+    /// The fusion to use on scores of this fold. `window`: index in kGenreWindows.
     [[nodiscard]] const audio::GenreFusion& of(int fold,
                                                audio::GenreEvidence evidence,
                                                std::size_t window) const;
@@ -26,34 +28,37 @@ class FoldFusions {
     std::map<int, std::vector<audio::GenreFusion>> fusions_;  // of each fold
 };
 
-/// Scores, and what fuses them where there is no calibrated model or where only some of its
-/// evidence speaks. `fusions`: of these folds.
+/// Scores to be judged, and what fuses their evidence: the calibrated model for the fused decision
+/// where there is one, else the fusion of each score's fold, which is also used for single kinds of
+/// evidence.
 struct JudgedScores {
-    std::span<const audio::WindowScore> scores;
-    const FoldFusions& fusions;
-    const audio::GenreModel* calibrated = nullptr;
-    std::vector<std::string> pair{};  ///< two dances that are compared; empty: none
+    std::span<const audio::WindowScore> scores;     ///< of all windows
+    const FoldFusions& fusions;                     ///< has the folds of these scores
+    const audio::GenreModel* calibrated = nullptr;  ///< null: the fusions are used throughout
+    std::vector<std::string> pair{};                ///< two dances that are compared; empty: none
 };
 
-/// How every kind of evidence does at every window length, asked among these genres.
+/// Judges every kind of evidence at every window length. `asked`: the classes that are judged.
 [[nodiscard]] GenrePage page_of(const std::string& title,
                                 const JudgedScores& judged,
                                 std::span<const std::string> genres,
                                 std::span<const std::size_t> asked);
 
-/// The page as a table on stdout.
+/// Prints the page's table to stdout, and the confusion of the fused decision at 5 s.
 void print_page(const GenrePage& page, std::span<const std::size_t> asked);
 
-/// How often each recorded file's windows of 5 s were taken for what they are, among the asked.
+/// For each recorded file the share of its 5 s windows that were decided rightly, among the classes
+/// that are asked for.
 [[nodiscard]] std::vector<GenrePage::File> judged_files(
     std::span<const audio::PieceFeatures> pieces,
     const JudgedScores& judged,
     std::span<const std::string> genres,
     std::span<const std::size_t> asked);
 
+/// All classes from 0 to count - 1.
 [[nodiscard]] std::vector<std::size_t> all_genres(std::size_t count);
 
-/// Genres with recordings of at least five pieces.
+/// Classes of the genres with recordings of at least five pieces.
 [[nodiscard]] std::vector<std::size_t> enough_recordings(
     std::span<const audio::PieceFeatures> pieces, std::span<const std::string> genres);
 

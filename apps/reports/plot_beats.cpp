@@ -14,11 +14,16 @@ namespace {
 
 using namespace plot_colour;
 
-constexpr double kLeastGap = 0.4;  // units between two marks: closer ones cannot be told apart
+// Least distance of two marks in SVG units: closer ones cannot be told apart and only lengthen the
+// file.
+constexpr double kLeastGap = 0.4;
+// Largest distance of a beat from its reference beat, to either side: that of the usual F-measure.
 constexpr Nanos kHitWindow = std::chrono::milliseconds(70);
+// Earlier beats are not scored, as a tracker needs time to lock.
 constexpr Nanos kScoredFrom = std::chrono::seconds(5);
 
-/// Which of `beats` have a beat of `others` within the window, one to one.
+// For each of `beats` whether it has a beat of `others` within the window. Each beat matches one at
+// most; both lists ascend, so that the earliest pair is matched first.
 std::vector<bool> hits_of(std::span<const BeatEvent> beats, std::span<const BeatEvent> others) {
     std::vector<bool> hits(beats.size(), false);
     std::size_t i = 0;
@@ -38,6 +43,7 @@ std::vector<bool> hits_of(std::span<const BeatEvent> beats, std::span<const Beat
     return hits;
 }
 
+// The beats that are scored: those from 5 s on.
 std::span<const BeatEvent> scored(std::span<const BeatEvent> beats) {
     const auto first = std::find_if(beats.begin(), beats.end(), [](const BeatEvent& beat) {
         return beat.time >= StreamTime(kScoredFrom);
@@ -47,6 +53,7 @@ std::span<const BeatEvent> scored(std::span<const BeatEvent> beats) {
 
 }  // namespace
 
+// F = 2 hits / (beats + reference beats); 0 when there are neither.
 double Plotter::f_measure() const {
     const auto beats = scored(data_.beats());
     const auto reference = scored(*labels_.reference);
@@ -56,12 +63,15 @@ double Plotter::f_measure() const {
     return both > 0.0 ? 2.0 * found / both : 0.0;
 }
 
+// One row of vertical marks: hits green, misses red (blue where nothing is compared). A downbeat is
+// longer and has a small triangle.
 void Plotter::beat_row(std::span<const BeatEvent> beats,
                        std::span<const BeatEvent> others,
                        double foot,
                        double length) {
     const std::vector<bool> hits = hits_of(beats, others);
     std::array<std::string, 2> paths;  // misses, hits
+    // Marks are thinned for hits and misses apart: a miss beside a hit must stay visible.
     std::array<double, 2> last = {-1.0, -1.0};
     std::string downbeats;
     for (std::size_t i = 0; i < beats.size(); ++i) {
@@ -84,6 +94,7 @@ void Plotter::beat_row(std::span<const BeatEvent> beats,
     fill(downbeats, "#0f172a");
 }
 
+// With a reference two rows: the tracker's beats above, the reference's below.
 void Plotter::beats() {
     const bool is_compared = labels_.reference.has_value();
     const double height = is_compared ? 92.0 : 50.0;
@@ -104,7 +115,9 @@ void Plotter::beats() {
     sheet_.end_panel();
 }
 
+// Tempo of the tracker as a line; intervals of the reference as dots.
 void Plotter::tempo() {
+    // NaN breaks the line where no state is known.
     const Values bpm =
         collect([](const PlotColumn& c) { return c.states > 0 ? c.bpm / c.states : std::nan(""); });
     Values seen;
@@ -116,6 +129,7 @@ void Plotter::tempo() {
     if (labels_.reference) {
         const auto& beats = *labels_.reference;
         for (std::size_t i = 1; i < beats.size(); ++i) {
+            // A dot stands in the middle of its interval, at least 2 units after the dot before.
             const double at = 0.5 * (to_seconds(beats[i - 1].time) + to_seconds(beats[i].time));
             const double x = sheet_.x(at);
             if (reference_x.empty() || x > reference_x.back() + 2.0) {
@@ -125,12 +139,15 @@ void Plotter::tempo() {
         }
     }
     seen.insert(seen.end(), reference.begin(), reference.end());
+    // The range is that of nearly all values: a single octave error must not flatten the rest.
     double low = seen.empty() ? 100.0 : quantile(seen, 0.005);
     double high = seen.empty() ? 140.0 : quantile(seen, 0.995);
+    // At least 24 BPM, so that a steady tempo is not magnified into noise; never below 0.
     const double spare = std::max(0.12 * (high - low), 0.5 * (24.0 - (high - low)));
     low = std::max(0.0, low - std::max(4.0, spare));
     high += std::max(4.0, spare);
     const Panel panel = sheet_.begin_panel({"tempo", "Tempo", "BPM", 110.0, low, high});
+    // Ticks every 10, 20 or 40 BPM.
     const double step = high - low > 120.0 ? 40.0 : high - low > 50.0 ? 20.0 : 10.0;
     for (double value = step * std::ceil(low / step); value <= high; value += step) {
         sheet_.tick(panel, value, fmt::format("{:.0f}", value));
@@ -150,6 +167,7 @@ void Plotter::tempo() {
     sheet_.end_panel();
 }
 
+// Position in the bar of each beat; as many rows as the longest bar has beats, at least four.
 void Plotter::bar() {
     int positions = 4;
     bool is_known = false;
@@ -165,6 +183,7 @@ void Plotter::bar() {
     if (!is_known) {
         sheet_.note(panel, "this tracker knows no bars");
     }
+    // Dots as one path: a line of length 0 with round ends is a dot.
     const auto dots = [&](std::span<const BeatEvent> beats) {
         std::string path;
         double last = -1.0;
@@ -186,6 +205,7 @@ void Plotter::bar() {
     };
     if (labels_.reference) {
         sheet_.legend(panel, kOrange, "reference");
+        // Rings: a wide dot with a light one over it, which the tracker's dot may fill.
         draw(*labels_.reference, kOrange, 8.0);
         draw(*labels_.reference, "#f8fafc", 5.0);
     }
@@ -194,6 +214,7 @@ void Plotter::bar() {
     sheet_.end_panel();
 }
 
+// Mean confidence of each column, as an area from 0.
 void Plotter::confidence() {
     const Values values =
         collect([](const PlotColumn& c) { return c.states > 0 ? c.confidence / c.states : 0.0; });

@@ -15,41 +15,47 @@ namespace raks::apps {
 
 inline constexpr std::size_t kPlotBands = 96;  ///< of the spectrogram, mel scale, 30 Hz to 16 kHz
 
-/// A stretch of the picture's time axis: one hop, or several neighbours merged.
+/// One column of the picture's time axis: a hop, or several neighbouring hops merged.
 struct PlotColumn {
-    int hops = 0;             ///< merged; 0: nothing is known
-    float low = 0.0F;         ///< lowest sample
-    float high = 0.0F;        ///< highest sample
-    float strength = 0.0F;    ///< onset strength (PaperFlux), highest of the hops
-    float threshold = 0.0F;   ///< its threshold, highest of the hops
-    double bpm = 0.0;         ///< sum over the hops that have a state
-    double confidence = 0.0;  ///< sum over the hops that have a state
-    int states = 0;
+    int hops = 0;                           ///< merged; 0: nothing is known
+    float low = 0.0F;                       ///< lowest sample
+    float high = 0.0F;                      ///< highest sample
+    float strength = 0.0F;                  ///< onset strength (PaperFlux), highest of the hops
+    float threshold = 0.0F;                 ///< its threshold, highest of the hops
+    double bpm = 0.0;                       ///< sum over the hops that have a state
+    double confidence = 0.0;                ///< sum over the hops that have a state
+    int states = 0;                         ///< hops that have a state
     std::array<float, kPlotBands> level{};  ///< dBFS of a sine in the band, loudest of the hops
 };
 
-/// What a picture of an analysis shows, in bounded memory however long the file: when the columns
-/// are full, neighbours are merged. Threads: one. Real-time: no.
+/// The data of a picture of an analysis, in bounded memory for a file of any length: when the
+/// columns are full, neighbours are merged. Threads: one. Real-time: no.
 class PlotData {
  public:
+    /// Columns kept at most; 41 s at one hop each.
     static constexpr std::size_t kColumns = 4096;
 
+    /// Empty until prepare().
     PlotData();
-    /// Errors: no resampler can be set up.
+    /// Starts a file of this rate. Errors: the resampler cannot be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate);
-    /// The file's next samples, mono, in [-1, 1].
+    /// Takes the file's next samples, mono, in [-1, 1].
     void add(std::span<const float> mono);
-    /// The analyzer's next state.
+    /// Takes the analyzer's next state.
     void add(const MusicState& state);
-    /// Beats in place of those of the states, after all of them; tempo and confidence become
-    /// theirs.
+    /// Replaces the beats of the states by others; tempo and confidence become those of these
+    /// beats. After all states.
     void replace_beats(std::vector<BeatEvent> beats);
-    /// Brings the last hops out; `duration`: length of the file.
+    /// Completes the last hops with silence. `duration`: length of the file.
     void finish(Nanos duration);
 
+    /// All columns from the start of the file.
     [[nodiscard]] std::span<const PlotColumn> columns() const noexcept { return columns_; }
+    /// Length of a column.
     [[nodiscard]] double seconds_per_column() const noexcept;
+    /// The beats, ascending.
     [[nodiscard]] std::span<const BeatEvent> beats() const noexcept { return beats_; }
+    /// Length of the file in seconds, as finish() was told.
     [[nodiscard]] double duration() const noexcept { return duration_; }
 
  private:
@@ -67,9 +73,10 @@ class PlotData {
     double duration_ = 0.0;
 };
 
-/// Reads reference beats: one a line, seconds and, after white space, the position in the bar (1 is
-/// the downbeat; 0 or absent: unknown); empty lines and lines from '#' on are passed over. Errors:
-/// the file cannot be read, a line that is no beat, times that do not rise.
+/// Reads reference beats, one a line: seconds and, after white space, the position in the bar (1 is
+/// the downbeat; 0 or absent: unknown). Empty lines, and everything from '#' on, are skipped.
+/// Errors: the file cannot be read; a line that is no beat; times that do not ascend; no beat at
+/// all.
 [[nodiscard]] Expected<std::vector<BeatEvent>> read_reference_beats(
     const std::filesystem::path& path);
 

@@ -11,10 +11,14 @@
 namespace raks::apps {
 namespace {
 
+// Room above each panel for its title.
 constexpr double kTitleHeight = 30.0;
+// Room below the last panel for the time axis.
 constexpr double kFoot = 44.0;
+// More labels of the time axis would touch.
 constexpr double kMostTicks = 16.0;
 
+// A time as "30 s", "2:30" or "1:02:30", alike for all ticks of an axis.
 std::string time_label(double seconds, double longest) {
     const auto whole = static_cast<long>(std::lround(seconds));
     if (longest < 120.0) {
@@ -28,6 +32,7 @@ std::string time_label(double seconds, double longest) {
 
 }  // namespace
 
+// Three bytes become four digits of six bits; the last group is filled up with '='.
 std::string base64(std::string_view bytes) {
     constexpr std::string_view kDigits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -47,17 +52,20 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
+// Values outside the range stay on the panel's edge.
 double PlotSheet::Panel::y(double value) const noexcept {
     const double share = (value - low) / (high - low);
     return top + height * (1.0 - std::clamp(share, 0.0, 1.0));
 }
 
+// An empty file still has an axis.
 PlotSheet::PlotSheet(double seconds) : seconds_(std::max(seconds, 0.01)) {}
 
 double PlotSheet::x(double seconds) const noexcept {
     return kLeft + (kRight - kLeft) * std::clamp(seconds / seconds_, 0.0, 1.0);
 }
 
+// The smallest usual step that gives at most 16 ticks.
 double PlotSheet::time_step() const noexcept {
     constexpr std::array kSteps = {
         1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0};
@@ -79,6 +87,7 @@ void PlotSheet::header(std::string_view title, std::string_view subtitle) {
         xml_text(subtitle));
 }
 
+// The legend begins anew at the right edge.
 PlotSheet::Panel PlotSheet::begin_panel(const PanelPlan& plan) {
     const Panel panel{next_top_ + kTitleHeight, plan.height, plan.low, plan.high};
     next_top_ = panel.top + panel.height;
@@ -89,6 +98,7 @@ PlotSheet::Panel PlotSheet::begin_panel(const PanelPlan& plan) {
                     kLeft,
                     panel.top - 8.0,
                     plan.title);
+    // The unit is written upwards beside the axis.
     const double middle = panel.top + 0.5 * panel.height;
     body_ += fmt::format(
         "<text transform=\"translate(26 {:.0f}) rotate(-90)\" class=\"unit\">{}</text>\n",
@@ -101,6 +111,7 @@ PlotSheet::Panel PlotSheet::begin_panel(const PanelPlan& plan) {
         panel.top,
         kRight - kLeft,
         panel.height);
+    // Time lines run through all panels at the same places.
     for (double time = time_step(); time < seconds_; time += time_step()) {
         body_ += fmt::format("M{:.1f} {:.0f}v{:.0f}", x(time), panel.top, panel.height);
     }
@@ -108,6 +119,7 @@ PlotSheet::Panel PlotSheet::begin_panel(const PanelPlan& plan) {
     return panel;
 }
 
+// Panels are groups, so that they can be addressed by id.
 void PlotSheet::end_panel() { body_ += "</g>\n"; }
 
 void PlotSheet::tick(const Panel& panel, double value, std::string_view label) {
@@ -144,6 +156,7 @@ void PlotSheet::note(const Panel& panel, std::string_view text) {
                          xml_text(text));
 }
 
+// The height is known only when all panels are drawn.
 std::string PlotSheet::finish() {
     std::string axis;
     for (double time = 0.0; time <= seconds_; time += time_step()) {
@@ -165,6 +178,7 @@ std::string PlotSheet::finish() {
                "sans-serif\">\n<style>\n",
                kWidth,
                height) +
+           // The style sheet of the classes used above.
            "text{fill:#334155;font-size:12px}\n"
            ".title{font-size:22px;font-weight:600;fill:#0f172a}\n"
            ".sub{font-size:14px;fill:#64748b}\n"

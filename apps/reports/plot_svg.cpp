@@ -18,7 +18,7 @@ using namespace plot_colour;
 constexpr float kQuietest = -90.0F;  // dBFS, black
 constexpr float kLoudest = -15.0F;   // dBFS, bright
 
-/// Dark to bright, after matplotlib's "magma".
+// Colour of a share in [0, 1]: dark to bright, after matplotlib's "magma", as RGBA.
 std::array<std::uint8_t, 4> colour_of(float share) {
     constexpr std::array<std::array<float, 3>, 6> kStops = {{{2, 3, 18},
                                                              {58, 15, 110},
@@ -26,10 +26,11 @@ std::array<std::uint8_t, 4> colour_of(float share) {
                                                              {220, 66, 102},
                                                              {252, 148, 102},
                                                              {252, 250, 190}}};
-    // 64 shades pack three times smaller than all, and look the same.
+    // 64 shades: the image compresses three times smaller than with all of them and looks the same.
     const float at = std::round(std::clamp(share, 0.0F, 1.0F) * 63.0F) / 63.0F *
                      static_cast<float>(kStops.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+    // Linear between the two nearest stops.
     const float part = at - static_cast<float>(i);
     std::array<std::uint8_t, 4> rgba{0, 0, 0, 255};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -41,6 +42,7 @@ std::array<std::uint8_t, 4> colour_of(float share) {
 
 }  // namespace
 
+// Panels from top to bottom.
 Expected<std::string> Plotter::draw() {
     head();
     waveform();
@@ -55,6 +57,7 @@ Expected<std::string> Plotter::draw() {
     return sheet_.finish();
 }
 
+// SVG path of a line; each NaN ends a stretch, the next value begins another.
 std::string Plotter::line(const Panel& panel, const Values& values) const {
     std::string path;
     bool is_drawing = false;
@@ -70,6 +73,7 @@ std::string Plotter::line(const Panel& panel, const Values& values) const {
     return path;
 }
 
+// SVG path: along the upper values from left to right and back along the lower ones.
 std::string Plotter::area(const Panel& panel, const Values& high, const Values& low) const {
     std::string path;
     for (std::size_t i = 0; i < high.size(); ++i) {
@@ -94,6 +98,7 @@ void Plotter::fill(std::string_view path, std::string_view colour) {
     sheet_.raw(fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, colour));
 }
 
+// By partial sorting; the nearest rank below, without interpolation.
 double Plotter::quantile(Values values, double share) {
     if (values.empty()) {
         return 0.0;
@@ -103,6 +108,7 @@ double Plotter::quantile(Values values, double share) {
     return values[static_cast<std::size_t>(at)];
 }
 
+// Title and one line of numbers.
 void Plotter::head() {
     std::string about = fmt::format(
         "{:.1f} s, beats by {}: {}", data_.duration(), labels_.method, data_.beats().size());
@@ -119,6 +125,7 @@ void Plotter::head() {
     sheet_.header(labels_.title, about);
 }
 
+// Lowest and highest sample of each column; the scale follows the loudest sample of the file.
 void Plotter::waveform() {
     const Values low = collect([](const PlotColumn& c) { return static_cast<double>(c.low); });
     const Values high = collect([](const PlotColumn& c) { return static_cast<double>(c.high); });
@@ -136,12 +143,14 @@ void Plotter::waveform() {
     sheet_.end_panel();
 }
 
+// The spectrogram is an image: as rectangles it would be too large a file.
 Expected<void> Plotter::spectrogram() {
     const Panel panel =
         sheet_.begin_panel({"spectrogram", "Spectrogram", "Hz (mel scale)", 180.0, 0.0, 1.0});
     const auto columns = data_.columns();
     if (!columns.empty()) {
         std::vector<std::uint8_t> rgba(columns.size() * kPlotBands * 4);
+        // Row 0 of the image is the highest band.
         for (std::size_t row = 0; row < kPlotBands; ++row) {
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 const float level =
@@ -158,6 +167,7 @@ Expected<void> Plotter::spectrogram() {
         if (!png) {
             return fail(std::move(png.error()));
         }
+        // Stretched to the end of the last column, which may lie beyond the file's end.
         sheet_.raw(
             fmt::format("<image x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
                         "preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,{}\"/>\n",
@@ -167,6 +177,7 @@ Expected<void> Plotter::spectrogram() {
                         panel.height,
                         base64(*png)));
     }
+    // Place of a frequency on the panel's mel axis; the factor of the mel scale cancels.
     const auto mel = [](double hertz) { return std::log10(1.0 + hertz / 700.0); };
     for (const auto& [hertz, label] : {std::pair(100.0, "100"),
                                        std::pair(500.0, "500"),
@@ -177,6 +188,7 @@ Expected<void> Plotter::spectrogram() {
                                        std::pair(16000.0, "16k")}) {
         sheet_.tick(panel, (mel(hertz) - mel(30.0)) / (mel(16000.0) - mel(30.0)), label);
     }
+    // The legend shows five levels with their colours.
     for (const float share : {1.0F, 0.75F, 0.5F, 0.25F, 0.0F}) {
         const auto c = colour_of(share);
         sheet_.legend(panel,
@@ -187,6 +199,7 @@ Expected<void> Plotter::spectrogram() {
     return {};
 }
 
+// Onset strength: what lies above the threshold in full colour, what lies below in a pale one.
 void Plotter::onsets() {
     const Values strength =
         collect([](const PlotColumn& c) { return static_cast<double>(c.strength); });
@@ -196,11 +209,12 @@ void Plotter::onsets() {
     for (std::size_t i = 0; i < below.size(); ++i) {
         below[i] = std::min(strength[i], threshold[i]);
     }
-    // A single clash must not flatten all the rest.
+    // The scale follows nearly all values: a single loud onset must not flatten the rest.
     const double top = std::max(1.0, 1.1 * quantile(strength, 0.998));
     const Panel panel = sheet_.begin_panel(
         {"onsets", "Onset strength (spectral energy flux)", "flux", 120.0, 0.0, top});
     sheet_.tick(panel, 0.0, "0");
+    // Ticks double from one to the next.
     const double step = std::pow(10.0, std::floor(std::log10(0.5 * top)));
     for (double value = step * std::max(1.0, std::round(0.4 * top / step)); value < top;
          value *= 2.0) {

@@ -12,26 +12,29 @@
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 
-/// What the panels of a plot share; what is drawn lies in plot_svg.cpp (the sound) and
-/// plot_beats.cpp (what the tracker heard in it).
+/// The parts that the panels of a plot share. The panels of the sound are in plot_svg.cpp, those of
+/// what the tracker found in plot_beats.cpp.
 namespace raks::apps {
 
+/// The colours of the panels.
 namespace plot_colour {
-inline constexpr const char* kBlue = "#2563eb";
-inline constexpr const char* kPale = "#bfdbfe";
-inline constexpr const char* kOrange = "#f97316";
-inline constexpr const char* kGreen = "#16a34a";
-inline constexpr const char* kRed = "#dc2626";
-inline constexpr const char* kGrey = "#64748b";
-inline constexpr const char* kTeal = "#0d9488";
+inline constexpr const char* kBlue = "#2563eb";    ///< tracker; onsets above the threshold
+inline constexpr const char* kPale = "#bfdbfe";    ///< onsets below the threshold
+inline constexpr const char* kOrange = "#f97316";  ///< reference; threshold
+inline constexpr const char* kGreen = "#16a34a";   ///< beats that match
+inline constexpr const char* kRed = "#dc2626";     ///< beats that do not match
+inline constexpr const char* kGrey = "#64748b";    ///< waveform
+inline constexpr const char* kTeal = "#0d9488";    ///< confidence
 }  // namespace plot_colour
 
-/// Draws the panels, one method each.
+/// Draws the panels, one method each. Threads: one.
 class Plotter {
  public:
+    /// Both must outlive this.
     Plotter(const PlotData& data, const PlotLabels& labels)
         : data_(data), labels_(labels), sheet_(data.duration()) {}
 
+    /// The whole document. Errors: the spectrogram's image cannot be encoded.
     Expected<std::string> draw();
 
  private:
@@ -52,7 +55,7 @@ class Plotter {
     /// The value that this share of them does not exceed; 0 where there are none.
     [[nodiscard]] static double quantile(Values values, double share);
 
-    /// Of every column, by what `value` says.
+    /// `value(column)` for every column.
     template <typename Value>
     [[nodiscard]] Values collect(Value&& value) const {
         Values values;
@@ -63,7 +66,7 @@ class Plotter {
         return values;
     }
 
-    /// F-measure of the beats from 5 s on, +-70 ms, against the reference, which there must be.
+    /// F-measure of the beats from 5 s on, within 70 ms, against the reference, which must exist.
     [[nodiscard]] double f_measure() const;
 
     void head();
@@ -71,7 +74,8 @@ class Plotter {
     Expected<void> spectrogram();
     void onsets();
     void beats();
-    /// Marks of some beats, those with one of the others beside them told apart.
+    /// A row of marks for `beats`; those that match one of `others` have another colour. `foot`: y
+    /// of the lower ends; `length`: of a downbeat's mark.
     void beat_row(std::span<const BeatEvent> beats,
                   std::span<const BeatEvent> others,
                   double foot,

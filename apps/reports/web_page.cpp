@@ -7,6 +7,7 @@
 namespace raks::apps {
 namespace {
 
+// The style sheet of all reports. The widths of `.three`, `.row` and `.take` fit the charts.
 constexpr std::string_view kStyle =
     "body{margin:0;background:#fff;color:#334155;"
     "font:15px/1.5 Inter,Helvetica,Arial,sans-serif}\n"
@@ -40,17 +41,20 @@ constexpr std::string_view kStyle =
     ".none{color:#cbd5e1}\n"
     "caption{text-align:left;font-weight:650;color:#0f172a;font-size:14px;padding-bottom:4px}\n";
 
-/// Overlong forms, surrogates, beyond U+10FFFF, and the two characters that XML forbids.
+// True for sequences that look like UTF-8 and are not: overlong forms, surrogates and values beyond
+// U+10FFFF; and for U+FFFE and U+FFFF, which XML forbids.
 bool is_forbidden(unsigned first, unsigned second, unsigned third) noexcept {
     return (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
            (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F) ||
            (first == 0xEF && second == 0xBF && third >= 0xBE);
 }
 
-/// Bytes of the UTF-8 character at the start of `text`; 0 when there is none.
+// Bytes of the UTF-8 character at the start of `text`; 0 when it does not start with a valid one.
 std::size_t utf8_length(std::string_view text) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
+    // The first byte says how long the character is: 0x80 to 0xC1 and those from 0xF5 on begin
+    // none.
     const std::size_t length = first < 0x80   ? 1
                                : first < 0xC2 ? 0
                                : first < 0xE0 ? 2
@@ -60,6 +64,7 @@ std::size_t utf8_length(std::string_view text) noexcept {
     if (length == 0 || length > text.size()) {
         return 0;
     }
+    // All further bytes are of the form 10xxxxxx.
     for (std::size_t i = 1; i < length; ++i) {
         if ((byte(i) & 0xC0U) != 0x80U) {
             return 0;
@@ -72,6 +77,7 @@ std::size_t utf8_length(std::string_view text) noexcept {
 
 }  // namespace
 
+// Byte by byte where the text is invalid, so that one bad byte costs one replacement character.
 std::string xml_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {

@@ -10,22 +10,25 @@
 
 namespace raks::apps {
 
-/// One command: where its arguments live and what runs it.
+/// A command that was added: the parser of its options, and where they are stored.
 template <typename Arguments>
 struct Command {
-    CLI::App* app = nullptr;
+    CLI::App* app = nullptr;  ///< owned by the parent command
+    /// Filled while parsing; the caller binds options to its fields.
     std::shared_ptr<Arguments> arguments;
 };
 
-/// The commands of a program, and the one that the command line asked for.
+/// The commands of a program, and which of them the command line asked for. Threads: main.
 class CommandTable {
  public:
+    /// `description` and `name` of the program, for its help.
     CommandTable(const char* description, const char* name) : app_(description, name) {}
 
+    /// The program's own parser, the parent of all commands.
     [[nodiscard]] CLI::App& app() noexcept { return app_; }
 
-    /// A command under `parent`, whose options the caller adds; `run` is chosen when it is asked
-    /// for.
+    /// Adds a command below `parent`; the caller adds its options. `run` is what chosen() returns
+    /// when the command line asks for it.
     template <typename Arguments>
     Command<Arguments> add(CLI::App& parent,
                            const char* name,
@@ -39,8 +42,9 @@ class CommandTable {
         return command;
     }
 
+    /// Notes what is to run; the last call counts.
     void choose(std::function<ExitCode()> run) { run_ = std::move(run); }
-    /// What was asked for; empty: nothing.
+    /// What the command line asked for; empty: nothing.
     [[nodiscard]] const std::function<ExitCode()>& chosen() const noexcept { return run_; }
 
  private:
@@ -48,7 +52,9 @@ class CommandTable {
     std::function<ExitCode()> run_;
 };
 
+/// Bounds of options that take a time in seconds.
 inline constexpr double kShortestSeconds = 0.001;
-inline constexpr double kLongestSeconds = 1e7;  // four months
+/// Four months.
+inline constexpr double kLongestSeconds = 1e7;
 
 }  // namespace raks::apps

@@ -15,11 +15,11 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-/// What the values of options are checked with.
+/// Checks for the values of options.
 namespace raks::apps {
 
-/// In [lowest, highest] and, unlike with CLI::Range, not NaN (which is neither below nor above).
-/// The fault: `--bpm: "nan" is no number from 50 to 230`.
+/// Accepts numbers in [lowest, highest] and, unlike CLI::Range, refuses NaN (which is neither below
+/// nor above). The fault: `--bpm: "nan" is no number from 50 to 230`.
 template <typename Number>
 [[nodiscard]] CLI::Validator in_range(Number lowest, Number highest) {
     CLI::Validator validator;
@@ -38,8 +38,8 @@ template <typename Number>
     return validator;
 }
 
-/// One of these names (of static storage). The fault names the nearest: `--role: "folow" is
-/// unknown; did you mean "follow"?`
+/// Accepts one of these names (of static storage). The fault suggests the nearest: `--role: "folow"
+/// is unknown; did you mean "follow"?`
 [[nodiscard]] inline CLI::Validator one_of(std::vector<std::string_view> names) {
     CLI::Validator validator;
     validator.description(fmt::format("{}", fmt::join(names, "|")));
@@ -50,8 +50,8 @@ template <typename Number>
     return validator;
 }
 
-/// An option whose value is one of `names` (of static storage), which number the values of an
-/// enumeration in order.
+/// Adds an option whose value is one of `names` (of static storage), where names[i] is the
+/// enumerator of value i.
 template <typename Enum, std::size_t Count>
 CLI::Option* add_named_option(CLI::App& app,
                               const char* option,

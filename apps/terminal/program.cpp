@@ -13,12 +13,14 @@
 namespace raks::apps {
 namespace {
 
+// An error after a signal still ends with the signal's code: the signal was the cause.
 int report(const std::string& message) {
     say(message);
     return exit_code_after_signals(kExitFailed);
 }
 
-/// Brings out what was printed; a full disk behind stdout is a failure of the command.
+// Flushes what was printed. A write that fails (a full disk behind stdout) makes the command fail;
+// EPIPE does not, as the reader has seen enough.
 int end_with(int code) {
     const bool was_printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (code == kExitDone && !was_printed && errno != EPIPE) {
@@ -30,6 +32,7 @@ int end_with(int code) {
 
 }  // namespace
 
+// The outermost frame: no exception leaves the program as a crash.
 int run_program(const std::function<ParsedCommand()>& parse) {
     try {
         const ParsedCommand command = parse();

@@ -4,7 +4,7 @@
 
 #include "apps/terminal/exit_code.hpp"
 
-/// What the `main` of each program does.
+/// What the `main` of every program does.
 namespace raks::apps {
 
 /// What the command line asked for.
@@ -13,9 +13,9 @@ struct ParsedCommand {
     int exit_code = kExitDone;      ///< when there is nothing to run
 };
 
-/// Parses and runs a command. Errors, out of memory and faults of ours become one line on stderr.
-/// Standard output is flushed: a full disk behind it is a failure of the command. Returns the
-/// process' exit code.
+/// Parses the command line and runs the command. Errors, lack of memory and exceptions become one
+/// line on stderr. Standard output is flushed; when that fails, as on a full disk, the command has
+/// failed. Returns the process' exit code. Threads: main.
 [[nodiscard]] int run_program(const std::function<ParsedCommand()>& parse);
 
 }  // namespace raks::apps

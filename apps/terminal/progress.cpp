@@ -12,8 +12,9 @@
 
 namespace raks::apps {
 namespace {
+// At most five updates a second: writing to a terminal is slow.
 constexpr double kSecondsBetween = 0.2;
-}
+}  // namespace
 
 ProgressLine::ProgressLine(std::string what)
     : what_(printable(what, 60)), is_terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -27,6 +28,7 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::show(double share) { show(fmt::format("{:3.0f} %", 100.0 * share)); }
 
 void ProgressLine::show(const std::string& text) {
+    // Updates in between are dropped, not queued: the next one is newer.
     const double now = to_seconds(Nanos(HostClock::now().time_since_epoch()));
     if (!is_terminal_ || now - last_seconds_ < kSecondsBetween) {
         return;

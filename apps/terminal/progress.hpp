@@ -4,17 +4,20 @@
 
 namespace raks::apps {
 
-/// One line of progress on stderr, rewritten in place: only on a terminal, at most five a second.
+/// One line of progress on stderr, rewritten in place; shown only on a terminal, at most five times
+/// a second. Threads: one.
 class ProgressLine {
  public:
+    /// `what`: stands before the progress, cut to 60 characters.
     explicit ProgressLine(std::string what);
     ~ProgressLine();  ///< clears the line
+    /// Not copied: two would write to the same line.
     ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;  ///< likewise
 
-    /// `share` done, [0, 1].
+    /// Shows `share` done, [0, 1], as a percentage.
     void show(double share);
-    /// Any short text.
+    /// Shows any short text.
     void show(const std::string& text);
 
  private:

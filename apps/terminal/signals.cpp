@@ -16,6 +16,8 @@ extern "C" void note_signal(int number) {
 
 }  // namespace
 
+// SIGXFSZ and SIGPIPE are ignored, so that the write that caused them fails with an error that is
+// reported.
 void catch_signals() noexcept {
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
@@ -28,6 +30,7 @@ std::optional<int> stop_signal() noexcept {
     return number == 0 ? std::nullopt : std::optional(number);
 }
 
+// The convention of shells for a process that a signal ended.
 int exit_code_after_signals(int code) noexcept {
     const std::optional<int> number = stop_signal();
     return number ? 128 + *number : code;

@@ -14,7 +14,7 @@
 namespace raks::apps {
 namespace {
 
-/// The command that the words chose, from the program's name on.
+// The chain of commands that the words chose, from the program to the innermost.
 std::vector<const CLI::App*> chosen_commands(const CLI::App& app) {
     std::vector<const CLI::App*> chosen = {&app};
     for (auto inner = app.get_subcommands(); !inner.empty();
@@ -24,7 +24,7 @@ std::vector<const CLI::App*> chosen_commands(const CLI::App& app) {
     return chosen;
 }
 
-/// Without their dashes: those make all names alike.
+// Long names without their dashes, which would make all names alike to the search for the nearest.
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {
@@ -43,7 +43,7 @@ std::vector<std::string> command_names(const CLI::App& command) {
     return names;
 }
 
-/// What is wrong with a word that nothing takes.
+// What is wrong with a word that no command or option takes.
 std::string about_extra(const CLI::App& command, const std::string& word) {
     const std::string name = printable(word.substr(0, word.find('=')), 40);
     const bool is_option = name.size() > 1 && name.front() == '-';
@@ -62,11 +62,13 @@ std::string about_extra(const CLI::App& command, const std::string& word) {
     return "option \"" + name + "\" is unknown" + hint;
 }
 
+// The message of a parse error, with the command whose help explains more.
 std::string about(const CLI::App& app, const CLI::Error& error) {
     const std::vector<const CLI::App*> chosen = chosen_commands(app);
     std::string what = error.what();
     const std::vector<std::string> extras = app.remaining(true);
-    // A misspelt command is also one that is missing.
+    // CLI11 reports a misspelt command as a missing one: the word that was left over explains it
+    // better.
     const bool is_of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                              dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     if (is_of_words && !extras.empty()) {
@@ -88,6 +90,7 @@ std::optional<int> read_usage(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
+        // Help and version are "errors" with exit code 0.
         return app.exit(error) == 0 ? kExitDone : kExitUsage;
     }
     return std::nullopt;

@@ -16,6 +16,8 @@ bool ActionDispatcher::handles(Action action) const noexcept {
 
 Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
     const ActionRow& row = row_of(request.action);
+    // Checked before the handler is looked up: a bad value is a fault even where nothing handles
+    // the action.
     const auto taken = take_value(row, request.value);
     if (!taken) {
         return fail(taken.error());
@@ -23,6 +25,7 @@ Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
     if (!handles(request.action)) {
         return fail(fmt::format("action {}: there is nothing here that does it", row.name));
     }
+    // The remark comes before the handler, whose own lines may refer to the clamped value.
     if (!taken->remark.empty()) {
         say_(taken->remark);
     }
@@ -31,6 +34,7 @@ Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
 }
 
 Expected<void> ActionDispatcher::dispatch(std::string_view name, double value) const {
+    // A remote control names actions as text; from here on it is the same request as a key's.
     const auto row = find_action(name);
     if (!row) {
         return fail(row.error());

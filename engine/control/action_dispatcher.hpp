@@ -9,32 +9,35 @@
 
 namespace raks::engine {
 
-/// Takes a line for people.
+/// Takes one line of text that a person is to read.
 using SayLine = std::function<void(const std::string& line)>;
 
-/// Brings each request to the one that does it. The parts of a show say once what they do:
+/// Maps each action to the function that carries it out. The parts of a show register once:
 ///
 ///     ActionDispatcher actions(say);
 ///     actions.on(Action::quit, [&](double) { wants_to_quit = true; });
 ///     actions.dispatch({Action::seek, -5.0});
 ///
-/// Handlers run inside dispatch(). Threads: main; an input on another thread hands its requests
-/// over first. Real-time: no.
+/// Handlers run inside dispatch(). Threads: main; an input on another thread must first hand its
+/// requests over to it. Real-time: no.
 class ActionDispatcher {
  public:
     /// Gets the value as the table allows it; 0 for an action without one.
     using Handler = std::function<void(double value)>;
 
+    /// `say` gets a remark when a value was clamped.
     explicit ActionDispatcher(SayLine say) : say_(std::move(say)) {}
 
-    /// `handler` does this action from here on, instead of the one before.
+    /// Registers the handler of an action; it replaces the one that was registered before.
     void on(Action action, Handler handler);
+    /// True when a handler is registered.
     [[nodiscard]] bool handles(Action action) const noexcept;
 
-    /// Errors: the value is refused (take_value), nobody does this action here. A clamped value is
-    /// said.
+    /// Checks the value and calls the handler. Errors: take_value refuses the value; no handler is
+    /// registered. When the value was clamped, `say` gets the remark.
     [[nodiscard]] Expected<void> dispatch(const ActionRequest& request) const;
-    /// The same by the machine's name. Errors: an unknown name too; the nearest is suggested.
+    /// The same, with the action named as in the table. Errors: also an unknown name; the nearest
+    /// is suggested.
     [[nodiscard]] Expected<void> dispatch(std::string_view name, double value) const;
 
  private:

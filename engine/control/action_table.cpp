@@ -11,17 +11,23 @@
 namespace raks::engine {
 namespace {
 
+// The value of an action that adds `most` at most, in either direction.
 constexpr ActionValue step(ValueUnit unit, double most) {
     return {ValueKind::step, unit, -most, most};
 }
+// The value of an action that picks one of several, numbered from 1.
 constexpr ActionValue choice(double highest) {
     return {ValueKind::choice, ValueUnit::number, 1.0, highest};
 }
 
+// Help texts of the four arrow keys: two keys with the same text share a line of the help panel.
 constexpr std::string_view kSeekNear = "back, forward 5 s";
 constexpr std::string_view kSeekFar = "back, forward 30 s";
 
+// The table. A row gives: action, name for machines, group, help, value, keys. Order: that of the
+// enumeration, which the static_assert below checks.
 constexpr std::array<ActionRow, kActionCount> kTable = {{
+    // playing
     {Action::pause, "pause", ActionGroup::playing, "pause, go on", {}, {{{Key::space, "Space"}}}},
     {Action::seek,
      "seek",
@@ -56,6 +62,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "picture earlier, later",
      step(ValueUnit::milliseconds, 500.0),
      {{{Key::page_down, "PgDn", -5.0}, {Key::page_up, "PgUp", 5.0}}}},
+    // tempo
     {Action::tap_tempo, "tap", ActionGroup::tempo, "tap the tempo", {}, {{{key_of(U't'), "T"}}}},
     {Action::half_tempo,
      "half-tempo",
@@ -74,6 +81,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      ActionGroup::tempo,
      "1 BPM less, more",
      step(ValueUnit::bpm, 100.0),
+     // "=" is "+" without Shift on many layouts; both raise the tempo.
      {{{key_of(U'-'), "-", -1.0}, {key_of(U'+'), "+", 1.0}, {key_of(U'='), "=", 1.0}}}},
     {Action::hold_tempo,
      "hold-tempo",
@@ -99,6 +107,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "count 1 is now",
      {},
      {{{Key::enter, "Enter"}}}},
+    // dance
     {Action::next_figure,
      "next-figure",
      ActionGroup::dance,
@@ -109,6 +118,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "select-figure",
      ActionGroup::dance,
      "this figure",
+     // More numbers than keys: a remote control may name figures beyond the ninth.
      choice(64.0),
      {{{key_of(U'1'), "1", 1.0},
        {key_of(U'2'), "2", 2.0},
@@ -137,6 +147,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "alone, couple, several",
      {},
      {{{key_of(U'e'), "E"}}}},
+    // view
     {Action::toggle_figure_view,
      "figure-view",
      ActionGroup::view,
@@ -162,6 +173,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "hide, show this overlay",
      {},
      {{{key_of(U'o'), "O"}, {Key::tab, "Tab"}}}},
+    // window
     {Action::toggle_fullscreen,
      "fullscreen",
      ActionGroup::window,
@@ -188,6 +200,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      {{{key_of(U'q'), "Q"}, {Key::escape, "Esc"}}}},
 }};
 
+// True when row i describes action i, so that an action's number finds its row without a search.
 constexpr bool is_in_order() {
     for (std::size_t i = 0; i < kTable.size(); ++i) {
         if (static_cast<std::size_t>(kTable[i].action) != i) {
@@ -198,6 +211,7 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order(), "row_of() takes the action's number for the row's");
 
+// The names alone, in the table's order: what a wrong name is compared with.
 constexpr std::array<std::string_view, kActionCount> kNames = [] {
     std::array<std::string_view, kActionCount> names{};
     std::transform(
@@ -205,12 +219,17 @@ constexpr std::array<std::string_view, kActionCount> kNames = [] {
     return names;
 }();
 
+// True for keys with a character of their own: they lie between the space and the named keys, which
+// are numbered past Unicode. Space counts as a named key here.
 constexpr bool has_character(Key key) { return key > Key::space && key < Key::escape; }
 
+// Shift is compared for named keys only: a character such as "?" may need Shift on one keyboard
+// layout and not on another.
 bool is_meant(const ActionKey& key, const KeyEvent& event) {
     return key.key == event.key && (has_character(event.key) || key.has_shift == event.has_shift);
 }
 
+// A value as it is written in a remark: "500 ms", or the bare number where the unit has no symbol.
 std::string with_unit(double value, ValueUnit unit) {
     const std::string_view symbol = symbol_of(unit);
     return fmt::format("{:g}{}{}", value, symbol.empty() ? "" : " ", symbol);
@@ -219,6 +238,7 @@ std::string with_unit(double value, ValueUnit unit) {
 }  // namespace
 
 std::span<const ActionKey> ActionRow::keys() const noexcept {
+    // Unused slots hold Key{}, and the used ones come first.
     const auto end = std::find_if(
         key_slots.begin(), key_slots.end(), [](const ActionKey& key) { return key.key == Key{}; });
     return std::span(key_slots).first(static_cast<std::size_t>(end - key_slots.begin()));
@@ -243,6 +263,7 @@ std::optional<ActionRequest> request_of(const KeyEvent& event) noexcept {
     for (const ActionRow& row : kTable) {
         for (const ActionKey& key : row.keys()) {
             if (is_meant(key, event)) {
+                // Holding Left goes on seeking; holding F must not switch full screen on and off.
                 const bool repeats = row.value && row.value->kind == ValueKind::step;
                 return event.is_repeat && !repeats
                            ? std::nullopt
@@ -254,14 +275,18 @@ std::optional<ActionRequest> request_of(const KeyEvent& event) noexcept {
 }
 
 Expected<TakenValue> take_value(const ActionRow& row, double value) {
+    // NaN passes every comparison with a bound and would be taken as it is.
     if (std::isnan(value)) {
         return fail(fmt::format("action {}: its value is not a number", row.name));
     }
+    // An action without a value takes anything and passes on 0.
     if (!row.value) {
         return TakenValue{};
     }
     const ActionValue& range = *row.value;
     const bool is_inside = value >= range.lowest && value <= range.highest;
+    // A choice out of range names something that does not exist: clamping would do another thing
+    // than was asked for.
     if (range.kind == ValueKind::choice && (!is_inside || value != std::round(value))) {
         return fail(fmt::format("action {}: {:g} must be a whole number from {:g} to {:g}",
                                 row.name,
@@ -281,6 +306,7 @@ Expected<TakenValue> take_value(const ActionRow& row, double value) {
 }
 
 std::string_view symbol_of(ValueUnit unit) noexcept {
+    // In the order of ValueUnit.
     constexpr std::array<std::string_view, 5> kSymbols = {"s", "ms", "BPM", "", ""};
     return kSymbols[static_cast<std::size_t>(unit)];
 }

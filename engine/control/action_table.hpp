@@ -16,7 +16,7 @@
 /// and whatever else asks (a remote control, a MIDI controller) finds names, units and ranges here.
 namespace raks::engine {
 
-/// In the order of the help panel.
+/// Everything that can be asked for; the order is that of the table and of the help panel.
 enum class Action : std::uint8_t {
     // playing
     pause,
@@ -52,13 +52,13 @@ enum class Action : std::uint8_t {
     toggle_help,
     quit,
 };
+/// Number of actions; the table must have exactly as many rows.
 inline constexpr std::size_t kActionCount = 28;
 
-/// One thing asked for: what every input produces. `value` is in the unit of the action's row; an
-/// action without a value does not look at it.
+/// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {
-    Action action{};
-    double value = 0.0;
+    Action action{};     ///< what is asked for
+    double value = 0.0;  ///< in the unit of the action's row; ignored by an action without a value
 
     friend bool operator==(const ActionRequest&, const ActionRequest&) = default;
 };
@@ -66,6 +66,7 @@ struct ActionRequest {
 /// The groups of the help panel, top to bottom.
 enum class ActionGroup : std::uint8_t { playing, tempo, dance, view, window };
 
+/// Unit of an action's value. `share`: 1 is the whole; `number`: counts from 1.
 enum class ValueUnit : std::uint8_t { seconds, milliseconds, bpm, share, number };
 
 /// How an action takes its value.
@@ -76,30 +77,31 @@ enum class ValueKind : std::uint8_t {
 
 /// The value of an action: unit and range, both ends included.
 struct ActionValue {
-    ValueKind kind{};
-    ValueUnit unit{};
-    double lowest = 0.0;
-    double highest = 0.0;
+    ValueKind kind{};      ///< added to the present value, or one of several
+    ValueUnit unit{};      ///< of the value and of both bounds
+    double lowest = 0.0;   ///< the smallest value that is taken
+    double highest = 0.0;  ///< the largest value that is taken
 };
 
 /// A key that asks for an action, and the value that it gives. Shift matters only for keys without
 /// a character of their own.
 struct ActionKey {
-    Key key{};
+    Key key{};                ///< the key without its modifiers
     std::string_view name{};  ///< as written on a key: "Space", "F11", "["
-    double value = 0.0;
-    bool has_shift = false;
+    double value = 0.0;       ///< the value of the request that this key makes
+    bool has_shift = false;   ///< the key must come with Shift; looked at for named keys only
     std::string_view help{};  ///< what this value does: "back, forward 5 s"; empty: the row's help
 };
 
-/// One action.
+/// One action: its names, where the help panel lists it, its value and its keys.
 struct ActionRow {
+    /// Room for keys in a row: the digits 1 to 9 of select_figure.
     static constexpr std::size_t kMostKeys = 9;
 
-    Action action{};
+    Action action{};          ///< equal to the row's index in the table
     std::string_view name{};  ///< for machines, stable: "seek", "half-tempo"
-    ActionGroup group{};
-    std::string_view help{};                          ///< one line for people: "half the tempo"
+    ActionGroup group{};      ///< group of the help panel
+    std::string_view help{};  ///< one line for people: "half the tempo"
     std::optional<ActionValue> value = std::nullopt;  ///< none: it takes no value
     std::array<ActionKey, kMostKeys> key_slots = {};  ///< those in use come first
 
@@ -109,24 +111,26 @@ struct ActionRow {
 
 /// Every action once, in the order of the enumeration.
 [[nodiscard]] std::span<const ActionRow> action_table() noexcept;
+/// The row of one action; lives as long as the program. Threads: any.
 [[nodiscard]] const ActionRow& row_of(Action action) noexcept;
 
 /// The row of a name. Errors: no such action; the nearest name is suggested.
 [[nodiscard]] Expected<const ActionRow*> find_action(std::string_view name);
 
-/// What a key asks for; nothing when it is in no row. Keys with Control held belong to others. A
-/// held key repeats steps only.
+/// The request that a key makes; nothing when no row has the key. Keys with Control held are left
+/// to others. A held key repeats its request only where the action's value is a step.
 [[nodiscard]] std::optional<ActionRequest> request_of(const KeyEvent& event) noexcept;
 
 /// A value as an action takes it.
 struct TakenValue {
-    double value = 0.0;
+    double value = 0.0;  ///< inside the range of the row
     std::string remark;  ///< a line for people when it is not the one that was given, else empty
 };
-/// Errors: not a finite number (an infinite step is clamped); a choice that is not there.
+/// Checks a value against the row's range. Errors: NaN; a choice that is not one of the row's
+/// numbers. A step out of range, infinite too, is clamped and remarked upon.
 [[nodiscard]] Expected<TakenValue> take_value(const ActionRow& row, double value);
 
-/// "s", "ms", "BPM"; empty for shares and numbers.
+/// How a unit is written behind a value: "s", "ms", "BPM"; empty for shares and numbers.
 [[nodiscard]] std::string_view symbol_of(ValueUnit unit) noexcept;
 
 }  // namespace raks::engine

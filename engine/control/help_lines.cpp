@@ -6,8 +6,11 @@
 namespace raks::engine {
 namespace {
 
-constexpr std::size_t kMostCaps = 3;  // more keys on a line become a range
+// More keys than this on one line are written as a range from the first to the last.
+constexpr std::size_t kMostCaps = 3;
 
+// Appends the lines of one action. Neighbouring keys with the same text share a line; a key without
+// a text of its own has the row's. `first` keeps a line of the action before from being extended.
 void add_keys(const ActionRow& row, std::vector<HelpLine>& lines) {
     const std::size_t first = lines.size();
     for (const ActionKey& key : row.keys()) {
@@ -19,6 +22,7 @@ void add_keys(const ActionRow& row, std::vector<HelpLine>& lines) {
     }
 }
 
+// Nine digits would not fit the panel: "1" to "9" become "1-9". The row's keys are consecutive.
 void join_many(HelpLine& line) {
     if (line.keys.size() > kMostCaps) {
         line.keys = {line.keys.front() + "-" + line.keys.back()};
@@ -28,6 +32,7 @@ void join_many(HelpLine& line) {
 }  // namespace
 
 std::string_view title_of(ActionGroup group) noexcept {
+    // In the order of ActionGroup.
     constexpr std::array<std::string_view, 5> kTitles = {
         "PLAYING", "TEMPO", "DANCE", "VIEW", "WINDOW"};
     return kTitles[static_cast<std::size_t>(group)];
@@ -40,6 +45,7 @@ std::vector<HelpLine> help_lines(const std::function<bool(Action)>& is_there) {
             add_keys(row, lines);
         }
     }
+    // Joined last: add_keys() extends a line key by key.
     for (HelpLine& line : lines) {
         join_many(line);
     }

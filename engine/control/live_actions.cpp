@@ -13,10 +13,13 @@ namespace {
 using AnalyzerKind = audio::AnalyzerCommand::Kind;
 using DancerKind = motion::DancerCommand::Kind;
 
-constexpr Nanos kMostLatency = std::chrono::milliseconds(500);  // as in the settings
+// The range of latency_offset_ms in the settings, to either side.
+constexpr Nanos kMostLatency = std::chrono::milliseconds(500);
 
 }  // namespace
 
+// An action and the member function that carries it out: one row for each, so that bind() is a
+// loop.
 struct LiveActions::Entry {
     Action action;
     void (LiveActions::*handle)(double);
@@ -43,6 +46,9 @@ std::span<const LiveActions::Entry> LiveActions::entries() noexcept {
     return kEntries;
 }
 
+// A new target starts with no tempo asked for and no nudge; volume and latency offset are the
+// person's and stay. A latency offset that no action has changed is left to the target, which has
+// it from the settings.
 void LiveActions::attach(LiveTarget& target) {
     target_ = &target;
     wished_tempo_.reset();
@@ -60,12 +66,15 @@ void LiveActions::bind(ActionDispatcher& actions) {
     }
 }
 
+// New dancers begin with an unlocked figure.
 void LiveActions::brief_dancers() {
     if (keeps_figure_) {
         command(DancerKind::lock_figure, 1.0);
     }
 }
 
+// The commands cross to a real-time thread through a bounded queue; a full queue loses this
+// command, and the person is told so.
 template <typename Kind>
 bool LiveActions::command(Kind kind, double value) {
     const bool is_queued = target_->command(kind, value);
@@ -80,21 +89,25 @@ void LiveActions::pause(double) { target_->toggle_pause(); }
 void LiveActions::seek(double seconds) { target_->seek_by(seconds); }
 
 void LiveActions::change_volume(double by) {
-    // More than the file's own loudness comes from the settings alone.
+    // Only the settings may ask for more than the file's own loudness (1): an action goes up to 1,
+    // or keeps a volume that is above it.
     const float loudest = std::max(volume_, 1.0F);
     volume_ = std::clamp(volume_ + static_cast<float>(by), 0.0F, loudest);
     target_->set_volume(volume_);
 }
 
 void LiveActions::change_latency(double milliseconds) {
+    // The offset is a step on what the target has, which may come from the settings.
     const Nanos wished = target_->latency_offset() + nanos_from_seconds(milliseconds * 1e-3);
     latency_offset_ = std::clamp(wished, -kMostLatency, kMostLatency);
     target_->set_latency_offset(*latency_offset_);
+    // Rounded to microseconds: nanosecond arithmetic would print 4.999999 ms.
     say_(fmt::format("latency offset {:+g} ms",
                      std::round(to_seconds(*latency_offset_) * 1e6) * 1e-3));
 }
 
 void LiveActions::tap_tempo(double) {
+    // A tapped tempo replaces the one asked for by steps. The same holds for half and double tempo.
     wished_tempo_.reset();
     command(AnalyzerKind::tap);
 }
@@ -110,9 +123,12 @@ void LiveActions::double_tempo(double) {
 }
 
 void LiveActions::change_tempo(double bpm) {
-    // The stage may not have heard of the last step yet.
+    // The tracker takes the command one block later: of two quick steps the second must start from
+    // the tempo asked for by the first, not from the tempo that the tracker still reports.
     const Bpm now = wished_tempo_.value_or(target_->tempo());
     const Bpm wished = std::clamp(Bpm(now.bpm() + bpm), audio::kSlowestTempo, audio::kFastestTempo);
+    // Only a queued command counts as asked for; else the next step would start from a tempo that
+    // never came.
     if (command(AnalyzerKind::set_tempo, wished.bpm())) {
         wished_tempo_ = wished;
         say_(fmt::format("tempo held at {:.1f} BPM (R follows the music)", wished.bpm()));
@@ -126,6 +142,7 @@ void LiveActions::hold_tempo(double) {
 }
 
 void LiveActions::release_tempo(double) {
+    // Once the tracker follows the music, the next step must start from the tempo that it finds.
     wished_tempo_.reset();
     if (command(AnalyzerKind::release_tempo)) {
         say_("tempo follows the music");
@@ -133,6 +150,7 @@ void LiveActions::release_tempo(double) {
 }
 
 void LiveActions::nudge_beats(double milliseconds) {
+    // The command is in seconds.
     if (command(AnalyzerKind::nudge, milliseconds * 1e-3)) {
         nudged_milliseconds_ += milliseconds;
         say_(fmt::format("beats {:g} ms {} ({:+g} ms in all)",
@@ -150,10 +168,12 @@ void LiveActions::resync_bar(double) {
 
 void LiveActions::next_figure(double) { command(DancerKind::next_figure); }
 
+// People count figures from 1, the dancer from 0.
 void LiveActions::select_figure(double number) { command(DancerKind::select_figure, number - 1.0); }
 
 void LiveActions::keep_figure(double) {
     keeps_figure_ = !keeps_figure_;
+    // 1 locks the present figure, 0 unlocks it.
     command(DancerKind::lock_figure, keeps_figure_ ? 1.0 : 0.0);
     say_(keeps_figure_ ? "keeping to this figure (K lets go)" : "figures as they come");
 }

@@ -9,22 +9,24 @@
 
 namespace raks::engine {
 
-/// Does the actions of playing, tempo and figures: each becomes a command of the graph or a word to
-/// the file that plays. Keeps what outlives a file: the volume, the latency offset.
-/// Threads: main.
+/// Carries out the actions of playing, tempo and figures: each becomes a command of the live graph
+/// or a call to the file that plays. Keeps what outlives a file: volume, latency offset, lock of
+/// the figure. Threads: main.
 class LiveActions {
  public:
-    /// `volume`: [0, 2]. `say` gets a line where a picture does not show at once what was done.
+    /// `volume`: [0, 2]. `say` gets a line for what a person cannot see in the picture at once.
     LiveActions(float volume, SayLine say) : say_(std::move(say)), volume_(volume) {}
 
-    /// From here on `target` is what is acted upon. It gets the volume and, once it was changed by
-    /// an action, the latency offset. It must outlive the next attach(), or the last dispatch.
+    /// Actions act upon `target` from here on. It gets the volume and, if an action has changed it,
+    /// the latency offset. It must outlive the next attach() or the last dispatch.
     void attach(LiveTarget& target);
-    /// Makes these actions part of what `actions` does. This must then stay where it is.
+    /// Registers these actions with `actions`. This object must not be moved afterwards.
     void bind(ActionDispatcher& actions);
-    /// To dancers who have just taken over: what was asked of those before them.
+    /// Tells dancers who have just replaced others what was asked of those (the lock of the
+    /// figure).
     void brief_dancers();
 
+    /// The volume that is set, [0, 2].
     [[nodiscard]] float volume() const noexcept { return volume_; }
 
  private:

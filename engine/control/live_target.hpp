@@ -8,43 +8,49 @@
 
 namespace raks::engine {
 
-/// What the actions of playing, tempo and dance act upon: the live graph, or in a test a record of
-/// what was asked. Threads: main.
+/// What the actions of playing, tempo and dance act upon. The interface exists for tests, which
+/// record what was asked instead of running a graph. Threads: main.
 class LiveTarget {
  public:
-    virtual ~LiveTarget() = default;
+    virtual ~LiveTarget() = default;  ///< a target may be owned by its interface
 
-    /// Commands for the two real-time threads, at the moment that is heard now. False when a queue
-    /// is full.
+    /// Queues a command for the beat tracker, dated at the moment of music that leaves the
+    /// loudspeaker when it is called. `value`: as its kind says. False: the queue is full.
     virtual bool command(audio::AnalyzerCommand::Kind kind, double value) = 0;
+    /// The same for the dancer, on the motion thread.
     virtual bool command(motion::DancerCommand::Kind kind, double value) = 0;
-    /// That is danced to now.
+    /// The tempo that is danced to.
     [[nodiscard]] virtual Bpm tempo() = 0;
 
-    /// The user's part of the latency between picture and sound.
+    /// The person's part of the latency between picture and sound; positive: the pictures come
+    /// later.
     [[nodiscard]] virtual Nanos latency_offset() = 0;
+    /// Sets it; the next picture uses it. The caller keeps it within +-500 ms.
     virtual void set_latency_offset(Nanos offset) = 0;
 
-    /// The file that plays; with a microphone nothing happens.
+    /// Pauses the file or goes on with it; does nothing when the input is a microphone.
     virtual void toggle_pause() = 0;
+    /// Moves the place in the file by so many seconds; does nothing with a microphone.
     virtual void seek_by(double seconds) = 0;
     virtual void set_volume(float volume) = 0;  ///< [0, 2]
 };
 
-/// The live graph as a target.
+/// The live graph as a target: every call is passed on to it.
 class GraphTarget final : public LiveTarget {
  public:
     /// `graph` must outlive this.
     explicit GraphTarget(LiveGraph& graph) : graph_(graph) {}
 
+    /// To the analyzer's queue.
     bool command(audio::AnalyzerCommand::Kind kind, double value) override;
+    /// To the motion thread's queue.
     bool command(motion::DancerCommand::Kind kind, double value) override;
-    [[nodiscard]] Bpm tempo() override;
-    [[nodiscard]] Nanos latency_offset() override;
-    void set_latency_offset(Nanos offset) override;
-    void toggle_pause() override;
-    void seek_by(double seconds) override;
-    void set_volume(float volume) override;
+    [[nodiscard]] Bpm tempo() override;              ///< of the newest stage's beat grid
+    [[nodiscard]] Nanos latency_offset() override;   ///< of the graph
+    void set_latency_offset(Nanos offset) override;  ///< of the graph
+    void toggle_pause() override;                    ///< of the graph's playback, if any
+    void seek_by(double seconds) override;           ///< of the graph's playback, if any
+    void set_volume(float volume) override;          ///< of the graph's playback, if any
 
  private:
     LiveGraph& graph_;

@@ -12,7 +12,10 @@ namespace {
 // A meter falls slowly enough to be read: IEC 60268-10 type I, 20 dB in 1.7 s.
 constexpr float kMeterFallPerSecond = 20.0F / 1.7F;
 
+// RMS level of a block in dBFS; the floor of -120 dBFS keeps silence finite.
 float level_of(std::span<const float> mono) noexcept {
+    // Summed in double: squares of quiet samples vanish beside those of loud ones in single
+    // precision.
     double energy = 0.0;
     for (const float sample : mono) {
         energy += static_cast<double>(sample) * static_cast<double>(sample);
@@ -36,10 +39,13 @@ AnalysisStage::AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer)
     : rate_(rate), analyzer_(std::move(analyzer)) {}
 
 void AnalysisStage::analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKING {
+    // Subnormal numbers, which filters produce in silence, are slow on the processor.
     const FlushToZeroScope flush_to_zero;
+    // Commands first, so that one which is due takes effect within this block.
     run_commands();
     analyzer_.process(mono, queue_);
     const float seconds = static_cast<float>(mono.size()) / static_cast<float>(rate_.hertz());
+    // The meter rises at once and falls at a fixed rate per second of audio, not per block.
     // relaxed: a meter, written here alone
     const float fallen =
         level_dbfs_.load(std::memory_order_relaxed) - seconds * kMeterFallPerSecond;
@@ -50,10 +56,12 @@ void AnalysisStage::analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKI
 
 void AnalysisStage::mark_clock(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING {
     clock_map_.update(stream, host);
+    // The reader on the main thread gets the whole line at once, never half of an update.
     clock_line_.write(clock_map_.line());
 }
 
 void AnalysisStage::stop_clock(StreamTime stream) noexcept RAKS_NONBLOCKING {
+    // A pause calls this with every block; only the first call changes anything.
     if (clock_map_.line().is_running) {
         clock_map_.stop(stream);
         clock_line_.write(clock_map_.line());
@@ -61,6 +69,7 @@ void AnalysisStage::stop_clock(StreamTime stream) noexcept RAKS_NONBLOCKING {
 }
 
 void AnalysisStage::skip(std::int64_t frames) noexcept RAKS_NONBLOCKING {
+    // The analyzer advances its grid over the gap; the sample count must advance by the same.
     analyzer_.skip(rate_.time_of(frames).time_since_epoch());
     frames_taken_.fetch_add(frames, std::memory_order_release);  // see analyze()
 }
@@ -70,6 +79,7 @@ StreamTime AnalysisStage::taken_until() const noexcept {
 }
 
 void AnalysisStage::run_commands() noexcept {
+    // At most as many as the queue holds: bounded, as the audio thread needs.
     audio::AnalyzerCommand command{};
     while (commands_.pop(command)) {
         analyzer_.command(command);

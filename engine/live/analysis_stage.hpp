@@ -16,10 +16,10 @@
 
 namespace raks::engine {
 
-/// What every audio callback does with its samples, whatever device or clock calls it: analyzes
-/// them, hands the states to the motion thread and keeps the clock.
+/// The work of every audio callback, whatever device or clock calls it: analyzes the samples, hands
+/// the music states to the motion thread and keeps the clock that relates stream time to host time.
 ///
-/// Threads: what is marked *audio* from the callback, the rest from main.
+/// Threads: what is marked *audio* only from the callback, the rest from main.
 class AnalysisStage {
  public:
     /// States wait here for the motion thread: 5 s deep, so that a stall loses nothing.
@@ -45,7 +45,7 @@ class AnalysisStage {
     /// *audio* Stream time stands still at `stream` (pause). Real-time: yes.
     void stop_clock(StreamTime stream) noexcept RAKS_NONBLOCKING;
 
-    /// *audio* How long the work of one block took. Real-time: yes.
+    /// *audio* Counts how long the work of one block took. Real-time: yes.
     void add_callback_time(Nanos span) noexcept RAKS_NONBLOCKING { callback_times_.add(span); }
 
     /// Queues a command for the analyzer; false when the queue is full.
@@ -54,12 +54,15 @@ class AnalysisStage {
     /// The clock as of the newest block. Threads: main only (one reader).
     [[nodiscard]] const ClockLine& clock() noexcept { return clock_line_.read(); }
 
+    /// Sample rate of the analyzed samples.
     [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
+    /// The queue of states, one a hop; the motion thread is its one consumer.
     [[nodiscard]] EventQueue<MusicState>& states() noexcept { return states_; }
+    /// Latency of the analyzer: a state is complete this long after its time. See MusicAnalyzer.
     [[nodiscard]] Nanos delay() const noexcept { return analyzer_.delay(); }
     /// What add_callback_time counted. Threads: any.
     [[nodiscard]] const TimingHistogram& callback_times() const noexcept { return callback_times_; }
-    /// Level for a meter: rms of a block in dBFS, rises at once and falls slowly. Threads: any.
+    /// Level for a meter: RMS of a block in dBFS; rises at once and falls slowly. Threads: any.
     [[nodiscard]] float level_dbfs() const noexcept {
         return level_dbfs_.load(std::memory_order_relaxed);  // relaxed: a meter
     }

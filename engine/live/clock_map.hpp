@@ -5,16 +5,17 @@
 
 namespace raks::engine {
 
-/// A straight line between CLOCK_MONOTONIC and stream time, as last known.
-/// A trivially copyable value: it passes through LatestValue<ClockLine>.
+/// A straight line between CLOCK_MONOTONIC and stream time, as estimated last. Trivially copyable:
+/// it passes from thread to thread through LatestValue<ClockLine>.
 struct ClockLine {
-    StreamTime stream_anchor{};
-    HostTime host_anchor{};
+    StreamTime stream_anchor{};    ///< stream time at host_anchor
+    HostTime host_anchor{};        ///< host time at stream_anchor
     double stream_per_host = 1.0;  ///< rate of the device's clock, about 1
     bool is_running = false;       ///< false: paused or not started; stream time stands still
 
+    /// Stream time at a host time; the anchor while not running.
     [[nodiscard]] StreamTime stream_at(HostTime host) const noexcept;
-    /// Inverse of stream_at; the anchor while not running.
+    /// Inverse of stream_at; the host anchor while not running.
     [[nodiscard]] HostTime host_at(StreamTime stream) const noexcept;
 };
 
@@ -28,12 +29,14 @@ class ClockMap {
     /// The block whose first sample has stream time `stream` was handed over at `host`.
     void update(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING;
     /// The device lost or repeated audio: the line may be off by that much (measured: up to 35 ms
-    /// an xrun on JACK, which the narrow loop carried along for seconds). The next blocks are
-    /// followed as fast as after a start: within 2 ms of a 30 ms step after half a second.
+    /// an xrun on JACK, which the narrow loop carried along for seconds). Widens the loop as after
+    /// a start, so that a step of 30 ms is followed to within 2 ms after half a second.
     void loosen() noexcept RAKS_NONBLOCKING { seconds_since_restart_ = 0.0; }
-    /// Stream time stands still at `stream` (pause, end); the next update starts anew.
+    /// Stream time stands still at `stream` (pause, end); the next update() restarts the loop
+    /// there.
     void stop(StreamTime stream) noexcept RAKS_NONBLOCKING;
 
+    /// The line as of the last update() or stop().
     [[nodiscard]] const ClockLine& line() const noexcept { return line_; }
 
  private:

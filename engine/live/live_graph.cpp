@@ -5,6 +5,8 @@
 namespace raks::engine {
 namespace {
 
+// What stands in for a device that is missing or has died: nothing is audible, so any usual rate
+// does.
 constexpr SampleRate kOwnClockRate(48'000);
 constexpr int kOwnClockChannels = 2;
 
@@ -19,6 +21,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     if (!playback) {
         return fail(playback.error());
     }
+    // The callback's target is built before the stream that will call it.
     graph->playback_ = std::move(*playback);
     graph->analysis_ = &graph->playback_->analysis();
     if (output) {
@@ -28,13 +31,17 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
         }
         graph->stream_ = std::move(*stream);
         graph->device_name_ = output->name;
+        // Pictures wait for what the device buffers. Without a device nothing is delayed, and no
+        // offset applies.
         graph->reported_latency_ = graph->stream_->reported_latency();
         graph->latency_offset_ = config.latency_offset;
     }
+    // The resampler needs the device's real rate, which is known once the stream is open.
     const SampleRate rate = output ? graph->stream_->rate() : kOwnClockRate;
     if (auto prepared = graph->playback_->prepare(rate); !prepared) {
         return fail(prepared.error());
     }
+    // The motion thread runs before the first callback: no state waits for it in the queue.
     if (auto started = graph->start_motion(config); !started) {
         return fail(started.error());
     }
@@ -47,6 +54,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     return graph;
 }
 
+// With an input nothing is delayed on the way out: latencies stay 0.
 Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice& input,
                                                        const LiveGraphConfig& config) {
     std::unique_ptr<LiveGraph> graph(new LiveGraph);
@@ -69,6 +77,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice&
     return graph;
 }
 
+// Prepares the dancers (checks, allocations) on this thread and starts the one that dances them.
 Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     pose_lead_ = config.pose_lead;
     motion::Ensemble dancers;
@@ -76,6 +85,7 @@ Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
         return ok;
     }
     for_main_ = std::make_unique<StageChannel>();
+    // The main thread is a reader of the stage like any other, over a channel of its own.
     MotionStage::Wiring wiring{analysis_->states(), config.readers, config.record};
     wiring.readers.push_back(for_main_.get());
     motion_ = std::make_unique<MotionThread>(std::move(dancers), std::move(wiring));
@@ -89,11 +99,13 @@ audio::StreamCallback& LiveGraph::callback() noexcept {
     return *live_input_;
 }
 
+// A dead device leaves its stream hanging: it is noticed by callbacks that stay away.
 std::optional<std::string> LiveGraph::watch(HostTime now) {
     if (!stream_ || has_lost_device_ || stream_->is_alive(now)) {
         return std::nullopt;
     }
     has_lost_device_ = true;
+    // Nothing is audible any more, so that the pictures need not wait for a loudspeaker.
     reported_latency_ = {};
     latency_offset_ = {};
     go_on_without_device();
@@ -102,7 +114,10 @@ std::optional<std::string> LiveGraph::watch(HostTime now) {
                       : "the dancer settles (start again to listen to another)");
 }
 
+// Replaces the device by the paced clock, which calls the same callback: music and dance go on. An
+// input goes on with silence, in which the dancer settles.
 void LiveGraph::go_on_without_device() {
+    // Closing a dead stream would hang: it is abandoned first.
     stream_->abandon();
     stream_.reset();
     if (playback_) {
@@ -120,6 +135,8 @@ void LiveGraph::go_on_without_device() {
 }
 
 StreamTime LiveGraph::moment_at(HostTime seen_at) noexcept {
+    // Stream time that is handed over at seen_at, minus what the output still buffers, plus the
+    // lead.
     return analysis_->clock().stream_at(seen_at) + pose_lead_ - output_latency();
 }
 
@@ -132,6 +149,7 @@ LiveCounters LiveGraph::counters() const noexcept {
 }
 
 bool LiveGraph::command(audio::AnalyzerCommand::Kind kind, double value) noexcept {
+    // Dated by the picture that the person was looking at when the key was pressed.
     return analysis_->command({kind, moment_at(HostClock::now()), value});
 }
 
@@ -140,6 +158,7 @@ bool LiveGraph::command(motion::DancerCommand::Kind kind, double value) noexcept
 }
 
 Expected<void> LiveGraph::replace_dancers(const Cast& cast) {
+    // Prepared here, since the motion thread must neither allocate nor wait.
     motion::Ensemble dancers;
     if (auto ok = dancers.prepare(cast.members, cast.skeleton); !ok) {
         return ok;

@@ -21,78 +21,88 @@
 
 namespace raks::engine {
 
-/// What `play` and `live` share.
+/// What `play` and `live` both need to start.
 struct LiveGraphConfig {
-    AnalyzerModels models;
-    Cast cast;               ///< who dances
+    AnalyzerModels models;   ///< beat network, genre model and list of dances
+    Cast cast;               ///< the dancers, their repertoires and skeleton
     Nanos latency_offset{};  ///< the user's, added to what the device reports
-    Nanos pose_lead{};       ///< pictures show this much ahead
+    Nanos pose_lead{};       ///< pictures show the pose this much ahead of the sound
     /// Readers of the stage besides the main thread, each on a thread of its own; they must outlive
     /// the graph.
     std::vector<StageChannel*> readers = {};
-    EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop, if given
+    EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop; null: nobody records
 };
 
-/// Counters for the overlay and the benchmarks.
+/// Counters of lost data, for the overlay and the benchmarks.
 struct LiveCounters {
     std::uint64_t dropped_states = 0;  ///< the motion thread was too slow
     std::uint64_t xruns = 0;           ///< blocks that the device flagged
     std::uint64_t underruns = 0;       ///< the decoder was too slow
 };
 
-/// The live graph: device -> analyzer -> dancer -> the newest stage, on their threads. It wires; it
-/// has no logic of music or motion.
+/// The live graph: device -> analyzer -> dancer -> newest stage, each on its thread. It only
+/// connects them; it decides nothing about music or motion.
 ///
 /// Threads: main for all methods.
 class LiveGraph {
  public:
-    /// Plays one file on `output` (or, without one, by our own clock without sound).
+    /// Plays one file on `output`; without one, paced by our own clock and without sound. Errors:
+    /// the device or the resampler refuses, the analyzer refuses the rate, a dancer cannot be
+    /// prepared.
     [[nodiscard]] static Expected<std::unique_ptr<LiveGraph>> play(
         std::unique_ptr<audio::FilePlayer> player,
         const std::optional<audio::AudioDevice>& output,
         const LiveGraphConfig& config);
 
-    /// Listens to `input`.
+    /// Dances to the sound of `input`. Errors: as play().
     [[nodiscard]] static Expected<std::unique_ptr<LiveGraph>> listen(
         const audio::AudioDevice& input, const LiveGraphConfig& config);
 
+    /// Not copied or moved: its threads and callbacks hold references into it.
     LiveGraph(const LiveGraph&) = delete;
-    LiveGraph& operator=(const LiveGraph&) = delete;
+    LiveGraph& operator=(const LiveGraph&) = delete;  ///< likewise
 
-    /// Watches the device; call it with every picture. When the device has died the graph goes on
-    /// by its own clock and the one line for the user is returned, once.
+    /// Checks the device; call it with every picture. When the device has died, the graph goes on
+    /// by its own clock, and the one line for the person is returned, once.
     [[nodiscard]] std::optional<std::string> watch(HostTime now);
+    /// True from the moment that watch() found the device dead.
     [[nodiscard]] bool has_lost_device() const noexcept { return has_lost_device_; }
 
     /// The moment of the music that a picture seen at `seen_at` must show: what leaves the
-    /// loudspeaker then, or with an input what sounds then.
+    /// loudspeaker then, or with an input what sounds then; later by the pose lead.
     [[nodiscard]] StreamTime moment_at(HostTime seen_at) noexcept;
 
-    /// The newest stage.
+    /// The newest stage that the motion thread published. Threads: main only (one reader).
     [[nodiscard]] const StageState& stage() noexcept { return for_main_->read(); }
     /// Latency between our block and the loudspeaker, the user's offset included.
     [[nodiscard]] Nanos output_latency() const noexcept {
         return reported_latency_ + latency_offset_;
     }
-    /// The user's part of it; the pictures move at once. At the start that of the configuration
-    /// where a device plays, else 0; 0 again when the device has died.
+    /// The person's part of it; a change moves the pictures at once. At the start it is the
+    /// configuration's where a device plays, else 0; it is 0 again when the device has died.
     [[nodiscard]] Nanos latency_offset() const noexcept { return latency_offset_; }
+    /// Sets it, in either direction; nothing is clamped here.
     void set_latency_offset(Nanos offset) noexcept { latency_offset_ = offset; }
+    /// What was lost so far, since the start.
     [[nodiscard]] LiveCounters counters() const noexcept;
 
     /// The device's stream; null while our own clock drives.
     [[nodiscard]] const audio::DeviceStream* stream() const noexcept { return stream_.get(); }
+    /// The stage that the audio callback works on.
     [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
+    /// The thread that dances.
     [[nodiscard]] MotionThread& motion() noexcept { return *motion_; }
-    /// Null in `live`.
+    /// The file's playback; null in `live`.
     [[nodiscard]] Playback* playback() noexcept { return playback_.get(); }
 
-    /// For both threads, at the newest moment. False when a queue is full.
+    /// Queues a command for the analyzer, dated at the moment that is seen when it is called.
+    /// False: the queue is full.
     bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
+    /// The same for the dancers.
     bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
 
-    /// Other dancers take over at once, from standing. Errors: those of Ensemble::prepare; too many
-    /// commands at once.
+    /// Other dancers take over at once, from standing. Errors: those of Ensemble::prepare; the
+    /// queue of orders is full.
     [[nodiscard]] Expected<void> replace_dancers(const Cast& cast);
 
  private:

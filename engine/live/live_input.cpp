@@ -8,9 +8,12 @@
 namespace raks::engine {
 namespace {
 
+// A block is mixed down in pieces of this many frames: the device may send any size, and the buffer
+// must not grow on the audio thread.
 constexpr std::size_t kMixFrames = 512;
-// Shorter gaps are the callback's jitter; the beat is not moved for them.
+// Shorter gaps are jitter of the callback; stream time does not move for them.
 constexpr Nanos kLeastLoss = std::chrono::milliseconds(3);
+// At most this much is skipped: a longer gap comes from a machine that slept.
 constexpr Nanos kMostLoss = std::chrono::seconds(5);
 
 }  // namespace
@@ -27,11 +30,14 @@ Expected<std::unique_ptr<LiveInput>> LiveInput::create(SampleRate device_rate,
 LiveInput::LiveInput(SampleRate rate, std::unique_ptr<AnalysisStage> analysis)
     : rate_(rate), analysis_(std::move(analysis)), mono_(kMixFrames) {}
 
-/// The device says that audio was lost; how much, only the clock knows.
+// The xrun flag says that audio was lost but not how much: the time between the two callbacks minus
+// the length of the block before is the estimate.
 void LiveInput::skip_lost(const audio::BlockTime& time) noexcept {
     const Nanos block = rate_.time_of(last_frames_).time_since_epoch();
     const Nanos gap = std::min(time.entered - last_entered_ - block, kMostLoss);
     if (gap > kLeastLoss) {
+        // The analyzer and the stream time skip as many frames as the gap lasted, so that beats
+        // keep their place.
         const std::int64_t frames = rate_.index_at(StreamTime(gap));
         analysis_->skip(frames);
         lost_frames_.fetch_add(frames, std::memory_order_relaxed);  // relaxed: a statistic
@@ -48,7 +54,7 @@ void LiveInput::on_input(std::span<const float> interleaved,
         analysis_->loosen_clock();
         skip_lost(time);
     }
-    // The block's last sample has just arrived: its first is one block old.
+    // The last sample of the block has just arrived: `entered` is the host time of the block's end.
     const StreamTime end = analysis_->taken_until() +
                            rate_.time_of(static_cast<std::int64_t>(frames)).time_since_epoch();
     analysis_->mark_clock(end, time.entered);

@@ -10,20 +10,23 @@
 
 namespace raks::engine {
 
-/// The microphone's side of `live`: what the input callback does.
-/// Threads: on_input from the device (or PacedClock after the device died), the rest from main.
+/// The input callback of `live`: turns a microphone's blocks into analyzed mono samples. Threads:
+/// on_input from the device (or PacedClock after the device died), the rest from main.
 class LiveInput final : public audio::StreamCallback {
  public:
     /// Errors: a rate that the analyzer refuses.
     [[nodiscard]] static Expected<std::unique_ptr<LiveInput>> create(SampleRate device_rate,
                                                                      const AnalyzerModels& models);
 
+    /// *audio* Marks the clock, mixes down and analyzes one block. Real-time: yes (no allocation).
     void on_input(std::span<const float> interleaved,
                   int channels,
                   const audio::BlockTime& time) noexcept override;
 
+    /// The stage that the blocks are analyzed by.
     [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
-    /// Frames that the device lost, by its flags and the clock.
+    /// Frames that the device lost so far, estimated from its xrun flags and the clock. Threads:
+    /// any.
     [[nodiscard]] std::int64_t lost_frames() const noexcept;
 
  private:

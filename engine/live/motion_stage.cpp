@@ -15,6 +15,7 @@ MotionStage::MotionStage(motion::Ensemble dancers, Wiring wiring)
 }
 
 MotionStage::~MotionStage() {
+    // The queue holds raw pointers: what nobody will take is freed here.
     Order order;
     while (orders_.pop(order)) {  // nobody ticks any more
         const std::unique_ptr<motion::Ensemble> never_danced(order.dancers);
@@ -25,12 +26,14 @@ bool MotionStage::command(const motion::DancerCommand& command) noexcept {
     return orders_.push({command, nullptr});
 }
 
+// Dancers who left are freed on this thread, since the motion thread must not free.
 bool MotionStage::replace(motion::Ensemble dancers) {
     left_.collect();
     auto next = std::make_unique<motion::Ensemble>(std::move(dancers));
     if (!orders_.push({{}, next.get()})) {
         return false;
     }
+    // The queue owns the dancers from here on.
     static_cast<void>(next.release());
     return true;
 }
@@ -40,24 +43,31 @@ void MotionStage::obey(const Order& order) noexcept {
         dancers_->command(order.command);
         return;
     }
+    // The dancers before go to the retire queue, which main empties: freeing would block this
+    // thread.
     std::unique_ptr<motion::Ensemble> before(order.dancers);
     before.swap(dancers_);
     const bool has_room = left_.retire(before);
     RAKS_ASSERT(has_room);
     static_cast<void>(has_room);
     stage_->dancers = dancers_->size();
+    // Old poses would be interpolated into those of the new dancers.
     for (motion::PoseTrack& track : stage_->tracks) {
         track.clear();
     }
 }
 
 void MotionStage::tick() noexcept {
+    // Subnormal numbers are slow on the processor.
     const FlushToZeroScope flush_to_zero;
     Order order;
+    // Orders first: replaced dancers must not dance one more hop.
     while (orders_.pop(order)) {
         obey(order);
     }
     bool has_danced = false;
+    // Usually one state; after a late wake-up several, danced in order so that the result does not
+    // depend on timing.
     while (wiring_.states.pop(stage_->music)) {
         dancers_->advance(stage_->music, stage_->tracks);
         stage_->dancer = dancers_->status();
@@ -68,6 +78,7 @@ void MotionStage::tick() noexcept {
         danced_hops_.fetch_add(1, std::memory_order_release);
         has_danced = true;
     }
+    // One copy a reader and wake-up, however many hops were danced.
     if (has_danced) {
         stage_->published_at_ns = HostClock::now().time_since_epoch().count();
         for (StageChannel* const reader : wiring_.readers) {

@@ -15,11 +15,11 @@
 
 namespace raks::engine {
 
-/// What is published after each wake-up: all that drawing needs, taken at one hop.
+/// What is published after each wake-up: all that a picture needs, taken at one hop.
 struct StageState {
     std::array<motion::PoseTrack, motion::Ensemble::kMost> tracks;  ///< one a dancer
-    std::size_t dancers = 1;
-    MusicState music;
+    std::size_t dancers = 1;           ///< how many of the tracks are in use
+    MusicState music;                  ///< the state that was danced to last
     motion::DancerStatus dancer;       ///< of the first
     std::int64_t published_at_ns = 0;  ///< CLOCK_MONOTONIC
 
@@ -27,22 +27,24 @@ struct StageState {
     [[nodiscard]] const motion::PoseTrack& track() const noexcept { return tracks[0]; }
 };
 
-/// How one reader gets the stage: it reads the newest, at its own pace. The motion thread writes.
+/// The channel to one reader: it gets the newest stage at its own pace. The motion thread writes.
 using StageChannel = LatestValue<StageState>;
 
-/// One hop as danced by the first, for tests and benchmarks that need every hop and not only the
+/// One hop of the first dancer, for tests and benchmarks that need every hop and not only the
 /// newest.
 struct DancedHop {
-    HopIndex hop = 0;
-    motion::Pose pose;
+    HopIndex hop = 0;   ///< number of the hop since the stream's start
+    motion::Pose pose;  ///< that was danced for this hop
 };
 
-/// What the motion thread does at each wake-up, without the thread: takes every MusicState in
-/// order, advances the dancers, publishes. Late ticks are caught up in order, never skipped.
+/// The work of the motion thread at each wake-up, without the thread: takes every MusicState in
+/// order, advances the dancers, publishes. States that piled up are danced in order, none is
+/// skipped.
 class MotionStage {
  public:
     /// What a stage works with besides the dancers. All of it must outlive the stage.
     struct Wiring {
+        /// The states to dance to; this stage is their one consumer.
         EventQueue<MusicState>& states;
         /// One channel a reader; each reads on a thread of its own and none disturbs another. A
         /// reader costs the motion thread one copy of the stage (about 280 kB) a wake-up.
@@ -50,20 +52,24 @@ class MotionStage {
         EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop (drops when full)
     };
 
+    /// `dancers` are prepared, at least one.
     MotionStage(motion::Ensemble dancers, Wiring wiring);
-    ~MotionStage();
+    ~MotionStage();  ///< frees dancers that were queued and never danced
+    /// Not copied: readers and queues are tied to one stage.
     MotionStage(const MotionStage&) = delete;
-    MotionStage& operator=(const MotionStage&) = delete;
+    MotionStage& operator=(const MotionStage&) = delete;  ///< likewise
 
-    /// Dances what waits. Threads: one, the consumer of the states. Real-time: yes.
+    /// Dances all states that wait and publishes once. Threads: one, the consumer of the states.
+    /// Real-time: yes (no allocation).
     void tick() noexcept;
 
     /// Queues a command. Threads: main. False when the queue is full.
     bool command(const motion::DancerCommand& command) noexcept;
 
     /// Queues other dancers: from the next tick on they dance instead, from standing, on tracks
-    /// that begin anew. Commands queued before this are for the dancers of before, later ones for
-    /// these. Threads: main. Real-time: no (frees dancers who left). False when the queue is full.
+    /// that begin anew. A command queued before this goes to the dancers before, a later one to
+    /// these. Threads: main. Real-time: no (frees dancers who have left). False when the queue is
+    /// full.
     bool replace(motion::Ensemble dancers);
 
     /// Hops danced so far. Threads: any.

@@ -7,9 +7,11 @@
 namespace raks::engine {
 namespace {
 
-// Well under a hop, so that a state waits at most this long; the thread sleeps 98 % of the time.
+// Well under a hop (10 ms): a state waits at most this long. Between ticks the thread sleeps, 98 %
+// of the time.
 constexpr std::int64_t kNapNanos = 2'000'000;
 
+// Sleeps until an absolute time, so that an interrupted call cannot lengthen the nap.
 void nap() noexcept {
     timespec until{};
     clock_gettime(CLOCK_MONOTONIC, &until);
@@ -31,6 +33,7 @@ MotionThread::~MotionThread() {
     thread_.join();
 }
 
+// Naps after every tick: the stage publishes at most every 2 ms.
 void MotionThread::run() noexcept {
     while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
         stage_.tick();

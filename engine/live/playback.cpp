@@ -9,14 +9,16 @@
 namespace raks::engine {
 namespace {
 
+// Frames pulled and analyzed at a time: the buffers are made once, for device blocks of any size.
 constexpr std::size_t kPullFrames = 256;
-// A step of the volume takes 10 ms at 48 kHz: no click.
+// Largest change of the gain per frame: from 0 to 1 in 10 ms at 48 kHz, without a click.
 constexpr float kGainStep = 1.0F / 480.0F;
 
 }  // namespace
 
 Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::FilePlayer> player,
                                                      const AnalyzerModels& models) {
+    // The analyzer works at the file's rate: what it computes does not depend on the device.
     auto analysis = AnalysisStage::create(player->first_info().rate, models);
     if (!analysis) {
         return fail(analysis.error());
@@ -36,15 +38,16 @@ Playback::Playback(std::unique_ptr<audio::FilePlayer> player,
 
 Expected<void> Playback::prepare(SampleRate device_rate) {
     device_rate_ = device_rate;
-    // The loudspeaker may change (it died, our clock takes over): stream time goes on.
+    // When the device has died and our clock takes over at another rate, stream time must not jump.
     frames_out_ = device_rate.index_at(analysis_->taken_until());
     return resampler_.prepare(file_rate_, device_rate, 2);
 }
 
-/// Next frames of the file, analyzed as they come; 0 when none are ready or the file has ended.
+// Pulls the next frames of the file and analyzes them; returns how many. 0: none are ready, or the
+// file has ended.
 std::size_t Playback::refill() noexcept {
     const audio::PulledAudio got = player_->pull(pulled_);
-    // Anew each time: after its end the source goes on where a seek says.
+    // Set at each pull: a seek after the end makes the source go on.
     is_source_ended_ = got.is_ended;
     if (got.frames == 0) {
         return 0;
@@ -54,6 +57,7 @@ std::size_t Playback::refill() noexcept {
     if (!player_->is_seeking()) {
         position_seconds_.store(seconds, std::memory_order_relaxed);
     }
+    // Frames until the end that set_end() asked for: rounded, so that it is exact to the sample.
     const double left = end_seconds_.load(std::memory_order_relaxed) - seconds;
     const double frames_left = std::round(left * file_rate_.hertz());
     if (frames_left < 1.0) {
@@ -63,6 +67,8 @@ std::size_t Playback::refill() noexcept {
     const std::size_t frames = frames_left < static_cast<double>(got.frames)
                                    ? static_cast<std::size_t>(frames_left)
                                    : got.frames;
+    // A seek or another file: the analyzer must not track beats across the cut. The first frames of
+    // all follow nothing.
     if (got.is_jump && analysis_->taken_until() > StreamTime{}) {
         analysis_->skip(0);
     }
@@ -72,17 +78,20 @@ std::size_t Playback::refill() noexcept {
     return frames;
 }
 
-/// Fills `stereo` at the device's rate; returns how many frames hold the file's sound.
+// Fills `stereo` at the device's rate; returns how many of its frames hold the file's sound.
 std::size_t Playback::pull(std::span<float> stereo) noexcept {
     std::size_t made = 0;
     while (2 * made < stereo.size()) {
         if (pending_ == 0) {
             pending_ = refill();
             pending_at_ = 0;
+            // Not ready or at the end: the rest of the block stays silent.
             if (pending_ == 0) {
                 break;
             }
         }
+        // The resampler may take only part of what was pulled; the rest stays pending for the next
+        // round.
         const auto progress = resampler_.process(
             std::span(pulled_).subspan(2 * pending_at_, 2 * pending_), stereo.subspan(2 * made));
         pending_at_ += progress.taken;
@@ -98,9 +107,10 @@ void Playback::on_output(std::span<float> interleaved,
     const HostTime start = HostClock::now();
     const std::size_t stride = static_cast<std::size_t>(channels);
     const std::size_t frames = interleaved.size() / stride;
+    // What is not filled below is silence.
     std::fill(interleaved.begin(), interleaved.end(), 0.0F);
     const StreamTime first = device_rate_.time_of(frames_out_);
-    // relaxed: switches that order nothing. A pause fades out first: no click.
+    // relaxed: switches that order nothing. A pause fades out before it stops: no click.
     const bool is_pausing = is_paused_.load(std::memory_order_relaxed);
     if (is_pausing && gain_ == 0.0F) {
         analysis_->stop_clock(first);
@@ -108,19 +118,23 @@ void Playback::on_output(std::span<float> interleaved,
     }
     const float volume = is_pausing ? 0.0F : volume_.load(std::memory_order_relaxed);
     bool has_sound = false;
+    // In pieces that fit the buffers, whatever size the device asks for.
     for (std::size_t at = 0; at < frames; at += kPullFrames) {
         const std::size_t wanted = std::min(kPullFrames, frames - at);
         const std::size_t made = pull(std::span(stereo_).first(2 * wanted));
         for (std::size_t frame = 0; frame < made; ++frame) {
+            // The gain moves frame by frame towards the volume.
             gain_ += std::clamp(volume - gain_, -kGainStep, kGainStep);
             float* const out = &interleaved[(at + frame) * stride];
             const float left = stereo_[2 * frame] * gain_;
             const float right = stereo_[2 * frame + 1] * gain_;
+            // A mono device gets the mean of both channels; beyond two, the channels stay silent.
             out[0] = channels == 1 ? 0.5F * (left + right) : left;
             if (channels > 1) {
                 out[1] = right;
             }
         }
+        // Counts only frames with sound: stream time stands still while the decoder is behind.
         frames_out_ += static_cast<std::int64_t>(made);
         has_sound = has_sound || made > 0;
         if (made < wanted) {
@@ -130,6 +144,7 @@ void Playback::on_output(std::span<float> interleaved,
     if (time.is_xrun) {
         analysis_->loosen_clock();
     }
+    // A block without any of the file's sound moves no stream time: the clock stops until there is.
     if (has_sound) {
         analysis_->mark_clock(first, time.entered);
     } else {
@@ -157,6 +172,7 @@ double Playback::position_seconds() const noexcept {
 }
 
 void Playback::seek(double seconds) {
+    // Shown at once: the player reaches the new place only with a later pull.
     const double wanted = std::max(0.0, seconds);
     player_->seek(0, wanted);
     position_seconds_.store(wanted, std::memory_order_relaxed);  // relaxed: for display

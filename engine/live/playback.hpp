@@ -14,9 +14,8 @@
 
 namespace raks::engine {
 
-/// The loudspeaker's side of `play`: what the output callback does. Pulls the decoded file,
-/// analyzes the file's own samples, and fills the device's block with them, resampled to the
-/// device's rate.
+/// The output callback of `play`: pulls the decoded file, analyzes the file's own samples, and
+/// fills the device's block with them, resampled to the device's rate.
 ///
 /// Stream time counts the file's samples as they are played; a seek does not turn it back, it makes
 /// a discontinuity. Threads: on_output from the device (or PacedClock), the rest from main.
@@ -26,27 +25,33 @@ class Playback final : public audio::StreamCallback {
     [[nodiscard]] static Expected<std::unique_ptr<Playback>> create(
         std::unique_ptr<audio::FilePlayer> player, const AnalyzerModels& models);
 
-    /// Before the first callback: the rate of what will call. Errors: the resampler refuses it.
+    /// Sets the rate of what will call; before the first callback, and again when the device
+    /// changes while no callback runs. Errors: the resampler refuses the rate.
     [[nodiscard]] Expected<void> prepare(SampleRate device_rate);
 
+    /// *audio* Fills one block and marks the clock. Real-time: yes (no allocation).
     void on_output(std::span<float> interleaved,
                    int channels,
                    const audio::BlockTime& time) noexcept override;
 
+    /// The stage that the file's samples are analyzed by.
     [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
+    /// The decoder, for its messages and counters.
     [[nodiscard]] audio::FilePlayer& player() noexcept { return *player_; }
 
-    void set_volume(float volume) noexcept;  ///< [0, 2]
+    void set_volume(float volume) noexcept;  ///< [0, 2], clamped; the gain follows smoothly
+    /// Fades out and stops, or goes on; stream time stands still in a pause.
     void set_paused(bool is_paused) noexcept;
+    /// What set_paused() was told last.
     [[nodiscard]] bool is_paused() const noexcept;
-    /// Where the file plays, in seconds. A moment ahead of what is heard; after a seek at once the
-    /// new place, also in a pause.
+    /// Where the file plays, in seconds: a moment ahead of the loudspeaker. After a seek it is the
+    /// new place at once, also in a pause.
     [[nodiscard]] double position_seconds() const noexcept;
     /// Goes to another place of the file (clamped to >= 0); behind its end, playing is finished.
     void seek(double seconds);
-    /// All of the file has been given to the device.
+    /// True when all of the file has been given to the device. Threads: any.
     [[nodiscard]] bool is_finished() const noexcept;
-    /// Plays no further than this (seconds in the file), to the sample.
+    /// Plays no further than this place (seconds in the file), to the sample.
     void set_end(double seconds) noexcept;
 
  private:

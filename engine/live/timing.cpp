@@ -5,14 +5,17 @@
 
 namespace raks::engine {
 namespace {
+// Lower edge of the first bin: 1 us.
 constexpr double kFirstBinNanos = 1'000.0;
 }  // namespace
 
 void TimingHistogram::add(Nanos span) noexcept RAKS_NONBLOCKING {
+    // Position on the logarithmic axis, in octaves above the first bin's lower edge.
     const double octaves =
         std::log2(std::max(1.0, static_cast<double>(span.count()) / kFirstBinNanos));
     const int bin = std::min(kBins - 1, static_cast<int>(octaves * kBinsPerOctave));
     bins_[static_cast<std::size_t>(bin)].fetch_add(1, std::memory_order_relaxed);
+    // No compare-and-swap: one thread alone writes the maximum.
     if (span.count() > max_ns_.load(std::memory_order_relaxed)) {
         max_ns_.store(span.count(), std::memory_order_relaxed);
     }
@@ -27,6 +30,8 @@ std::int64_t TimingHistogram::count() const noexcept {
 }
 
 double TimingHistogram::quantile_ms(double share) const noexcept {
+    // Walks the cumulative counts up to the wanted share; the answer is the bin's upper edge, which
+    // never understates the time, but not above the exact maximum.
     const double wanted = share * static_cast<double>(count());
     std::int64_t seen = 0;
     for (std::size_t i = 0; i < bins_.size(); ++i) {

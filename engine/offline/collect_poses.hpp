@@ -9,15 +9,18 @@
 
 namespace raks::engine {
 
-/// Takes the poses of an even frame rate out of all dancers' tracks as they grow: pose i at i / fps
+/// Samples all dancers' pose tracks at an even frame rate while they grow: pose i at i / fps
 /// seconds.
 class CollectPoses final : public OfflineDriver::Sink {
  public:
+    /// `fps`: poses a second, > 0.
     explicit CollectPoses(double fps) : fps_(fps) {}
 
+    /// Appends the poses whose time the hop's tracks have reached.
     void on_hop(const PerformedHop& hop) override;
 
-    /// Exactly as many poses as the music is long.
+    /// Cuts or extends each dancer's poses to the length of the music, ceil(duration x fps); the
+    /// last pose is repeated where poses lack.
     void finish(Nanos duration);
 
     std::vector<std::vector<motion::Pose>> dancers;  ///< by dancer, then by pose

@@ -17,10 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Frames that next() gives at most.
 constexpr std::size_t kBlockFrames = 1024;
-// Part of the cached file's name: a change of the generator must not play the old piece.
+// Part of the cached file's name: a changed generator must not play the piece that an older one
+// made. To be raised with every change of the demo.
 constexpr int kDemoVersion = 1;
 
+// The user's cache folder, or the folder for temporary files where there is no home.
 fs::path cache_folder() {
     // Read at start-up, before any thread: nothing calls setenv beside it.
     const char* xdg = std::getenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
@@ -49,8 +52,10 @@ Expected<MusicSource> MusicSource::open(const fs::path& path,
     MusicSource source(std::move(*reader));
     const double rate = source.rate().hertz();
     source.start_seconds_ = start;
+    // At least one frame: a duration below half a sample would be the same as none.
     source.frames_left_ = duration ? std::max<std::int64_t>(1, std::llround(*duration * rate))
                                    : std::numeric_limits<std::int64_t>::max();
+    // The file's head may not say how long it is: then only the seek can tell.
     if (start > 0.0) {
         const auto claimed = source.reader_->info().claimed_seconds;
         if (claimed && start >= *claimed) {
@@ -68,6 +73,7 @@ MusicSource::Block MusicSource::next() {
     const std::size_t channels = static_cast<std::size_t>(reader_->info().channels);
     const std::size_t wanted = static_cast<std::size_t>(
         std::min<std::int64_t>(frames_left_, static_cast<std::int64_t>(kBlockFrames)));
+    // The section may end before the file does: then the file is not read any more.
     const std::size_t got =
         wanted == 0 ? 0 : reader_->read(std::span(interleaved_).first(wanted * channels));
     frames_left_ -= static_cast<std::int64_t>(got);
@@ -75,6 +81,7 @@ MusicSource::Block MusicSource::next() {
     const std::span<const float> frames = std::span(interleaved_).first(got * channels);
     const std::span<float> mono = std::span(mono_).first(got);
     const std::span<float> stereo = std::span(stereo_).first(2 * got);
+    // The analyzer gets mono, a film's sound track stereo: both of the same frames.
     audio::downmix_to_mono(frames, channels, mono);
     audio::downmix_to_stereo(frames, channels, stereo);
     return {mono, stereo};
@@ -86,9 +93,11 @@ Nanos MusicSource::given() const noexcept {
 
 std::optional<double> MusicSource::progress() const noexcept {
     const auto claimed = reader_->info().claimed_seconds;
+    // The total is the section's, bounded by what the file claims to hold.
     const double rate = reader_->info().rate.hertz();
     const double done = static_cast<double>(frames_given_) / rate;
     double total = claimed ? *claimed - start_seconds_ : 0.0;
+    // frames_left_ counts down from the maximum where no duration was given.
     if (frames_left_ < std::numeric_limits<std::int64_t>::max() / 2) {
         const double asked = done + static_cast<double>(frames_left_) / rate;
         total = claimed ? std::min(total, asked) : asked;
@@ -99,6 +108,7 @@ std::optional<double> MusicSource::progress() const noexcept {
 Expected<fs::path> demo_music() {
     const fs::path path = cache_folder() / fmt::format("demo_{}.wav", kDemoVersion);
     std::error_code error;
+    // Made by an earlier run of the same version.
     if (fs::exists(path, error)) {
         return path;
     }

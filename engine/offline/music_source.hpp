@@ -14,25 +14,27 @@
 
 namespace raks::engine {
 
-/// A stretch of a music file as a stream of blocks, for the commands that work offline. Memory is
-/// bounded for any length.
+/// A section of a music file as a stream of blocks, for the commands that work offline. Memory does
+/// not grow with the length.
 /// Threads: one. Real-time: no.
 class MusicSource {
  public:
-    /// `start` in seconds, >= 0; `duration` > 0, to the end when absent. Errors: as
-    /// audio::open_audio_file; a start behind the file's end.
+    /// `start` in seconds, >= 0; `duration` in seconds, > 0, to the end when absent. Errors: those
+    /// of audio::open_audio_file; a start behind the file's end.
     [[nodiscard]] static Expected<MusicSource> open(const std::filesystem::path& path,
                                                     double start = 0.0,
                                                     std::optional<double> duration = std::nullopt);
 
+    /// The file's own sample rate.
     [[nodiscard]] SampleRate rate() const noexcept { return reader_->info().rate; }
 
     /// One block: the same frames as mono for the analyzer and as stereo for a sound track. Both
     /// empty at the end. Valid until the next call.
     struct Block {
-        std::span<const float> mono;
-        std::span<const float> stereo;
+        std::span<const float> mono;    ///< one value a frame
+        std::span<const float> stereo;  ///< interleaved, two values a frame
     };
+    /// The next block, at most 1024 frames.
     [[nodiscard]] Block next();
 
     /// Length of what next() has given so far.
@@ -54,8 +56,8 @@ class MusicSource {
     std::vector<float> stereo_;
 };
 
-/// The piece that Raks dances to when no file is given: its own salsa, synthesized once into the
-/// user's cache ($XDG_CACHE_HOME/raks). Errors: the cache cannot be written.
+/// The piece that Raks dances to when no file is given: a salsa of its own, synthesized once into
+/// the user's cache ($XDG_CACHE_HOME/raks). Errors: the cache cannot be written.
 [[nodiscard]] Expected<std::filesystem::path> demo_music();
 
 }  // namespace raks::engine

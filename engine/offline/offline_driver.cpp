@@ -9,7 +9,8 @@
 namespace raks::engine {
 namespace {
 
-/// Hands each state of the analyzer to the dancer, and the result on.
+// Passes each state of the analyzer to the dancers, and the result to the sink: the same order of
+// calls as on the motion thread.
 class DanceEachState final : public audio::MusicAnalyzer::Sink {
  public:
     DanceEachState(motion::Ensemble& dancers,
@@ -33,6 +34,7 @@ class DanceEachState final : public audio::MusicAnalyzer::Sink {
 Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
                                               const AnalyzerModels& models,
                                               const Cast& cast) {
+    // The dancers' skeleton and seeds are in the cast; everything that can fail fails here.
     auto analyzer = make_analyzer(rate, models);
     if (!analyzer) {
         return fail(analyzer.error());
@@ -53,6 +55,7 @@ OfflineDriver::OfflineDriver(SampleRate rate,
       tracks_(dancers_.size()) {}
 
 void OfflineDriver::feed(std::span<const float> mono, Sink& sink) {
+    // Made anew for each call: it only holds references.
     DanceEachState each(dancers_, tracks_, sink);
     analyzer_.process(mono, each);
     samples_fed_ += static_cast<std::int64_t>(mono.size());
@@ -62,8 +65,10 @@ void OfflineDriver::finish(Sink& sink) {
     const StreamTime end = rate_.time_of(samples_fed_);
     const std::array<float, 256> silence{};
     DanceEachState each(dancers_, tracks_, sink);
-    // delay() of silence completes the hops before the end; one hop more absorbs rounding.
+    // A hop is complete delay() after its time, so that much silence is needed; one hop more
+    // absorbs the rounding of hops to samples.
     for (Nanos left = analyzer_.delay() + kHop;
+         // Stops early once the last hop before the end is final.
          left.count() > 0 && time_of_hop(tracks_.front().newest_final() + 1) < end;
          left -= rate_.time_of(silence.size()).time_since_epoch()) {
         analyzer_.process(silence, each);

@@ -14,26 +14,28 @@
 
 namespace raks::engine {
 
-/// What exists after one hop, for whoever records or draws it.
+/// The result of one hop, for whoever records or draws it. Valid during on_hop() only.
 struct PerformedHop {
-    const MusicState& music;
+    const MusicState& music;                    ///< the state that was danced to
     const motion::PoseTrack& track;             ///< of the first dancer
     std::span<const motion::PoseTrack> tracks;  ///< of all
-    const motion::DancerStatus& dancer;
+    const motion::DancerStatus& dancer;         ///< what the first dancer does, after this hop
 };
 
-/// The offline driver: the same analyzer and dancer as in the live graph, on a virtual clock that
-/// the samples move. Same audio, seed and commands: the same poses by hop number as live.
+/// The offline driver: the same analyzer and dancers as in the live graph, on a virtual clock that
+/// the samples move. The same audio, seed and commands give the same poses by hop number as live.
 ///
 ///     auto driver = OfflineDriver::create(rate, models, dancers.cast());
 ///     while (... block of mono samples ...) driver->feed(block, sink);
 ///     driver->finish(sink);
 ///
-/// Threads: one. Real-time: no need (but feed allocates nothing).
+/// Threads: one. Real-time: not needed, but feed() does not allocate.
 class OfflineDriver {
  public:
+    /// Receives every hop in order.
     class Sink {
      public:
+        /// Called once a hop, inside feed() and finish().
         virtual void on_hop(const PerformedHop& hop) = 0;
 
      protected:
@@ -48,10 +50,12 @@ class OfflineDriver {
     /// Takes the next samples; calls the sink once for each hop that is complete.
     void feed(std::span<const float> mono, Sink& sink);
 
-    /// The end of the file: silence until every hop that begins before the end has been danced.
+    /// Ends the music: feeds silence until every hop that begins before the end has been danced.
     void finish(Sink& sink);
 
+    /// A command for the analyzer; it takes effect at its own time.
     void command(const audio::AnalyzerCommand& command) { analyzer_.command(command); }
+    /// A command for all dancers; it takes effect at its own time.
     void command(const motion::DancerCommand& command) { dancers_.command(command); }
 
  private:

@@ -10,6 +10,7 @@ namespace raks::engine {
 
 Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
     const std::filesystem::path& path) {
+    // A file that was named must not be replaced by the shipped one when it is missing.
     if (!path.empty()) {
         return audio::load_network(path);
     }
@@ -53,6 +54,7 @@ Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
     config.beat_network = models.beats;
     config.genre_model = models.genres;
     config.dances = models.dances;
+    // prepare() checks the whole configuration and makes all allocations; later calls cannot fail.
     audio::MusicAnalyzer analyzer;
     if (auto done = analyzer.prepare(config); !done) {
         return fail(done.error());

@@ -12,29 +12,30 @@
 
 namespace raks::engine {
 
-/// Reads the beat network that comes with Raks, or one of `path`.
-/// Errors: a file that is missing or bad.
+/// Reads a beat network: the shipped one (models/trained/beats.json), or the file at `path`.
+/// Errors: a file that is missing or bad. Threads: workers.
 [[nodiscard]] Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
     const std::filesystem::path& path = {});
 
-/// Reads the genre model that comes with Raks (models/trained/genres.json), or one of `path`.
-/// Errors: a file that is missing or bad.
+/// Reads a genre model: the shipped one (models/trained/genres.json), or the file at `path`.
+/// Errors: a file that is missing or bad. Threads: workers.
 [[nodiscard]] Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(
     const std::filesystem::path& path = {});
 
-/// What analyzers share: read once, used by any number of them.
+/// The models that analyzers share: read once, immutable, used by any number of analyzers.
 struct AnalyzerModels {
+    /// Of the beat tracker; null: its method must not need one.
     std::shared_ptr<const audio::BeatNetwork> beats;
     std::shared_ptr<const audio::GenreModel> genres;  ///< null: the genre stays unknown
-    std::shared_ptr<const DanceList> dances;          ///< that MusicState::genre numbers
+    std::shared_ptr<const DanceList> dances;          ///< the list that MusicState::genre indexes
 };
 
-/// Those that come with Raks (models/trained/beats.json, genres.json).
-/// Errors: a file that is missing or bad. Threads: workers.
+/// Reads the shipped models. `dances`: the list that the genres are numbered by. Errors: a file
+/// that is missing or bad. Threads: workers.
 [[nodiscard]] Expected<AnalyzerModels> load_analyzer_models(
     std::shared_ptr<const DanceList> dances);
 
-/// An analyzer for samples of this rate. Errors: a rate that is not supported.
+/// An analyzer for mono samples of this rate. Errors: a rate that is not supported.
 [[nodiscard]] Expected<audio::MusicAnalyzer> make_analyzer(
     SampleRate rate,
     const AnalyzerModels& models,

@@ -10,28 +10,29 @@
 
 namespace raks::engine {
 
-/// Keeps solved dances between runs, so that a command need not solve them again: a file for each,
-/// under a name that stands for all that shaped it (the bytes of its figures and grammar, the
-/// skeleton, the form, this very program). What is damaged or cannot be read is not found; what
-/// cannot be written is not kept; neither is an error. Several processes may use it at once.
-/// Threads: any. Real-time: no.
+/// Keeps solved dances between runs, so that a command need not solve them again. One file a dance;
+/// its name contains a hash of everything that determines the result: the bytes of its figures, its
+/// grammar, the skeleton, the form and the program itself. A file that is damaged counts as
+/// missing, and one that cannot be written is left out; neither is an error. Several processes may
+/// use a folder at once. Threads: any. Real-time: no.
 class DanceCache {
  public:
-    /// In this folder; empty: finds and keeps nothing.
+    /// A cache in this folder. Empty: finds nothing and keeps nothing.
     explicit DanceCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
-    /// $XDG_CACHE_HOME/raks/dances.
+    /// The cache of the user: $XDG_CACHE_HOME/raks/dances, or below ~/.cache.
     [[nodiscard]] static DanceCache of_user();
 
-    /// Of a dance to be solved so. Empty: there is no cache.
+    /// The file of a dance that is solved for this skeleton in this form. Empty: there is no cache,
+    /// or a file of the plan cannot be read.
     [[nodiscard]] std::filesystem::path path_of(const DancePlan& plan,
                                                 const motion::Skeleton& skeleton,
                                                 const DanceForm& form) const;
-    /// Null: not there, or not whole.
+    /// The dance of a file; null: there is no such file, or it is damaged.
     [[nodiscard]] static std::shared_ptr<const motion::DanceLibrary> find(
         const std::filesystem::path& path,
         const motion::Skeleton& skeleton,
         const motion::FigureGrammar& grammar);
-    /// Keeps a dance, and drops what was kept of the same dance and form before.
+    /// Writes a dance to its file, and removes older files of the same dance, role and form.
     static void keep(const std::filesystem::path& path, const motion::DanceLibrary& library);
 
  private:

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of a figure, of angles where there are none of positions; empty: there is none.
+// The file of a figure: searched in the dance's folder and then in its extensions, first as learnt
+// from the wanted features and then, where there is none, from angles. Empty: there is none.
 fs::path find_figure(const CatalogueEntry& entry,
                      std::string_view figure,
                      motion::DanceRole role,
@@ -37,7 +38,7 @@ fs::path find_figure(const CatalogueEntry& entry,
     return {};
 }
 
-/// The end of a sentence: what a couple can dance.
+// The end of an error about a follow's part: which dances couples can dance.
 std::string couple_dances(const DanceList& dances) {
     std::string names;
     for (const DanceInfo& dance : dances.all()) {
@@ -51,6 +52,7 @@ std::string couple_dances(const DanceList& dances) {
 }  // namespace
 
 fs::path user_dances_path() {
+    // A relative path is invalid by the XDG base directory specification and is ignored.
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here changes the environment
     if (const char* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
         return fs::path(data) / "raks" / "dances";
@@ -65,18 +67,22 @@ fs::path user_dances_path() {
 Expected<DanceCatalogue> DanceCatalogue::load(const fs::path& given) {
     DanceCatalogue catalogue;
     if (!given.empty()) {
+        // Added first, so that its dances hide others of the same name.
         catalogue.add_folder(given, DanceOrigin::given);
         if (catalogue.entries_.empty()) {
             return fail(catalogue.notes_.empty()
                             ? given.string() + ": its dances.toml lists no dance of its own"
                             : catalogue.notes_.front());
         }
+        // Before the others are added, the first entry is the given folder's.
         catalogue.given_dance_ = catalogue.entries_.front().info.name;
     }
     if (const fs::path user = user_dances_path(); !user.empty() && is_there(user)) {
         const auto folders = list_folder(user);
+        // Folders that cannot be read are left out, as a user may have none.
         std::error_code ignored;
         for (const fs::path& folder : folders ? *folders : std::vector<fs::path>{}) {
+            // Hidden folders are not dances.
             if (fs::is_directory(folder, ignored) && folder.filename().string().front() != '.') {
                 catalogue.add_folder(folder, DanceOrigin::user);
             }
@@ -88,6 +94,7 @@ Expected<DanceCatalogue> DanceCatalogue::load(const fs::path& given) {
     } else {
         catalogue.notes_.push_back(shipped.error().message);
     }
+    // Extensions wait until all folders are known: the dance that they extend may be found later.
     catalogue.join_extensions();
     catalogue.number_dances();
     if (catalogue.entries_.empty()) {
@@ -97,15 +104,18 @@ Expected<DanceCatalogue> DanceCatalogue::load(const fs::path& given) {
 }
 
 void DanceCatalogue::add_folder(const fs::path& folder, DanceOrigin origin) {
+    // A dances.toml may only name music styles that the generator has.
     const auto styles = audio::style_names();
     auto file = load_dances(dances_path(folder), {styles.begin(), styles.end()});
     if (!file) {
+        // A folder without a dances.toml is told apart from one whose dances.toml is bad.
         notes_.push_back(is_there(dances_path(folder))
                              ? file.error().message
                              : folder.string() +
                                    ": holds no dances.toml; `raks train figure` writes one");
         return;
     }
+    // Only the shipped file decides which two dances reports compare.
     if (origin == DanceOrigin::shipped) {
         pair_ = file->pair;
     }
@@ -115,10 +125,13 @@ void DanceCatalogue::add_folder(const fs::path& folder, DanceOrigin origin) {
 }
 
 void DanceCatalogue::add(CatalogueEntry entry) {
+    // An extension's grammar is named after the dance that it extends: the check below is not for
+    // it.
     if (!entry.info.extends.empty()) {
         joining_.push_back(std::move(entry));
         return;
     }
+    // A dance is listed only when its figures can be put in order.
     if (!is_there(grammar_path(entry.folder, entry.info.name))) {
         notes_.push_back(fmt::format("{}: {} is not there, so that {} cannot be danced",
                                      entry.folder.string(),
@@ -126,6 +139,7 @@ void DanceCatalogue::add(CatalogueEntry entry) {
                                      entry.info.name));
         return;
     }
+    // The dance found first wins, and the person is told where it comes from.
     if (const CatalogueEntry* const known = find(entry.info.name)) {
         notes_.push_back(fmt::format("{} is danced from {} and not from {}",
                                      entry.info.name,
@@ -143,6 +157,7 @@ void DanceCatalogue::join_extensions() {
                 return entry.info.name == joining.info.extends;
             });
         if (extended == entries_.end()) {
+            // The names to suggest from; a DanceList holds kMostDances at most.
             const auto names = DanceList([this] {
                 std::vector<DanceInfo> infos;
                 for (std::size_t i = 0; i < std::min(entries_.size(), kMostDances); ++i) {
@@ -159,7 +174,8 @@ void DanceCatalogue::join_extensions() {
     joining_.clear();
 }
 
-/// Those that come with Raks keep their numbers whatever a user has installed.
+// Sorts the entries and numbers them. Shipped dances come first, so that their numbers (in
+// MusicState::genre and in commands) do not depend on what a user has installed.
 void DanceCatalogue::number_dances() {
     std::stable_sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
         const bool is_a_shipped = a.origin == DanceOrigin::shipped;
@@ -167,7 +183,7 @@ void DanceCatalogue::number_dances() {
         return is_a_shipped > is_b_shipped;
     });
     if (entries_.size() > kMostDances) {
-        // The given one, the last but for its kind, must not be among those that go.
+        // The user's dances are the ones to cut: the given folder was asked for and must stay.
         std::stable_partition(entries_.begin(), entries_.end(), [](const auto& entry) {
             return entry.origin != DanceOrigin::user;
         });
@@ -197,6 +213,7 @@ Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
     if (entry == nullptr) {
         return fail(unknown_name("dance", name, list_->names()));
     }
+    // One grammar from all folders: each extension adds its rules.
     auto grammar = motion::load_grammar(grammar_path(entry->folder, entry->info.name));
     if (!grammar) {
         return fail(std::move(grammar.error()));
@@ -209,8 +226,10 @@ Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
     }
     DancePlan plan{role, std::move(*grammar), {}};
     for (motion::FigureGrammar::Rule& rule : plan.grammar.rules) {
+        // Alone, nobody has to be given room: the steps aside are dropped.
         rule.aside = form.company == Company::couple ? rule.aside : decltype(rule.aside){};
         fs::path path = find_figure(*entry, rule.figure, role, form.features);
+        // No file for a follow in a dance for one is no missing file: such a dance has no follow.
         if (path.empty() && role == motion::DanceRole::follow && entry->info.roles < 2) {
             return fail(fmt::format("{} is danced alone{}", name, couple_dances(*list_)));
         }
@@ -241,6 +260,8 @@ Expected<DanceParts> read_figures(DancePlan plan) {
         if (!figure) {
             return fail(std::move(figure.error()));
         }
+        // Models are found by file name, so that a file copied to a wrong name would dance another
+        // figure.
         if (figure->name != parts.grammar.rules[i].figure || figure->role != plan.role) {
             return fail(fmt::format("{}: is of the figure {} for the {}, not what its name says",
                                     plan.files[i].string(),

@@ -24,71 +24,71 @@ enum class DanceOrigin : std::uint8_t {
 
 /// One dance that can be asked for.
 struct CatalogueEntry {
-    DanceInfo info;
-    DanceOrigin origin = DanceOrigin::shipped;
-    std::filesystem::path folder;
-    std::vector<std::filesystem::path> extensions;  ///< folders whose figures join it
+    DanceInfo info;                                 ///< name, metre, tempi and music of the dance
+    DanceOrigin origin = DanceOrigin::shipped;      ///< which of the three sources has it
+    std::filesystem::path folder;                   ///< that holds its grammar and figures
+    std::vector<std::filesystem::path> extensions;  ///< folders whose figures are added to it
 };
 
-/// Who one dances with: one of a couple leaves the other room.
+/// Whether a dancer dances alone or as one of a couple, where each leaves the other room.
 enum class Company : std::uint8_t { alone, couple };
 
-/// In which of its forms a dance is danced.
+/// The form in which a dance is solved.
 struct DanceForm {
+    /// What the figures were learnt as.
     motion::FigureFeatures features = motion::FigureFeatures::angles;
+    /// How a figure's model becomes motion.
     motion::Generator generator = motion::Generator::trajectories;
-    Company company = Company::alone;
+    Company company = Company::alone;  ///< alone or one of a couple
 };
 
-/// What a dance is made from: how its figures follow one another, and their files by rule of the
-/// grammar.
+/// The sources of a dance: how its figures follow one another, and the file of each figure.
 struct DancePlan {
-    motion::DanceRole role = motion::DanceRole::lead;
-    motion::FigureGrammar grammar;
-    std::vector<std::filesystem::path> files;
+    motion::DanceRole role = motion::DanceRole::lead;  ///< whose part
+    motion::FigureGrammar grammar;                     ///< with the rules of the extensions
+    std::vector<std::filesystem::path> files;  ///< one for each rule of the grammar, in its order
 };
 
-/// The same with the figures read.
+/// The same with the figures' files read.
 struct DanceParts {
-    motion::FigureGrammar grammar;
-    std::vector<motion::FigureModel> figures;
+    motion::FigureGrammar grammar;             ///< as in the plan
+    std::vector<motion::FigureModel> figures;  ///< one for each rule of the grammar, in its order
 };
 
-/// Where a user's dances lie, a folder for each: $XDG_DATA_HOME/raks/dances, or below
-/// ~/.local/share. Empty: there is no home.
+/// Where a user's dances lie, one folder for each: $XDG_DATA_HOME/raks/dances, or below
+/// ~/.local/share. Empty: neither variable names an absolute path.
 [[nodiscard]] std::filesystem::path user_dances_path();
 
-/// All dances that can be found, in this order: the given folder, the user's by name, those that
-/// come with Raks. A dance that is found before shadows one of the same name. What cannot be read
-/// is left out, and said.
-/// Immutable once loaded. Threads: any may read.
+/// All dances that can be found, searched in this order: the given folder, the user's folders by
+/// name, the shipped ones. The first dance of a name hides later ones. A dance that cannot be read
+/// is left out, and notes() says so. Immutable once loaded. Threads: any may read.
 class DanceCatalogue {
  public:
-    /// `given`: a folder of dances besides; empty: none. Errors: `given` cannot be read; no dance
-    /// anywhere.
+    /// `given`: one more folder of dances; empty: none. Errors: `given` cannot be read or lists no
+    /// dance of its own; there is no dance anywhere.
     [[nodiscard]] static Expected<DanceCatalogue> load(const std::filesystem::path& given = {});
 
-    /// Those that come with Raks first, then the others by name; at most kMostDances.
+    /// The shipped dances first, then the given and the user's; at most kMostDances.
     [[nodiscard]] const std::shared_ptr<const DanceList>& list() const noexcept { return list_; }
-    /// By the numbers of list().
+    /// The entries, indexed as list().
     [[nodiscard]] const std::vector<CatalogueEntry>& entries() const noexcept { return entries_; }
-    /// The one of the list; null: no such dance.
+    /// The entry of a name; null: there is no such dance.
     [[nodiscard]] const CatalogueEntry* find(std::string_view name) const noexcept;
-    /// The first dance of the given folder; empty: no folder was given.
+    /// Name of the given folder's first dance; empty: no folder was given.
     [[nodiscard]] const std::string& given_dance() const noexcept { return given_dance_; }
-    /// The two that reports compare; empty: none.
+    /// The two dances that reports compare; empty: the shipped dances.toml names none.
     [[nodiscard]] const std::vector<std::string>& pair() const noexcept { return pair_; }
-    /// What a user should know once: what was shadowed or left out and why, a line each.
+    /// What a person should be told once: each dance that is hidden or left out, and why; a line
+    /// each.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
 
-    /// Errors: no such dance (the nearest is named), a grammar that is bad, a figure that has no
-    /// file.
+    /// The grammar of a dance with its extensions, and the file of each figure. Errors: an unknown
+    /// dance (the nearest is named), a bad grammar, a figure without a file.
     [[nodiscard]] Expected<DancePlan> plan(std::string_view name,
                                            motion::DanceRole role,
                                            const DanceForm& form) const;
 
-    /// Errors: as plan(); a file of it that is bad, a figure
-    /// that its file's name does not say.
+    /// The same with the figures read. Errors: as plan() and read_figures().
     [[nodiscard]] Expected<DanceParts> read(std::string_view name,
                                             motion::DanceRole role,
                                             const DanceForm& form) const;
@@ -100,14 +100,15 @@ class DanceCatalogue {
     void number_dances();
 
     std::vector<CatalogueEntry> entries_;
-    std::vector<CatalogueEntry> joining_;  // extend others
+    std::vector<CatalogueEntry> joining_;  // those that extend another dance
     std::shared_ptr<const DanceList> list_;
     std::string given_dance_;
     std::vector<std::string> pair_;
     std::vector<std::string> notes_;
 };
 
-/// Errors: a file that is bad, a figure that its file's name does not say.
+/// Reads the figures of a plan. Errors: a bad file, a file whose figure or role is not the one that
+/// its name says.
 [[nodiscard]] Expected<DanceParts> read_figures(DancePlan plan);
 
 }  // namespace raks::engine

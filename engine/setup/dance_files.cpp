@@ -15,11 +15,13 @@ using motion::DanceRole;
 using motion::FigureFeatures;
 using motion::Repertoire;
 
+// Words that stand in place of a dance's name in the settings.
 constexpr std::string_view kAuto = "auto";
 constexpr std::string_view kFirst = "first";
 constexpr std::string_view kKeep = "keep";
 constexpr std::string_view kStand = "stand";
 
+// Errors: `dance` is neither a dance of the list nor one of the other words.
 Expected<void> check_name(const std::string& dance,
                           const DanceList& dances,
                           std::vector<std::string_view> others) {
@@ -31,14 +33,16 @@ Expected<void> check_name(const std::string& dance,
     return {};
 }
 
+// What a repertoire does while no dance is recognised; a dance's name as fallback is its first
+// dance.
 Repertoire::Fallback fallback_of(const Settings& settings) {
     return settings.fallback_dance == kKeep    ? Repertoire::Fallback::keep
            : settings.fallback_dance == kStand ? Repertoire::Fallback::stand
                                                : Repertoire::Fallback::first;
 }
 
-/// What dances are made with, and the repertoires that they go to: the lead's and, for couples, the
-/// follow's. Copies are for another thread.
+// Solves dances and adds them to the repertoires: the lead's and, for couples, the follow's. A copy
+// runs on the thread that solves the other dances; it shares the repertoires.
 struct DanceLoader {
     DanceCatalogue catalogue;
     motion::Skeleton skeleton;
@@ -51,6 +55,7 @@ struct DanceLoader {
         return load_dance(catalogue, dance, skeleton, role, form);
     }
 
+    // A repertoire with the dance that a show begins with, solved at once.
     [[nodiscard]] Expected<std::shared_ptr<Repertoire>> first_of(const Settings& settings,
                                                                  DanceRole role) const {
         const std::string dance = dance_to_load(settings, *catalogue.list());
@@ -62,7 +67,8 @@ struct DanceLoader {
             catalogue.list()->id_of(dance), std::move(*first), fallback_of(settings));
     }
 
-    /// Nothing is added where a part is missing.
+    // Adds a dance to both repertoires, or to neither when one part is missing: a lead must not
+    // dance what the follow cannot.
     [[nodiscard]] Expected<void> add(const std::string& dance) const {
         auto lead_dance = library(dance, DanceRole::lead);
         if (!lead_dance) {
@@ -80,6 +86,7 @@ struct DanceLoader {
         return {};
     }
 
+    // Adds the dances one after the other; a bad one is reported and the rest goes on.
     [[nodiscard]] std::vector<std::string> add_all(const std::vector<std::string>& dances) const {
         std::vector<std::string> left_out;
         for (const std::string& dance : dances) {
@@ -91,7 +98,8 @@ struct DanceLoader {
     }
 };
 
-/// What is solved while the show goes on: all dances but the first; of couples those for two.
+// The dances that are solved while the show runs: all but the first, for couples those for two.
+// None where the settings keep to one dance.
 std::vector<std::string> other_dances(const Settings& settings, const DanceList& dances) {
     std::vector<std::string> others;
     if (settings.dance != kAuto) {
@@ -144,6 +152,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const DanceCata
     if (!plan) {
         return fail(std::move(plan.error()));
     }
+    // The cache is asked before the figures are parsed: a hit costs one read.
     const std::filesystem::path kept = cache.path_of(*plan, skeleton, form);
     if (auto found = DanceCache::find(kept, skeleton, plan->grammar)) {
         return found;
@@ -154,6 +163,7 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const DanceCata
     }
     auto library =
         motion::DanceLibrary::build(parts->figures, skeleton, &parts->grammar, form.generator);
+    // A build that fails is not kept: its error is to be seen again.
     if (library) {
         DanceCache::keep(kept, **library);
     }
@@ -171,18 +181,21 @@ Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
 Expected<Dancers> Dancers::load(const Settings& settings,
                                 const DanceCatalogue& catalogue,
                                 const motion::Skeleton& skeleton) {
+    // The name's index is the enumerator.
     const auto name = std::find(
         motion::kFormationNames.begin(), motion::kFormationNames.end(), settings.formation);
     if (name == motion::kFormationNames.end()) {
         return fail(unknown_name("formation", settings.formation, motion::kFormationNames));
     }
     const auto formation = static_cast<motion::Formation>(name - motion::kFormationNames.begin());
+    // No repertoires yet: first_of() makes them.
     DanceLoader loader{catalogue, skeleton, form_of(settings), nullptr, nullptr};
     auto lead = loader.first_of(settings, DanceRole::lead);
     if (!lead) {
         return fail(std::move(lead.error()));
     }
     loader.lead = std::move(*lead);
+    // Only a couple needs the follow's part; other formations dance the lead's.
     if (formation == motion::Formation::couple) {
         auto follow = loader.first_of(settings, DanceRole::follow);
         if (!follow) {
@@ -195,6 +208,7 @@ Expected<Dancers> Dancers::load(const Settings& settings,
         motion::members_of(
             formation, loader.lead, loader.follow, static_cast<std::uint64_t>(settings.seed)),
         skeleton};
+    // From here on the others are solved on their own thread; the future joins it when destroyed.
     const auto others = other_dances(settings, *catalogue.list());
     dancers.others_ =
         std::async(std::launch::async, [loader, others] { return loader.add_all(others); });
@@ -202,6 +216,7 @@ Expected<Dancers> Dancers::load(const Settings& settings,
 }
 
 std::vector<std::string> Dancers::wait() {
+    // A second wait has nothing to wait for.
     return others_.valid() ? others_.get() : std::vector<std::string>{};
 }
 

@@ -16,21 +16,22 @@
 
 namespace raks::engine {
 
-/// Errors: `settings.dance` is neither known nor "auto", or its fallback neither known nor "first",
-/// "keep" or "stand"; the nearest is named.
+/// Checks the names of the settings. Errors: `settings.dance` is neither a known dance nor "auto";
+/// the fallback is neither a known dance nor "first", "keep" or "stand". The nearest name is
+/// suggested.
 [[nodiscard]] Expected<void> check_dances(const Settings& settings, const DanceList& dances);
 
-/// The dance that a show begins with: `settings.dance`, where that is "auto" the fallback, and
-/// where that is no dance the first of the list.
+/// The dance that a show begins with: `settings.dance`; where that is "auto", the fallback; where
+/// that is no dance either, the first of the list.
 [[nodiscard]] std::string dance_to_load(const Settings& settings, const DanceList& dances);
 
-/// By the settings' figures, generator ("frames" is the paper's; all else that passed validate() is
-/// ours) and formation.
+/// The form that the settings ask for by figures, generator ("frames" is the paper's; everything
+/// else that passed validate() is ours) and formation.
 [[nodiscard]] DanceForm form_of(const Settings& settings);
 
-/// Reads the trained figures of a dance and solves them for a skeleton; of positions where it has
-/// such, else of angles. What a run before solved is taken from the cache.
-/// Errors: as DanceCatalogue::read and DanceLibrary::build.
+/// Reads the trained figures of a dance and solves them for a skeleton; figures of positions where
+/// the dance has such, else of angles. A dance that an earlier run solved is taken from the cache.
+/// Errors: as DanceCatalogue::read and DanceLibrary::build. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
     const DanceCatalogue& catalogue,
     std::string_view dance,
@@ -39,29 +40,30 @@ namespace raks::engine {
     const DanceForm& form = {},
     const DanceCache& cache = DanceCache::of_user());
 
-/// Who dances, and the body that their dances were solved for.
+/// The dancers, and the skeleton that their dances were solved for.
 struct Cast {
-    std::vector<motion::EnsembleMember> members;
-    motion::Skeleton skeleton;
+    std::vector<motion::EnsembleMember> members;  ///< one to Ensemble::kMost dancers
+    motion::Skeleton skeleton;                    ///< the same for all of them
 };
-/// One dancer alone.
+/// A cast of one dancer who knows one dance. `seed`: of all random choices.
 [[nodiscard]] Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
                            const motion::Skeleton& skeleton,
                            std::uint64_t seed);
 
-/// Who dances, by the settings: dance, figures, formation, generator and seed. The dance that a
-/// show begins with is there at once; with `dance = "auto"` a thread of its own solves all others
-/// meanwhile, so that a show begins at once. Threads: one owner.
+/// The dancers that the settings ask for: dance, figures, formation, generator and seed. The dance
+/// that a show begins with is ready at once; with `dance = "auto"` a thread of its own solves all
+/// others meanwhile and adds them to the repertoires. Threads: one owner.
 class Dancers {
  public:
-    /// Errors: as load_dance, an unknown formation.
+    /// Solves the first dance. Errors: as load_dance; an unknown formation.
     [[nodiscard]] static Expected<Dancers> load(const Settings& settings,
                                                 const DanceCatalogue& catalogue,
                                                 const motion::Skeleton& skeleton);
 
+    /// The dancers; their repertoires grow until all dances are solved.
     [[nodiscard]] const Cast& cast() const noexcept { return cast_; }
-    /// Waits until all dances are there: the same film again needs that. Returns a line for each
-    /// that was left out: a file of it is bad.
+    /// Waits until all dances are solved, which a reproducible film needs. Returns a line for each
+    /// dance that was left out because a file of it is bad.
     [[nodiscard]] std::vector<std::string> wait();
 
  private:

@@ -15,9 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// More than any dances.toml or grammar; bounds the memory for a wrong file.
 constexpr std::size_t kMaxTextBytes = std::size_t{4} << 20U;
 
-/// Lists the dance in dances.toml, unless it is there.
+// Lists the dance in dances.toml, unless it is listed. The text is appended to, never rewritten.
 Expected<void> list_dance(const fs::path& folder, const DanceInfo& dance) {
     const fs::path path = dances_path(folder);
     if (!is_there(path)) {
@@ -27,6 +28,7 @@ Expected<void> list_dance(const fs::path& folder, const DanceInfo& dance) {
     if (!text) {
         return fail(std::move(text.error()));
     }
+    // Parsed only to see what it lists, and to refuse a faulty file before anything is appended.
     const auto known = parse_dances(*text, path.string());
     if (!known) {
         return fail(known.error());
@@ -37,11 +39,13 @@ Expected<void> list_dance(const fs::path& folder, const DanceInfo& dance) {
     return is_listed ? Expected<void>{} : write_file(path, *text + dance_text(dance));
 }
 
-/// Adds rules for the figures that the grammar lacks; the text that is there stays.
+// Adds a rule for each figure that the grammar lacks. The text that is there stays: a person may
+// have edited weights and comments.
 Expected<void> add_rules(const fs::path& folder,
                          const DanceInfo& dance,
                          std::span<const LearntFigure> figures) {
     const fs::path path = grammar_path(folder, dance.name);
+    // The head of a new grammar; a text that is there replaces it.
     motion::FigureGrammar head;
     head.dance = dance.name;
     head.beats_per_bar = dance.beats_per_bar;
@@ -61,11 +65,13 @@ Expected<void> add_rules(const fs::path& folder,
     }
     const std::string before = text;
     for (const LearntFigure& figure : figures) {
+        // Learnt models of both roles share one rule.
         if (std::find(known.begin(), known.end(), figure.model->name) == known.end()) {
             text += motion::figure_rule_text(figure.model->name, figure.seen);
             known.push_back(figure.model->name);
         }
     }
+    // An unchanged file keeps its time.
     return text == before ? Expected<void>{} : write_file(path, text);
 }
 
@@ -92,12 +98,14 @@ fs::path figure_path(const fs::path& folder,
 Expected<void> add_to_folder(const fs::path& folder,
                              const DanceInfo& dance,
                              std::span<const LearntFigure> figures) {
+    // All names are checked before the first file is written.
     for (const LearntFigure& figure : figures) {
         if (!motion::is_figure_name(figure.model->name)) {
             return fail("figure " + motion::why_no_figure_name(figure.model->name));
         }
     }
-    std::error_code problem;  // what is wrong shows when a file is written
+    // An error shows when a file is written into the folder.
+    std::error_code problem;
     fs::create_directories(folder, problem);
     for (const LearntFigure& figure : figures) {
         const motion::FigureModel& model = *figure.model;
@@ -107,7 +115,8 @@ Expected<void> add_to_folder(const fs::path& folder,
             return saved;
         }
     }
-    // The rules last but one, the list last: what is listed is whole.
+    // The grammar after the figures and the list last: whatever is listed is complete, even if the
+    // program is stopped in between.
     if (auto added = add_rules(folder, dance, figures); !added) {
         return added;
     }

@@ -13,27 +13,29 @@
 
 namespace raks::engine {
 
-/// Who dances, in a formation that may be changed while a show runs. One of a couple dances other
-/// ways than one alone, so that a change to or from couples loads dances, once, on a thread of its
-/// own; between the others it is there at once. Threads: one owner.
+/// The dancers, in a formation that can be changed while a show runs. One of a couple dances
+/// otherwise than one alone: the first change to or from a couple solves those dances on a thread
+/// of its own; any other change is ready at once. Threads: one owner.
 class Formations {
  public:
-    /// Begins with the settings' formation. Errors: those of Dancers::load.
+    /// Starts with the settings' formation. Errors: those of Dancers::load.
     [[nodiscard]] static Expected<Formations> load(const Settings& settings,
                                                    const DanceCatalogue& catalogue,
                                                    const motion::Skeleton& skeleton);
 
-    /// Name of the formation that is danced.
+    /// Name of the formation that is danced, which may not yet be the one asked for.
     [[nodiscard]] std::string_view name() const noexcept;
+    /// The dancers of that formation.
     [[nodiscard]] const Cast& cast() const noexcept { return cast_; }
 
-    /// Asks for the formation after the one that was asked for last, round and round; its name.
+    /// Asks for the formation that follows the one asked for last, cyclically; returns its name.
     std::string_view ask_for_next();
-    /// True, once: what was asked for is there, in cast() and name(). Errors: the dance has no
-    /// figures for it (told once; what was danced before goes on).
+    /// True once, when the formation asked for is ready, in cast() and name(). Errors: the dance
+    /// has no figures for it (reported once; the formation before goes on).
     [[nodiscard]] Expected<bool> poll();
 
-    /// Waits until all dances are there: the same dance again needs that. Lines as Dancers::wait.
+    /// Waits until all dances are solved, which a reproducible film needs. Returns lines as
+    /// Dancers::wait.
     [[nodiscard]] std::vector<std::string> wait();
 
  private:
@@ -47,7 +49,7 @@ class Formations {
     DanceCatalogue catalogue_;
     motion::Formation danced_;
     motion::Formation asked_;
-    bool is_waiting_ = false;  // for what was asked
+    bool is_waiting_ = false;  // for the formation asked for
     Cast cast_;
     std::optional<Dancers> alone_;
     std::optional<Dancers> couple_;

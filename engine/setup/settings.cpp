@@ -20,14 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Version of the file format that this program reads.
 constexpr std::int64_t kVersion = 1;
 
+// A pointer to the member that a key sets: one of four types of value.
 using Member = std::variant<std::string Settings::*,
                             double Settings::*,
                             std::int64_t Settings::*,
                             bool Settings::*>;
 
-/// One key of the file. `low` and `high` bound numbers.
+// One key of the file: where it stands, which member it sets, the range of a number (0, 0 for other
+// types) and the comment that to_toml() writes behind it.
 struct Key {
     std::string_view section;
     std::string_view name;
@@ -37,6 +40,7 @@ struct Key {
     std::string_view help;
 };
 
+// The order is that of the file that to_toml() writes, section by section.
 const std::array kKeys = std::to_array<Key>({
     {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
     {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
@@ -57,6 +61,7 @@ const std::array kKeys = std::to_array<Key>({
     {"dance", "figures", &Settings::figures, 0, 0, "learnt as angles or positions of the joints"},
     {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
     {"dance", "generator", &Settings::generator, 0, 0, "trajectories, or frames: the paper's"},
+    // 9e15: below 2^53, so that a seed survives the comparison in double.
     {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
     {"dance",
      "pose_lead_ms",
@@ -78,22 +83,26 @@ const std::array kKeys = std::to_array<Key>({
     {"picture", "overlay", &Settings::overlay, 0, 0, "beat, tempo and levels over the picture"},
 });
 
+// "audio.volume": how errors name a key.
 std::string full_name(const Key& key) { return fmt::format("{}.{}", key.section, key.name); }
 
 std::vector<std::string_view> names_of_keys(const std::vector<std::string>& storage) {
     return {storage.begin(), storage.end()};
 }
 
+// "FILE: line N": how errors name a place.
 std::string where(const std::string& name, const toml::source_region& source) {
     return fmt::format("{}: line {}", name, source.begin.line);
 }
 
-/// Puts one value of the file into its member; the message of the error, or empty.
+// Puts one value of the file into its member; returns the error's message, or nothing.
 std::string assign(const Key& key, const toml::node& node, Settings& settings) {
     return std::visit(
         [&](auto member) -> std::string {
             using T = std::remove_reference_t<decltype(settings.*member)>;
             const std::optional<T> value = node.value<T>();
+            // node.value() converts between whole numbers, decimals and truth values; a file must
+            // not mean one by another. A whole number for a decimal is fine.
             if (!value || (std::is_same_v<T, std::int64_t> && !node.is_integer()) ||
                 (std::is_same_v<T, bool> && !node.is_boolean())) {
                 constexpr std::string_view kind = std::is_same_v<T, std::string> ? "a text"
@@ -107,6 +116,7 @@ std::string assign(const Key& key, const toml::node& node, Settings& settings) {
         key.member);
 }
 
+// Reads one section, such as [audio].
 Expected<void> read_section(const std::string& name,
                             std::string_view section,
                             const toml::table& table,
@@ -117,6 +127,8 @@ Expected<void> read_section(const std::string& name,
         const auto key = std::find_if(kKeys.begin(), kKeys.end(), [&](const Key& k) {
             return k.section == section && k.name == name_in_file;
         });
+        // The suggestion is looked for among the names of all sections: a key may stand in a wrong
+        // one.
         if (key == kKeys.end()) {
             std::vector<std::string> names;
             std::transform(kKeys.begin(), kKeys.end(), std::back_inserter(names), full_name);
@@ -134,10 +146,12 @@ Expected<void> read_section(const std::string& name,
     return {};
 }
 
+// Reads a whole document over `settings`.
 Expected<void> read_table(const std::string& name, const toml::table& table, Settings& settings) {
     for (const auto& entry : table) {
         const std::string_view key = entry.first.str();
         const toml::node& node = entry.second;
+        // Checked below, once it is certain that the rest is a file of settings.
         if (key == "format" || key == "version") {
             continue;
         }
@@ -155,6 +169,7 @@ Expected<void> read_table(const std::string& name, const toml::table& table, Set
             return read;
         }
     }
+    // Both are optional: a file written by hand may consist of keys alone.
     const std::int64_t version = table["version"].value_or(kVersion);
     if (table["format"].value_or(std::string("raks-config")) != "raks-config") {
         return fail(name + ": format is not \"raks-config\"; this is another kind of file");
@@ -168,7 +183,7 @@ Expected<void> read_table(const std::string& name, const toml::table& table, Set
     return {};
 }
 
-/// A setting that is one of a few names.
+// A setting whose value must be one of a few names.
 struct Name {
     std::string_view key;
     std::string Settings::*member;
@@ -180,6 +195,7 @@ constexpr std::array<std::string_view, 3> kQualities = {"auto", "fast", "high"};
 constexpr std::array<std::string_view, 3> kViews = {"auto", "skin", "stick"};
 constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
 
+// Themes, cameras, dances and formations are checked where their tables are.
 const std::array kNames = std::to_array<Name>({
     {"dance.generator", &Settings::generator, kGenerators},
     {"picture.quality", &Settings::quality, kQualities},
@@ -190,9 +206,11 @@ const std::array kNames = std::to_array<Name>({
 }  // namespace
 
 Expected<void> parse_settings(std::string_view text, const std::string& name, Settings& settings) {
+    // toml++ fails on a header without a name; it is found first, by our own check.
     if (const std::size_t line = line_of_nameless_header(text); line > 0) {
         return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
     }
+    // Read into a copy, so that an error leaves the caller's settings as they were.
     Settings result = settings;
     try {
         const toml::table table = toml::parse(text);
@@ -210,6 +228,7 @@ Expected<void> parse_settings(std::string_view text, const std::string& name, Se
 }
 
 Expected<void> read_settings(const fs::path& path, Settings& settings) {
+    // 1 MiB at most: a wrong file is refused before it fills the memory.
     const auto text = read_text_file(path, std::size_t{1} << 20U);
     if (!text) {
         return fail(text.error());
@@ -220,6 +239,7 @@ Expected<void> read_settings(const fs::path& path, Settings& settings) {
 std::vector<std::string> validate(const Settings& settings) {
     std::vector<std::string> faults;
     for (const Key& key : kKeys) {
+        // Every number against its range; the texts have their own checks below.
         double value = 0.0;
         if (const auto* real = std::get_if<double Settings::*>(&key.member)) {
             value = settings.**real;
@@ -228,6 +248,7 @@ std::vector<std::string> validate(const Settings& settings) {
         } else {
             continue;
         }
+        // Written so that NaN is a fault.
         if (!(value >= key.low && value <= key.high)) {
             faults.push_back(fmt::format(
                 "{} is {}, must be {} to {}", full_name(key), value, key.low, key.high));
@@ -260,9 +281,11 @@ std::string to_toml(const Settings& settings) {
             [&](auto member) -> std::string {
                 using T = std::decay_t<decltype(settings.*member)>;
                 if constexpr (std::is_same_v<T, std::string>) {
+                    // {:?} escapes quotes and control characters.
                     return fmt::format("{:?}", fmt::string_view(settings.*member));
                 } else if constexpr (std::is_same_v<T, double>) {
                     const std::string number = fmt::format("{}", settings.*member);
+                    // A decimal point, so that TOML reads the number back as a decimal.
                     return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
                 } else {
                     return fmt::format("{}", settings.*member);
@@ -275,7 +298,7 @@ std::string to_toml(const Settings& settings) {
 }
 
 fs::path user_settings_path() {
-    // Read once at start-up, before any thread: nothing calls setenv beside it.
+    // Read at start-up, before any thread exists: nothing calls setenv at the same time.
     const char* xdg = std::getenv("XDG_CONFIG_HOME");  // NOLINT(concurrency-mt-unsafe)
     if (xdg != nullptr && *xdg != '\0') {
         return fs::path(xdg) / "raks" / "config.toml";
@@ -303,6 +326,7 @@ Expected<Settings> load_settings() {
         files.push_back(*installed);
     }
     files.push_back(user_settings_path());
+    // The user's file last: it wins.
     for (const fs::path& file : files) {
         std::error_code ignored;
         if (!fs::exists(file, ignored)) {
@@ -317,6 +341,7 @@ Expected<Settings> load_settings() {
 
 Expected<fs::path> data_path(const fs::path& relative) {
     std::vector<fs::path> roots;
+    // The search order: what the person names, the installation, the source tree of a build.
     if (const char* root = std::getenv("RAKS_DATA");  // NOLINT(concurrency-mt-unsafe): see above
         root != nullptr && *root != '\0') {
         roots.emplace_back(root);
@@ -324,14 +349,16 @@ Expected<fs::path> data_path(const fs::path& relative) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
     if (!error) {
+        // As installed: PREFIX/bin/raks and PREFIX/share/raks.
         roots.push_back(program / ".." / "share" / "raks");
-        // From a build folder: up to the root of the source tree.
+        // From a build folder: each folder above it, up to the root of the source tree.
         for (fs::path folder = program; folder.has_relative_path(); folder = folder.parent_path()) {
             roots.push_back(folder);
         }
     }
     for (const fs::path& root : roots) {
         if (fs::exists(root / relative, error)) {
+            // Without "bin/../share" in it, for error messages.
             return (root / relative).lexically_normal();
         }
     }
@@ -344,6 +371,7 @@ Expected<PictureSize> parse_size(std::string_view text) {
     const std::size_t x = text.find('x');
     const char* const end = text.data() + text.size();
     const auto is_side = [](int pixels) { return pixels >= 16 && pixels <= 7680; };
+    // Both numbers must use up their text: "1280x720p" is refused.
     if (x != std::string_view::npos) {
         const auto width = std::from_chars(text.data(), text.data() + x, size.width);
         const auto height = std::from_chars(text.data() + x + 1, end, size.height);

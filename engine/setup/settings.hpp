@@ -10,11 +10,12 @@
 
 namespace raks::engine {
 
-/// What a user can set. Order of precedence: these defaults < config/default.toml as installed <
-/// $XDG_CONFIG_HOME/raks/config.toml < command line. File form: docs/file_formats.md.
+/// What a user can set. Precedence, lowest first: these defaults, the installed
+/// config/default.toml, $XDG_CONFIG_HOME/raks/config.toml, the command line. File format:
+/// docs/file_formats.md.
 struct Settings {
     // [audio]
-    std::string device;              ///< input for `live`; empty: chosen, with the reason said
+    std::string device;              ///< input for `live`; empty: chosen, and the reason printed
     std::string output;              ///< output for `play`; empty: the default
     double latency_offset_ms = 0.0;  ///< added to the reported output latency; [-500, 500]
     double volume = 1.0;             ///< [0, 2]
@@ -27,23 +28,25 @@ struct Settings {
     std::int64_t seed = 1;                   ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]
-    std::string theme = "stage";
-    std::string camera = "wide";
+    std::string theme = "stage";    ///< stage, workshop_dark or studio_light
+    std::string camera = "wide";    ///< preset: wide, portrait, front or side
     std::string size = "1280x720";  ///< WIDTHxHEIGHT
     double fps = 30.0;              ///< pictures a second, [1, 240]
     std::string quality = "auto";   ///< auto, fast or high
     std::string view = "auto";      ///< auto (stick when danced by positions), skin or stick
-    bool overlay = true;
+    bool overlay = true;            ///< tempo, bar, dance and levels over the picture
 };
 
-/// Reads one TOML file over `settings`. Errors name file, line and key; an unknown key names the
-/// nearest known one; a value out of range says the range. On error `settings` is unchanged.
+/// Reads a TOML file over `settings`: keys that it lacks keep their value. Errors name file, line
+/// and key; an unknown key names the nearest known one, a value out of range the range. On error
+/// `settings` is unchanged.
 [[nodiscard]] Expected<void> read_settings(const std::filesystem::path& path, Settings& settings);
+/// The same from a text; `name` stands for the file in errors.
 [[nodiscard]] Expected<void> parse_settings(std::string_view toml,
                                             const std::string& name,
                                             Settings& settings);
 
-/// Every fault of the values (also those that came from the command line), one line each.
+/// Every fault of the values, one line each; for those of the command line too. Empty: none.
 [[nodiscard]] std::vector<std::string> validate(const Settings& settings);
 
 /// The settings as a TOML document with comments; reading it back gives the same settings.
@@ -52,22 +55,24 @@ struct Settings {
 /// Where the user's file lies: $XDG_CONFIG_HOME/raks/config.toml, or below ~/.config.
 [[nodiscard]] std::filesystem::path user_settings_path();
 
-/// The installed file and the user's file, where they exist, over the defaults.
+/// The installed and the user's file, where they exist, read over the defaults in this order.
+/// Errors: as read_settings.
 [[nodiscard]] Expected<Settings> load_settings();
 
-/// A file that comes with Raks (`models/trained/x.json`, `config/default.toml`): beside the
-/// program's build or installation, or below $RAKS_DATA.
+/// A file that comes with Raks (`models/trained/x.json`, `config/default.toml`): below $RAKS_DATA,
+/// or beside the program's installation or build, searched in this order. Errors: it is in none.
 [[nodiscard]] Expected<std::filesystem::path> data_path(const std::filesystem::path& relative);
 
-/// Where what can be made again is kept: $XDG_CACHE_HOME/raks, or below ~/.cache. Empty: there is
-/// no home.
+/// Where files that can be made again are kept: $XDG_CACHE_HOME/raks, or below ~/.cache. Empty:
+/// neither variable names an absolute path.
 [[nodiscard]] std::filesystem::path user_cache_path();
 
+/// Size of a picture.
 struct PictureSize {
-    int width = 0;
-    int height = 0;
+    int width = 0;   ///< pixels
+    int height = 0;  ///< pixels
 };
-/// "1280x720". Both sides 16 to 7680.
+/// Parses "1280x720". Errors: not of this form; a side outside 16 to 7680 pixels.
 [[nodiscard]] Expected<PictureSize> parse_size(std::string_view text);
 
 }  // namespace raks::engine

@@ -5,9 +5,10 @@
 #include "render/gl/window_event.hpp"
 #include "render/scene/camera.hpp"
 
-/// What mouse and wheel do to the camera, in every window.
+/// How mouse and wheel move the camera, alike in every window. Threads: main.
 namespace raks::engine {
 
+/// A drag with the left button orbits; with another button, or with Shift, it pans.
 inline void move_camera(render::Camera& camera, const render::MouseDragEvent& drag) {
     constexpr float kOrbitPerPixel = 0.008F;  // radians
     constexpr float kPanPerPixel = 0.002F;    // metres
@@ -18,6 +19,7 @@ inline void move_camera(render::Camera& camera, const render::MouseDragEvent& dr
     }
 }
 
+/// The wheel zooms: one step is a tenth nearer or further.
 inline void move_camera(render::Camera& camera, const render::ScrollEvent& scroll) {
     constexpr float kZoomPerStep = 0.9F;
     camera.zoom(std::pow(kZoomPerStep, scroll.dy));

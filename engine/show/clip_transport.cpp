@@ -10,8 +10,10 @@
 namespace raks::engine {
 namespace {
 
-constexpr double kFarStep = 10.0;       // frames
-constexpr std::size_t kMostDigits = 9;  // a clip has at most 10 million frames
+// Frames that a step with Shift takes.
+constexpr double kFarStep = 10.0;
+// A clip has at most 10 million frames; more digits would only overflow.
+constexpr std::size_t kMostDigits = 9;
 
 }  // namespace
 
@@ -23,6 +25,8 @@ ClipTransport::ClipTransport(std::size_t frame_count, double frames_per_second, 
     stand_at(static_cast<double>(frame));
 }
 
+// The position is in frames and may lie between two of them, so that any picture rate plays the
+// clip at its own speed.
 void ClipTransport::advance(double seconds) {
     if (!is_paused_) {
         position_ = std::fmod(position_ + std::max(seconds, 0.0) * frames_per_second_,
@@ -31,14 +35,17 @@ void ClipTransport::advance(double seconds) {
 }
 
 std::size_t ClipTransport::frame() const noexcept {
+    // Rounding of fmod may leave the position at the very end.
     return std::min(static_cast<std::size_t>(position_), frame_count_ - 1);
 }
 
+// Stands still at a frame: a step or a jump is made to look at it.
 void ClipTransport::stand_at(double frame) {
     position_ = std::clamp(frame, 0.0, static_cast<double>(frame_count_ - 1));
     is_paused_ = true;
 }
 
+// Digits collect into a frame number; Enter goes there. True: the key belonged to the number.
 bool ClipTransport::type(Key key) {
     if (key >= Key{U'0'} && key <= Key{U'9'}) {
         if (typed_.size() < kMostDigits) {
@@ -56,6 +63,7 @@ bool ClipTransport::type(Key key) {
     } else if (key == Key::enter) {
         std::size_t wanted = 0;
         const auto read = std::from_chars(typed_.data(), typed_.data() + typed_.size(), wanted);
+        // A number that does not fit is dropped, as if nothing had been typed.
         if (read.ec == std::errc()) {
             stand_at(static_cast<double>(wanted));
         }
@@ -67,16 +75,21 @@ bool ClipTransport::type(Key key) {
 }
 
 bool ClipTransport::handle(const KeyEvent& event) {
+    // Keys with Control held belong to the window.
     if (event.has_control) {
         return false;
     }
+    // Typing comes first: while digits stand there, Esc takes them back instead of ending the
+    // program.
     if (type(event.key)) {
         return true;
     }
+    // Steps go from the frame that is shown, not from the position between two frames.
     const double step = event.has_shift ? kFarStep : 1.0;
     const auto shown = static_cast<double>(frame());
     switch (event.key) {
         case Key::space:
+            // A held space must not flicker between pause and play.
             is_paused_ = event.is_repeat ? is_paused_ : !is_paused_;
             return true;
         case Key::left:

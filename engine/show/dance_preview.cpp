@@ -12,9 +12,12 @@
 namespace raks::engine {
 namespace {
 
-constexpr int kRepeats = 8;  // each with its own noise, then over again
+// Repeats evaluated at once: each has its own noise; after the last the first follows again.
+constexpr int kRepeats = 8;
+// BPM that one press of up or down adds.
 constexpr double kTempoStep = 4.0;
 
+// An error gives a time that no file has: a file that is being replaced is looked at again later.
 std::filesystem::file_time_type time_saved(const std::filesystem::path& path) {
     std::error_code problem;  // a file that is being replaced is looked at again
     return std::filesystem::last_write_time(path, problem);
@@ -28,11 +31,13 @@ Expected<DancePreview> DancePreview::create(const std::filesystem::path& path,
     DancePreview preview;
     preview.path_ = path;
     preview.tempo_ = tempo;
+    // Before the file is read: a save in between is then seen as newer.
     preview.saved_ = time_saved(path);
     auto dance = preview.read();
     if (!dance) {
         return fail(std::move(dance.error()));
     }
+    // Only a known figure can be begun with; the name nearest to a wrong one is suggested.
     if (!figure.empty()) {
         const motion::AuthoredFigure* const wanted = dance->figure(figure);
         if (wanted == nullptr) {
@@ -48,6 +53,7 @@ Expected<DancePreview> DancePreview::create(const std::filesystem::path& path,
     return preview;
 }
 
+// A dance that the reader takes may still ask for what no body can do: every figure is checked.
 Expected<motion::AuthoredDance> DancePreview::read() const {
     auto dance = motion::load_authored_dance(path_);
     if (!dance) {
@@ -64,15 +70,19 @@ Expected<motion::AuthoredDance> DancePreview::read() const {
 
 bool DancePreview::refresh() {
     const auto saved = time_saved(path_);
+    // The time of change, not the content: this runs with every picture.
     if (saved == saved_) {
         return false;
     }
     saved_ = saved;
     auto dance = read();
     if (!dance) {
+        // What is shown stays until a good text is saved.
         fault_ = std::move(dance.error().message);
         return true;
     }
+    // The figure that is shown is kept by its name, as the text may have moved it; else the nearest
+    // number.
     fault_.clear();
     const std::string name(figure());
     const motion::AuthoredFigure* const same = dance->figure(name);
@@ -87,6 +97,7 @@ void DancePreview::take(motion::AuthoredDance dance) {
     evaluate();
 }
 
+// Evaluates the figure that is shown, at the tempo; done anew whenever either changes.
 void DancePreview::evaluate() {
     motion::EvaluationOptions options;
     options.written = dance_.written;
@@ -96,6 +107,7 @@ void DancePreview::evaluate() {
         motion::evaluate_figure(dance_.figures[shown_], motion::mannequin_skeleton(), options);
 }
 
+// The beat runs over all repeats and begins again at the first.
 void DancePreview::advance(double seconds) {
     if (!is_paused_) {
         const double whole = static_cast<double>(evaluated_.repeats) * evaluated_.beats;
@@ -117,6 +129,7 @@ bool DancePreview::handle(const KeyEvent& key) {
         case Key::up:
         case Key::down:
             tempo_ =
+                // 30 to 300 BPM: the range of the preview, not of the tracker.
                 Bpm(std::clamp(bpm + (key.key == Key::up ? kTempoStep : -kTempoStep), 30.0, 300.0));
             evaluate();
             return true;
@@ -134,9 +147,11 @@ void DancePreview::show(std::size_t figure) {
     evaluate();
 }
 
+// Poses lie on a grid of frames: the beat's place between two of them is interpolated.
 motion::Pose DancePreview::at_beat(double beat) const {
     const double last = static_cast<double>(evaluated_.poses.size() - 1);
     const double frame = std::clamp(evaluated_.frame_of(beat), 0.0, last);
+    // The second to last at most, as two neighbours are needed.
     const auto i = std::min(static_cast<std::size_t>(frame), evaluated_.poses.size() - 2);
     return interpolate(evaluated_.poses[i],
                        evaluated_.poses[i + 1],
@@ -147,7 +162,8 @@ motion::Pose DancePreview::pose() const { return at_beat(beat_); }
 
 std::vector<motion::Pose> DancePreview::sheet(int per_beat) const {
     const int sides = dance_.figures[shown_].is_mirrored ? 2 : 1;
-    const int first = sides * evaluated_.beats;  // the second time: it comes out of itself
+    // The second repeat: it begins from the figure itself and not from the margin before it.
+    const int first = sides * evaluated_.beats;
     std::vector<motion::Pose> poses;
     for (int i = 0; i < first * per_beat; ++i) {
         poses.push_back(at_beat(first + static_cast<double>(i) / per_beat));
@@ -163,6 +179,7 @@ std::string DancePreview::status() const {
     return fmt::format("{}   {:.0f} BPM   beat {:.1f} of {}{}",
                        figure(),
                        tempo_.value_or(dance_.written).bpm(),
+                       // The beat within its repeat, from 0.
                        beat_ - beats * std::floor(beat_ / beats),
                        evaluated_.beats,
                        is_paused_ ? "   paused" : "");

@@ -16,41 +16,45 @@
 
 namespace raks::engine {
 
-/// A written dance while it is being written: dances one figure of it round and round at a tempo,
-/// and the file's newer text as soon as it is saved. A faulty save is told and the last good dance
-/// goes on.
+/// Shows a written dance while it is being written: dances one of its figures in a loop at a tempo,
+/// and reads the file again whenever it is saved. A fault of a newly saved text is reported, and
+/// the last good one goes on.
 ///
 /// Keys: left and right go to the figure before and after, up and down change the tempo, space
 /// pauses.
 /// Threads: one.
 class DancePreview {
  public:
-    /// `figure`: the one to begin with; empty: the first. `tempo`: none: as written. Errors: those
-    /// of the reader and of faults_in_motion; no such figure.
+    /// `path`: the dance's file. `figure`: the one to begin with; empty: the first. `tempo`: none:
+    /// as written. Errors: those of the reader and of faults_in_motion; no such figure.
     [[nodiscard]] static Expected<DancePreview> create(const std::filesystem::path& path,
                                                        const std::string& figure,
                                                        std::optional<Bpm> tempo);
 
-    /// Looks whether the file was saved since, and reads it then. True: another dance is shown, or
-    /// another fault is told.
+    /// Checks whether the file was saved since the last call, and reads it then. True: another
+    /// dance is shown, or another fault is reported.
     bool refresh();
-    /// Time went by.
+    /// Moves on by `seconds` of time; does nothing in a pause.
     void advance(double seconds);
-    /// False: the key means nothing here.
+    /// Carries out a key of the list above. False: the key means nothing here.
     bool handle(const KeyEvent& key);
 
-    /// As danced now.
+    /// The pose at the present beat, in the skeleton's space.
     [[nodiscard]] motion::Pose pose() const;
-    /// One repeat (of a mirrored figure both sides), `per_beat` poses a beat.
+    /// Poses of one repeat (of a mirrored figure both sides), `per_beat` a beat, for a contact
+    /// sheet.
     [[nodiscard]] std::vector<motion::Pose> sheet(int per_beat) const;
 
-    /// "hip_drop  108 BPM  beat 2.4", or what is wrong with the file that was saved last.
+    /// "hip_drop   108 BPM   beat 2.4 of 4", or the fault of the file that was saved last.
     [[nodiscard]] std::string status() const;
+    /// What is wrong with the file that was saved last; empty: nothing.
     [[nodiscard]] const std::string& fault() const noexcept { return fault_; }
+    /// Name of the figure that is shown.
     [[nodiscard]] std::string_view figure() const noexcept;
+    /// Names of all figures, in the file's order.
     [[nodiscard]] std::vector<std::string> figures() const;
 
-    /// Shows the figure of this number.
+    /// Shows the figure of this number, in the file's order, from its first beat.
     void show(std::size_t figure);
 
  private:

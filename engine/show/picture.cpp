@@ -3,7 +3,8 @@
 namespace raks::engine {
 namespace {
 
-constexpr float kWideFormation = 1.35F;  // three side by side, seen whole
+// Three dancers side by side fit into the picture at this distance.
+constexpr float kWideFormation = 1.35F;
 
 }  // namespace
 
@@ -19,6 +20,7 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(camera.error());
     }
     look.scene.camera = *camera;
+    // zoom() multiplies the camera's distance.
     look.scene.camera.zoom(distance_for(settings.formation));
     look.camera = settings.camera;
     const auto size = parse_size(settings.size);
@@ -26,9 +28,11 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(size.error());
     }
     look.size = *size;
+    // "auto" shows figures that were learnt as joint positions as sticks.
     const bool is_stick =
         settings.view == "stick" || (settings.view == "auto" && settings.figures == "positions");
     look.scene.view = is_stick ? render::View::stick : render::View::skin;
+    // validate() has refused other names; "auto" is what is left.
     look.quality = settings.quality == "fast"   ? render::Quality::fast
                    : settings.quality == "high" ? render::Quality::high
                                                 : render::Quality::automatic;

@@ -10,18 +10,19 @@
 
 namespace raks::engine {
 
-/// What the picture settings come to.
+/// The picture settings, checked and resolved.
 struct Look {
     render::Scene scene;          ///< theme, camera and view
     std::string camera = "wide";  ///< the preset that the scene's camera was made from
-    render::Quality quality = render::Quality::automatic;
-    PictureSize size;
+    render::Quality quality = render::Quality::automatic;  ///< for the renderer
+    PictureSize size;                                      ///< of the window or film, in pixels
 };
 
-/// Errors: an unknown theme or camera (the nearest is named), a bad size.
+/// Resolves the settings. Errors: an unknown theme or camera (the nearest is named), a bad size.
 [[nodiscard]] Expected<Look> read_look(const Settings& settings);
 
-/// How much further away the camera stands for a formation: 1 for solo and couple.
+/// Factor on the camera's distance for a formation: 1 for solo and couple, more where several
+/// dancers stand side by side.
 [[nodiscard]] float distance_for(std::string_view formation) noexcept;
 
 }  // namespace raks::engine

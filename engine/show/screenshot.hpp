@@ -8,12 +8,12 @@
 
 namespace raks::engine {
 
-/// raks-20260131-235959.png, by the clock on the wall, with a number behind it when that is there
-/// already: for a file in the folder where the program was started.
+/// A file name from the local time, "raks-20260131-235959.png"; with a number appended when a file
+/// of that name exists in the current folder.
 [[nodiscard]] std::string screenshot_name();
 
-/// What was drawn to `frame`, as a PNG file. Errors: nothing to read back, the file cannot be
-/// written.
+/// Writes what was drawn to `frame` as a PNG file. An OpenGL context must be current. Errors: the
+/// frame cannot be read back, the file cannot be written.
 [[nodiscard]] Expected<void> write_screenshot(const std::filesystem::path& path,
                                               const render::FrameTarget& frame);
 

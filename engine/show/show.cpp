@@ -11,6 +11,7 @@
 namespace raks::engine {
 
 Expected<Drawing> create_drawing(const Look& look) {
+    // The mannequin is built from code: nothing is read from files.
     auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
     if (!renderer) {
         return fail(renderer.error());
@@ -45,6 +46,7 @@ Show::Show(const Look& look,
 void Show::draw(const ShownMoment& shown,
                 render::OverlayState info,
                 const render::FrameTarget& target) {
+    // The picture first: the overlay is drawn over it.
     draw_moment(shown, renderer_, scene_, target);
     describe_moment(shown, *dances_, info);
     overlay_.draw(info, overlay_view_, target);
@@ -54,6 +56,7 @@ void draw_moment(const ShownMoment& shown,
                  render::Renderer& renderer,
                  render::Scene& scene,
                  const render::FrameTarget& target) {
+    // The rings follow the beat grid at the moment that is shown, which lies between two states.
     scene.rings = render::beat_rings(shown.music.grid, shown.moment);
     renderer.draw(scene, shown.poses, target);
 }
@@ -62,6 +65,7 @@ void describe_moment(const ShownMoment& shown,
                      const DanceList& dances,
                      render::OverlayState& state) noexcept {
     const BeatGrid& grid = shown.music.grid;
+    // The grid is extended to the moment: the picture may lie ahead of the newest state.
     const Beats position = grid.beats_at(shown.moment);
     state.bpm = grid.tempo.bpm();
     state.confidence = grid.confidence;
@@ -69,10 +73,13 @@ void describe_moment(const ShownMoment& shown,
     state.bar_position = grid.bar_position(position);
     state.is_silent = shown.music.is_silent;
     state.genre = dances.title_of(shown.music.genre);
+    // Posteriors are stored as natural logarithms.
     state.genre_posterior = std::exp(shown.music.genre_log_probability[shown.music.genre_class]);
     const auto& figure = shown.dancer.figure;
+    // At most the array's size: the name fills it without a zero when it is long.
     state.figure = std::string_view(figure.data(), strnlen(figure.data(), figure.size()));
     state.dance =
+        // While the dancer stands, no dance is named.
         shown.dancer.is_dancing ? dances.title_of(shown.dancer.dance) : std::string_view{};
     state.figure_count = shown.dancer.count;
     state.figure_counts = shown.dancer.counts;

@@ -15,29 +15,29 @@
 
 namespace raks::engine {
 
-/// What a picture is about: one moment of the dance.
+/// One moment of the dance, as a picture is to show it.
 struct ShownMoment {
-    const MusicState& music;
-    const motion::DancerStatus& dancer;
-    std::span<const motion::Pose> poses;  ///< one a dancer
-    StreamTime moment;                    ///< what is seen and heard then
+    const MusicState& music;              ///< the state that the overlay describes
+    const motion::DancerStatus& dancer;   ///< of the first dancer
+    std::span<const motion::Pose> poses;  ///< one a dancer, in world space
+    StreamTime moment;                    ///< stream time that is seen and sounds at that time
 };
 
-/// What every picture is drawn by: the renderer, with the mannequin, and the overlay.
+/// What every picture is drawn with.
 struct Drawing {
-    render::Renderer renderer;
-    render::Overlay overlay;
+    render::Renderer renderer;  ///< with the mannequin's mesh
+    render::Overlay overlay;    ///< text and meters over the picture
 };
-/// An OpenGL context must be current. Errors: the driver refuses.
+/// Makes both. An OpenGL context must be current. Errors: the driver refuses.
 [[nodiscard]] Expected<Drawing> create_drawing(const Look& look);
 
-/// Draws the stage and who dances on it; the floor shows the beat.
+/// Draws the stage and the dancers; rings on the floor show the beat.
 void draw_moment(const ShownMoment& shown,
                  render::Renderer& renderer,
                  render::Scene& scene,
                  const render::FrameTarget& target);
 
-/// Draws pictures of the dance for a film: stage, dancers and overlay, as a window shows them.
+/// Draws the pictures of a film: stage, dancers and overlay, as a window shows them.
 /// Threads: the OpenGL context's. Real-time: no.
 class Show {
  public:
@@ -46,13 +46,13 @@ class Show {
                                                bool has_overlay,
                                                std::shared_ptr<const DanceList> dances);
 
-    /// Draws one picture. `info` brings what the moment does not know: source, position, latency,
-    /// counters; tempo, bar, genre, figure and levels are filled in here.
+    /// Draws one picture. `info` holds what the moment does not know (source, position, latency,
+    /// counters); tempo, bar, genre, figure and levels are filled in here.
     void draw(const ShownMoment& shown,
               render::OverlayState info,
               const render::FrameTarget& target);
 
-    /// Samples a pixel that a target should have.
+    /// Samples a pixel that a render target should have.
     [[nodiscard]] int samples() const noexcept { return renderer_.samples(); }
 
  private:
@@ -68,7 +68,7 @@ class Show {
     render::OverlayView overlay_view_;
 };
 
-/// A moment filled into what the overlay shows, whose names are those of `dances`. Pure.
+/// Fills a moment into the overlay's state; names are those of `dances`. Pure.
 void describe_moment(const ShownMoment& shown,
                      const DanceList& dances,
                      render::OverlayState& state) noexcept;

@@ -15,10 +15,12 @@
 namespace raks::engine {
 namespace {
 
+// How long a message stays over the picture.
 constexpr Nanos kMessageTime = std::chrono::seconds(4);
+// Weight of the newest picture in the running mean of the picture rate: about the last 20 count.
 constexpr double kFpsShare = 0.05;
 
-/// The name after this one, round and round.
+// The name that follows in the list, cyclically; the first for a name that is not in it.
 std::string_view name_after(std::string_view name, std::span<const std::string_view> names) {
     const auto at = std::find(names.begin(), names.end(), name);
     return at == names.end() || at + 1 == names.end() ? names.front() : *(at + 1);
@@ -49,14 +51,18 @@ WindowLoop::WindowLoop(render::Window window,
                                                    : render::OverlayView::hidden) {}
 
 WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
+    // Bound at each run: the handlers refer to this content.
     bind(content, actions);
     HostTime last = HostClock::now();
     for (;;) {
         handle_events(content, actions);
         const HostTime now = HostClock::now();
+        // Time passes by the clock and not by pictures: a slow picture must not slow the content.
         content.advance(to_seconds(now - last));
         last = now;
         draw(content);
+        // Checked after the picture, so that a screenshot asked for with the last key is still
+        // taken.
         if (options_.is_stop_requested() || window_.should_close() || wants_to_quit_) {
             return WindowEnd::quit;
         }
@@ -66,6 +72,7 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
     }
 }
 
+// On the terminal and over the picture.
 void WindowLoop::say(const std::string& line) {
     options_.say(line);
     message_ = line;
@@ -74,6 +81,7 @@ void WindowLoop::say(const std::string& line) {
 
 void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
     bind_window(actions);
+    // These three depend on the content.
     actions.on(Action::toggle_help, [&](double) { toggle_help(content, actions); });
     actions.on(Action::next_camera, [&](double) { go_to_next_camera(content); });
     actions.on(Action::reset_camera, [&](double) { scene_.camera = preset(content); });
@@ -84,11 +92,13 @@ void WindowLoop::bind_window(ActionDispatcher& actions) {
     actions.on(Action::toggle_fullscreen, [this](double) { window_.toggle_fullscreen(); });
     actions.on(Action::screenshot, [this](double) { wants_screenshot_ = true; });
     actions.on(Action::quit, [this](double) { wants_to_quit_ = true; });
+    // Without cards there is nothing to toggle, and the help panel must not list the key.
     if (options_.cards != Cards::none) {
         actions.on(Action::toggle_overlay, [this](double) { toggle_overlay(); });
     }
 }
 
+// Mouse and wheel act on the camera at once; keys become actions.
 void WindowLoop::handle_events(WindowContent& content, const ActionDispatcher& actions) {
     for (const render::WindowEvent& event : window_.poll_events()) {
         if (const auto* key = std::get_if<KeyEvent>(&event)) {
@@ -104,6 +114,7 @@ void WindowLoop::handle_events(WindowContent& content, const ActionDispatcher& a
 void WindowLoop::handle(const KeyEvent& key,
                         WindowContent& content,
                         const ActionDispatcher& actions) {
+    // The content's own keys shadow those of the table.
     if (content.handle(key)) {
         return;
     }
@@ -112,6 +123,7 @@ void WindowLoop::handle(const KeyEvent& key,
         return;  // a key that means nothing here
     }
     if (const auto done = actions.dispatch(*request); !done) {
+        // Errors are shown, not fatal: the show goes on.
         say(done.error().message);
     }
 }
@@ -119,18 +131,22 @@ void WindowLoop::handle(const KeyEvent& key,
 void WindowLoop::draw(WindowContent& content) {
     const render::FrameTarget target = window_.frame();
     if (target.width > 0 && target.height > 0) {  // else it is minimized
+        // A picture is visible one refresh after it is handed over; the content draws that moment.
         const Nanos until_seen = nanos_from_seconds(1.0 / window_.refresh_rate());
         render::OverlayState overlay;
         content.draw({drawing_.renderer, scene_, target, HostClock::now() + until_seen}, overlay);
         draw_overlay(overlay, target);
     }
+    // After drawing and before present(): the frame still holds this picture.
     if (std::exchange(wants_screenshot_, false)) {
         save_screenshot();
     }
+    // Waits for the screen's refresh, which paces the loop.
     window_.present();
     count_picture();
 }
 
+// The loop's own parts of the overlay: rate, help and message.
 void WindowLoop::draw_overlay(render::OverlayState overlay, const render::FrameTarget& target) {
     overlay.fps = fps_;
     overlay.help = help_;
@@ -140,10 +156,12 @@ void WindowLoop::draw_overlay(render::OverlayState overlay, const render::FrameT
     drawing_.overlay.draw(overlay, overlay_view_, target, window_.content_scale());
 }
 
+// Exponential mean: single late pictures do not make the number flicker.
 void WindowLoop::count_picture() {
     const HostTime now = HostClock::now();
     const double seconds = to_seconds(now - last_picture_);
     last_picture_ = now;
+    // At least 1 ms, so that the first pictures do not divide by nothing.
     fps_ += kFpsShare * (1.0 / std::max(seconds, 1e-3) - fps_);
 }
 
@@ -153,12 +171,14 @@ void WindowLoop::save_screenshot() {
     say(done ? "screenshot saved: " + name : done.error().message);
 }
 
+// The list is made when it is opened: what the actions handle depends on the content.
 void WindowLoop::toggle_help(const WindowContent& content, const ActionDispatcher& actions) {
     if (help_.empty()) {
         help_ = help_rows(content.own_keys(), actions);
     } else {
         help_.clear();
     }
+    // The help lies on the cards' layer and would stay invisible while that is hidden.
     if (options_.cards != Cards::none) {
         overlay_view_ = render::OverlayView::shown;
     }
@@ -167,9 +187,11 @@ void WindowLoop::toggle_help(const WindowContent& content, const ActionDispatche
 void WindowLoop::toggle_overlay() {
     const bool is_bare = overlay_view_ == render::OverlayView::hidden;
     overlay_view_ = is_bare ? render::OverlayView::shown : render::OverlayView::hidden;
+    // Hiding everything closes the help, too.
     help_.clear();
 }
 
+// The preset is applied anew, also after the mouse has moved the camera.
 void WindowLoop::go_to_next_camera(const WindowContent& content) {
     camera_name_ = name_after(camera_name_, render::camera_names());
     scene_.camera = preset(content);
@@ -184,6 +206,7 @@ void WindowLoop::go_to_next_theme() {
     }
 }
 
+// The content may move a preset: a formation needs more room than one dancer.
 render::Camera WindowLoop::preset(const WindowContent& content) const {
     const auto camera = render::find_camera(camera_name_);
     return content.framed(camera ? *camera : render::Camera());
@@ -191,6 +214,7 @@ render::Camera WindowLoop::preset(const WindowContent& content) const {
 
 std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,
                                        const ActionDispatcher& actions) {
+    // True for a key that one of the content's own rows names.
     const auto is_own = [own](const std::string& key) {
         return std::any_of(own.begin(), own.end(), [&](const render::HelpRow& row) {
             return std::find(row.keys.begin(), row.keys.end(), key) != row.keys.end();
@@ -198,6 +222,7 @@ std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,
     };
     std::vector<render::HelpRow> rows = std::move(own);
     for (HelpLine& line : help_lines([&](Action action) { return actions.handles(action); })) {
+        // A line of the table that loses all its keys to the content is left out.
         std::erase_if(line.keys, is_own);
         if (!line.keys.empty()) {
             rows.push_back(

@@ -20,53 +20,57 @@
 
 namespace raks::engine {
 
-/// One picture that a window's content draws into.
+/// What a content needs to draw one picture.
 struct WindowPicture {
-    render::Renderer& renderer;
+    render::Renderer& renderer;  ///< draws the scene into the target
     render::Scene& scene;  ///< theme, camera and view are the loop's; the rest is the content's
-    render::FrameTarget target;
-    HostTime seen_at;  ///< when it will be on the screen: about one refresh from now
+    render::FrameTarget target;  ///< where to draw; its size is that of the window
+    /// Host time at which the picture will be visible: about one refresh from now.
+    HostTime seen_at;
 };
 
-/// What a window shows: the stage, a clip, a dance that is being written. Threads: main.
+/// What a window shows: the stage, a clip, a dance that is being written. The loop calls it.
+/// Threads: main.
 class WindowContent {
  public:
-    virtual ~WindowContent() = default;
+    virtual ~WindowContent() = default;  ///< contents are owned elsewhere
 
-    /// A key before the table of actions gets it. True: it was the content's own.
+    /// Gets each key before the table of actions does. True: the content has used it.
     virtual bool handle(const KeyEvent& /*key*/) { return false; }
-    /// Lines of help for keys of its own.
+    /// Help lines of the keys that handle() uses.
     [[nodiscard]] virtual std::vector<render::HelpRow> own_keys() const { return {}; }
 
-    /// Time went by since the last picture.
+    /// Moves on by the time since the last picture, in seconds.
     virtual void advance(double seconds) = 0;
-    /// Draws one picture, and fills in what lies over it: the text must live until the next call.
+    /// Draws one picture and fills in the overlay, whose texts must stay valid until the next call.
     virtual void draw(const WindowPicture& picture, render::OverlayState& overlay) = 0;
-    /// Nothing more is to be shown.
+    /// True when there is nothing more to show: the loop ends.
     [[nodiscard]] virtual bool is_finished() const = 0;
 
-    /// A camera of the presets as it must stand for this content.
+    /// A preset camera, moved to where it must stand for this content.
     [[nodiscard]] virtual render::Camera framed(render::Camera preset) const { return preset; }
 };
 
-/// The cards over the picture (OverlayView); `none`: this content has none to show.
+/// Whether the information cards over the picture (OverlayView) are shown; `none`: the content has
+/// none.
 enum class Cards : std::uint8_t { none, hidden, shown };
 
+/// How a loop reports and when it stops.
 struct WindowLoopOptions {
-    Cards cards = Cards::none;
+    Cards cards = Cards::none;  ///< at the start; `none` also disables the key that toggles them
     SayLine say = [](const std::string&) {};  ///< gets lines for people
-    /// Asked after each picture: true ends the loop, for example when a signal came.
+    /// Asked after each picture; true ends the loop, for example after a signal.
     std::function<bool()> is_stop_requested = [] { return false; };
 };
 
-/// Why a loop ended.
+/// Why a loop has ended.
 enum class WindowEnd : std::uint8_t {
-    finished,  ///< the content is
-    quit,      ///< the window was closed, a key or another input said so, or a stop was requested
+    finished,  ///< the content has ended
+    quit,      ///< the window was closed, an action asked for it, or a stop was requested
 };
 
-/// The loop of a window: events, camera, list of keys, message line, screenshots, pace of the
-/// pictures. One lives as long as its window; content after content runs in it.
+/// The loop of a window: events, camera, list of keys, message line, screenshots and pace of the
+/// pictures. A loop lives as long as its window; one content after the other runs in it.
 ///
 ///     auto loop = WindowLoop::create(std::move(window), look, {.say = say, ...});
 ///     ActionDispatcher actions(say);      // what the content does is bound to it first
@@ -80,15 +84,15 @@ class WindowLoop {
                                                      const Look& look,
                                                      WindowLoopOptions options);
 
-    /// Shows `content` until it is finished or the end is asked for. Adds to `actions` what every
-    /// window does: camera, theme, cards, full screen, screenshot, help, quit.
+    /// Shows `content` until it is finished or the end is asked for. Registers with `actions` what
+    /// every window does: camera, theme, cards, full screen, screenshot, help, quit.
     [[nodiscard]] WindowEnd run(WindowContent& content, ActionDispatcher& actions);
 
-    /// A line for people, and for a while over the picture.
+    /// Passes a line for people on, and shows it over the picture for 4 s.
     void say(const std::string& line);
-    /// A line for people, or empty: what the quality became and why.
+    /// A line for people when the renderer has changed its quality, with the reason; else empty.
     [[nodiscard]] std::string_view notice() const noexcept { return drawing_.renderer.notice(); }
-    /// What is drawn, for contents that change it between two pictures.
+    /// The scene that is drawn; contents may change it between two pictures.
     [[nodiscard]] render::Scene& scene() noexcept { return scene_; }
 
  private:
@@ -125,8 +129,8 @@ class WindowLoop {
     double fps_ = 0.0;
 };
 
-/// The list of keys: the content's own, then those of the table that `actions` does and that the
-/// content leaves to it.
+/// The rows of the help list: the content's own keys, then the lines of the table whose actions
+/// `actions` handles, without keys that the content uses itself.
 [[nodiscard]] std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,
                                                      const ActionDispatcher& actions);
 

@@ -13,9 +13,10 @@
 namespace raks::engine {
 namespace {
 
+// All measures are taken at this rate, so that they compare with those of captured dances.
 constexpr double kPosesPerSecond = 60.0;
 
-/// Poses at 60 a second and what the dancer said at every hop.
+// Records the poses at 60 a second and the dancer's status at every hop.
 class RecordDance final : public OfflineDriver::Sink {
  public:
     explicit RecordDance(std::size_t measured) : measured_(measured) {}
@@ -38,6 +39,7 @@ class RecordDance final : public OfflineDriver::Sink {
     CollectPoses poses_{kPosesPerSecond};
 };
 
+// The figure danced at `time`, seconds; null between figures.
 const DancedFigure* figure_at(std::span<const DancedFigure> figures, double time) {
     const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) {
         return time >= figure.from && time < figure.to;
@@ -45,7 +47,8 @@ const DancedFigure* figure_at(std::span<const DancedFigure> figures, double time
     return found == figures.end() ? nullptr : &*found;
 }
 
-/// Tempo danced against learnt at every frame, and which frames are settled dancing.
+// For every frame the pace (tempo danced / learnt) and whether the frame counts: it lies in a known
+// figure, after the blend in from standing and before the dance ends.
 motion::MetricFrames frames_of(const RecordDance& record, std::span<const DancedFigure> figures) {
     motion::MetricFrames frames;
     const CountWindow window;
@@ -54,10 +57,12 @@ motion::MetricFrames frames_of(const RecordDance& record, std::span<const Danced
         const auto hop =
             std::min(static_cast<std::size_t>(time * kHopsPerSecond), record.hops.size() - 1);
         const motion::DancerStatus& status = record.hops[hop];
+        // Status is by hop, poses by frame: the hop that contains the frame.
         const DancedFigure* const figure = status.is_dancing ? figure_at(figures, time) : nullptr;
         frames.pace.push_back(
             figure == nullptr
                 ? 1.0
+                // Divided by later, so that it must not become 0.
                 : std::max(status.rate / figure->model->learnt_tempo.beats_per_second(), 1e-3));
         frames.counted.push_back(figure != nullptr &&
                                  time >= figure->dance_from + window.blend_in &&
@@ -66,6 +71,7 @@ motion::MetricFrames frames_of(const RecordDance& record, std::span<const Danced
     return frames;
 }
 
+// Height of the lowest sole point (ball, heel or toe tip) of any pose, metres over the floor.
 double lowest_sole(const motion::Skeleton& skeleton, std::span<const motion::Pose> poses) {
     float lowest = 1e9F;
     for (const motion::Pose& pose : poses) {
@@ -81,6 +87,8 @@ double lowest_sole(const motion::Skeleton& skeleton, std::span<const motion::Pos
     return static_cast<double>(lowest);
 }
 
+// Count times of the figures that were danced from count 1 to the next: only those compare as
+// repeats.
 std::vector<motion::FigureRepeatTimes> whole_repeats(std::span<const DancedFigure> figures) {
     std::vector<motion::FigureRepeatTimes> repeats;
     for (const DancedFigure& figure : figures) {
@@ -91,6 +99,7 @@ std::vector<motion::FigureRepeatTimes> whole_repeats(std::span<const DancedFigur
     return repeats;
 }
 
+// Times of the beats that sound, seconds: a beat inside a silence cannot be danced to.
 std::vector<double> audible_beats(const audio::GeneratedMusic& music) {
     std::vector<double> times;
     for (const audio::ReferenceBeat& beat : music.beats) {
@@ -101,6 +110,8 @@ std::vector<double> audible_beats(const audio::GeneratedMusic& music) {
     return times;
 }
 
+// Measures of the couple over settled frames. Hands and facing are measured in
+// the basic only, distance in all figures.
 CoupleResult couple_of(const motion::Skeleton& skeleton,
                        const RecordDance& record,
                        std::span<const DancedFigure> figures,
@@ -136,6 +147,7 @@ CoupleResult couple_of(const motion::Skeleton& skeleton,
     return result;
 }
 
+// All measures of one trial from the recorded dance.
 TrialResult result_of(const DanceTrial& trial,
                       const motion::Skeleton& skeleton,
                       const RecordDance& record,
@@ -144,6 +156,7 @@ TrialResult result_of(const DanceTrial& trial,
     const std::vector<DancedFigure> figures = danced_figures(record.hops, music.beats, models);
     const motion::BodyTrack track = motion::body_track(skeleton, record.poses(), kPosesPerSecond);
     TrialResult result;
+    // Landings are judged against the beats of the music, never against the dancer's own phase.
     const std::vector<motion::AudibleCount> counts =
         audible_counts(figures, {.from = trial.judged_from, .to = trial.judged_to});
     result.landing = motion::landing_errors(track, counts);
@@ -153,7 +166,8 @@ TrialResult result_of(const DanceTrial& trial,
     subject.beat_times = audible_beats(music);
     subject.floor_height = 0.0;
     result.measures = motion::measure_dance(track, subject);
-    // Settled or not; but the body does not stop where the track ends.
+    // The highest jerk counts every frame, settled or not, since starts and stops must be smooth
+    // too. The pace still scales it.
     const std::vector<bool> all(track.frames(), true);
     result.highest_jerk = motion::jerk_of(track, {all, subject.frames.pace}).highest;
     result.lowest_sole = lowest_sole(skeleton, record.poses());
@@ -164,6 +178,7 @@ TrialResult result_of(const DanceTrial& trial,
             settled += 1.0;
         }
     }
+    // Mean pace over settled frames; 0 when there are none.
     result.pace = settled > 0.0 ? result.pace / settled : 0.0;
     if (record.dancers().size() == 2) {
         result.couple = couple_of(skeleton, record, figures, subject.frames);
@@ -189,6 +204,7 @@ Expected<TrialResult> run_trial(const DanceTrial& trial,
     if (!driver) {
         return fail(driver.error());
     }
+    // The whole piece in one block: the result does not depend on block sizes.
     RecordDance record(cast.measured);
     driver->feed(music->mono(), record);
     driver->finish(record);

@@ -14,57 +14,63 @@
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/figure_model.hpp"
 
-/// Measuring the whole chain: generated music -> analyzer -> dancer -> poses at 60 a second.
+/// Measures the whole chain: generated music -> analyzer -> dancer -> poses at 60 a second.
 namespace raks::engine {
 
+/// What the tempo of a trial's music does.
 enum class TrialKind : std::uint8_t {
     steady,  ///< one tempo
     ramp,    ///< the tempo rises or falls by 2 % a second; landings are judged meanwhile
     breaks,  ///< silences, and jumps of the tempo
 };
 
+/// One piece of generated music and what is judged in it.
 struct DanceTrial {
-    std::string name;  ///< "salsa-180"
-    TrialKind kind = TrialKind::steady;
-    audio::MusicPlan music;
-    double judged_from = 0.0;  ///< seconds of the music in which landings count
-    double judged_to = 1e9;
+    std::string name;                    ///< "salsa-180"
+    TrialKind kind = TrialKind::steady;  ///< decides which bounds apply
+    audio::MusicPlan music;              ///< what the generator makes
+    double judged_from = 0.0;            ///< seconds of the music in which landings count
+    double judged_to = 1e9;              ///< end of that stretch
 };
 
-/// In full: steady music of 100 to 200 BPM (the dance's own style from 160 on, other styles
-/// elsewhere), 60 s each; ramps up and down; breaks. In brief: music of the dance's own style at
-/// 0.85, 1 and 1.15 of the tempo in which it was learnt, the same ramps between those, silences.
+/// The trials of a dance; `learnt`: its learnt tempo. In full: steady music of 100 to 200 BPM (the
+/// dance's own style from 160 on, other styles below), 60 s each; ramps up and down; breaks. In
+/// brief: music of the dance's own style at 0.85, 1 and 1.15 of the learnt tempo, ramps between
+/// those, silences.
 [[nodiscard]] std::vector<DanceTrial> standard_trials(const DanceInfo& dance, Bpm learnt);
 
-/// A couple, while it dances and is settled.
+/// Measures of a couple, over the frames in which it dances and has settled.
 struct CoupleResult {
     double hands_p90 = 0.0;    ///< of the hands that hold one another, in the basic; metres
     double facing_p90 = 0.0;   ///< how far either looks past the other, in the basic; radians
-    double closest = 0.0;      ///< skin to skin, in all figures; metres, negative: so deep
+    double closest = 0.0;      ///< skin to skin, in all figures; metres, negative: overlap
     std::string closest_in;    ///< the figure in which that was
-    double overlapping = 0.0;  ///< share of the time in which they are into one another
+    double overlapping = 0.0;  ///< share of the time in which the bodies overlap
 };
 
+/// What was measured in one trial.
 struct TrialResult {
-    motion::LandingReport landing;
-    motion::DanceMeasures measures;  ///< while dancing, 4 s after each start on
-    double highest_jerk = 0.0;       ///< of all, starting and settling too; m/s^3, by pace
+    motion::LandingReport landing;   ///< landings against the beats of the music
+    motion::DanceMeasures measures;  ///< while dancing, from 4 s after each start
+    double highest_jerk = 0.0;       ///< of all frames, starts and stops too; m/s^3, by pace
     double lowest_sole = 0.0;        ///< ball, toe tip or heel of any pose over the floor; metres
     double danced_share = 0.0;       ///< of the time
     double pace = 0.0;               ///< mean tempo danced / learnt, while dancing
-    int reanchors = 0;
-    std::optional<CoupleResult> couple;
+    int reanchors = 0;               ///< how often the dancer set its phase anew
+    std::optional<CoupleResult> couple;  ///< none when one dances alone
 };
 
-/// Who dances a trial and which of them is measured: one alone, or a couple.
+/// Who dances a trial, alone or as a couple, and which of them is measured.
 struct TrialCast {
-    AnalyzerModels models;
-    Cast cast;
-    std::size_t measured = 0;
+    AnalyzerModels models;     ///< of the analyzer
+    Cast cast;                 ///< one or two members
+    std::size_t measured = 0;  ///< index of the measured member
 };
 
-/// Jerks are divided by the cube of the pace, speeds by the pace. Errors: those of the generator
-/// and the offline driver. Threads: any. Real-time: no (a minute of music takes about 2 s).
+/// Runs and measures one trial. `models`: the trained figures that the dance is measured against.
+/// Jerks are divided by the cube of the pace (tempo danced / learnt), speeds by the pace. Errors:
+/// those of the generator and of the offline driver. Threads: any. Real-time: no (a minute of music
+/// takes about 2 s).
 [[nodiscard]] Expected<TrialResult> run_trial(const DanceTrial& trial,
                                               const TrialCast& cast,
                                               std::span<const motion::FigureModel> models);

@@ -14,8 +14,12 @@ namespace {
 
 using motion::DancerStatus;
 
-constexpr double kWholeSlack = 0.25;  // beats from count 1 that a hop may be and yet begin there
-constexpr double kWindowEnd = 0.6;    // beats behind a count that its landing may be
+// Beats that a hop may lie after count 1 (or before the next one) and the figure still counts as
+// whole.
+constexpr double kWholeSlack = 0.25;
+// Beats after a count within which its landing may come: landings behind the end of a dance would
+// be missed.
+constexpr double kWindowEnd = 0.6;
 
 /// Hops [first, last) in which one figure went on without a break.
 struct Stretch {
@@ -23,14 +27,18 @@ struct Stretch {
     std::size_t last = 0;
 };
 
+// Time of a hop from the stream's start.
 double seconds_of(std::size_t hop) { return static_cast<double>(hop) / kHopsPerSecond; }
 
+// True while the same figure goes on: the same name, octave and anchoring, and a phase that does
+// not fall back.
 bool goes_on(const DancerStatus& before, const DancerStatus& now) {
     return now.is_dancing && before.is_dancing && now.figure == before.figure &&
            now.octave == before.octave && now.reanchors == before.reanchors &&
            now.phase >= before.phase;
 }
 
+// Splits the hops into stretches of one figure each; hops without dancing belong to none.
 std::vector<Stretch> stretches_of(std::span<const DancerStatus> hops) {
     std::vector<Stretch> stretches;
     for (std::size_t h = 0; h < hops.size(); ++h) {
@@ -45,12 +53,14 @@ std::vector<Stretch> stretches_of(std::span<const DancerStatus> hops) {
     return stretches;
 }
 
+// Time of beat i, seconds of the stream.
 double beat_seconds(std::span<const audio::ReferenceBeat> beats, std::size_t i) {
     return to_seconds(beats[i].time);
 }
 
-/// Dance beats from the music's beat 0, counted at the figure's octave, to the figure's count 1,
-/// the other way round: phase = octave x beat + offset. Nothing when no beat sounds meanwhile.
+// Offset between the figure's beats and the music's: phase = octave x beat + offset. Each beat of
+// the music that falls into the stretch gives one estimate; the median is rounded to the grid of
+// counts. Nothing when no beat falls into it.
 std::optional<double> count_offset(std::span<const DancerStatus> hops,
                                    const Stretch& stretch,
                                    std::span<const audio::ReferenceBeat> beats) {
@@ -59,6 +69,7 @@ std::optional<double> count_offset(std::span<const DancerStatus> hops,
     for (std::size_t b = 0; b < beats.size(); ++b) {
         const double at = beat_seconds(beats, b) * kHopsPerSecond;
         const auto hop = static_cast<std::size_t>(at);
+        // The phase at the beat, from the hop before it and the rate.
         if (hop >= stretch.first && hop < stretch.last) {
             const double since = (at - std::floor(at)) / kHopsPerSecond;
             offsets.push_back(hops[hop].phase + hops[hop].rate * since -
@@ -68,14 +79,18 @@ std::optional<double> count_offset(std::span<const DancerStatus> hops,
     if (offsets.empty()) {
         return std::nullopt;
     }
+    // The median: a beat at which the phase was just being corrected does not matter.
     std::nth_element(offsets.begin(),
                      offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2),
                      offsets.end());
-    const double grid =
-        std::min(octave, 1.0);  // where half the beats are counts, either half may be
+    // At octave 0.5 half of the music's beats are counts, and either half may be: the grid is half
+    // a beat then.
+    const double grid = std::min(octave, 1.0);
     return grid * std::round(offsets[offsets.size() / 2] / grid);
 }
 
+// Times of all counts, interpolated between the music's beats: counts may lie between beats at
+// octave 2. Beyond the first or last beat the nearest interval goes on.
 void add_counts(std::span<const audio::ReferenceBeat> beats, double offset, DancedFigure& figure) {
     for (int count = 0; count <= figure.model->beats; ++count) {
         const double beat = (count - offset) / figure.octave;
@@ -84,11 +99,13 @@ void add_counts(std::span<const audio::ReferenceBeat> beats, double offset, Danc
         const double share = beat - static_cast<double>(before);
         const double length = beat_seconds(beats, before + 1) - beat_seconds(beats, before);
         figure.count_times.push_back(beat_seconds(beats, before) + share * length);
+        // A count is judged as audible by the beat next to it.
         const std::size_t nearest = share < 0.5 ? before : before + 1;
         figure.is_count_audible.push_back(beat >= 0.0 && beat <= last && beats[nearest].is_audible);
     }
 }
 
+// The model of the status' figure. The status holds a cut-off name: compared as far as it goes.
 const motion::FigureModel* model_of(std::span<const motion::FigureModel> models,
                                     const DancerStatus& status) {
     const std::string_view name(status.figure.data());
@@ -98,7 +115,7 @@ const motion::FigureModel* model_of(std::span<const motion::FigureModel> models,
     return found == models.end() ? nullptr : &*found;
 }
 
-/// Where the dance that hop `hop` is part of began and ended, seconds.
+// Seconds at which the dance (from standing to standing) that contains this hop began and ended.
 std::pair<double, double> dance_around(std::span<const DancerStatus> hops, std::size_t hop) {
     std::size_t first = hop;
     std::size_t last = hop;
@@ -117,6 +134,7 @@ std::vector<DancedFigure> danced_figures(std::span<const DancerStatus> hops,
                                          std::span<const audio::ReferenceBeat> beats,
                                          std::span<const motion::FigureModel> models) {
     std::vector<DancedFigure> figures;
+    // An interval is needed to interpolate.
     if (beats.size() < 2) {
         return figures;
     }
@@ -124,6 +142,7 @@ std::vector<DancedFigure> danced_figures(std::span<const DancerStatus> hops,
         const DancerStatus& begin = hops[stretch.first];
         const motion::FigureModel* const model = model_of(models, begin);
         const auto offset = count_offset(hops, stretch, beats);
+        // A figure of another dance, or one during a silence: nothing to judge.
         if (model == nullptr || !offset) {
             continue;
         }
@@ -144,9 +163,11 @@ std::vector<motion::AudibleCount> audible_counts(std::span<const DancedFigure> f
                                                  const CountWindow& window) {
     std::vector<motion::AudibleCount> counts;
     for (const DancedFigure& figure : figures) {
+        // The last entry is count 1 of the next figure and is judged there.
         for (std::size_t k = 0; k + 1 < figure.count_times.size(); ++k) {
             const double time = figure.count_times[k];
             const double beat = figure.count_times[k + 1] - time;
+            // Of a figure that was cut short, only the counts that were reached.
             const bool is_danced = figure.is_whole || (time >= figure.from && time < figure.to);
             const bool is_settled = time >= figure.dance_from + window.blend_in &&
                                     time + kWindowEnd * beat < figure.dance_to;

@@ -15,12 +15,19 @@
 namespace raks::engine {
 namespace {
 
-constexpr double kBeatsBefore = 20.0;  // the dancer has settled into the figure by then
-constexpr double kEarliest = 2.0;      // beats before a count 1 that poses are asked for, at most
-constexpr int kRepeats = 12;  // each of the eight ways of a figure comes, and noise is halved
+// Beats of music before the first count 1 that is used: by then the dancer has settled.
+constexpr double kBeatsBefore = 20.0;
+// A count 1 is chosen at least this many beats ahead, as poses may be asked for from 2 beats before
+// it on.
+constexpr double kEarliest = 2.0;
+// Twelve repeats: each of the eight variants of a figure occurs, and the measures' noise is halved.
+constexpr int kRepeats = 12;
 constexpr double kFramesPerSecond = 60.0;
-constexpr double kMargin = 0.5;  // beats before the first and after the last repeat
+// Beats of poses before the first and after the last repeat.
+constexpr double kMargin = 0.5;
 
+// A music state as a perfect tracker would give it: exact steady beats, full confidence, some usual
+// loudness.
 MusicState steady_music(HopIndex hop, const FigureOnBeat& on) {
     MusicState state;
     state.hop = hop;
@@ -35,12 +42,14 @@ MusicState steady_music(HopIndex hop, const FigureOnBeat& on) {
     return state;
 }
 
-/// The beat of the music on which the figure begins again, kEarliest from now on.
+// The beat of the music, at least kEarliest ahead of `now`, on which the figure begins again.
+// Whole: rounding takes out the phase's small error.
 double next_count_one(const motion::DancerStatus& status, double now) {
     const double begun = std::round(now - status.phase);
     return begun + status.counts * std::ceil((now + kEarliest - begun) / status.counts);
 }
 
+// Dances a figure kRepeats times and measures it. Errors: the library has no such figure.
 Expected<motion::TakeMeasures> measure_alone(
     const motion::AuthoredDance& dance,
     const motion::AuthoredFigure& figure,
@@ -57,9 +66,12 @@ Expected<motion::TakeMeasures> measure_alone(
     take.frames_per_second = kFramesPerSecond;
     take.tempo = dance.written;
     take.first_beat = -kMargin;
+    // A mirrored figure begins on the left and on the right in turn: both sides make one repeat.
     take.beats = figure.beats * (figure.is_mirrored ? 2 : 1);
     take.repeats = kRepeats;
     take.beats_per_bar = dance.beats_per_bar;
+    // Beats of the poses, at 60 a second of the written tempo; computed from the index, so that no
+    // error adds up.
     const double beats_a_frame = dance.written.beats_per_second() / kFramesPerSecond;
     std::vector<double> beats;
     for (double beat = -kMargin; beat < kRepeats * take.beats + kMargin;
@@ -90,11 +102,13 @@ Expected<std::vector<motion::Pose>> dance_alone(
         return fail(prepared.error());
     }
     using Kind = motion::DancerCommand::Kind;
+    // Chosen and locked before the first hop: the dancer begins with this figure and repeats it.
     dancer.command({Kind::select_figure, {}, static_cast<double>(on.figure)});
     dancer.command({Kind::lock_figure, {}, 1.0});
     const auto track = std::make_unique<motion::PoseTrack>();
     std::vector<motion::Pose> poses;
     std::optional<double> count_one;  // beat of the music
+    // Hops run until the last pose is taken.
     for (HopIndex hop = 0; poses.size() < beats.size(); ++hop) {
         const MusicState state = steady_music(hop, on);
         dancer.advance(state, *track);
@@ -102,6 +116,7 @@ Expected<std::vector<motion::Pose>> dance_alone(
         if (!count_one && now > kBeatsBefore) {
             count_one = next_count_one(dancer.status(), now);
         }
+        // Beats count from count_one; poses are taken once their time has been danced.
         const auto next = [&] {
             return state.grid.time_of(Beats(*count_one + beats[poses.size()]));
         };
@@ -119,6 +134,7 @@ Expected<std::vector<DancedWrittenFigure>> danced_written_figures(
     std::uint64_t seed) {
     const auto path =
         data_path(std::filesystem::path("config") / "choreographies" / (dance + ".toml"));
+    // Only dances with a file in config/choreographies were written.
     std::vector<DancedWrittenFigure> figures;
     if (!path) {
         return figures;
@@ -132,6 +148,8 @@ Expected<std::vector<DancedWrittenFigure>> danced_written_figures(
         if (!measures) {
             return fail(measures.error());
         }
+        // Both kinds of faults are reported: expectations of the file, and poses that no body
+        // takes.
         std::vector<std::string> faults = faults_in_measures(*written, figure, *measures);
         for (std::string& fault : faults_in_poses(*written, figure, *measures)) {
             faults.push_back(std::move(fault));

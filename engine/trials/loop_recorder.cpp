@@ -10,12 +10,18 @@
 namespace raks::engine {
 namespace {
 
-constexpr double kMedianSeconds = 0.5;  // to either side
+// Blocks within this many seconds to either side of a sample date it.
+constexpr double kMedianSeconds = 0.5;
+// Length of the attack that is searched for, seconds.
 constexpr double kTemplateSeconds = 0.02;
-constexpr double kSearchSeconds = 0.03;  // to either side of where the beat before lay
+// Seconds searched to either side of the delay that the beat before had.
+constexpr double kSearchSeconds = 0.03;
+// A match below this is some other sound than the beat's attack.
 constexpr double kLeastCorrelation = 0.9;
-constexpr float kLeastSound = 1e-3F;        // -60 dBFS: the loop of ports is free of noise
-constexpr std::size_t kSmallestBlock = 16;  // room for the times of blocks not smaller than this
+// Louder than this is sound: -60 dBFS, as a loop of ports adds no noise.
+constexpr float kLeastSound = 1e-3F;
+// Room is made for the times of blocks of at least this many frames.
+constexpr std::size_t kSmallestBlock = 16;
 
 std::int64_t frames_of(double seconds, SampleRate rate) {
     return std::llround(seconds * rate.hertz());
@@ -33,10 +39,13 @@ LoopRecording::LoopRecording(SampleRate rate,
       blocks_(std::move(blocks)) {}
 
 HostTime LoopRecording::heard_at(std::int64_t frame) const {
+    // Every block says when frame 0 would have been; a late wake-up says too late. The median over
+    // the blocks nearby takes such ones out.
     const std::int64_t reach = frames_of(kMedianSeconds, rate_);
     const auto starts_before = [](const Block& block, std::int64_t at) {
         return block.first_frame < at;
     };
+    // At least one block, even when the frame lies outside the recording.
     const auto from =
         std::lower_bound(blocks_.begin(), blocks_.end() - 1, frame - reach, starts_before);
     const auto to = std::lower_bound(from + 1, blocks_.end(), frame + reach, starts_before);
@@ -47,12 +56,15 @@ HostTime LoopRecording::heard_at(std::int64_t frame) const {
     }
     const auto middle = origins.begin() + static_cast<std::ptrdiff_t>(origins.size() / 2);
     std::nth_element(origins.begin(), middle, origins.end());
+    // Subtracted: the input's latency is between the loop and the callback.
     return HostTime(*middle + rate_.time_of(frame).time_since_epoch() - input_latency_);
 }
 
-/// Keeps the first channel and the time of every block, in memory that is there before.
+// Keeps the first channel and the time of every block, in memory that was allocated before: the
+// callback must not allocate.
 class LoopRecorder::Tape final : public audio::StreamCallback {
  public:
+    // Before run(): no callback touches the memory yet.
     void make_room(double seconds, SampleRate rate) {
         samples_.resize(static_cast<std::size_t>(frames_of(seconds, rate)));
         blocks_.resize(samples_.size() / kSmallestBlock);
@@ -69,6 +81,7 @@ class LoopRecorder::Tape final : public audio::StreamCallback {
         const std::size_t frames = interleaved.size() / stride;
         std::size_t at = frames_.load(std::memory_order_relaxed);  // relaxed: only we write it
         const std::size_t block = block_count_.load(std::memory_order_relaxed);
+        // When the room is used up, the recording is complete.
         if (at + frames > samples_.size() || block == blocks_.size()) {
             return;
         }
@@ -76,6 +89,7 @@ class LoopRecorder::Tape final : public audio::StreamCallback {
         for (std::size_t i = 0; i < frames; ++i) {
             samples_[at++] = interleaved[i * stride];
         }
+        // Before the frames: who reads a number of frames sees their blocks.
         block_count_.store(block + 1, std::memory_order_relaxed);
         // release: pairs with the acquire in copy().
         frames_.store(at, std::memory_order_release);
@@ -110,6 +124,7 @@ LoopRecorder::~LoopRecorder() = default;
 
 Expected<std::unique_ptr<LoopRecorder>> LoopRecorder::start(
     std::span<const audio::AudioDevice> devices, const audio::AudioDevice& output, double seconds) {
+    // The input of the same JACK device: its ports are what our output can be connected to.
     const auto input = std::find_if(devices.begin(), devices.end(), [&](const auto& device) {
         return device.host_api == "JACK" && device.name == output.name && device.input_channels > 0;
     });
@@ -128,6 +143,7 @@ Expected<std::unique_ptr<LoopRecorder>> LoopRecorder::start(
 }
 
 Expected<void> LoopRecorder::close_loop() {
+    // Connected first, so that the recording begins with what the loop brings.
     if (auto connected = audio::connect_own_outputs_to_inputs(); !connected) {
         return fail(connected.error());
     }
@@ -144,7 +160,7 @@ Expected<LoopRecording> LoopRecorder::recording() const {
 
 namespace {
 
-/// Correlation of two stretches of the same length, [-1, 1]; 0 when one is silent.
+// Normalized correlation of two stretches of the same length, [-1, 1]; 0 when one is silent.
 double correlation(std::span<const float> a, std::span<const float> b) {
     double ab = 0.0;
     double aa = 0.0;
@@ -157,7 +173,7 @@ double correlation(std::span<const float> a, std::span<const float> b) {
     return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-/// Index of the first sound; the size when there is none.
+// Index of the first sample that is not silence; the size when there is none.
 std::int64_t first_sound(std::span<const float> samples) {
     const auto found = std::find_if(samples.begin(), samples.end(), [](float sample) {
         return std::abs(sample) > kLeastSound;
@@ -165,7 +181,8 @@ std::int64_t first_sound(std::span<const float> samples) {
     return found - samples.begin();
 }
 
-/// Where `wanted` lies best in `samples`, starting in [from, to); nothing below kLeastCorrelation.
+// Start of the best match of `wanted` in `samples`, searched from `from` to `to`; nothing when no
+// correlation exceeds kLeastCorrelation.
 std::optional<std::int64_t> best_place(std::span<const float> samples,
                                        std::span<const float> wanted,
                                        std::int64_t from,
@@ -184,6 +201,7 @@ std::optional<std::int64_t> best_place(std::span<const float> samples,
     return best;
 }
 
+// The first of the interleaved channels, as the recording has one.
 std::vector<float> left_channel(const audio::GeneratedMusic& music) {
     std::vector<float> left;
     const auto stride = static_cast<std::size_t>(music.channels);
@@ -195,6 +213,8 @@ std::vector<float> left_channel(const audio::GeneratedMusic& music) {
 
 }  // namespace
 
+// Each beat is searched near the delay of the one before: the search stays short, and a beat cannot
+// be taken for its neighbour. The first delay comes from the first sound of both.
 std::vector<AudibleBeat> audible_beats(const LoopRecording& recording,
                                        const audio::GeneratedMusic& music) {
     std::vector<AudibleBeat> audible;
@@ -204,6 +224,7 @@ std::vector<AudibleBeat> audible_beats(const LoopRecording& recording,
     }
     const std::vector<float> sent = left_channel(music);
     const std::span<const float> samples = recording.samples();
+    // Frames from a sample's place in the music to its place in the recording.
     std::int64_t delay = first_sound(samples) - first_sound(sent);
     const std::int64_t length = frames_of(kTemplateSeconds, rate);
     const std::int64_t reach = frames_of(kSearchSeconds, rate);

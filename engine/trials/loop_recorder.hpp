@@ -11,7 +11,8 @@
 #include "audio/music/generator/music_generator.hpp"
 #include "base/expected.hpp"
 
-/// What leaves by the loudspeaker's ports, heard again by this process: the reference for latency.
+/// Records what leaves by the loudspeaker's ports, through a loop of JACK ports: the reference for
+/// latency.
 ///
 /// When is a sample "out"? Under JACK all samples of a cycle move at once, and neither an output
 /// nor an input has a converter of its own; the cycle's start is the only moment there is. We date
@@ -26,23 +27,28 @@
 /// of ports cannot see is the driver's own buffers and the converters: that needs a cable.
 namespace raks::engine {
 
-/// One channel as it came back, with the host time of every sample.
+/// One recorded channel, with the host time of every sample.
 class LoopRecording {
  public:
+    /// One block as the callback received it.
     struct Block {
-        std::int64_t first_frame = 0;
-        HostTime entered{};
+        std::int64_t first_frame = 0;  ///< index of its first sample in the recording
+        HostTime entered{};            ///< when the callback was entered
     };
 
+    /// `samples`: one channel. `blocks`: ascending by first_frame. `input_latency`: as the input
+    /// reports it.
     LoopRecording(SampleRate rate,
                   Nanos input_latency,
                   std::vector<float> samples,
                   std::vector<Block> blocks);
 
+    /// Of the samples.
     [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
+    /// All samples from the start of the recording.
     [[nodiscard]] std::span<const float> samples() const noexcept { return samples_; }
-    /// When the sample was out, as above: median over the blocks within half a second. Needs at
-    /// least one block.
+    /// Host time at which this sample was out, as defined above: the median over the blocks within
+    /// half a second. Needs at least one block.
     [[nodiscard]] HostTime heard_at(std::int64_t frame) const;
 
  private:
@@ -62,12 +68,13 @@ class LoopRecorder {
         std::span<const audio::AudioDevice> devices,
         const audio::AudioDevice& output,
         double seconds);
-    ~LoopRecorder();
+    ~LoopRecorder();  ///< closes the input
+    /// Not copied: the stream calls into it.
     LoopRecorder(const LoopRecorder&) = delete;
-    LoopRecorder& operator=(const LoopRecorder&) = delete;
+    LoopRecorder& operator=(const LoopRecorder&) = delete;  ///< likewise
 
-    /// Connects our running output to the input; what comes from now on is kept.
-    /// Errors: JACK refuses.
+    /// Connects our running output to the input and starts keeping what comes. Errors: JACK
+    /// refuses.
     [[nodiscard]] Expected<void> close_loop();
 
     /// What came back so far. Errors: nothing did.
@@ -81,15 +88,15 @@ class LoopRecorder {
     std::unique_ptr<audio::DeviceStream> stream_;
 };
 
-/// A beat of the generated music that came back.
+/// A beat of the generated music that was found in the recording.
 struct AudibleBeat {
     std::size_t beat = 0;  ///< index in GeneratedMusic::beats
     HostTime heard{};      ///< when its sound was out
 };
 
-/// Finds every beat's own attack (its first 20 ms, left channel) in the recording, to the sample,
-/// by normalized cross-correlation; beats whose best place correlates less than 0.9 are left out.
-/// The music must begin with silence. Empty when the recording has another rate than the music.
+/// Finds every beat's attack (its first 20 ms, left channel) in the recording, to the sample, by
+/// normalized cross-correlation; beats whose best correlation is below 0.9 are left out. The music
+/// must begin with silence. Empty when the recording's rate is not the music's.
 [[nodiscard]] std::vector<AudibleBeat> audible_beats(const LoopRecording& recording,
                                                      const audio::GeneratedMusic& music);
 

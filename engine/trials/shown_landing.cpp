@@ -10,10 +10,12 @@ namespace raks::engine {
 namespace {
 
 constexpr double kShownPosesPerSecond = 60.0;
-constexpr double kBlendIn = 4.0;        // seconds after the start of the dance
-constexpr double kLeastSeconds = 10.0;  // of poses
+// Seconds after the start of the dance from which landings are judged.
+constexpr double kBlendIn = 4.0;
+// Seconds of dancing that are needed for a judgement.
+constexpr double kLeastSeconds = 10.0;
 
-/// The value at `x` of the line through the two points around it; the ends' lines go on.
+// Linear interpolation of the points (xs, ys) at x; beyond the ends the outermost segment goes on.
 double interpolated(std::span<const double> xs, std::span<const double> ys, double x) {
     const auto above = std::upper_bound(xs.begin() + 1, xs.end() - 1, x);
     const auto to = static_cast<std::size_t>(above - xs.begin());
@@ -24,6 +26,7 @@ double interpolated(std::span<const double> xs, std::span<const double> ys, doub
 }  // namespace
 
 SoundLine::SoundLine(std::span<const AudibleBeat> heard, const audio::GeneratedMusic& music)
+    // Seconds are counted from the first beat, so that doubles keep their precision.
     : origin_(heard.front().heard) {
     for (const AudibleBeat& beat : heard) {
         host_.push_back(to_seconds(beat.heard - origin_));
@@ -48,11 +51,14 @@ std::vector<double> loop_latencies_ms(std::span<const AudibleBeat> heard,
                                       const audio::GeneratedMusic& music,
                                       std::span<const ShownPicture> pictures) {
     std::vector<double> latencies;
+    // The clock's line changes with the drift: each beat is dated by the line of the picture that
+    // followed it.
     for (const AudibleBeat& beat : heard) {
         const auto next = std::lower_bound(
             pictures.begin(), pictures.end(), beat.heard, [](const auto& picture, HostTime time) {
                 return picture.at < time;
             });
+        // No picture came after this beat: its clock is not known.
         if (next == pictures.end()) {
             break;
         }
@@ -76,13 +82,15 @@ std::vector<double> picture_leads_ms(std::span<const ShownPicture> pictures,
 
 namespace {
 
-/// What was on the screen at regular moments from the first picture's on.
+// The poses that were on the screen at regular times from the first picture's on, interpolated
+// between pictures.
 std::vector<motion::Pose> on_regular_grid(std::span<const ShownPicture> pictures) {
     std::vector<motion::Pose> poses;
     std::size_t after = 1;
     for (std::size_t i = 0;; ++i) {
         const HostTime at =
             pictures.front().at + nanos_from_seconds(static_cast<double>(i) / kShownPosesPerSecond);
+        // The first picture not before the grid time; its predecessor lies before it.
         while (after < pictures.size() && pictures[after].at < at) {
             ++after;
         }
@@ -96,8 +104,8 @@ std::vector<motion::Pose> on_regular_grid(std::span<const ShownPicture> pictures
     }
 }
 
-/// Seconds after `start` at which the beats were out, from the first downbeat after `from` on, or
-/// from the one a bar later.
+// Seconds after `start` at which the beats were out, beginning with the first downbeat after
+// `from`, or with the downbeat `bars_later` bars later.
 std::vector<double> counts_in_sound(const audio::GeneratedMusic& music,
                                     const SoundLine& sound,
                                     HostTime start,
@@ -108,6 +116,7 @@ std::vector<double> counts_in_sound(const audio::GeneratedMusic& music,
     for (const audio::ReferenceBeat& beat : music.beats) {
         const HostTime heard = sound.host_at(to_seconds(beat.time));
         const double time = to_seconds(heard - start);
+        // Beats outside the recording have no known host time.
         if (!sound.covers(heard)) {
             continue;
         }
@@ -126,6 +135,7 @@ std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures
                                           const audio::GeneratedMusic& music,
                                           const motion::FigureModel& figure,
                                           const motion::Skeleton& skeleton) {
+    // Judged from the first picture that dances on.
     const auto first = std::find_if(
         pictures.begin(), pictures.end(), [](const auto& picture) { return picture.is_dancing; });
     if (first == pictures.end() || pictures.back().octave != 1.0 ||
@@ -135,11 +145,13 @@ std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures
     const auto danced = pictures.subspan(static_cast<std::size_t>(first - pictures.begin()));
     const motion::BodyTrack track =
         motion::body_track(skeleton, on_regular_grid(danced), kShownPosesPerSecond);
+    // Both halves of the figure are tried as the first.
     const auto landing = [&](std::size_t bars_later) {
         return motion::landing_errors(
             track, figure, counts_in_sound(music, sound, first->at, kBlendIn, bars_later));
     };
     ShownLanding shown{landing(0), landing(1)};
+    // The half at which fewer landings are missing is reported as the figure's first.
     if (shown.other_half.missing < shown.report.missing) {
         std::swap(shown.report, shown.other_half);
     }

@@ -19,12 +19,13 @@ struct ShownPicture {
     HostTime at{};            ///< CLOCK_MONOTONIC when it was drawn: late wake-ups stay late
     StreamTime moment{};      ///< of the music, as the graph chose it
     engine::ClockLine clock;  ///< of the graph, then
-    bool is_dancing = false;
-    double octave = 1.0;  ///< dance beats per beat of the music
-    motion::Pose pose;
+    bool is_dancing = false;  ///< false while the dancer stands
+    double octave = 1.0;      ///< dance beats per beat of the music
+    motion::Pose pose;        ///< of the measured dancer, as drawn
 };
 
-/// What was out at which host time: straight lines between the beats that came back.
+/// Relates host time and the music that was out at it: straight lines between the beats that were
+/// recorded.
 class SoundLine {
  public:
     /// `heard`: two or more, ascending.
@@ -33,7 +34,9 @@ class SoundLine {
     /// Place in the music (seconds of the stream) of what was out at `host`; beyond the ends the
     /// nearest line goes on.
     [[nodiscard]] double stream_seconds_at(HostTime host) const;
+    /// Inverse of stream_seconds_at.
     [[nodiscard]] HostTime host_at(double stream_seconds) const;
+    /// True between the first and the last recorded beat.
     [[nodiscard]] bool covers(HostTime host) const;
 
  private:
@@ -42,28 +45,28 @@ class SoundLine {
     std::vector<double> stream_;  // seconds
 };
 
-/// How long after its hand-over (by the graph's clock) each heard beat was out; ms.
+/// For each recorded beat: how long after its hand-over (by the graph's clock) it was out; ms.
 [[nodiscard]] std::vector<double> loop_latencies_ms(std::span<const AudibleBeat> heard,
                                                     const audio::GeneratedMusic& music,
                                                     std::span<const ShownPicture> pictures);
 
-/// How far the pictures' moments lie ahead of what was out when they were drawn; ms.
+/// For each picture: how far its moment lies ahead of what was out when it was drawn; ms.
 [[nodiscard]] std::vector<double> picture_leads_ms(std::span<const ShownPicture> pictures,
                                                    const SoundLine& sound);
 
-/// Landings of the shown poses against the beats that were out (DESIGN 5).
+/// Landings of the shown poses against the beats that were out.
 struct ShownLanding {
-    motion::LandingReport report;
-    /// The same with the figure's count 1 a bar later: the half that was not taken.
+    motion::LandingReport report;  ///< with the half that fits better
+    /// The same with count 1 one bar later: the half that was not taken.
     motion::LandingReport other_half;
 };
 
-/// Poses keep the host time of their picture and are resampled onto a regular grid of 60 a second
-/// from there. Count 1 is put on a downbeat of the generated music; the dancer's phase and the
-/// tracker's bars are not asked. A figure of 8 counts takes two bars and music does not say which
-/// is the first: of the two, the one at which more of the expected steps come down. From 4 s after
-/// the dance began. Nothing when there is too little to see, or the figure is not danced beat by
-/// beat (octave).
+/// Landings of the shown poses. Poses keep the host time of their picture and are resampled from
+/// there onto a regular grid of 60 a second. Count 1 is put on a downbeat of the generated music;
+/// the dancer's phase and the tracker's bars are not used. A figure of 8 counts takes two bars, and
+/// the music does not say which is the first: of the two, the one with fewer missing landings is
+/// taken. Judged from 4 s after the dance began. Nothing when the dance is shorter than 10 s or not
+/// danced beat by beat (octave).
 [[nodiscard]] std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures,
                                                         const SoundLine& sound,
                                                         const audio::GeneratedMusic& music,

@@ -13,6 +13,8 @@ Expected<std::vector<motion::FigureModel>> trained_figures(const CatalogueEntry&
                                                            motion::DanceRole role,
                                                            motion::FigureFeatures features) {
     const std::string role_name(motion::kRoleNames[static_cast<std::size_t>(role)]);
+    // "_lead.json" does not match "..._lead_positions.json": the two kinds are told apart by the
+    // end.
     const std::string end =
         "_" + role_name +
         (features == motion::FigureFeatures::positions ? "_positions.json" : ".json");
@@ -20,6 +22,7 @@ Expected<std::vector<motion::FigureModel>> trained_figures(const CatalogueEntry&
     if (!files) {
         return fail(std::move(files.error()));
     }
+    // All files of the dance, not only those that its grammar uses.
     std::erase_if(*files, [&](const fs::path& file) {
         const std::string name = file.filename().string();
         return !name.starts_with(dance.info.name + "_") || !name.ends_with(end);

@@ -9,9 +9,9 @@
 
 namespace raks::engine {
 
-/// Every trained figure of a dance and role in its folder (DANCE_*_ROLE.json, of positions
-/// DANCE_*_ROLE_positions.json), by file name: what the dancer's figures are measured against.
-/// Errors: none there; a bad file.
+/// Every trained figure of a dance and role in its folder (DANCE_*_ROLE.json; of positions
+/// DANCE_*_ROLE_positions.json), sorted by file name: what the dancer's figures are measured
+/// against. Errors: there is none; a bad file. Threads: workers.
 [[nodiscard]] Expected<std::vector<motion::FigureModel>> trained_figures(
     const CatalogueEntry& dance,
     motion::DanceRole role,
