@@ -135,7 +135,7 @@ Expected<std::vector<audio::PieceFeatures>> cached(const GenreOptions& options,
 // damage.
 std::string name_in_cache(const audio::MusicFile& file,
                           const GenreOptions& options,
-                          std::uint64_t feature_plan,
+                          std::uint64_t key,
                           audio::Damage damage) {
     // Size and time stand for the content, which is not read for a recording in the cache.
     std::error_code error;
@@ -152,7 +152,7 @@ std::string name_in_cache(const audio::MusicFile& file,
                                                   options.seed,
                                                   options.augmentation.copies,
                                                   audio::kRoomEvery,
-                                                  feature_plan,
+                                                  key,
                                                   without(options.augmentation.effects),
                                                   damaged)));
 }
