@@ -104,8 +104,7 @@ struct DancesFile {
 [[nodiscard]] Expected<DancesFile> load_dances(const std::filesystem::path& file,
                                                const std::vector<std::string_view>& styles = {});
 
-/// The text of such a file, to be read by parse_dances; people_jerk_rms and people_jerk_p999 are
-/// not written.
+/// The text of such a file, to be read by parse_dances, which then gives the same.
 [[nodiscard]] std::string dances_text(const DancesFile& file);
 /// The text of one [[dance]] table, with an empty line before it.
 [[nodiscard]] std::string dance_text(const DanceInfo& dance);

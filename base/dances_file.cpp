@@ -256,6 +256,12 @@ std::string dance_text(const DanceInfo& dance) {
     if (dance.trials == DanceInfo::Trials::full) {
         text += "trials = \"full\"\n";
     }
+    if (dance.people_jerk_rms != DanceInfo{}.people_jerk_rms) {
+        text += fmt::format("people_jerk_rms = [{}]\n", fmt::join(dance.people_jerk_rms, ", "));
+    }
+    if (dance.people_jerk_p999 != DanceInfo{}.people_jerk_p999) {
+        text += fmt::format("people_jerk_p999 = [{}]\n", fmt::join(dance.people_jerk_p999, ", "));
+    }
     return text;
 }
 

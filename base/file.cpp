@@ -1,6 +1,7 @@
 #include "base/file.hpp"
 
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -40,7 +41,11 @@ Expected<FileHandle> open_plain(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     FileHandle file(descriptor >= 0 ? ::fdopen(descriptor, "rb") : nullptr);
     if (!file) {
-        return fail(path.string() + ": cannot be opened: " + reason(errno));
+        const int error_number = errno;
+        if (descriptor >= 0) {
+            ::close(descriptor);
+        }
+        return fail(path.string() + ": cannot be opened: " + reason(error_number));
     }
     return file;
 }

@@ -279,6 +279,9 @@ Expected<BenchReport> bench_latency(double seconds) {
     const auto parts = setup->catalogue.read(dance, motion::DanceRole::lead, {});
     const auto library = engine::load_dance(setup->catalogue, dance, setup->skeleton);
     auto player = audio::FilePlayer::start({file.path()});
+    if (!parts) {
+        return fail(parts.error());
+    }
     if (!library || !player) {
         return fail(!library ? library.error() : player.error());
     }

@@ -105,10 +105,13 @@ Expected<MusicFile> file_of(const Head& head,
     file.label = head.cell(cells, "label");
     file.may_train = !head.has("train_ok") || head.cell(cells, "train_ok") == "yes";
     if (head.has("artist")) {
-        file.credit = fmt::format("{}, {} ({})",
-                                  head.cell(cells, "artist"),
-                                  head.cell(cells, "title"),
-                                  head.cell(cells, "licence"));
+        file.credit = head.cell(cells, "artist");
+        if (const std::string title = head.cell(cells, "title"); !title.empty()) {
+            file.credit += ", " + title;
+        }
+        if (const std::string licence = head.cell(cells, "licence"); !licence.empty()) {
+            file.credit += " (" + licence + ")";
+        }
     }
     return file;
 }

@@ -23,15 +23,10 @@ constexpr std::size_t kBlockFrames = 1024;
 // made. To be raised with every change of the demo.
 constexpr int kDemoVersion = 1;
 
-// The user's cache folder, or the folder for temporary files where there is no home.
+// The user's cache folder, or the folder for temporary files where there is none.
 fs::path cache_folder() {
-    // Read at start-up, before any thread: nothing calls setenv beside it.
-    const char* xdg = std::getenv("XDG_CACHE_HOME");  // NOLINT(concurrency-mt-unsafe)
-    if (xdg != nullptr && *xdg != '\0') {
-        return fs::path(xdg) / "raks";
-    }
-    const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
-    return home != nullptr ? fs::path(home) / ".cache" / "raks" : temporary_folder();
+    const fs::path cache = user_cache_path();
+    return cache.empty() ? temporary_folder() : cache;
 }
 
 }  // namespace

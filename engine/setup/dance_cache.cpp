@@ -80,7 +80,7 @@ fs::path DanceCache::path_of(const DancePlan& plan,
         if (!bytes) {
             return {};
         }
-        hash = hash_of(*bytes, hash);
+        hash = fast_hash_of(*bytes, hash);
     }
     // The name's readable part says dance, role and form; keep() recognises older files by it.
     const bool is_of_positions = form.features == motion::FigureFeatures::positions;
@@ -118,6 +118,12 @@ void DanceCache::keep(const fs::path& path, const motion::DanceLibrary& library)
     if (!write_file(part, library.packed())) {
         return;
     }
+    fs::rename(part, path, ignored);
+    // What was not renamed must not stay behind.
+    if (ignored) {
+        fs::remove(part, ignored);
+        return;
+    }
     // All but the hash at the end: the same for every version of this dance, role and form.
     const std::string name = path.filename().string();
     const std::string kind = name.substr(0, name.rfind('-') + 1);
@@ -130,11 +136,6 @@ void DanceCache::keep(const fs::path& path, const motion::DanceLibrary& library)
         if (is_older) {
             fs::remove(other, ignored);
         }
-    }
-    fs::rename(part, path, ignored);
-    // What was not renamed must not stay behind.
-    if (ignored) {
-        fs::remove(part, ignored);
     }
 }
 

@@ -183,10 +183,7 @@ void DanceCatalogue::number_dances() {
         return is_a_shipped > is_b_shipped;
     });
     if (entries_.size() > kMostDances) {
-        // The user's dances are the ones to cut: the given folder was asked for and must stay.
-        std::stable_partition(entries_.begin(), entries_.end(), [](const auto& entry) {
-            return entry.origin != DanceOrigin::user;
-        });
+        // The user's dances come last and are cut: those of a folder that was given stay.
         notes_.push_back(fmt::format("there are {} dances; {} and those after it are left out",
                                      entries_.size(),
                                      entries_[kMostDances].info.name));

@@ -148,10 +148,21 @@ Expected<void> read_section(const std::string& name,
 
 // Reads a whole document over `settings`.
 Expected<void> read_table(const std::string& name, const toml::table& table, Settings& settings) {
+    // Both are optional: a file written by hand may consist of keys alone. They are checked before
+    // the keys, so that a newer file is told from one with a mistake.
+    const std::int64_t version = table["version"].value_or(kVersion);
+    if (table["format"].value_or(std::string("raks-config")) != "raks-config") {
+        return fail(name + ": format is not \"raks-config\"; this is another kind of file");
+    }
+    if (version != kVersion) {
+        return fail(fmt::format("{}: version {} is not known to this Raks (it reads version {})",
+                                name,
+                                version,
+                                kVersion));
+    }
     for (const auto& entry : table) {
         const std::string_view key = entry.first.str();
         const toml::node& node = entry.second;
-        // Checked below, once it is certain that the rest is a file of settings.
         if (key == "format" || key == "version") {
             continue;
         }
@@ -168,17 +179,6 @@ Expected<void> read_table(const std::string& name, const toml::table& table, Set
         if (auto read = read_section(name, key, *node.as_table(), settings); !read) {
             return read;
         }
-    }
-    // Both are optional: a file written by hand may consist of keys alone.
-    const std::int64_t version = table["version"].value_or(kVersion);
-    if (table["format"].value_or(std::string("raks-config")) != "raks-config") {
-        return fail(name + ": format is not \"raks-config\"; this is another kind of file");
-    }
-    if (version != kVersion) {
-        return fail(fmt::format("{}: version {} is not known to this Raks (it reads version {})",
-                                name,
-                                version,
-                                kVersion));
     }
     return {};
 }
@@ -299,8 +299,9 @@ std::string to_toml(const Settings& settings) {
 
 fs::path user_settings_path() {
     // Read at start-up, before any thread exists: nothing calls setenv at the same time.
+    // A path that is not absolute is no setting (XDG Base Directory Specification).
     const char* xdg = std::getenv("XDG_CONFIG_HOME");  // NOLINT(concurrency-mt-unsafe)
-    if (xdg != nullptr && *xdg != '\0') {
+    if (xdg != nullptr && *xdg == '/') {
         return fs::path(xdg) / "raks" / "config.toml";
     }
     const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)

@@ -9,7 +9,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::string_view kBakedMagic = "raks-baked-1\n";  // format and its version
+constexpr std::string_view kBakedMagic = "raks-baked-2\n";  // format and its version
 constexpr std::uint32_t kMostFigures = 10'000;              // against absurd counts
 
 void pack_pose(const Pose& pose, Packer& packer) {
@@ -91,7 +91,7 @@ std::string pack_content(const DanceContent& content) {
     }
     std::string bytes = packer.take();
     // The hash of everything before it closes the file.
-    const std::uint64_t sum = hash_of(bytes);
+    const std::uint64_t sum = fast_hash_of(bytes);
     bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
     return bytes;
 }
@@ -106,7 +106,7 @@ Expected<DanceContent> unpack_content(std::string_view bytes,
     // The hash is compared before anything is parsed.
     std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
     bytes.remove_suffix(sizeof sum);
-    if (hash_of(bytes) != sum) {
+    if (fast_hash_of(bytes) != sum) {
         return fail("is damaged");
     }
     Unpacker unpacker(bytes.substr(kBakedMagic.size()));

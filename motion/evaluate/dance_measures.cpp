@@ -98,6 +98,9 @@ DanceMeasures pooled(std::span<const DanceMeasures> dances) {
     std::vector<double> pfcs;
     ContactReport& contacts = all.contacts;
     const auto n = static_cast<double>(dances.size());
+    if (!dances.empty()) {
+        contacts.lowest_toe = dances.front().contacts.lowest_toe;
+    }
     for (const DanceMeasures& dance : dances) {
         const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
             to.insert(to.end(), from.begin(), from.end());
@@ -107,6 +110,7 @@ DanceMeasures pooled(std::span<const DanceMeasures> dances) {
         append(contacts.toe_speeds, dance.contacts.toe_speeds);
         // Shares and scores are averaged over the dances, not weighted by their length.
         contacts.share += dance.contacts.share / n;
+        contacts.standing += dance.contacts.standing;
         contacts.lowest_toe = std::min(contacts.lowest_toe, dance.contacts.lowest_toe);
         all.peak_toe_speed = std::max(all.peak_toe_speed, dance.peak_toe_speed);
         all.bas_motion += dance.bas_motion / n;

@@ -235,6 +235,9 @@ Expected<HumanoidMapping> map_humanoid(const MotionClip& clip) {
 Expected<RetargetedClip> retarget(const MotionClip& clip,
                                   const Skeleton& target,
                                   const RetargetOptions& options) {
+    if (clip.frame_count == 0) {
+        return fail("has no frames");
+    }
     const auto mapping = map_humanoid(clip);
     if (!mapping) {
         return fail(mapping.error());

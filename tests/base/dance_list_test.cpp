@@ -67,11 +67,15 @@ TEST(DanceList, what_is_written_reads_back) {
     ASSERT_TRUE(file) << file.error().message;
     file->dances[0].title = "\"Tango\" \\ argentino";
     file->dances[0].trials = DanceInfo::Trials::full;
+    file->dances[0].people_jerk_rms = {41.5, 33.25};
+    file->dances[0].people_jerk_p999 = {180.0, 150.5};
     const std::string text = dances_text(*file);
     const auto again = parse_dances(text, "y.toml");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(dances_text(*again), text);
     EXPECT_EQ(again->dances[0].title, file->dances[0].title);
+    EXPECT_EQ(again->dances[0].people_jerk_rms, file->dances[0].people_jerk_rms);
+    EXPECT_EQ(again->dances[0].people_jerk_p999, file->dances[0].people_jerk_p999);
 }
 
 TEST(DanceList, every_fault_is_one_line_with_its_place) {

@@ -9,6 +9,7 @@
 
 #include "audio/music/generator/music_generator.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/solved_dances.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::test {
@@ -17,6 +18,8 @@ namespace raks::test {
 /// environment: no settings of the user, no display, no audio server.
 class ProgramTest : public ::testing::Test {
  protected:
+    ProgramTest() { share_solved_dances(folder_ / "cache", "raks"); }
+
     [[nodiscard]] ProcessPlan plan(std::vector<std::string> arguments) const {
         ProcessPlan plan;
         plan.command = {RAKS_PROGRAM};

@@ -45,9 +45,19 @@ void WindowTest::press(const std::vector<std::string>& keys) {
 }
 
 std::string WindowTest::picture() {
-    std::string id = run_program({"xdotool", "search", "--sync", "--name", "Raks"});
-    id.erase(id.find('\n'));
-    return run_program({"import", "-window", id, "-depth", "8", "rgb:-"});
+    // `import` fails now and then while the window is being mapped or changes its size.
+    constexpr int kMostTries = 5;
+    for (int tries = 1;; ++tries) {
+        std::string id = run_program({"xdotool", "search", "--sync", "--name", "Raks"});
+        id.erase(id.find('\n'));
+        try {
+            return run_program({"import", "-window", id, "-depth", "8", "rgb:-"});
+        } catch (const std::exception&) {
+            if (tries == kMostTries) {
+                throw;
+            }
+        }
+    }
 }
 
 bool WindowTest::shows(const std::function<bool(const std::string&)>& is_right) {

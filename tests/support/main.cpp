@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 
+#include "tests/support/solved_dances.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 int main(int argc, char** argv) {
@@ -10,6 +12,8 @@ int main(int argc, char** argv) {
     const raks::test::TemporaryFolder home;
     setenv("XDG_CONFIG_HOME", (home.path() / "config").c_str(), 1);
     setenv("XDG_CACHE_HOME", (home.path() / "cache").c_str(), 1);
+    raks::test::share_solved_dances(home.path() / "cache",
+                                    std::filesystem::path(argv[0]).filename().string());
     setenv("XDG_DATA_HOME", (home.path() / "share").c_str(), 1);
     return RUN_ALL_TESTS();
 }

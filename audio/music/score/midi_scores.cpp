@@ -204,10 +204,12 @@ struct IndexRow {
 /// Cells of a tab-separated line.
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> cells;
-    std::istringstream stream(text);
-    for (std::string cell; std::getline(stream, cell, '\t');) {
-        cells.push_back(cell);
+    std::size_t from = 0;
+    for (std::size_t tab = text.find('\t'); tab != std::string::npos; tab = text.find('\t', from)) {
+        cells.push_back(text.substr(from, tab - from));
+        from = tab + 1;
     }
+    cells.push_back(text.substr(from));  // the last one may be empty
     return cells;
 }
 

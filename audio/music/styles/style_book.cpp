@@ -39,10 +39,11 @@ std::string names_of(const std::vector<Enum>& values,
 /// A rhythm as text to be hashed. Names of variable length stand on lines of their own, so that two
 /// rhythms cannot run together into one text.
 std::string text_of(const RhythmStyle& rhythm) {
-    std::string text = fmt::format("{}\n{}\n{} {} {} {} {} {} {}\n",
+    std::string text = fmt::format("{}\n{}\n{} {} {} {} {} {} {} {}\n",
                                    rhythm.name,
                                    rhythm.family,
                                    rhythm.is_for_beats,
+                                   rhythm.is_by_machines,
                                    rhythm.lowest_bpm,
                                    rhythm.highest_bpm,
                                    rhythm.beats_per_bar,
@@ -157,7 +158,7 @@ std::uint64_t fingerprint(const StyleBook& book) {
         hash = hash_of(text_of(palette), hash);
     }
     for (const CorpusStyle& style : book.corpus_styles) {
-        hash = hash_of(fmt::format("{} {}\n", style.name, style.dance), hash);
+        hash = hash_of(fmt::format("{}\n{}\n{}\n", style.name, style.dance, style.style), hash);
     }
     return hash;
 }

@@ -56,7 +56,6 @@ struct StyleBook {
 };
 
 /// Hash of the book's rhythms, palettes and corpus styles, under which music is kept between runs.
-/// The flag `is_by_machines` and a corpus style's generator style are not part of it.
 [[nodiscard]] std::uint64_t fingerprint(const StyleBook& book);
 
 }  // namespace raks::audio

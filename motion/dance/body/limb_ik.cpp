@@ -21,9 +21,9 @@ glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept 
     const glm::vec3 b = glm::normalize(to);
     const float w = 1.0F + glm::dot(a, b);
     if (w < kTiny) {
-        // Opposite directions: half a turn about x, an axis that is right for directions square to
-        // it.
-        return glm::angleAxis(3.14159265F, glm::vec3(1, 0, 0));
+        // Opposite directions: half a turn about an axis square to them, x where that is square.
+        const glm::vec3 near = std::abs(a.x) < 0.9F ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
+        return glm::angleAxis(3.14159265F, glm::normalize(near - a * glm::dot(a, near)));
     }
     const glm::vec3 axis = glm::cross(a, b);
     return glm::normalize(glm::quat(w, axis.x, axis.y, axis.z));

@@ -55,6 +55,8 @@ TEST(Settings, errors_name_file_line_key_and_what_is_meant) {
         {"[dance]\nseed = -1\n", "config.toml: dance.seed is -1, must be 0 to 9000000000000000"},
         {"[picture]\noverlay = 1\n", "config.toml: line 2: picture.overlay must be true or false"},
         {"version = 2\n", "config.toml: version 2 is not known to this Raks (it reads version 1)"},
+        {"version = 2\n[camera]\nlens = 1\n",
+         "config.toml: version 2 is not known to this Raks (it reads version 1)"},
     };
     for (const auto& c : cases) {
         EXPECT_EQ(error_of(c.toml), c.error) << c.toml;

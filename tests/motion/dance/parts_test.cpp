@@ -10,6 +10,7 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/body/hand_clearing.hpp"
 #include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 #include "motion/dance/idle.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/skeleton/body_capsules.hpp"
@@ -36,6 +37,17 @@ PartModel one_feature(const std::vector<double>& means) {
     }
     part.global_variance.assign(3, 1.0);
     return part;
+}
+
+TEST(RotationBetween, turns_each_direction_to_its_opposite) {
+    for (const glm::vec3& from : {glm::vec3(1, 0, 0),
+                                  glm::vec3(-1, 0, 0),
+                                  glm::vec3(0, 1, 0),
+                                  glm::vec3(0, 0, -1),
+                                  glm::normalize(glm::vec3(2, 1, -1))}) {
+        EXPECT_LT(glm::distance(rotation_between(from, -from) * from, -from), 1e-5F)
+            << from.x << " " << from.y << " " << from.z;
+    }
 }
 
 TEST(Trajectory, equal_states_give_a_constant) {

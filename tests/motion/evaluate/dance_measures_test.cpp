@@ -49,6 +49,18 @@ TEST(DanceMeasures, leave_out_repeats_that_touch_a_fault) {
     EXPECT_EQ(measures.figures[0].amplitudes.size(), 1U);
 }
 
+TEST(DanceMeasures, pooled_join_the_contacts_of_all) {
+    DanceMeasures high;
+    high.contacts.lowest_toe = 0.02;
+    high.contacts.standing = 1;
+    DanceMeasures higher;
+    higher.contacts.lowest_toe = 0.05;
+    higher.contacts.standing = 2;
+    const DanceMeasures all = pooled(std::vector{high, higher});
+    EXPECT_EQ(all.contacts.lowest_toe, 0.02) << "0 is lower than both";
+    EXPECT_EQ(all.contacts.standing, 3U);
+}
+
 TEST(DanceMeasures, of_a_part_are_timed_from_where_it_begins) {
     // The same swing, idle before: what comes before the first counted frame must not matter.
     BodyTrack late = test::resting_track(700);
