@@ -4,9 +4,8 @@
 #include "base/toml_headers.hpp"
 #include "base/toml_reader.hpp"
 #include "motion/choreography/authored_dance.hpp"
-#include "motion/choreography/body_reader.hpp"
 #include "motion/choreography/figure_check.hpp"
-#include "motion/choreography/step_reader.hpp"
+#include "motion/choreography/figure_reader.hpp"
 
 namespace raks::motion {
 namespace {

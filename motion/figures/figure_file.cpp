@@ -8,7 +8,6 @@
 #include "models/json_text.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/figure_model.hpp"
-#include "motion/figures/state_timing.hpp"
 
 namespace raks::motion {
 namespace {

@@ -1,4 +1,4 @@
-#include "motion/dance/baking/frame_generator.hpp"
+#include "motion/dance/baking/trajectory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Bodies whose hands follow the head by a delay that is known.
-#include "motion/choreography/hand_timing.hpp"
+#include "motion/choreography/figure_measures.hpp"
 
 #include <gtest/gtest.h>
 

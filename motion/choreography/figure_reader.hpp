@@ -1,4 +1,4 @@
-// Body reader: the [body] tables of a dance file.
+// Figure reader: the body and the steps of a figure in a dance file.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include "motion/choreography/authored_dance.hpp"
 
 namespace raks::motion {
+
+// Body reader: the [body] tables of a dance file.
 
 /// Range for any number in a body; the limits of each control are checked later, by the sum of its
 /// tracks.
@@ -36,5 +38,11 @@ struct WrittenBody {
 /// Reads a [body] table: controls by dotted names, each a number, a track or a list of tracks.
 /// Faults go to `complaints`.
 void read_body(const toml::table& table, TomlComplaints& complaints, WrittenBody& body);
+
+// Step reader: the steps of a figure in a dance file.
+
+/// Reads a figure's steps = [{ foot, at, ... }, ...] and sorts them by the beat of landing. The
+/// figure's beats and style must be known already. Faults go to `complaints`.
+void read_steps(const toml::table& table, TomlComplaints& complaints, AuthoredFigure& figure);
 
 }  // namespace raks::motion

@@ -1,4 +1,4 @@
-// Hand clearing: keeps hands and forearms out of the body.
+// Hands: fingers relaxed, hands and forearms kept out of the body.
 #pragma once
 
 #include <vector>
@@ -7,6 +7,10 @@
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
+
+/// Bends the fingers softly, more toward the little finger, as a dancer's: captured clips leave
+/// them straight. Threads: any. Real-time: yes.
+void relax_hands(Pose& pose) noexcept;
 
 /// Moves hands and forearms that are inside trunk, thighs or head out of them, by the arm alone:
 /// passages vary arms and body independently, so hanging arms may pass through the hips. It begins
