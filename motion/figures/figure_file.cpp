@@ -5,7 +5,6 @@
 
 #include "base/file.hpp"
 #include "models/json_fields.hpp"
-#include "models/json_text.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/figure_model.hpp"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "training/beat/bar_sequences.hpp"
 #include "training/beat/train_bars.hpp"
 #include "training/networks/network_gradient.hpp"
 

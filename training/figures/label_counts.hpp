@@ -1,14 +1,23 @@
+// Label counts: the frames of a label's counts, from a table or from the beats of the music.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/expected.hpp"
 #include "motion/figures/label_tables.hpp"
 
-/// Takes the counts of a dance from the tracked beats of its music (Ofli 2008, sections 2 and 4.1),
-/// so that labels need to give only start and end.
 namespace raks::motion {
+
+/// Frames of all beats of a label, the end included, from a table of counts. A count that the table
+/// lacks (where the phase breaks) is interpolated between its neighbours; the label's start and end
+/// stand in for a missing first or last count. Size: label.beats + 1.
+[[nodiscard]] std::vector<double> beat_frames_of(const FigureLabel& label,
+                                                 std::span<const CountTime> counts);
+
+// Takes the counts of a dance from the tracked beats of its music (Ofli 2008, sections 2 and 4.1),
+// so that labels need to give only start and end.
 
 /// A beat as tracked.
 struct MusicBeat {

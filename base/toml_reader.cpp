@@ -1,4 +1,4 @@
-#include "base/toml_headers.hpp"
+#include "base/toml_reader.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Repeats that turn to the other side than most are not averaged with them.
-#include "training/figures/common_turn.hpp"
+#include "training/figures/repeat_features.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "training/figures/music_counts.hpp"
+#include "training/figures/label_counts.hpp"
 
 #include <gtest/gtest.h>
 
