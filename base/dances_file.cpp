@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "base/dance_list.hpp"
-#include "base/text_file.hpp"
-#include "base/toml_headers.hpp"
+#include "base/file.hpp"
 #include "base/toml_reader.hpp"
 
 #include <fmt/format.h>

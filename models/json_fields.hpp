@@ -10,7 +10,7 @@
 
 #include "base/expected.hpp"
 
-/// Reads model files with errors that name the field.
+/// Reads model files with errors that name the field, and writes them for people to read.
 namespace raks::models {
 
 /// A parsed document that remembers its first fault. Readers continue with default values after a
@@ -69,5 +69,9 @@ class JsonDocument::Field {
     std::string path_;
     std::optional<Error>* fault_;
 };
+
+/// A document as text that people can read and compare: one line for each field, lists of plain
+/// values on one line; numbers in the shortest form that reads back to the same bits.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& document);
 
 }  // namespace raks::models

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 #include "motion/dance/figure_sequence.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/standing.hpp"

@@ -10,7 +10,6 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "base/suggest.hpp"
-#include "base/text_file.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "engine/setup/settings.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/expected.hpp"
-#include "training/figures/music_counts.hpp"
+#include "training/figures/label_counts.hpp"
 
 namespace raks::apps {
 

@@ -15,7 +15,6 @@
 #include "audio/beat/network/network_file.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/file.hpp"
-#include "training/beat/annotated_music.hpp"
 #include "training/beat/corpus.hpp"
 #include "training/beat/train_bars.hpp"
 #include "training/beat/train_network.hpp"

@@ -23,7 +23,7 @@
 #include "base/file.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_catalogue.hpp"
-#include "training/genre/network_outputs.hpp"
+#include "training/genre/network_trainer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "training/genre/fusion_fit.hpp"
+#include "training/genre/genre_trainer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

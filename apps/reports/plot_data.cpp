@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/text_file.hpp"
+#include "base/file.hpp"
 
 namespace raks::apps {
 namespace {

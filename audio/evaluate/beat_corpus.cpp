@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/file.hpp"
-#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 

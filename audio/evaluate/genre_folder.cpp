@@ -8,7 +8,6 @@
 
 #include "base/file.hpp"
 #include "base/hash.hpp"
-#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -9,7 +9,6 @@
 #include "base/file.hpp"
 #include "models/hmm_json.hpp"
 #include "models/json_fields.hpp"
-#include "models/json_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

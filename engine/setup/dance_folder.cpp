@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/file.hpp"
-#include "base/text_file.hpp"
 #include "motion/figures/figure_grammar.hpp"
 
 #include <fmt/format.h>

@@ -8,9 +8,9 @@
 #include <system_error>
 #include <variant>
 
+#include "base/file.hpp"
 #include "base/suggest.hpp"
-#include "base/text_file.hpp"
-#include "base/toml_headers.hpp"
+#include "base/toml_reader.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

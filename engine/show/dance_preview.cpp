@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/suggest.hpp"
-#include "motion/choreography/motion_check.hpp"
+#include "motion/choreography/figure_check.hpp"
 
 namespace raks::engine {
 namespace {

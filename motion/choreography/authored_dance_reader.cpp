@@ -1,12 +1,10 @@
 #include <array>
 
-#include "base/text_file.hpp"
-#include "base/toml_headers.hpp"
+#include "base/file.hpp"
 #include "base/toml_reader.hpp"
 #include "motion/choreography/authored_dance.hpp"
-#include "motion/choreography/body_reader.hpp"
 #include "motion/choreography/figure_check.hpp"
-#include "motion/choreography/step_reader.hpp"
+#include "motion/choreography/figure_reader.hpp"
 
 namespace raks::motion {
 namespace {
@@ -311,7 +309,7 @@ class DanceReader {
     FigureExpectation expectation_;
 };
 
-// toml++ may assert on an empty header, so it is looked for first (toml_headers.hpp).
+// toml++ may assert on an empty header, so it is looked for first (line_of_nameless_header).
 Expected<AuthoredDance> parse(std::string_view text, const std::string& name) {
     if (const std::size_t line = line_of_nameless_header(text); line > 0) {
         return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));

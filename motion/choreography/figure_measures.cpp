@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include "motion/choreography/figure_evaluation.hpp"
-#include "motion/choreography/hand_timing.hpp"
-#include "motion/choreography/joint_limits.hpp"
 #include "motion/evaluate/body_track.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
-#include "motion/evaluate/repeat_distance.hpp"
+#include "motion/evaluate/repeat_measures.hpp"
 #include "motion/skeleton/body_capsules.hpp"
 
 #include <glm/geometric.hpp>
@@ -195,6 +197,144 @@ std::vector<std::string> faults_in_poses(const AuthoredDance& dance,
                                      measures.joint_excess));
     }
     return faults;
+}
+
+namespace {
+
+using Moves = std::vector<glm::dvec3>;  // displacements by frame, metres
+
+// Index of a bone among the track's joints.
+std::size_t index_in_body(Bone bone) {
+    return static_cast<std::size_t>(std::find(kBodyBones.begin(), kBodyBones.end(), bone) -
+                                    kBodyBones.begin());
+}
+
+/// Displacements of a joint from frame to frame, without their mean (the drift).
+Moves moves_of(const BodyTrack& track, Bone bone) {
+    const std::size_t joint = index_in_body(bone);
+    Moves moves;
+    glm::dvec3 drift(0.0);
+    for (std::size_t i = 1; i < track.frames(); ++i) {
+        moves.push_back(track.joints[i][joint] - track.joints[i - 1][joint]);
+        drift += moves.back();
+    }
+    for (glm::dvec3& move : moves) {
+        move -= drift / static_cast<double>(moves.size());
+    }
+    return moves;
+}
+
+/// Adds the cross-correlation of head and hand to `likeness`, by shift from -reach to reach frames;
+/// adds the product of both norms to `most`, the correlation that equal motion would have.
+void add_likeness(const Moves& head,
+                  const Moves& hand,
+                  std::ptrdiff_t reach,
+                  std::vector<double>& likeness,
+                  double& most) {
+    // Only frames for which every shift exists, so that all shifts sum equally many terms.
+    const auto end = static_cast<std::ptrdiff_t>(head.size()) - reach;
+    double head_square = 0.0;
+    double hand_square = 0.0;
+    for (std::ptrdiff_t i = reach; i < end; ++i) {
+        const glm::dvec3& at_head = head[static_cast<std::size_t>(i)];
+        for (std::ptrdiff_t shift = -reach; shift <= reach; ++shift) {
+            likeness[static_cast<std::size_t>(shift + reach)] +=
+                glm::dot(at_head, hand[static_cast<std::size_t>(i + shift)]);
+        }
+        const glm::dvec3& at_hand = hand[static_cast<std::size_t>(i)];
+        head_square += glm::dot(at_head, at_head);
+        hand_square += glm::dot(at_hand, at_hand);
+    }
+    most += std::sqrt(head_square * hand_square);
+}
+
+/// Centroid of the part around the peak that exceeds kNearlyAsHigh of it, weighted by the excess.
+/// (The exact peak of a flat curve is set by noise.)
+double middle_of_peak(const std::vector<double>& likeness) {
+    constexpr double kNearlyAsHigh = 0.8;
+    const auto peak = std::max_element(likeness.begin(), likeness.end());
+    const double least = kNearlyAsHigh * *peak;
+    auto from = peak;
+    while (from != likeness.begin() && *(from - 1) > least) {
+        --from;
+    }
+    double weights = 0.0;
+    double sum = 0.0;
+    for (auto at = from; at != likeness.end() && *at > least; ++at) {
+        weights += *at - least;
+        sum += (*at - least) * static_cast<double>(at - likeness.begin());
+    }
+    return weights > 0.0 ? sum / weights : static_cast<double>(peak - likeness.begin());
+}
+
+}  // namespace
+
+HandTiming hand_timing(const BodyTrack& track, double frames_a_beat) {
+    const auto reach = static_cast<std::ptrdiff_t>(0.5 * frames_a_beat);
+    const Moves head = moves_of(track, Bone::head);
+    std::vector<double> likeness(static_cast<std::size_t>(2 * reach + 1), 0.0);
+    double most = 0.0;
+    for (const Bone hand : {Bone::left_hand, Bone::right_hand}) {
+        add_likeness(head, moves_of(track, hand), reach, likeness, most);
+    }
+    const double best = *std::max_element(likeness.begin(), likeness.end());
+    if (!(best > 0.0)) {
+        return {};  // head or hands stand still, or correlate negatively at every shift
+    }
+    return {(middle_of_peak(likeness) - static_cast<double>(reach)) / frames_a_beat, best / most};
+}
+
+namespace {
+
+// A joint, or several in a row, whose total angle of rotation is limited; degrees.
+struct JointLimit {
+    std::string_view name;
+    std::array<Bone, 3> bones;  // the first `count` in a row turn together
+    int count;
+    double lowest;
+    double highest;
+};
+
+// After the ranges of people's joints (American Academy of Orthopaedic Surgeons); sums over several
+// axes are a little wider.
+constexpr std::array<JointLimit, 14> kLimits = {{
+    {"trunk", {Bone::spine, Bone::chest, Bone::upper_chest}, 3, 0, 85},
+    {"neck", {Bone::neck, Bone::head, Bone::head}, 2, 0, 75},
+    {"left hip", {Bone::left_upper_leg, {}, {}}, 1, 0, 125},
+    {"right hip", {Bone::right_upper_leg, {}, {}}, 1, 0, 125},
+    {"left knee", {Bone::left_lower_leg, {}, {}}, 1, 3, 150},
+    {"right knee", {Bone::right_lower_leg, {}, {}}, 1, 3, 150},
+    {"left ankle", {Bone::left_foot, {}, {}}, 1, 0, 75},
+    {"right ankle", {Bone::right_foot, {}, {}}, 1, 0, 75},
+    {"left collarbone", {Bone::left_shoulder, {}, {}}, 1, 0, 60},
+    {"right collarbone", {Bone::right_shoulder, {}, {}}, 1, 0, 60},
+    {"left elbow", {Bone::left_lower_arm, {}, {}}, 1, 0, 160},
+    {"right elbow", {Bone::right_lower_arm, {}, {}}, 1, 0, 160},
+    {"left wrist", {Bone::left_hand, {}, {}}, 1, 0, 95},
+    {"right wrist", {Bone::right_hand, {}, {}}, 1, 0, 95},
+}};
+
+// Angle of the product of the bones' rotations, degrees; |w| takes the shorter way round.
+double turn_of(const Pose& pose, const JointLimit& limit) noexcept {
+    glm::quat rotation = kNoRotation;
+    for (int i = 0; i < limit.count; ++i) {
+        rotation = rotation * pose.rotation(limit.bones[static_cast<std::size_t>(i)]);
+    }
+    const double w = std::min(1.0, std::abs(static_cast<double>(rotation.w)));
+    return 2.0 * std::acos(w) * 180.0 / M_PI;
+}
+
+}  // namespace
+
+std::optional<JointExcess> worst_joint(const Pose& pose) noexcept {
+    std::optional<JointExcess> worst;
+    for (const JointLimit& limit : kLimits) {
+        const JointExcess excess{limit.name, turn_of(pose, limit), limit.lowest, limit.highest};
+        if (excess.beyond() > (worst ? worst->beyond() : 0.0)) {
+            worst = excess;
+        }
+    }
+    return worst;
 }
 
 }  // namespace raks::motion

@@ -1,8 +1,10 @@
 // Figure measures: what a danced figure measures, and whether that is as expected.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/beats.hpp"
@@ -11,6 +13,8 @@
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
+
+struct BodyTrack;  // motion/evaluate/body_track.hpp
 
 /// Depth of a hand in the body that clothes and flesh allow; metres.
 inline constexpr double kMostHandDepth = 0.015;
@@ -34,17 +38,17 @@ struct FigureTake {
 struct TakeMeasures {
     double hip_travel = 0.0;       ///< path of the hips over the floor, cm a beat
     double toe_contacts = 0.0;     ///< contacts of both toes that begin, a bar
-    double hand_delay = 0.0;       ///< beats by which the hands follow the head; hand_timing.hpp
+    double hand_delay = 0.0;       ///< beats by which the hands follow the head; hand_timing()
     double hand_likeness = 0.0;    ///< correlation of their motion, [0, 1]
     double jerk_rms = 0.0;         ///< m/s^3, motion/evaluate/dance_metrics.hpp
     double jerk_p999 = 0.0;        ///< 99.9th percentile, m/s^3
     double slip_p90 = 0.0;         ///< of a contact, 90th percentile; metres
-    double repeat_distance = 0.0;  ///< median distance of two repeats, metres; repeat_distance.hpp
+    double repeat_distance = 0.0;  ///< median distance of two repeats, metres; repeat_distances()
     /// Least distance of a hand from the body; negative: inside; metres
     double hand_clearance = 0.0;
     std::string hand_near;      ///< "left hand, trunk, beat 2.5": where that is
     double least_knee = 0.0;    ///< bend of the straightest knee, degrees
-    double joint_excess = 0.0;  ///< greatest angle beyond joint_limits.hpp, degrees
+    double joint_excess = 0.0;  ///< greatest angle beyond worst_joint()'s limits, degrees
     std::string joint;          ///< which joint that is
 };
 
@@ -66,9 +70,46 @@ struct TakeMeasures {
 
 /// What no body could dance, one line each: hands more than kMostHandDepth inside it, joints beyond
 /// their limits, locked knees. (Written figures are also held to it without noise:
-/// motion_check.hpp.)
+/// figure_check.hpp.)
 [[nodiscard]] std::vector<std::string> faults_in_poses(const AuthoredDance& dance,
                                                        const AuthoredFigure& figure,
                                                        const TakeMeasures& measures);
+
+// Hand timing: how far the hands follow the head.
+
+/// How the hands' motion follows the head's. Velocities are compared as vectors, not as speeds: two
+/// arms that take turns are never slow together, and a speed, which has no direction, peaks twice
+/// in a cycle of the motion, so a delay half a beat too short would fit nearly as well.
+struct HandTiming {
+    double delay = 0.0;     ///< beats by which the hands follow the head, [-0.5, 0.5]
+    double likeness = 0.0;  ///< normalised correlation at that delay, [0, 1]
+};
+
+/// The delay d that maximises the sum over both hands and all frames of v_head(t) . v_hand(t + d):
+/// the weighted middle of the part around the peak that exceeds 0.8 of it, since the exact position
+/// of a flat peak is set by noise. The likeness is the peak divided by the norms of both. Both are
+/// 0 where head or hands stand still. `frames_a_beat` >= 2; the track must be longer than a beat.
+/// Threads: any. Real-time: no.
+[[nodiscard]] HandTiming hand_timing(const BodyTrack& track, double frames_a_beat);
+
+// Joint limits: ranges of people's joints.
+
+/// A joint of a pose that lies beyond what people's joints do.
+struct JointExcess {
+    std::string_view joint;  ///< "left knee"
+    double degrees = 0.0;    ///< its angle
+    double lowest = 0.0;     ///< least allowed
+    double highest = 0.0;    ///< greatest allowed
+
+    /// Degrees beyond the nearer limit; negative: within.
+    [[nodiscard]] double beyond() const noexcept {
+        return degrees > highest ? degrees - highest : lowest - degrees;
+    }
+};
+
+/// The joint furthest beyond its limits; none: all are within. Checked are the bends of knees
+/// (never locked: 3 to 150 degrees) and elbows, and the total turns of trunk, neck, hips, ankles,
+/// collarbones and wrists. Threads: any. Real-time: yes.
+[[nodiscard]] std::optional<JointExcess> worst_joint(const Pose& pose) noexcept;
 
 }  // namespace raks::motion

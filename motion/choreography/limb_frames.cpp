@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "motion/choreography/curves.hpp"
-#include "motion/skeleton/hand_shape.hpp"
+#include "motion/skeleton/pose.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>

@@ -5,16 +5,13 @@
 #include <thread>
 
 #include "base/random.hpp"
-#include "motion/dance/baking/arm_directions.hpp"
-#include "motion/dance/baking/detail.hpp"
-#include "motion/dance/baking/frame_generator.hpp"
-#include "motion/dance/baking/hand_meeting.hpp"
+#include "motion/dance/baking/arms.hpp"
 #include "motion/dance/baking/landing_delay.hpp"
+#include "motion/dance/baking/trajectory.hpp"
 #include "motion/dance/baking/variation.hpp"
-#include "motion/dance/body/hand_clearing.hpp"
-#include "motion/dance/body/relaxed_hands.hpp"
-#include "motion/figures/source_body.hpp"
-#include "motion/skeleton/hand_shape.hpp"
+#include "motion/dance/body/hands.hpp"
+#include "motion/figures/motion_features.hpp"
+#include "motion/skeleton/pose.hpp"
 
 namespace raks::motion {
 namespace {
@@ -29,9 +26,9 @@ constexpr int kLandingIterations = 2;  // Passes of landing correction for each 
 // before it rests, so the slower the dance, the earlier it falls under the landing speed (0.30 m/s
 // at any pace). Halfway to the slowest pace danced, the errors at both ends are smallest.
 constexpr double kMeanAimPace = 0.85;
-// Factors of the missing accelerations (detail.hpp). Some exceed 1: the takes were learnt through a
-// low-pass of 10 Hz, while their jerk is measured without. With these the whole body's jerk equals
-// people's at their tempo. Steps get less, or a landing would be detected twice.
+// Factors of the missing accelerations (variation.hpp). Some exceed 1: the takes were learnt
+// through a low-pass of 10 Hz, while their jerk is measured without. With these the whole body's
+// jerk equals people's at their tempo. Steps get less, or a landing would be detected twice.
 constexpr double kTorsoDetail = 1.42;
 constexpr double kArmDetail = 0.95;
 constexpr double kPlaceDetail = 1.62;

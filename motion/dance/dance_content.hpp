@@ -9,7 +9,6 @@
 
 #include "base/beats.hpp"
 #include "base/expected.hpp"
-#include "motion/dance/baking/arm_mixes.hpp"
 #include "motion/dance/baking/figure_passage.hpp"
 #include "motion/dance/baking/figure_size.hpp"
 #include "motion/dance/beat_phase.hpp"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/dance/body/easing.hpp"
-#include "motion/dance/body/hand_clearing.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/curves.hpp"
+#include "motion/dance/body/hands.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 
 namespace raks::motion {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/dance/body/easing.hpp"
+#include "motion/dance/body/curves.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 
 #include <glm/geometric.hpp>

@@ -6,11 +6,18 @@
 
 #include "base/time.hpp"
 #include "motion/dance/body/floor_move.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
+
+// Idle: standing while there is no music.
+
+/// Standing while there is nothing to dance to: relaxed arms, slow shifts of the weight, breathing;
+/// both feet planted. A function of time alone, never quite the same and never frozen.
+/// Threads: any. Real-time: yes.
+[[nodiscard]] Pose idle_pose(const Skeleton& skeleton, StreamTime time) noexcept;
 
 /// Standing while there is nothing to dance to, and how a dancer comes to stand: the body moves and
 /// turns from where the dance ended to where it shall stand, while the feet step there one after

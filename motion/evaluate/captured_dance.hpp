@@ -9,8 +9,8 @@
 
 #include "base/expected.hpp"
 #include "motion/evaluate/dance_measures.hpp"
+#include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/landing_error.hpp"
-#include "motion/evaluate/played_at_pace.hpp"
 #include "motion/figures/figure_model.hpp"
 
 namespace raks::motion {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion/evaluate/beat_alignment.hpp"
-#include "motion/evaluate/foot_skating.hpp"
+#include "motion/evaluate/published_metrics.hpp"
 
 namespace raks::motion {
 namespace {

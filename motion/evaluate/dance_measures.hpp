@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/evaluate/amplitude.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
-#include "motion/evaluate/repeat_distance.hpp"
+#include "motion/evaluate/repeat_measures.hpp"
 
 /// Dance measures: all metrics of this folder, except landings, for one dance; the same ones for
 /// people and for the dancer.
@@ -33,8 +32,8 @@ struct DanceMeasures {
     double peak_toe_speed = 0.0;          ///< divided by the pace; m/s
     double bas_motion = 0.0;              ///< beat alignment in FACT's form
     double bas_music = 0.0;               ///< beat alignment in Bailando's form
-    double pfc = 0.0;                     ///< physical foot contact (foot_skating.hpp)
-    double skating_ratio = 0.0;           ///< foot_skating.hpp
+    double pfc = 0.0;                     ///< physical foot contact (published_metrics.hpp)
+    double skating_ratio = 0.0;           ///< published_metrics.hpp
     std::vector<FigureMeasures> figures;  ///< one a name, in the order of their first repeats
 };
 

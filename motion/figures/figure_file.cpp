@@ -5,10 +5,8 @@
 
 #include "base/file.hpp"
 #include "models/json_fields.hpp"
-#include "models/json_text.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/figure_model.hpp"
-#include "motion/figures/state_timing.hpp"
 
 namespace raks::motion {
 namespace {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/file.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
-#include "base/text_file.hpp"
-#include "base/toml_headers.hpp"
+#include "base/toml_reader.hpp"
 
 namespace raks::motion {
 namespace {
@@ -345,7 +345,7 @@ namespace {
 
 /// Parses TOML and passes the table to `read`, which returns an Expected; faults of the syntax
 /// become errors with their line. An empty header is looked for first, since toml++ may assert on
-/// it (toml_headers.hpp).
+/// it (toml_reader.hpp).
 template <typename Read>
 auto with_toml(std::string_view text, const std::string& name, const Read& read)
     -> decltype(read(toml::table())) {

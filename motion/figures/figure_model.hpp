@@ -197,7 +197,7 @@ struct FigureModel {
     /// Chance [0, 1] that the toe of a side rests on the floor; bin j spans the phase
     /// [j, j+1) x beats / kContactBins. By Side.
     std::array<std::array<double, kContactBins>, 2> contact{};
-    /// How far each hand is closed, [0, 1] (motion/skeleton/hand_shape.hpp), by Side: one number,
+    /// How far each hand is closed, [0, 1] (motion/skeleton/pose.hpp), by Side: one number,
     /// or kContactBins as of `contact`; none: not known, captures have no fingers.
     std::array<std::vector<double>, 2> fist;
     SizeByTempo size_by_tempo;  ///< zero for captured figures: nothing is known

@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "base/text_file.hpp"
+#include "base/file.hpp"
 
 namespace raks::motion {
 namespace {

@@ -102,4 +102,10 @@ void apply_features(std::span<const double> row,
                                      const RootPlace& place,
                                      double scale) noexcept;
 
+// Source body: the skeleton behind a figure's joint positions.
+
+/// The built-in skeleton, scaled to the body that a figure was learnt from: the joints whose
+/// positions are its features. Threads: any. Real-time: yes.
+[[nodiscard]] Skeleton source_body(const FigureModel& model) noexcept;
+
 }  // namespace raks::motion

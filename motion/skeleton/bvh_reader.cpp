@@ -9,7 +9,6 @@
 #include "base/file.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "motion/skeleton/bvh_hierarchy.hpp"
-#include "motion/skeleton/bvh_text.hpp"
 
 #include <fmt/format.h>
 

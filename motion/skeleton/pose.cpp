@@ -1,5 +1,6 @@
 #include "motion/skeleton/pose.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace raks::motion {
@@ -31,6 +32,51 @@ Pose mirrored(const Pose& pose) noexcept {
     result.hips_position = {-pose.hips_position.x, pose.hips_position.y, pose.hips_position.z};
     result.foot_contact = {pose.foot_contact[1], pose.foot_contact[0]};
     return result;
+}
+
+namespace {
+
+struct FingerCurl {
+    Bone bone;        // left
+    double straight;  // degrees of bend in an open hand
+    double fist;      // degrees of bend in a fist
+};
+constexpr std::array<FingerCurl, 15> kFingers = {{
+    {Bone::left_index_proximal, 2, 72},
+    {Bone::left_index_intermediate, 5, 92},
+    {Bone::left_index_distal, 3, 55},
+    {Bone::left_middle_proximal, 4, 76},
+    {Bone::left_middle_intermediate, 7, 95},
+    {Bone::left_middle_distal, 4, 58},
+    {Bone::left_ring_proximal, 6, 78},
+    {Bone::left_ring_intermediate, 9, 95},
+    {Bone::left_ring_distal, 5, 58},
+    {Bone::left_little_proximal, 7, 80},
+    {Bone::left_little_intermediate, 9, 90},
+    {Bone::left_little_distal, 5, 58},
+    {Bone::left_thumb_metacarpal, 4, 26},
+    {Bone::left_thumb_proximal, 6, 34},
+    {Bone::left_thumb_distal, 8, 48},
+}};
+
+bool is_thumb(Bone left) noexcept {
+    return left == Bone::left_thumb_metacarpal || left == Bone::left_thumb_proximal ||
+           left == Bone::left_thumb_distal;
+}
+
+}  // namespace
+
+void set_hand_shape(Side side, double fist, Pose& pose) noexcept {
+    // Axes of the left hand, palms down in T-pose; the right one is the mirror image.
+    constexpr glm::dvec3 kFingerAxis{0.0, 0.0, -1.0};
+    constexpr glm::dvec3 kThumbAxis{0.0, -0.70710678, -0.70710678};
+    for (const FingerCurl& finger : kFingers) {
+        const double degrees = std::lerp(finger.straight, finger.fist, fist);
+        const glm::dquat q =
+            glm::angleAxis(glm::radians(degrees), is_thumb(finger.bone) ? kThumbAxis : kFingerAxis);
+        const glm::dquat own = side == Side::left ? q : glm::dquat(q.w, q.x, -q.y, -q.z);
+        pose.rotation(on_side(finger.bone, side)) = glm::quat(glm::normalize(own));
+    }
 }
 
 }  // namespace raks::motion

@@ -53,4 +53,10 @@ static_assert(std::is_trivially_copyable_v<Pose>);
 /// The mirror image (plane x = 0): left and right exchanged. Threads: any. Real-time: yes.
 [[nodiscard]] Pose mirrored(const Pose& pose) noexcept;
 
+// Hand shape: fingers from open to closed.
+
+/// Sets the fingers of a hand, from open and flat (`fist` 0) to a fist with the thumb beside it
+/// (1).
+void set_hand_shape(Side side, double fist, Pose& pose) noexcept;
+
 }  // namespace raks::motion

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/random.hpp"
-#include "models/json_text.hpp"
+#include "models/json_fields.hpp"
 #include "tests/support/text.hpp"
 
 namespace raks::models {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "audio/beat/network/beat_network.hpp"
+#include "base/dice.hpp"
 #include "training/beat/corpus.hpp"
+#include "training/networks/network_gradient.hpp"
 
 /// Training of the beat network.
 namespace raks::audio {
@@ -43,5 +46,21 @@ BeatNetwork train_network(
     const std::vector<TrainingExcerpt>& corpus,
     const NetworkPlan& plan,
     const std::function<void(const NetworkProgress&, const BeatNetwork&)>& report);
+
+/// Draws a batch of `chunks` stretches of `hops` hops from `from` (not empty), randomly augmented.
+/// With chance `cut_chance` a second excerpt begins within a chunk. Targets lie `lookahead` hops
+/// late.
+/// Threads: any, each with its own dice.
+[[nodiscard]] TrainingBatch draw_batch(const std::vector<const TrainingExcerpt*>& from,
+                                       std::size_t chunks,
+                                       std::size_t hops,
+                                       int lookahead,
+                                       double cut_chance,
+                                       Dice& dice);
+
+/// The first `hops` hops of `excerpts` without augmentation, one chunk each: for validation.
+[[nodiscard]] TrainingBatch plain_batch(const std::vector<const TrainingExcerpt*>& excerpts,
+                                        std::size_t hops,
+                                        int lookahead);
 
 }  // namespace raks::audio

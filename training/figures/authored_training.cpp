@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "motion/choreography/curves.hpp"
+#include "motion/choreography/figure_check.hpp"
 #include "motion/choreography/figure_evaluation.hpp"
-#include "motion/choreography/motion_check.hpp"
 #include "motion/choreography/repeat_plan.hpp"
 
 namespace raks::motion {

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "motion/figures/figure_hmm.hpp"
-#include "motion/figures/state_timing.hpp"
 #include "training/figures/repeat_features.hpp"
 
 namespace raks::motion {

@@ -9,11 +9,8 @@
 #include "models/hmm_scorer.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/range_check.hpp"
-#include "motion/figures/state_timing.hpp"
-#include "training/figures/foot_statistics.hpp"
-#include "training/figures/phase_warp.hpp"
+#include "training/figures/figure_statistics.hpp"
 #include "training/figures/repeat_features.hpp"
-#include "training/figures/trajectory_statistics.hpp"
 #include "training/hmm/hmm_training.hpp"
 
 namespace raks::motion {

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "base/file.hpp"
-#include "training/figures/common_turn.hpp"
-#include "training/figures/table_counts.hpp"
+#include "training/figures/label_counts.hpp"
+#include "training/figures/repeat_features.hpp"
 #include "training/figures/training_clip.hpp"
 
 namespace raks::motion {

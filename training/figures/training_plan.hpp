@@ -11,7 +11,7 @@
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/label_tables.hpp"
 #include "training/figures/figure_trainer.hpp"
-#include "training/figures/music_counts.hpp"
+#include "training/figures/label_counts.hpp"
 
 /// From files to a learnt figure: the work of `raks train figure`.
 namespace raks::motion {

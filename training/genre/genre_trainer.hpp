@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -9,6 +10,7 @@
 
 #include "audio/evaluate/genre_scores.hpp"
 #include "audio/evaluate/piece_features.hpp"
+#include "audio/genre/genre_fusion.hpp"
 #include "audio/genre/genre_model.hpp"
 #include "base/expected.hpp"
 #include "training/genre/mfcc_trainer.hpp"
@@ -56,5 +58,15 @@ struct GenreTrainingPlan {
 
 /// Fits the model's fusion to scores of pieces that it, or one like it, was not trained on.
 void calibrate(std::span<const WindowScore> held_out, GenreModel& model);
+
+/// Fits fusion weights (>= 0) and class offsets for windows of length `window` (index into
+/// kGenreWindows): maximum likelihood of the true classes with an L2 penalty on the offsets.
+/// Windows weigh as balanced_weights() says, recordings 1.5 times. `scores`: of pieces that the
+/// model was not trained on. With no window of that length: weights of 1 for the evidence that is
+/// used.
+[[nodiscard]] GenreFusion fit_fusion(std::span<const WindowScore> scores,
+                                     std::size_t window,
+                                     std::size_t classes,
+                                     GenreEvidence evidence);
 
 }  // namespace raks::audio

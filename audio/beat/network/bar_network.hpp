@@ -2,7 +2,7 @@
 
 #include "audio/beat/network/bar_input.hpp"
 #include "base/realtime.hpp"
-#include "models/network_stream.hpp"
+#include "models/recurrent_network.hpp"
 
 namespace raks::audio {
 

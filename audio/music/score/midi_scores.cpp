@@ -12,7 +12,6 @@
 
 #include "audio/music/score/midi_file.hpp"
 #include "base/file.hpp"
-#include "base/text_file.hpp"
 
 namespace raks::audio {
 namespace {

@@ -8,9 +8,8 @@
 
 #include "audio/music/styles/palette_reader.hpp"
 #include "audio/music/styles/rhythm_reader.hpp"
+#include "base/file.hpp"
 #include "base/printable.hpp"
-#include "base/text_file.hpp"
-#include "base/toml_headers.hpp"
 #include "base/toml_reader.hpp"
 
 namespace raks::audio {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion/dance/body/closed_curve.hpp"
+#include "motion/dance/body/curves.hpp"
 
 namespace raks::motion {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "motion/dance/body/easing.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/curves.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 
 #include <glm/geometric.hpp>
 

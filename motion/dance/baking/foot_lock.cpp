@@ -5,10 +5,8 @@
 #include <utility>
 
 #include "motion/dance/baking/flight.hpp"
-#include "motion/dance/baking/step_timing.hpp"
-#include "motion/dance/body/closed_curve.hpp"
-#include "motion/dance/body/easing.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/curves.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "motion/dance/baking/contact_windows.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -21,13 +21,13 @@ struct PlannedContact {
     /// Where the pivot rests on the floor (x, z); metres; none: at its own mean place
     std::optional<glm::vec2> place;
     glm::vec2 aside{};  ///< added to that place; metres (x, z)
-    /// The step before it is a mean of repeats that step at different moments (step_timing.hpp)
+    /// The step before it is a mean of repeats that step at different moments (flight.hpp)
     bool is_mean = false;
     /// Sample at which the free foot comes to rest by itself; it may lie before or after
     /// window.first.
     std::optional<double> arrival;
     /// How much of the step before it takes the speed profile of one reach, 0 (none) to 1
-    /// (step_timing.hpp).
+    /// (flight.hpp).
     double reach = 0.0;
 };
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/dance/baking/arm_directions.hpp"
+#include "motion/dance/baking/arms.hpp"
 #include "motion/dance/baking/trajectory.hpp"
 #include "motion/figures/clip_conditioning.hpp"
 #include "motion/figures/foot_events.hpp"
-#include "motion/figures/source_body.hpp"
+#include "motion/figures/motion_features.hpp"
 
 namespace raks::motion {
 namespace {

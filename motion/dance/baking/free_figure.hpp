@@ -7,7 +7,7 @@
 
 #include "motion/dance/baking/feature_pose.hpp"
 #include "motion/dance/body/floor_move.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"

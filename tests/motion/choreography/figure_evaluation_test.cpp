@@ -11,8 +11,8 @@
 #include <map>
 #include <sstream>
 
-#include "motion/choreography/joint_limits.hpp"
-#include "motion/choreography/motion_check.hpp"
+#include "motion/choreography/figure_check.hpp"
+#include "motion/choreography/figure_measures.hpp"
 #include "tests/motion/choreography/small_dance.hpp"
 
 #include <glm/geometric.hpp>

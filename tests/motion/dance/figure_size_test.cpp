@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/limb_ik.hpp"
 #include "motion/dance/dance_content.hpp"
 #include "tests/motion/dance/stage.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/body/hand_clearing.hpp"
+#include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 #include "motion/dance/hand_hold.hpp"
 #include "motion/evaluate/dance_metrics.hpp"

@@ -8,11 +8,10 @@
 #include "motion/dance/baking/foot_lock.hpp"
 #include "motion/dance/baking/trajectory.hpp"
 #include "motion/dance/beat_phase.hpp"
-#include "motion/dance/body/hand_clearing.hpp"
-#include "motion/dance/body/leg_ik.hpp"
+#include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
-#include "motion/dance/idle.hpp"
 #include "motion/dance/inertialization.hpp"
+#include "motion/dance/standing.hpp"
 #include "motion/skeleton/body_capsules.hpp"
 #include "tests/motion/dance/stage.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "base/random.hpp"
-#include "motion/dance/baking/arm_directions.hpp"
+#include "motion/dance/baking/arms.hpp"
 #include "motion/dance/baking/feature_pose.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "tests/motion/dance/stage.hpp"

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "motion/dance/baking/banded_system.hpp"
-#include "motion/dance/baking/detail.hpp"
 #include "motion/dance/baking/flight.hpp"
 #include "motion/dance/baking/free_figure.hpp"
-#include "motion/dance/baking/step_timing.hpp"
-#include "motion/dance/body/easing.hpp"
+#include "motion/dance/baking/variation.hpp"
+#include "motion/dance/body/curves.hpp"
 #include "motion/dancer.hpp"
 #include "motion/repertoire.hpp"
 #include "tests/motion/dance/stage.hpp"

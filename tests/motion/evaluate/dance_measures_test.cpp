@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "motion/evaluate/played_at_pace.hpp"
+#include "motion/evaluate/dance_metrics.hpp"
 #include "tests/motion/evaluate/small_track.hpp"
 
 namespace raks::motion {

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/evaluate/beat_alignment.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
-#include "motion/evaluate/foot_skating.hpp"
+#include "motion/evaluate/published_metrics.hpp"
 #include "motion/figures/label_tables.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "tests/support/shared_data.hpp"

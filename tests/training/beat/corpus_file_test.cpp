@@ -10,7 +10,6 @@
 #include "base/random.hpp"
 #include "tests/audio/music/shipped_styles.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "training/beat/annotated_music.hpp"
 #include "training/beat/corpus.hpp"
 
 namespace raks::audio {

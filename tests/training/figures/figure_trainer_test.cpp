@@ -6,7 +6,7 @@
 
 #include "motion/figures/foot_events.hpp"
 #include "tests/motion/figures/small_figure.hpp"
-#include "training/figures/phase_warp.hpp"
+#include "training/figures/repeat_features.hpp"
 
 namespace raks::motion {
 namespace {

@@ -10,7 +10,7 @@
 #include "base/random.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "training/genre/network_outputs.hpp"
+#include "training/genre/network_trainer.hpp"
 
 namespace raks::audio {
 namespace {
