@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -9,6 +10,11 @@
 
 /// Binary files in this machine's own byte order: for caches, not for exchange.
 namespace raks {
+
+/// Bytes from `offset` to the next multiple of `alignment`.
+[[nodiscard]] constexpr std::size_t padding(std::size_t offset, std::size_t alignment) noexcept {
+    return (alignment - offset % alignment) % alignment;
+}
 
 /// Appends plain values and lists of them. Put a struct that has padding field by field, because
 /// padding bytes differ from run to run.
@@ -29,6 +35,15 @@ class Packer {
         put(static_cast<std::uint32_t>(list.size()));
         bytes_.append(reinterpret_cast<const char*>(list.data()),
                       list.size() * sizeof(typename List::value_type));
+    }
+    /// Appends the number of values, then the values at a multiple of their alignment, so that
+    /// they can be used where they lie (Unpacker::take_block).
+    template <class T, std::size_t Extent>
+    void put_block(std::span<T, Extent> values) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        put(static_cast<std::uint32_t>(values.size()));
+        bytes_.append(padding(bytes_.size(), alignof(T)), '\0');
+        bytes_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
     }
     /// All bytes so far; the packer is then empty.
     [[nodiscard]] std::string take() { return std::move(bytes_); }
@@ -80,6 +95,22 @@ class Unpacker {
             left_.remove_prefix(count * kSize);
         }
         return list;
+    }
+
+    /// The values of put_block() without a copy: they lie in the bytes, which must outlive them and
+    /// begin, magic included, at an address that is aligned for T.
+    template <class T>
+    std::span<const T> take_block() {
+        static_assert(std::is_trivially_copyable_v<T>);
+        const std::size_t count = take<std::uint32_t>();
+        const std::size_t skipped =
+            padding(reinterpret_cast<std::uintptr_t>(left_.data()), alignof(T));
+        if (!has(skipped + count * sizeof(T))) {
+            return {};
+        }
+        const auto* const first = reinterpret_cast<const T*>(left_.data() + skipped);
+        left_.remove_prefix(skipped + count * sizeof(T));
+        return {first, count};
     }
 
  private:

@@ -37,10 +37,11 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
 
 std::string DanceLibrary::packed() const { return pack_content(*content_); }
 
-Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(std::string_view bytes,
-                                                                   const Skeleton& skeleton,
-                                                                   const FigureGrammar& grammar) {
-    auto content = unpack_content(bytes, skeleton, grammar);
+Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
+    std::shared_ptr<const std::string> bytes,
+    const Skeleton& skeleton,
+    const FigureGrammar& grammar) {
+    auto content = unpack_content(std::move(bytes), skeleton, grammar);
     if (!content) {
         return fail(std::move(content.error()));
     }

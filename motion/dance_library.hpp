@@ -34,10 +34,12 @@ class DanceLibrary {
     /// back. They are valid only for the program, skeleton and grammar that they were solved with.
     /// Threads: workers. Real-time: no.
     [[nodiscard]] std::string packed() const;
-    /// Reads what packed() returned. Errors: damaged, of another program, other figures than the
-    /// grammar has. Threads: workers. Real-time: no.
+    /// Reads what packed() returned, without a copy: the library keeps the bytes. Errors: damaged,
+    /// of another program, other figures than the grammar has. Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
-        std::string_view bytes, const Skeleton& skeleton, const FigureGrammar& grammar);
+        std::shared_ptr<const std::string> bytes,
+        const Skeleton& skeleton,
+        const FigureGrammar& grammar);
     /// Out of line, where Content is complete.
     ~DanceLibrary();
     /// The figures' names in the order of `figures`; the views are valid as long as the library

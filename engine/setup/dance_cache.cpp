@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -99,9 +101,13 @@ std::shared_ptr<const motion::DanceLibrary> DanceCache::find(const fs::path& pat
     if (path.empty() || !is_there(path)) {
         return nullptr;
     }
-    const auto bytes = read_file(path);
+    auto bytes = read_file(path);
     // Damaged contents are no error: the dance is solved again.
-    auto library = bytes ? motion::DanceLibrary::unpack(*bytes, skeleton, grammar) : fail("");
+    if (!bytes) {
+        return nullptr;
+    }
+    auto library = motion::DanceLibrary::unpack(
+        std::make_shared<const std::string>(std::move(*bytes)), skeleton, grammar);
     return library ? std::move(*library) : nullptr;
 }
 

@@ -50,7 +50,7 @@ void pack_figure(const LibraryFigure& figure, Packer& packer) {
     }
 }
 
-LibraryFigure unpack_figure(Unpacker& unpacker) {
+LibraryFigure unpack_figure(Unpacker& unpacker, const std::shared_ptr<const void>& owner) {
     LibraryFigure figure;
     figure.name = unpacker.take_list<std::string>();
     figure.beats = unpacker.take<int>();
@@ -70,7 +70,7 @@ LibraryFigure unpack_figure(Unpacker& unpacker) {
     unpacker.take_into(figure.middle.comes_back);
     const auto passages = unpacker.take<std::uint32_t>();
     for (std::uint32_t i = 0; i < passages && unpacker.is_good(); ++i) {
-        figure.passages.push_back(FigurePassage::unpack(unpacker));
+        figure.passages.push_back(FigurePassage::unpack(unpacker, owner));
     }
     return figure;
 }
@@ -96,9 +96,10 @@ std::string pack_content(const DanceContent& content) {
     return bytes;
 }
 
-Expected<DanceContent> unpack_content(std::string_view bytes,
+Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
                                       const Skeleton& skeleton,
                                       const FigureGrammar& grammar) {
+    std::string_view bytes = *file;
     std::uint64_t sum = 0;
     if (!bytes.starts_with(kBakedMagic) || bytes.size() < kBakedMagic.size() + sizeof sum) {
         return fail("is no dance that was solved");
@@ -124,7 +125,7 @@ Expected<DanceContent> unpack_content(std::string_view bytes,
     }
     std::vector<bool> turns_half;
     for (std::uint32_t i = 0; i < figures && unpacker.is_good(); ++i) {
-        content.figures.push_back(unpack_figure(unpacker));
+        content.figures.push_back(unpack_figure(unpacker, file));
         turns_half.push_back(content.figures.back().turns_half);
         if (content.figures.back().name != grammar.rules[i].figure ||
             content.figures.back().passages.size() !=

@@ -1,8 +1,8 @@
 // Content file: a solved dance as bytes for a cache.
 #pragma once
 
+#include <memory>
 #include <string>
-#include <string_view>
 
 #include "base/expected.hpp"
 #include "motion/dance/dance_content.hpp"
@@ -14,10 +14,11 @@ namespace raks::motion {
 /// solved with. Threads: workers. Real-time: no.
 [[nodiscard]] std::string pack_content(const DanceContent& content);
 
-/// Reads what pack_content() wrote; the same bits. `skeleton`, `grammar`: those that it was solved
-/// with. Errors: damaged, cut short, of another program; other figures than the grammar has.
+/// Reads what pack_content() wrote; the same bits. The content uses the bytes where they lie and
+/// keeps them alive. `bytes`: not null. `skeleton`, `grammar`: those that it was solved with.
+/// Errors: damaged, cut short, of another program; other figures than the grammar has.
 /// Threads: workers. Real-time: no.
-[[nodiscard]] Expected<DanceContent> unpack_content(std::string_view bytes,
+[[nodiscard]] Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> bytes,
                                                     const Skeleton& skeleton,
                                                     const FigureGrammar& grammar);
 

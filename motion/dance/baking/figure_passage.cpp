@@ -241,30 +241,40 @@ FigurePassage::FigurePassage(const FreeFigure& figure) {
 void FigurePassage::keep(const std::vector<Pose>& poses, int samples_per_beat) {
     samples_per_beat_ = samples_per_beat;
     const auto skipped = static_cast<std::size_t>((kBeatsAround - kMargin) * samples_per_beat);
+    std::vector<Sample> samples;
     for (std::size_t i = skipped; i < poses.size() - skipped + 1; ++i) {
         const Pose& pose = poses[i];
         Sample sample;
         for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
             const glm::quat& rotation = pose.rotation(kBones[bone]);
             const bool is_other_sign =
-                !samples_.empty() && glm::dot(samples_.back().rotations[bone], rotation) < 0.0F;
+                !samples.empty() && glm::dot(samples.back().rotations[bone], rotation) < 0.0F;
             sample.rotations[bone] = is_other_sign ? -rotation : rotation;
         }
         sample.hips = pose.hips_position;
         sample.contact = pose.foot_contact;
-        samples_.push_back(sample);
+        samples.push_back(sample);
     }
+    set_samples(std::move(samples));
+}
+
+void FigurePassage::set_samples(std::vector<Sample> samples) {
+    auto list = std::make_shared<const std::vector<Sample>>(std::move(samples));
+    samples_ = *list;
+    owner_ = std::move(list);
 }
 
 void FigurePassage::take_signs_of(const FigurePassage& other) {
+    std::vector<Sample> samples(samples_.begin(), samples_.end());
     for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
         if (glm::dot(samples_.front().rotations[bone], other.samples_.front().rotations[bone]) <
             0.0F) {
-            for (Sample& sample : samples_) {
+            for (Sample& sample : samples) {
                 sample.rotations[bone] = -sample.rotations[bone];
             }
         }
     }
+    set_samples(std::move(samples));
 }
 
 FigurePassage::Place FigurePassage::place_of(double beat) const noexcept {
@@ -294,65 +304,15 @@ void FigurePassage::arms_at(double beat, Pose& pose) const noexcept {
 
 void FigurePassage::pack(Packer& packer) const {
     packer.put(samples_per_beat_);
-    packer.put(static_cast<std::uint32_t>(samples_.size()));
-    for (const Sample& sample : samples_) {
-        packer.put(sample.rotations);
-        packer.put(sample.hips);
-        packer.put(sample.contact);
-    }
+    packer.put_block(samples_);
 }
 
-FigurePassage FigurePassage::unpack(Unpacker& unpacker) {
+FigurePassage FigurePassage::unpack(Unpacker& unpacker, std::shared_ptr<const void> owner) {
     FigurePassage passage;
     passage.samples_per_beat_ = unpacker.take<double>();
-    const auto samples = unpacker.take<std::uint32_t>();
-    passage.samples_.reserve(std::min<std::size_t>(samples, unpacker.left() / sizeof(Sample) + 1));
-    for (std::uint32_t i = 0; i < samples && unpacker.is_good(); ++i) {
-        Sample& sample = passage.samples_.emplace_back();
-        unpacker.take_into(sample.rotations);
-        unpacker.take_into(sample.hips);
-        unpacker.take_into(sample.contact);
-    }
+    passage.samples_ = unpacker.take_block<Sample>();
+    passage.owner_ = std::move(owner);
     return passage;
-}
-
-namespace {
-
-constexpr double kStep = 0.125;  // beats between samples
-// Cosine of half of 120 degrees, the dot product of two quaternions
-constexpr float kNearest = 0.5F;
-
-// The dot product is signed: with signs made to agree a negative one is the longer way round.
-bool can_mix(const FigurePassage& a, const FigurePassage& b, int beats) {
-    for (double beat = -FigurePassage::kMargin; beat <= beats + FigurePassage::kMargin;
-         beat += kStep) {
-        Pose one;
-        Pose other;
-        a.arms_at(beat, one);
-        b.arms_at(beat, other);
-        for (std::size_t i = FigurePassage::kBones.size() - FigurePassage::kArmBones;
-             i < FigurePassage::kBones.size();
-             ++i) {
-            const Bone bone = FigurePassage::kBones[i];
-            if (glm::dot(one.rotation(bone), other.rotation(bone)) < kNearest) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-}  // namespace
-
-ArmMixes arm_mixes(std::span<const FigurePassage> passages, int beats) {
-    RAKS_ASSERT(passages.size() <= kWays);
-    ArmMixes mixes;
-    for (std::size_t a = 0; a < passages.size(); ++a) {
-        for (std::size_t b = 0; b < a; ++b) {
-            mixes[a][b] = mixes[b][a] = can_mix(passages[a], passages[b], beats);
-        }
-    }
-    return mixes;
 }
 
 }  // namespace raks::motion

@@ -5,6 +5,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -68,9 +69,11 @@ class FigurePassage {
 
     /// Appends the samples in this machine's byte order, for a cache. Threads: any. Real-time: no.
     void pack(Packer& packer) const;
-    /// Reads what pack() wrote. After a fault of `unpacker` the passage is incomplete and must not
-    /// be used: check unpacker.is_good().
-    [[nodiscard]] static FigurePassage unpack(Unpacker& unpacker);
+    /// Reads what pack() wrote, without a copy: the samples stay in the unpacker's bytes, which
+    /// `owner` keeps alive. After a fault of `unpacker` the passage is incomplete and must not be
+    /// used: check unpacker.is_good().
+    [[nodiscard]] static FigurePassage unpack(Unpacker& unpacker,
+                                              std::shared_ptr<const void> owner);
 
     /// The bones that a passage moves, hips and trunk first, then legs; the arms are the last
     /// kArmBones.
@@ -105,7 +108,9 @@ class FigurePassage {
         std::array<glm::quat, kBones.size()> rotations;
         glm::vec3 hips{};
         std::array<bool, 2> contact{};
+        std::array<bool, 2> unused{};  // instead of padding, so that a cache holds defined bytes
     };
+    static_assert(sizeof(Sample) == 4 * (kBones.size() * 4 + 3) + 4);
     struct Place {
         const Sample& before;
         const Sample& after;
@@ -115,9 +120,11 @@ class FigurePassage {
     /// Keeps the figure with its margins out of `poses`, which begin kBeatsAround beats before it,
     /// and makes the signs of each bone's quaternions continuous.
     void keep(const std::vector<Pose>& poses, int samples_per_beat);
+    void set_samples(std::vector<Sample> samples);
 
     double samples_per_beat_ = 48.0;
-    std::vector<Sample> samples_;
+    std::span<const Sample> samples_;
+    std::shared_ptr<const void> owner_;  // of the samples: a list, or the bytes of a cached file
 };
 
 /// Where the feet rest around the start of this figure when it is danced as learnt: mean over the
