@@ -12,7 +12,7 @@
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/terminal/signals.hpp"
-#include "audio/beat/paper_file.hpp"
+#include "audio/beat/paper_beat.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"

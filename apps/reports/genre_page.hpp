@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "audio/evaluate/genre_tally.hpp"
+#include "audio/evaluate/genre_scores.hpp"
 
 namespace raks::apps {
 
