@@ -19,10 +19,9 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/show/show.hpp"
 #include "motion/dancer.hpp"
-#include "render/gl/offscreen_context.hpp"
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
-#include "render/scene/beat_rings.hpp"
+#include "render/scene/scene.hpp"
 
 #include <fmt/format.h>
 

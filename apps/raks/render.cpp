@@ -16,8 +16,7 @@
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/show/show.hpp"
-#include "render/gl/offscreen_context.hpp"
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 #include "render/video/video_writer.hpp"
 
 namespace raks::apps {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "render/gl/window_event.hpp"
+#include "render/gl/window.hpp"
 #include "render/scene/camera.hpp"
 
 /// How mouse and wheel move the camera, alike in every window. Threads: main.
