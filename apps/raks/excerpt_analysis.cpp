@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "apps/terminal/progress.hpp"
-#include "apps/terminal/signals.hpp"
+#include "apps/terminal/program.hpp"
+#include "apps/terminal/say.hpp"
 #include "audio/beat/paper_beat.hpp"
 #include "audio/music_analyzer.hpp"
 #include "engine/offline/music_source.hpp"

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "apps/raks/dance_setup.hpp"
-#include "apps/terminal/progress.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
