@@ -5,7 +5,7 @@
 #include <span>
 
 #include "audio/beat/analyzer_command.hpp"
-#include "audio/features/cepstral_mean.hpp"
+#include "audio/features/mfcc.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"

@@ -1,5 +1,5 @@
 #include "render/body_painter.hpp"
-#include "render/avatar/skinning.hpp"
+#include "render/avatar/avatar.hpp"
 
 #include <cstddef>
 #include <glm/ext/matrix_transform.hpp>

@@ -1,6 +1,6 @@
 #include "render/pose_sheet.hpp"
 
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -9,10 +9,9 @@
 
 #include "apps/reports/analysis_document.hpp"
 #include "apps/reports/plot_svg.hpp"
-#include "apps/terminal/progress.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
-#include "audio/beat/paper_file.hpp"
+#include "audio/beat/paper_beat.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "apps/raks/bench_peers.hpp"
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "audio/music/generator/music_generator.hpp"
@@ -19,12 +18,12 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/show/show.hpp"
 #include "motion/dancer.hpp"
-#include "render/gl/offscreen_context.hpp"
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
-#include "render/scene/beat_rings.hpp"
+#include "render/scene/scene.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 
@@ -275,6 +274,23 @@ ExitCode bench(const BenchArguments& arguments) {
         arguments.as_json ? to_json(arguments.what, *report) : to_text(*report);
     std::fputs(text.c_str(), stdout);
     return kExitDone;
+}
+
+std::string to_json(const std::string& what, const BenchReport& report) {
+    // All results are on one level, by name.
+    nlohmann::ordered_json document = {{"format", "raks-bench"}, {"version", 1}, {"bench", what}};
+    for (const auto& [name, note] : report.notes) {
+        document[name] = note;
+    }
+    for (const auto& [name, value] : report.values) {
+        document[name] = value;
+    }
+    for (const auto& [name, spread] : report.spreads) {
+        document[name] = {
+            {"p50", spread.p50}, {"p95", spread.p95}, {"p99", spread.p99}, {"max", spread.max}};
+    }
+    // A driver's name need not be UTF-8.
+    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace raks::apps

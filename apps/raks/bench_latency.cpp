@@ -4,9 +4,8 @@
 #include <optional>
 
 #include "apps/raks/bench.hpp"
-#include "apps/raks/bench_peers.hpp"
 #include "apps/raks/dance_setup.hpp"
-#include "apps/terminal/signals.hpp"
+#include "apps/terminal/program.hpp"
 #include "audio/io/devices.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "engine/live/live_graph.hpp"

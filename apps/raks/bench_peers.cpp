@@ -1,4 +1,4 @@
-#include "apps/raks/bench_peers.hpp"
+#include "apps/raks/bench.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>

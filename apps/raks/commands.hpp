@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/terminal/exit_code.hpp"
+#include "apps/terminal/program.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/figures/figure_model.hpp"
 

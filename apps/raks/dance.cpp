@@ -3,11 +3,9 @@
 #include <cstdio>
 
 #include "apps/raks/dance_setup.hpp"
-#include "apps/terminal/progress.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
 #include "base/file.hpp"
-#include "engine/offline/collect_poses.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/dance_files.hpp"

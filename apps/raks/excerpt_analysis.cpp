@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "apps/terminal/progress.hpp"
-#include "apps/terminal/signals.hpp"
-#include "audio/beat/paper_file.hpp"
+#include "apps/terminal/program.hpp"
+#include "apps/terminal/say.hpp"
+#include "audio/beat/paper_beat.hpp"
 #include "audio/music_analyzer.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"

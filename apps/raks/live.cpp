@@ -4,8 +4,8 @@
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/stage_loop.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
 #include "audio/io/devices.hpp"
 #include "engine/setup/formations.hpp"
 

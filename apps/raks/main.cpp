@@ -1,7 +1,111 @@
-#include "apps/raks/arguments.hpp"
+#include <cstdio>
+#include <string>
+
+#include "apps/raks/command_table.hpp"
+#include "apps/raks/dance_setup.hpp"
+#include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
-#include "apps/terminal/signals.hpp"
+#include "apps/terminal/say.hpp"
 #include "audio/io/device_stream.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/show/picture.hpp"
+
+namespace raks::apps {
+namespace {
+
+// As --version prints it.
+constexpr const char* kVersion = "0.1.0";
+
+// Printed when no command is given.
+constexpr const char* kExamples =
+    "raks: an avatar that dances to what it hears\n"
+    "\n"
+    "  raks live                          dance to what this computer plays, or to a microphone\n"
+    "  raks play song.mp3                 play a file and dance to it\n"
+    "  raks render song.mp3 -o out.mp4    write a video of the dance\n"
+    "\n"
+    "raks --help lists all commands.\n";
+
+// The fault of a dance's name that is unknown; empty: none. A path is checked only when it is
+// opened: learning from it takes time.
+std::string fault_of_dances(engine::Settings settings) {
+    if (is_dance_place(settings.dance)) {
+        settings.dance = "auto";
+    }
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return {};  // the command reports it, if it dances
+    }
+    const auto checked = engine::check_dances(settings, *catalogue->list());
+    return checked ? std::string() : checked.error().message;
+}
+
+// The first fault of the settings: a value out of range, or a name that is unknown.
+std::string fault_of(const engine::Settings& settings) {
+    if (const auto faults = engine::validate(settings); !faults.empty()) {
+        return faults.front();
+    }
+    if (const auto look = engine::read_look(settings); !look) {
+        return look.error().message;
+    }
+    return fault_of_dances(settings);
+}
+
+void add_config(RaksCommands& table) {
+    auto [app, a] =
+        table.add(table.app(), "config", "show, locate or create the settings file", config);
+    app->add_option("action", a->action, "show, path or init")
+        ->check(one_of({"show", "path", "init"}));
+}
+
+/// Parses the command line over the settings files. A wrong command line or setting is one line on
+/// stderr and kExitUsage.
+ParsedCommand parse_arguments(int argc, char** argv) {
+    // The files first: options are parsed over what they say, and a fault of theirs is reported
+    // below.
+    const auto settings = engine::load_settings();
+    RaksCommands table(settings.value_or(engine::Settings{}));
+    table.app().require_subcommand(0, 1);
+    table.app().set_version_flag("--version", std::string("raks ") + kVersion);
+    add_dancing_commands(table);
+    add_measuring_commands(table);
+    add_training_commands(table);
+    add_config(table);
+    // Help, version and wrong usage end here.
+    if (const auto ended = read_usage(table.app(), argc, argv)) {
+        return {nullptr, *ended};
+    }
+    if (!table.chosen()) {
+        std::fputs(kExamples, stdout);
+        return {nullptr, kExitDone};
+    }
+    // A faulty file must not prevent --help, nor `raks config`, which tells where the file lies.
+    if (!settings && !table.app().got_subcommand("config")) {
+        say(settings.error().message);
+        return {nullptr, kExitUsage};
+    }
+    // Checked after parsing, since file and options together make the values.
+    if (table.chosen_settings() != nullptr) {
+        if (const std::string fault = fault_of(*table.chosen_settings()); !fault.empty()) {
+            say(fault);
+            return {nullptr, kExitUsage};
+        }
+    }
+    return {table.chosen(), kExitDone};
+}
+
+}  // namespace
+
+void add_figures_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option("--figures", settings.figures, "learnt as angles or positions of the joints");
+}
+
+void add_generator_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option(
+        "--generator", settings.generator, "trajectories, or frames: the paper's, for comparison");
+}
+
+}  // namespace raks::apps
 
 int main(int argc, char** argv) {
     // Signals are caught only when a command runs: parsing ends as usual.

@@ -8,8 +8,8 @@
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/stage_loop.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
 #include "audio/io/devices.hpp"
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"

@@ -8,16 +8,14 @@
 #include <vector>
 
 #include "apps/raks/dance_setup.hpp"
-#include "apps/terminal/progress.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/show/show.hpp"
-#include "render/gl/offscreen_context.hpp"
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 #include "render/video/video_writer.hpp"
 
 namespace raks::apps {

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/offscreen_context.hpp"
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
 #include "render/video/png.hpp"
 #include "render/video/video_writer.hpp"

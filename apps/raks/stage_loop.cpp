@@ -6,9 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "apps/terminal/progress.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
 #include "engine/setup/dance_files.hpp"
 
 #include <fmt/format.h>

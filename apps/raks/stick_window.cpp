@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
 
 namespace raks::apps {
 

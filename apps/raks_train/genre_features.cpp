@@ -11,7 +11,7 @@
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "audio/io/audio_file.hpp"
-#include "audio/music/damage/genre_augmentation.hpp"
+#include "audio/music/damage/sound_augmentation.hpp"
 #include "audio/music/damage/sound_damage.hpp"
 #include "base/hash.hpp"
 #include "base/parallel.hpp"

@@ -5,7 +5,6 @@
 
 #include "apps/raks_train/commands.hpp"
 #include "apps/terminal/program.hpp"
-#include "apps/terminal/usage.hpp"
 
 namespace {
 

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "apps/raks_train/commands.hpp"
-#include "apps/raks_train/genre_adding.hpp"
 #include "apps/raks_train/genre_learning.hpp"
 #include "apps/raks_train/genre_material.hpp"
 #include "apps/raks_train/installed_styles.hpp"

@@ -9,7 +9,6 @@
 
 #include "apps/raks_train/commands.hpp"
 #include "apps/reports/figure_report_page.hpp"
-#include "apps/terminal/progress.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "training/figures/classifier_evaluation.hpp"

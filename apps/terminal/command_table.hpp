@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "apps/terminal/exit_code.hpp"
+#include "apps/terminal/program.hpp"
 
 #include <CLI/CLI.hpp>
 

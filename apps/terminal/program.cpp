@@ -1,16 +1,108 @@
 #include "apps/terminal/program.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "apps/terminal/say.hpp"
-#include "apps/terminal/signals.hpp"
+#include "base/printable.hpp"
+#include "base/suggest.hpp"
+
+#include <CLI/CLI.hpp>
 
 namespace raks::apps {
+namespace {
+
+// The chain of commands that the words chose, from the program to the innermost.
+std::vector<const CLI::App*> chosen_commands(const CLI::App& app) {
+    std::vector<const CLI::App*> chosen = {&app};
+    for (auto inner = app.get_subcommands(); !inner.empty();
+         inner = chosen.back()->get_subcommands()) {
+        chosen.push_back(inner.back());
+    }
+    return chosen;
+}
+
+// Long names without their dashes, which would make all names alike to the search for the nearest.
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::App* inner : command.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(inner->get_name());
+    }
+    return names;
+}
+
+// What is wrong with a word that no command or option takes.
+std::string about_extra(const CLI::App& command, const std::string& word) {
+    const std::string name = printable(word.substr(0, word.find('=')), 40);
+    const bool is_option = name.size() > 1 && name.front() == '-';
+    const std::vector<std::string> names =
+        is_option ? option_names(command) : command_names(command);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    if (!is_option) {
+        return known.empty() ? "\"" + name + "\" is a word too many"
+                             : unknown_name("command", name, known);
+    }
+    // Of options there are too many to list.
+    const std::string_view nearest =
+        nearest_name(name.substr(std::min(name.find_first_not_of('-'), name.size())), known);
+    const std::string hint =
+        nearest.empty() ? "" : "; did you mean \"--" + std::string(nearest) + "\"?";
+    return "option \"" + name + "\" is unknown" + hint;
+}
+
+// The message of a parse error, with the command whose help explains more.
+std::string about(const CLI::App& app, const CLI::Error& error) {
+    const std::vector<const CLI::App*> chosen = chosen_commands(app);
+    std::string what = error.what();
+    const std::vector<std::string> extras = app.remaining(true);
+    // CLI11 reports a misspelt command as a missing one: the word that was left over explains it
+    // better.
+    const bool is_of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                             dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (is_of_words && !extras.empty()) {
+        what = about_extra(*chosen.back(), extras.front());
+    }
+    std::string names;
+    for (const CLI::App* command : chosen) {
+        names += command->get_name() + " ";
+    }
+    return printable(what) + " (" + names + "--help shows what there is)";
+}
+
+}  // namespace
+
+std::optional<int> read_usage(CLI::App& app, int argc, char** argv) {
+    app.failure_message([](const CLI::App* program, const CLI::Error& error) {
+        return "raks: " + about(*program, error) + "\n";
+    });
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        // Help and version are "errors" with exit code 0.
+        return app.exit(error) == 0 ? kExitDone : kExitUsage;
+    }
+    return std::nullopt;
+}
+
 namespace {
 
 // An error after a signal still ends with the signal's code: the signal was the cause.
@@ -46,6 +138,38 @@ int run_program(const std::function<ParsedCommand()>& parse) {
     } catch (const std::exception& error) {
         return report(std::string("internal error: ") + error.what());
     }
+}
+
+namespace {
+
+std::atomic<int> g_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "used inside a signal handler");
+
+extern "C" void note_signal(int number) {
+    g_signal.store(number, std::memory_order_relaxed);  // relaxed: a flag that orders nothing
+    std::signal(number, SIG_DFL);                       // the next one ends the process
+}
+
+}  // namespace
+
+// SIGXFSZ and SIGPIPE are ignored, so that the write that caused them fails with an error that is
+// reported.
+void catch_signals() noexcept {
+    std::signal(SIGINT, note_signal);
+    std::signal(SIGTERM, note_signal);
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+std::optional<int> stop_signal() noexcept {
+    const int number = g_signal.load(std::memory_order_relaxed);  // relaxed: see note_signal
+    return number == 0 ? std::nullopt : std::optional(number);
+}
+
+// The convention of shells for a process that a signal ended.
+int exit_code_after_signals(int code) noexcept {
+    const std::optional<int> number = stop_signal();
+    return number ? 128 + *number : code;
 }
 
 }  // namespace raks::apps

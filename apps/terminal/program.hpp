@@ -1,11 +1,35 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <optional>
+#include <utility>
 
-#include "apps/terminal/exit_code.hpp"
+#include "base/expected.hpp"
 
-/// What the `main` of every program does.
+namespace CLI {
+/// Of CLI11, whose header is large.
+class App;
+}  // namespace CLI
+
+/// What the `main` of every program does: exit codes, the command line, signals.
 namespace raks::apps {
+
+// What the programs return to the system.
+inline constexpr int kExitDone = 0;    ///< everything asked for is done
+inline constexpr int kExitFailed = 1;  ///< a fault while running
+inline constexpr int kExitUsage = 2;   ///< a wrong command line
+// Stopped by a signal: 128 + its number (130 SIGINT, 143 SIGTERM); what was finished is kept.
+
+/// Short for the arguments of commands.
+using Path = std::filesystem::path;
+/// Result of a command: the process' exit code; an Error becomes "raks: MESSAGE" and kExitFailed.
+using ExitCode = Expected<int>;
+
+/// kExitDone, or the error of `done`.
+[[nodiscard]] inline ExitCode exit_code_of(Expected<void> done) {
+    return done ? ExitCode(kExitDone) : fail(std::move(done.error()));
+}
 
 /// What the command line asked for.
 struct ParsedCommand {
@@ -17,5 +41,22 @@ struct ParsedCommand {
 /// line on stderr. Standard output is flushed; when that fails, as on a full disk, the command has
 /// failed. Returns the process' exit code. Threads: main.
 [[nodiscard]] int run_program(const std::function<ParsedCommand()>& parse);
+
+/// From here on SIGINT and SIGTERM are noted instead of ending the process, SIGXFSZ (a file grew
+/// over its limit) and SIGPIPE become errors of the write. A second SIGINT ends at once.
+/// Threads: main, once.
+void catch_signals() noexcept;
+
+/// The signal that asked the program to stop, if any came.
+/// Threads: any. Real-time: yes.
+[[nodiscard]] std::optional<int> stop_signal() noexcept;
+
+/// 128 + the signal's number when one came, else `code`.
+[[nodiscard]] int exit_code_after_signals(int code) noexcept;
+
+/// Parses the command line into what the options of `app` are bound to. Help and version go to
+/// stdout, a wrong command line is one line on stderr. Returns the exit code to end with; nothing:
+/// go on.
+[[nodiscard]] std::optional<int> read_usage(CLI::App& app, int argc, char** argv);
 
 }  // namespace raks::apps

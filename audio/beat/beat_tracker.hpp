@@ -8,7 +8,6 @@
 
 #include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/bar_belief.hpp"
-#include "audio/beat/beat_change.hpp"
 #include "audio/beat/beat_pointer.hpp"
 #include "audio/beat/network/bar_network.hpp"
 #include "audio/beat/network/beat_network.hpp"

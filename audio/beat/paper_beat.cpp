@@ -1,10 +1,78 @@
 #include "audio/beat/paper_beat.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 namespace raks::audio {
+namespace {
+
+// Factor of |X| with a Hann window, full scale 256. Below 1 / kCompression arcsinh is nearly
+// linear.
+constexpr float kCompression = 30.0F;
+// The threshold is this share of the moving median plus a floor, below which nothing is an onset.
+constexpr float kMedianShare = 1.0F;
+constexpr float kFloor = 2.0F;
+
+}  // namespace
+
+PaperFlux::PaperFlux() : spectrum_(hann_window(kWindow), kWindow) {
+    // Smoothing s (half Hann, newest first) and the difference of neighbours in one filter: h(i) =
+    // s(i) - s(i - 1). Its response to a step in G is s: immediate, then falling.
+    std::array<float, kSmoothing + 2> smoothing{};
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < kSmoothing; ++i) {
+        const double angle = M_PI * static_cast<double>(i) / kSmoothing;
+        smoothing[i + 1] = static_cast<float>(0.5 + 0.5 * std::cos(angle));
+        sum += smoothing[i + 1];
+    }
+    for (std::size_t i = 0; i <= kSmoothing; ++i) {
+        filter_[i] = (smoothing[i + 1] - smoothing[i]) / sum;
+    }
+}
+
+void PaperFlux::reset() noexcept RAKS_NONBLOCKING {
+    compressed_ = {};
+    strengths_ = {};
+    hops_ = 0;
+}
+
+// E(n, k) over the ring of spectra, then the sum over k of its positive part.
+float PaperFlux::flux() const noexcept {
+    std::array<float, kBins> energy{};
+    for (std::size_t i = 0; i <= kSmoothing; ++i) {
+        const auto& spectrum = compressed_[(hops_ + kSmoothing + 1 - i) % (kSmoothing + 1)];
+        const float weight = filter_[i];
+        for (std::size_t k = 0; k < kBins; ++k) {
+            energy[k] += weight * spectrum[k];
+        }
+    }
+    float sum = 0.0F;
+    for (const float value : energy) {
+        sum += std::max(0.0F, value);
+    }
+    return sum;
+}
+
+PaperFlux::Frame PaperFlux::add(std::span<const float> window) noexcept RAKS_NONBLOCKING {
+    const std::span<const float> power = spectrum_.compute(window);
+    std::transform(
+        power.begin(), power.end(), compressed_[hops_ % (kSmoothing + 1)].begin(), [](float x) {
+            return std::asinh(kCompression * std::sqrt(x));
+        });
+    // The filter's memory is not full in the first hops: the start of a stream is no onset.
+    strengths_[hops_ % kMedian] = hops_ < kSmoothing + 1 ? 0.0F : flux();
+    ++hops_;
+    Frame frame;
+    // The frame in the middle of the median's window.
+    frame.strength = strengths_[(hops_ + kMedian - 1 - kDelay) % kMedian];
+    auto sorted = strengths_;
+    std::nth_element(sorted.begin(), sorted.begin() + kDelay, sorted.end());
+    frame.threshold = kMedianShare * sorted[kDelay] + kFloor;
+    return frame;
+}
+
 namespace {
 
 // The peak at half the lag wins when it is at least this high, as a share of the highest. Without
@@ -222,6 +290,92 @@ void PaperTracker::announce(MusicState& state) noexcept {
         state.has_predicted = true;
         state.predicted = stream_time_from_seconds(*beat / kHopsPerSecond);
     }
+}
+
+Expected<void> PaperFile::prepare(SampleRate rate) {
+    flux_.reset();
+    frames_.clear();
+    return windows_.prepare(rate);
+}
+
+void PaperFile::add(std::span<const float> mono) {
+    windows_.process(
+        mono, [this](std::span<const float> window) { frames_.push_back(flux_.add(window)); });
+}
+
+std::vector<BeatEvent> PaperFile::finish(Nanos duration) {
+    // Rounded up: the last hop may be cut by the end of the file.
+    const auto hops = static_cast<std::size_t>((duration + kHop - Nanos(1)) / kHop);
+    // Frames come kDelay hops late: silence after the file brings the last ones out.
+    const std::array<float, 256> silence{};
+    while (frames_.size() < hops + PaperFlux::kDelay) {
+        add(silence);
+    }
+    return paper_beats(std::span(frames_).subspan(PaperFlux::kDelay, hops));
+}
+
+namespace {
+
+constexpr double kWindowHops = PaperWindow::kHops;
+constexpr double kTolerance = 0.1;  // of the period, before and after the expected beat
+
+// A window's analysis in one go.
+PaperEstimate estimate_of(std::span<const float> onsets) {
+    PaperWindow window;
+    window.begin(onsets);
+    while (!window.is_done()) {
+        window.step();
+    }
+    return window.estimate();
+}
+
+// Place of the strongest onset within `reach` of `expected`; `expected` when there is none.
+double strongest_near(std::span<const float> onsets, double expected, double reach) {
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(expected - reach)));
+    double best = expected;
+    float highest = 0.0F;
+    for (std::size_t i = first; i < onsets.size() && static_cast<double>(i) <= expected + reach;
+         ++i) {
+        if (onsets[i] > highest) {
+            highest = onsets[i];
+            best = static_cast<double>(i);
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<BeatEvent> paper_beats(std::span<const PaperFlux::Frame> frames) {
+    std::vector<float> onsets;
+    onsets.reserve(frames.size());
+    for (const PaperFlux::Frame& frame : frames) {
+        onsets.push_back(frame.onset());
+    }
+    // A rest shorter than half a window has too few beats for an estimate of its own: it belongs to
+    // the window before.
+    std::vector<PaperEstimate> windows;
+    for (std::size_t start = 0; start == 0 || start + PaperWindow::kHops / 2 < onsets.size();
+         start += PaperWindow::kHops) {
+        const std::size_t count = std::min(PaperWindow::kHops, onsets.size() - start);
+        windows.push_back(estimate_of(std::span(onsets).subspan(start, count)));
+    }
+    std::vector<BeatEvent> beats;
+    // The first window's phase, moved back to the start of the file.
+    double beat = std::fmod(windows.front().last_beat, windows.front().period_hops);
+    while (beat < static_cast<double>(onsets.size())) {
+        const auto at = static_cast<std::size_t>(std::max(0.0, beat) / kWindowHops);
+        const PaperEstimate& window = windows[std::min(at, windows.size() - 1)];
+        if (window.confidence > 0.0F) {
+            beats.push_back(
+                {stream_time_from_seconds(std::max(0.0, beat + kPaperLagHops) / kHopsPerSecond),
+                 0,
+                 window.confidence});
+        }
+        // The next beat is expected a period later and moved to the strongest onset nearby.
+        beat = strongest_near(onsets, beat + window.period_hops, kTolerance * window.period_hops);
+    }
+    return beats;
 }
 
 }  // namespace raks::audio

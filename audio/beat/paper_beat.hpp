@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "audio/features/rhythm_frames.hpp"
 #include "audio/features/spectrum.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
@@ -149,5 +150,22 @@ class PaperTracker {
 /// beat is the strongest onset within 10 % of the period around the expected time. `frames`: of
 /// every hop from time 0, without PaperFlux's delay. Threads: workers. Real-time: no.
 [[nodiscard]] std::vector<BeatEvent> paper_beats(std::span<const PaperFlux::Frame> frames);
+
+/// The paper's whole-file form (paper_beats), fed with samples of any supported rate.
+/// Threads: one. Real-time: no (it keeps 8 bytes for each hop of the file).
+class PaperFile {
+ public:
+    /// Starts a file. Errors: no resampler can be set up.
+    [[nodiscard]] Expected<void> prepare(SampleRate rate);
+    /// The next samples, mono, finite, in [-1, 1].
+    void add(std::span<const float> mono);
+    /// Beats of the file, whose length is `duration`. To be called once, after all samples.
+    [[nodiscard]] std::vector<BeatEvent> finish(Nanos duration);
+
+ private:
+    RhythmFrames windows_;
+    PaperFlux flux_;
+    std::vector<PaperFlux::Frame> frames_;
+};
 
 }  // namespace raks::audio

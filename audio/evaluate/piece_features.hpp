@@ -13,6 +13,7 @@
 #include "audio/genre/genre_model.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
+#include "base/packer.hpp"
 #include "base/time.hpp"
 
 /// Features of pieces of music, as genre training and evaluation use them: the analyzer's, computed
@@ -81,5 +82,12 @@ struct FeaturePlan {
 /// Reads what save_pieces wrote. Errors: not such a file, another version, cut short, sizes that do
 /// not fit together.
 [[nodiscard]] Expected<std::vector<PieceFeatures>> load_pieces(const std::filesystem::path& path);
+
+/// Binary form of a piece's features, for caches and shards on the same kind of machine.
+void pack_piece(const PieceFeatures& piece, Packer& packer);
+/// Reads what pack_piece wrote and checks it. Errors: cut short; numbers that are not finite or too
+/// large; sizes that do not fit together; a window outside its piece; a name that no dance can
+/// have.
+[[nodiscard]] Expected<PieceFeatures> unpack_piece(Unpacker& unpacker);
 
 }  // namespace raks::audio

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "audio/features/mel.hpp"
 #include "audio/features/spectrum.hpp"
 #include "base/realtime.hpp"
 

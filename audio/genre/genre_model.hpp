@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "audio/features/cepstral_mean.hpp"
 #include "audio/features/mfcc.hpp"
 #include "audio/features/network_input.hpp"
 #include "audio/genre/bar_patterns.hpp"

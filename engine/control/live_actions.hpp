@@ -2,12 +2,62 @@
 
 #include <optional>
 
+#include "audio/beat/analyzer_command.hpp"
 #include "base/beats.hpp"
 #include "base/time.hpp"
 #include "engine/control/action_dispatcher.hpp"
-#include "engine/control/live_target.hpp"
+#include "engine/live/live_graph.hpp"
+#include "motion/dancer.hpp"
 
 namespace raks::engine {
+
+/// What the actions of playing, tempo and dance act upon. The interface exists for tests, which
+/// record what was asked instead of running a graph. Threads: main.
+class LiveTarget {
+ public:
+    virtual ~LiveTarget() = default;  ///< a target may be owned by its interface
+
+    /// Queues a command for the beat tracker, dated at the moment of music that leaves the
+    /// loudspeaker when it is called. `value`: as its kind says. False: the queue is full.
+    virtual bool command(audio::AnalyzerCommand::Kind kind, double value) = 0;
+    /// The same for the dancer, on the motion thread.
+    virtual bool command(motion::DancerCommand::Kind kind, double value) = 0;
+    /// The tempo that is danced to.
+    [[nodiscard]] virtual Bpm tempo() = 0;
+
+    /// The person's part of the latency between picture and sound; positive: the pictures come
+    /// later.
+    [[nodiscard]] virtual Nanos latency_offset() = 0;
+    /// Sets it; the next picture uses it. The caller keeps it within +-500 ms.
+    virtual void set_latency_offset(Nanos offset) = 0;
+
+    /// Pauses the file or goes on with it; does nothing when the input is a microphone.
+    virtual void toggle_pause() = 0;
+    /// Moves the place in the file by so many seconds; does nothing with a microphone.
+    virtual void seek_by(double seconds) = 0;
+    virtual void set_volume(float volume) = 0;  ///< [0, 2]
+};
+
+/// The live graph as a target: every call is passed on to it.
+class GraphTarget final : public LiveTarget {
+ public:
+    /// `graph` must outlive this.
+    explicit GraphTarget(LiveGraph& graph) : graph_(graph) {}
+
+    /// To the analyzer's queue.
+    bool command(audio::AnalyzerCommand::Kind kind, double value) override;
+    /// To the motion thread's queue.
+    bool command(motion::DancerCommand::Kind kind, double value) override;
+    [[nodiscard]] Bpm tempo() override;              ///< of the newest stage's beat grid
+    [[nodiscard]] Nanos latency_offset() override;   ///< of the graph
+    void set_latency_offset(Nanos offset) override;  ///< of the graph
+    void toggle_pause() override;                    ///< of the graph's playback, if any
+    void seek_by(double seconds) override;           ///< of the graph's playback, if any
+    void set_volume(float volume) override;          ///< of the graph's playback, if any
+
+ private:
+    LiveGraph& graph_;
+};
 
 /// Carries out the actions of playing, tempo and figures: each becomes a command of the live graph
 /// or a call to the file that plays. Keeps what outlives a file: volume, latency offset, lock of

@@ -1,18 +1,19 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "audio/io/device_stream.hpp"
 #include "audio/io/devices.hpp"
 #include "audio/io/file_player.hpp"
 #include "base/expected.hpp"
+#include "base/time.hpp"
 #include "engine/live/analysis_stage.hpp"
-#include "engine/live/live_input.hpp"
-#include "engine/live/motion_thread.hpp"
-#include "engine/live/paced_clock.hpp"
+#include "engine/live/motion_stage.hpp"
 #include "engine/live/playback.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_files.hpp"
@@ -20,6 +21,30 @@
 #include "motion/ensemble.hpp"
 
 namespace raks::engine {
+
+/// Our own clock in place of a device: calls a stream callback every 256 frames' time by
+/// CLOCK_MONOTONIC. Drives `--no-sound`, and the rest of a show whose device has died. An input
+/// gets silence; what an output fills is thrown away. Threads: create and destroy on main; the
+/// callback runs on the clock's own thread.
+class PacedClock {
+ public:
+    /// Which of the callback's two functions is called.
+    enum class Direction { input, output };
+
+    /// Starts calling `callback`, which must outlive this, with blocks of `channels` at `rate`.
+    PacedClock(Direction direction, SampleRate rate, int channels, audio::StreamCallback& callback);
+    ~PacedClock();  ///< stops the calls and joins the thread
+    /// Not copied: the thread holds a reference to it.
+    PacedClock(const PacedClock&) = delete;
+    PacedClock& operator=(const PacedClock&) = delete;  ///< likewise
+
+ private:
+    void run(Direction direction, SampleRate rate, int channels) noexcept;
+
+    audio::StreamCallback& callback_;
+    std::atomic<bool> is_stopping_{false};
+    std::thread thread_;
+};
 
 /// What `play` and `live` both need to start.
 struct LiveGraphConfig {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "render/mannequin/mannequin.hpp"
-#include "render/scene/beat_rings.hpp"
+#include "render/scene/scene.hpp"
 
 namespace raks::engine {
 

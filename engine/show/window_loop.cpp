@@ -2,15 +2,26 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
+#include <ctime>
+#include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
+#include <vector>
 
-#include "engine/control/help_lines.hpp"
-#include "engine/show/camera_moves.hpp"
-#include "engine/show/screenshot.hpp"
+#include "base/expected.hpp"
+#include "engine/control/action_table.hpp"
+#include "render/gl/frame_target.hpp"
+#include "render/gl/window.hpp"
+#include "render/scene/camera.hpp"
+#include "render/video/png.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::engine {
 namespace {
@@ -24,6 +35,61 @@ constexpr double kFpsShare = 0.05;
 std::string_view name_after(std::string_view name, std::span<const std::string_view> names) {
     const auto at = std::find(names.begin(), names.end(), name);
     return at == names.end() || at + 1 == names.end() ? names.front() : *(at + 1);
+}
+
+// How mouse and wheel move the camera, alike in every window. Threads: main.
+
+/// A drag with the left button orbits; with another button, or with Shift, it pans.
+void move_camera(render::Camera& camera, const render::MouseDragEvent& drag) {
+    constexpr float kOrbitPerPixel = 0.008F;  // radians
+    constexpr float kPanPerPixel = 0.002F;    // metres
+    if (drag.button == render::MouseButton::left && !drag.has_shift) {
+        camera.orbit(-drag.dx * kOrbitPerPixel, drag.dy * kOrbitPerPixel);
+    } else {
+        camera.pan(-drag.dx * kPanPerPixel, drag.dy * kPanPerPixel);
+    }
+}
+
+/// The wheel zooms: one step is a tenth nearer or further.
+void move_camera(render::Camera& camera, const render::ScrollEvent& scroll) {
+    constexpr float kZoomPerStep = 0.9F;
+    camera.zoom(std::pow(kZoomPerStep, scroll.dy));
+}
+
+/// A file name from the local time, "raks-20260131-235959.png"; with a number appended when a file
+/// of that name exists in the current folder.
+std::string screenshot_name() {
+    const std::time_t now = std::time(nullptr);
+    // localtime_r: localtime() would share its result with other threads.
+    std::tm local{};
+    localtime_r(&now, &local);
+    const std::string stem = fmt::format("raks-{:04}{:02}{:02}-{:02}{:02}{:02}",
+                                         local.tm_year + 1900,
+                                         local.tm_mon + 1,
+                                         local.tm_mday,
+                                         local.tm_hour,
+                                         local.tm_min,
+                                         local.tm_sec);
+    std::string name = stem + ".png";
+    std::error_code error;
+    // Several pictures within one second get -2, -3 and so on.
+    for (int i = 2; std::filesystem::exists(name, error); ++i) {
+        name = fmt::format("{}-{}.png", stem, i);
+    }
+    return name;
+}
+
+/// Writes what was drawn to `frame` as a PNG file. An OpenGL context must be current. Errors: the
+/// frame cannot be read back, the file cannot be written.
+Expected<void> write_screenshot(const std::filesystem::path& path,
+                                const render::FrameTarget& frame) {
+    // Four bytes a pixel, rows from the top as PNG has them.
+    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(frame.width) *
+                                   static_cast<std::size_t>(frame.height) * 4);
+    if (auto read = render::read_rgba(frame, rgba); !read) {
+        return read;
+    }
+    return render::write_png(path, frame.width, frame.height, rgba);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/offline/collect_poses.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/trials/danced_figures.hpp"
 #include "motion/evaluate/couple_measures.hpp"

@@ -1,17 +1,27 @@
 #include "render/gl/window.hpp"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "render/gl/frame_limiter.hpp"
-
+#define GLFW_INCLUDE_NONE
 namespace raks::render {
+
+void sleep_until(HostTime due) noexcept {
+    const auto ns = due.time_since_epoch().count();
+    const timespec when{.tv_sec = ns / 1'000'000'000, .tv_nsec = ns % 1'000'000'000};
+    // A signal ends the sleep early; the time is absolute, so sleeping again does not add to it.
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr) == EINTR) {
+    }
+}
+
 namespace {
 
 constexpr double kUsualRefreshRate = 60.0;  // where the monitor tells none: Xvfb says 0

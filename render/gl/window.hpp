@@ -1,14 +1,95 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "base/expected.hpp"
+#include "base/key.hpp"
+#include "base/time.hpp"
 #include "render/gl/frame_target.hpp"
-#include "render/gl/window_event.hpp"
 
 namespace raks::render {
+
+/// When the next picture is due. Pure arithmetic over HostTime, so that a test can drive it.
+///
+/// Where vertical sync paces the loop, the limiter allows 10 % more pictures than the monitor
+/// shows, so that the two do not wait for each other; it then acts only when the sync is ignored
+/// (Xvfb, hidden windows). Threads: one.
+class FrameLimiter {
+ public:
+    /// `exact`: the limiter alone sets the rate. `behind_vsync`: it only catches a sync that is
+    /// ignored.
+    enum class Pace { exact, behind_vsync };
+
+    /// `fps` > 0.
+    FrameLimiter(double fps, Pace pace) noexcept
+        : period_(nanos_from_seconds((pace == Pace::exact ? 1.0 : 0.9) / fps)) {}
+
+    /// Called when a picture was handed over at `now`: returns until when to sleep. A late picture
+    /// is not made up for: the next one is due a whole period after it.
+    [[nodiscard]] HostTime next_due(HostTime now) noexcept {
+        const HostTime due = due_ + period_;
+        due_ = due < now ? now : due;
+        return due_;
+    }
+    /// Shortest time between two pictures.
+    [[nodiscard]] Nanos period() const noexcept { return period_; }
+
+ private:
+    Nanos period_;
+    HostTime due_{};
+};
+
+/// Sleeps until `due` on CLOCK_MONOTONIC; returns at once when it has passed.
+void sleep_until(HostTime due) noexcept;
+
+/// The buttons that the window reports.
+enum class MouseButton : std::uint8_t { left, right, middle };
+
+/// A button went down or up at (x, y): framebuffer pixels, origin at the top left.
+struct MouseButtonEvent {
+    /// Which one changed.
+    MouseButton button{};
+    /// Pressed, or let go.
+    bool is_down = false;
+    /// From the left edge.
+    float x = 0.0F;
+    /// From the upper edge.
+    float y = 0.0F;
+};
+
+/// The mouse moved by (dx, dy) pixels with `button` held: orbit, pan.
+struct MouseDragEvent {
+    /// The held button; the first of left, right, middle where several are.
+    MouseButton button{};
+    /// Whether a shift key is down.
+    bool has_shift = false;
+    /// Pixels to the right.
+    float dx = 0.0F;
+    /// Pixels downward.
+    float dy = 0.0F;
+};
+
+/// Steps of the wheel; up and right are positive.
+struct ScrollEvent {
+    /// Sideways.
+    float dx = 0.0F;
+    /// Of an ordinary wheel.
+    float dy = 0.0F;
+};
+
+/// Files were dropped on the window.
+struct DropEvent {
+    /// As the system gave them.
+    std::vector<std::string> paths;
+};
+
+using WindowEvent =
+    std::variant<KeyEvent, MouseButtonEvent, MouseDragEvent, ScrollEvent, DropEvent>;
 
 /// How a window is opened.
 struct WindowOptions {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "render/mannequin/shoe_sole.hpp"
-
 #include <glm/geometric.hpp>
 
 namespace raks::render {
@@ -21,7 +19,7 @@ constexpr float kPalmFingerBlend = 0.0075F;
 constexpr float kPalmThumbBlend = 0.016F;
 constexpr float kSoleBlend = 0.008F;
 
-constexpr std::array kFingers = {
+constexpr std::array kFingerGroups = {
     Group::thumb, Group::index, Group::middle, Group::ring, Group::little};
 
 /// Quadratic smooth minimum: equals min(a, b) where they differ by more than k.
@@ -344,7 +342,7 @@ float BodyField::finger(Group finger, glm::vec3 p) const noexcept {
 float BodyField::hand(glm::vec3 p) const noexcept {
     const float palm = fold(Group::palm, p, kNothing);
     float distance = palm;
-    for (const Group group : kFingers) {
+    for (const Group group : kFingerGroups) {
         const float blend = group == Group::thumb ? kPalmThumbBlend : kPalmFingerBlend;
         distance = std::min(distance, smooth_min(palm, finger(group, p), blend));
     }

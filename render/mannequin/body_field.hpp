@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -10,6 +11,18 @@
 #include <glm/vec3.hpp>
 
 namespace raks::render {
+
+/// 0 below `from`, 1 above `to`, with flat ends: 3 t^2 - 2 t^3.
+[[nodiscard]] constexpr float smoothstep(float from, float to, float x) noexcept {
+    const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// The same with zero curvature at the ends: 6 t^5 - 15 t^4 + 10 t^3.
+[[nodiscard]] constexpr float smootherstep(float from, float to, float x) noexcept {
+    const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
+    return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
+}
 
 /// A solid moved into the bind pose and made ready for many evaluations.
 struct PreparedLoft {
@@ -82,5 +95,24 @@ class BodyField {
     glm::vec3 sole_normal_{};
     glm::vec3 foot_forward_{};
 };
+
+/// The underside of the dance shoe: flat at heel and ball, arched between. All in the T-pose,
+/// metres; `z` from the ankle's column to the toes (heel -0.075, toe tip 0.178).
+inline constexpr float kArch = 0.015F;
+inline constexpr float kHeelBreast = -0.020F;  // front face of the heel
+
+/// Height of the underside over the floor.
+[[nodiscard]] constexpr float sole_height(float z) noexcept {
+    return kArch * smoothstep(kHeelBreast - 0.006F, kHeelBreast + 0.008F, z) *
+           (1.0F - smoothstep(0.020F, 0.085F, z));
+}
+
+/// Height up to which the shoe is sole or heel: a heel of 16 mm, a thin sole in front.
+[[nodiscard]] constexpr float sole_top(float z) noexcept {
+    constexpr float kHeel = 0.018F;
+    constexpr float kSole = 0.006F;
+    const float in_front = smoothstep(kHeelBreast - 0.006F, kHeelBreast + 0.010F, z);
+    return kHeel + (sole_height(z) + kSole - kHeel) * in_front;
+}
 
 }  // namespace raks::render

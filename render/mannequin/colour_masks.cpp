@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/mannequin/shoe_sole.hpp"
-#include "render/mannequin/steps.hpp"
+#include "render/mannequin/body_field.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

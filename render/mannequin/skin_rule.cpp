@@ -2,9 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "render/mannequin/helper_joints.hpp"
+#include "render/mannequin/body_field.hpp"
 #include "render/mannequin/skin_weights.hpp"
-#include "render/mannequin/steps.hpp"
 
 #include <glm/geometric.hpp>
 

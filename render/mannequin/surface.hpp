@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/mannequin/bind_pose.hpp"
@@ -29,5 +30,24 @@ struct MirroredMesh {
 /// the lids, 4.8 mm at face and fingers, 9.5 mm at hands, feet and head, 19 mm elsewhere. Normals
 /// are left empty. Threads: any. Real-time: no.
 [[nodiscard]] MirroredMesh extract_surface(const BodyField& field, const BindFrames& frames);
+
+/// Mesh vertices that share an edge with each vertex of the left half.
+class Neighbours {
+ public:
+    explicit Neighbours(const MirroredMesh& mesh);
+
+    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t left_vertex) const noexcept {
+        return std::span(list_).subspan(first_[left_vertex],
+                                        first_[left_vertex + 1] - first_[left_vertex]);
+    }
+
+ private:
+    std::vector<std::size_t> first_;
+    std::vector<std::uint32_t> list_;
+};
+
+/// Evens out the triangles: each vertex slides along the surface toward the mean of its neighbours.
+/// Then sets the normals from the field.
+void relax(const BodyField& field, const Neighbours& neighbours, MirroredMesh& mesh);
 
 }  // namespace raks::render

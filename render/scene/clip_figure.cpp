@@ -8,7 +8,7 @@
 #include <string>
 
 #include "motion/skeleton/text_lines.hpp"
-#include "render/scene/stick_builder.hpp"
+#include "render/scene/stick_figure.hpp"
 
 namespace raks::render {
 namespace {

@@ -1,10 +1,31 @@
 #pragma once
 
-#include "render/scene/beat_rings.hpp"
+#include <array>
+
+#include "base/beat_grid.hpp"
+#include "base/time.hpp"
 #include "render/scene/camera.hpp"
 #include "render/scene/theme.hpp"
 
 namespace raks::render {
+
+/// A ring of light that runs outward over the floor from a beat on.
+struct BeatRing {
+    float radius = 0.0F;      ///< metres, from the middle of the floor
+    float brightness = 0.0F;  ///< [0, 1]; 0: not drawn. 1: a downbeat at its moment
+};
+
+/// The rings that are alive; those that are not have brightness 0.
+using BeatRings = std::array<BeatRing, 3>;
+
+/// The rings of the last beats up to `time`: one leaves on every beat, a brighter one on the
+/// downbeat. None where the grid's confidence is below 0.05, that is, where no beat is known. Pure.
+[[nodiscard]] BeatRings beat_rings(const BeatGrid& grid, StreamTime time) noexcept;
+
+/// Whether a beat begins a bar.
+enum class BeatAccent { beat, downbeat };
+/// The ring of one beat, `age` >= 0 seconds after it; brightness 0 once it has faded.
+[[nodiscard]] BeatRing beat_ring(float age, BeatAccent accent) noexcept;
 
 /// What stands for the dancer: the skinned avatar or the stick figure.
 enum class View { skin, stick };

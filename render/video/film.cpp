@@ -2,8 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "render/video/picture_encoder.hpp"
-#include "render/video/sound_encoder.hpp"
+#include "render/video/film_encoders.hpp"
 #include "render/video/video_forms.hpp"
 
 namespace raks::render {

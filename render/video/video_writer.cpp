@@ -1,12 +1,81 @@
 #include "render/video/video_writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
 #include <string>
+#include <utility>
 
+#include "base/file.hpp"
+#include "render/video/png.hpp"
 #include "render/video/video_forms.hpp"
 
 namespace raks::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writes NAME.part/000001.png, ... and renames the folder at the end.
+class PictureFolder final : public VideoWriter {
+ public:
+    PictureFolder(fs::path path, PendingFile folder, const VideoOptions& options)
+        : path_(std::move(path)), folder_(std::move(folder)), options_(options) {}
+
+    Expected<void> add_picture(std::span<const std::uint8_t> rgba) override {
+        if (auto fits = check_picture(rgba, options_); !fits) {
+            return fail(std::move(fits.error()).in(path_.string()));
+        }
+        std::array<char, 32> name{};
+        // Numbered from 1; six digits sort by name for 9 hours at 30 pictures a second.
+        std::snprintf(name.data(), name.size(), "%06lld.png", ++pictures_);
+        return write_png(folder_.part() / name.data(), options_.width, options_.height, rgba);
+    }
+
+    Expected<void> add_sound(std::span<const float> /*interleaved*/) override { return {}; }
+
+    // The folder gets its name only when complete, like a film.
+    Expected<void> finish() override {
+        if (pictures_ == 0) {
+            return fail(path_.string() + ": no picture was drawn; nothing is written");
+        }
+        return folder_.commit();
+    }
+
+ private:
+    fs::path path_;
+    PendingFile folder_;
+    VideoOptions options_;
+    long long pictures_ = 0;
+};
+
+}  // namespace
+
+Expected<std::unique_ptr<VideoWriter>> create_picture_folder(const fs::path& path,
+                                                             const VideoOptions& options) {
+    auto folder = PendingFile::create_folder(path);
+    if (!folder) {
+        return fail(folder.error());
+    }
+    return std::make_unique<PictureFolder>(path, std::move(*folder), options);
+}
+
+FrameRate FrameRate::nearest(double fps) noexcept {
+    // What television means by 23.976 (or 23.98), 29.97, 59.94 and their doubles.
+    for (const int whole : std::array{24, 30, 48, 60, 120, 240}) {
+        if (std::abs(fps - whole * 1000.0 / 1001.0) < 0.005) {
+            return {whole * 1000, 1001};
+        }
+    }
+    // Everything else is a fraction of thousandths in lowest terms; the bound keeps the int in
+    // range.
+    const int thousandths = static_cast<int>(std::lround(std::min(fps, 1e6) * 1000.0));
+    const int common = std::gcd(thousandths, 1000);
+    return {thousandths / common, 1000 / common};
+}
+
 namespace {
 
 // Limits as in VideoOptions.

@@ -15,11 +15,11 @@
 #include "audio/music/generator/music_generator.hpp"
 #include "audio/music/instruments/soundfont_player.hpp"
 #include "audio/music/instruments/studio.hpp"
+#include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/band.hpp"
-#include "audio/music/score/drum_scores.hpp"
 #include "audio/music/score/keyboard_scores.hpp"
 #include "audio/music/score/midi_scores.hpp"
-#include "audio/music/score/non_music.hpp"
+#include "audio/music/score/other_music.hpp"
 
 namespace raks::audio {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "audio/music/score/performance.hpp"
+#include "audio/music/score/score.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/expected.hpp"
 

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-#include "audio/evaluate/packed_pieces.hpp"
+#include "audio/evaluate/piece_features.hpp"
 #include "base/file.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "audio/evaluate/genre_scores.hpp"
-#include "audio/evaluate/packed_pieces.hpp"
+#include "audio/evaluate/piece_features.hpp"
 #include "audio/genre/genre_scorer.hpp"
 #include "base/dice.hpp"
 #include "base/file.hpp"

@@ -8,15 +8,14 @@
 #include <string>
 #include <string_view>
 
-#include "audio/music/damage/genre_augmentation.hpp"
+#include "audio/music/damage/sound_augmentation.hpp"
 #include "audio/music/damage/sound_damage.hpp"
 #include "audio/music/generator/music_generator.hpp"
-#include "audio/music/instruments/oud.hpp"
 #include "audio/music/instruments/soundfont_player.hpp"
 #include "audio/music/instruments/synthesizers.hpp"
 #include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/other_music.hpp"
-#include "audio/music/score/performance.hpp"
+#include "audio/music/score/score.hpp"
 #include "base/music_state.hpp"
 #include "base/parallel.hpp"
 #include "training/beat/corpus.hpp"

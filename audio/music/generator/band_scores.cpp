@@ -1,7 +1,6 @@
 #include <array>
 
 #include "audio/music/generator/notes.hpp"
-#include "audio/music/generator/pattern.hpp"
 #include "base/random.hpp"
 
 // Rock, hip-hop and waltz: the common patterns of each style over common chord progressions.

@@ -1,5 +1,4 @@
 #include "audio/music/generator/notes.hpp"
-#include "audio/music/generator/pattern.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {

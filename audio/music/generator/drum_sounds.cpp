@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "audio/music/generator/dsp.hpp"
-#include "audio/music/generator/sounds.hpp"
+#include "audio/music/generator/notes.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {

@@ -1,7 +1,6 @@
 #include <array>
 
 #include "audio/music/generator/notes.hpp"
-#include "audio/music/generator/pattern.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {

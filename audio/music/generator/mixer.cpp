@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "audio/music/generator/sounds.hpp"
+#include "audio/music/generator/notes.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {

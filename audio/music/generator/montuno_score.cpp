@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "audio/music/generator/notes.hpp"
-#include "audio/music/generator/pattern.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {

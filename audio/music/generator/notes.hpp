@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "audio/music/generator/music_generator.hpp"
 
-/// Notes and scores of the generated music.
+/// Notes and scores of the generated music, and how its notes are synthesized.
 namespace raks::audio {
 
 /// Every sound that the band can make. The second group has a pitch and a length.
@@ -80,5 +81,57 @@ using Notes = std::vector<Note>;
 [[nodiscard]] Notes write_boom_bap(double beats, std::uint64_t seed);
 /// Waltz, in bars of three.
 [[nodiscard]] Notes write_oom_pah_pah(double beats, std::uint64_t seed);
+
+/// Adds one note for each letter of `pattern`, from beat `start` on, `step` beats apart: 'X' loud,
+/// 'x' medium, 'o' soft, anything else a rest. `level`: factor of the velocities.
+///
+///     strike(score, Sound::clave, "x..x..x...x.x...", bar_start, 0.5);
+inline void strike(Notes& score,
+                   Sound sound,
+                   std::string_view pattern,
+                   double start,
+                   double step,
+                   double level = 1.0) {
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        const char mark = pattern[i];
+        const double velocity =
+            mark == 'X' ? 1.0 : (mark == 'x' ? 0.72 : (mark == 'o' ? 0.42 : 0.0));
+        if (velocity > 0.0) {
+            score.push_back({.beat = start + step * static_cast<double>(i),
+                             .sound = sound,
+                             .velocity = velocity * level});
+        }
+    }
+}
+
+/// Writes bar after bar by write_bar(score, bar), bars counted from 0, and drops notes beyond the
+/// end.
+template <typename WriteBar>
+[[nodiscard]] Notes write_bars(double beats, int beats_per_bar, const WriteBar& write_bar) {
+    Notes score;
+    for (int bar = 0; bar * beats_per_bar < beats; ++bar) {
+        write_bar(score, bar);
+    }
+    std::erase_if(score, [beats](const Note& note) { return note.beat >= beats; });
+    return score;
+}
+
+/// Parameters of one sound. Equal requests give equal samples.
+struct SoundRequest {
+    Sound sound = Sound::click_low;  ///< what to make
+    double hertz = 440.0;            ///< pitched sounds: fundamental
+    double seconds = 0.2;            ///< pitched sounds: until the key is released
+    double brightness = 1.0;         ///< (0, 1]
+    int variant = 0;                 ///< strokes of a drum differ a little
+    double rate = 48'000.0;          ///< sample rate, hertz
+};
+
+/// One stroke or note, mono, peak 1; begins with its attack and ends faded out.
+[[nodiscard]] std::vector<float> synthesize(const SoundRequest& request);
+
+/// The drums of synthesize(), not scaled to a peak.
+[[nodiscard]] std::vector<float> synthesize_drum(const SoundRequest& request);
+/// The pitched sounds of synthesize(), not scaled to a peak.
+[[nodiscard]] std::vector<float> synthesize_tone(const SoundRequest& request);
 
 }  // namespace raks::audio

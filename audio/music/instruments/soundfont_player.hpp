@@ -1,16 +1,54 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "audio/music/instruments/player_band.hpp"
-#include "audio/music/score/performance.hpp"
+#include "audio/music/score/score.hpp"
+#include "base/dice.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
+
+/// One player of a band: whose instrument it is, and how it sounds.
+struct BandPlayer {
+    std::size_t soundfont = 0;  ///< index into those that were opened
+    double semitones = 0.0;     ///< tuned up
+    double brightness = 0.0;    ///< octaves that its low-pass is moved
+    double decay = 0.0;         ///< octaves that it sounds longer
+    double level = 0.0;         ///< dB
+    std::optional<int> kit;     ///< of a drummer: in place of the score's
+
+    friend bool operator==(const BandPlayer&, const BandPlayer&) = default;
+};
+
+/// Who plays a performance: a player for each channel, and several at the drums, so that a few
+/// soundfonts make many kits and bands. A model trained on them has to hold for soundfonts that it
+/// was not trained on.
+struct PlayerBand {
+    /// Players that the drums are dealt to.
+    static constexpr std::size_t kDrummers = 8;
+    /// MIDI keys.
+    static constexpr std::size_t kKeys = 128;
+
+    /// By MIDI channel; the drum channel's entry is not used.
+    std::array<BandPlayer, 16> channels;
+    /// Each with a soundfont and kit of its own.
+    std::array<BandPlayer, kDrummers> drummers;
+    /// Index into `drummers` for each drum.
+    std::array<std::size_t, kKeys> drummer_of_key{};
+
+    friend bool operator==(const PlayerBand&, const PlayerBand&) = default;
+};
+
+/// Draws a band: each player's soundfont out of `soundfonts` (> 0), and its tuning, brightness,
+/// decay and level around the soundfont's own.
+[[nodiscard]] PlayerBand draw_band(std::size_t soundfonts, Dice& dice);
 
 /// The room that a performance is played in.
 struct PlayerRoom {

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "audio/music/score/performance.hpp"
 #include "audio/music/score/score.hpp"
 #include "base/dice.hpp"
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "audio/music/generator/notes.hpp"
 #include "audio/music/instruments/drawn_drum.hpp"
 #include "audio/music/instruments/drawn_tone.hpp"
 #include "audio/music/styles/general_midi_drums.hpp"
@@ -151,6 +152,35 @@ std::vector<float> play_synthesizers(double share, int rate, Performance& perfor
     play_drums(notes, rate, tones, dice);
     scale_to_peak(kPeak, tones);
     return tones;
+}
+
+std::vector<float> play_oud(std::span<const OudNote> notes, int rate, std::size_t samples) {
+    std::vector<float> sum(samples);
+    for (const OudNote& note : notes) {
+        const auto begin = static_cast<std::size_t>(std::max(0.0, note.time) * rate);
+        if (begin >= samples) {
+            continue;
+        }
+        // A hard pluck is brighter as well as louder.
+        const std::vector<float> pluck = synthesize_tone({.sound = Sound::oud,
+                                                          .hertz = note.hertz,
+                                                          .seconds = std::max(0.1, note.length),
+                                                          .brightness = 0.4 + 0.6 * note.strength,
+                                                          .rate = static_cast<double>(rate)});
+        const std::size_t count = std::min(pluck.size(), samples - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            sum[begin + i] += static_cast<float>(note.strength) * pluck[i];
+        }
+    }
+    // Not 0, so that silence is not divided by zero.
+    float peak = 1e-6F;
+    for (const float sample : sum) {
+        peak = std::max(peak, std::abs(sample));
+    }
+    for (float& sample : sum) {
+        sample /= peak;
+    }
+    return sum;
 }
 
 }  // namespace raks::audio

@@ -3,10 +3,19 @@
 #include <cstdint>
 
 #include "audio/music/score/score.hpp"
+#include "audio/music/styles/rhythm_style.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/dice.hpp"
 
 namespace raks::audio {
+
+/// A drum track of `beats` beats in this style: rows and variants drawn, some steps changed, ghost
+/// notes, fills at the end of some 4-bar phrases.
+[[nodiscard]] Score drum_score(const RhythmStyle& style, int beats, Dice& dice);
+
+/// A drum track that follows no named style: 2 to 6 instruments with random rows of mild metrical
+/// weight.
+[[nodiscard]] Score free_drum_score(int beats, Dice& dice);
 
 /// MIDI channel of the melody.
 inline constexpr int kMelodyChannel = 3;

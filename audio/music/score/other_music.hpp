@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "audio/music/score/performance.hpp"
+#include "audio/music/score/score.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/dice.hpp"
 
@@ -29,5 +29,12 @@ struct WrittenPiece {
 /// What has no beat to dance to: people, applause, notes without a pulse, pads, one voice, an
 /// orchestra in a free tempo, which plays a rhythm of the book that is for no dance.
 [[nodiscard]] WrittenPiece undanceable_piece(const StyleBook& book, double seconds, Dice& dice);
+
+/// Sound that nobody dances to, mono at `rate`, `seconds` long: applause, talk, or noise that
+/// swells.
+[[nodiscard]] std::vector<float> noise_of_people(int rate, double seconds, Dice& dice);
+
+/// Notes of drums or of one instrument at random times, without a pulse; `beats` is empty.
+[[nodiscard]] Performance notes_without_pulse(double seconds, Dice& dice);
 
 }  // namespace raks::audio

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "audio/beat/paper_file.hpp"
 #include "base/random.hpp"
 #include "tests/audio/listen.hpp"
 #include "tests/support/realtime_guard.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "audio/music/instruments/oud.hpp"
+#include "audio/music/instruments/synthesizers.hpp"
 #include "audio/music/score/arrangement.hpp"
 #include "tests/audio/music/shipped_styles.hpp"
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "audio/music/score/arrangement.hpp"
-#include "audio/music/score/drum_scores.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/hash.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "audio/io/lossy_codec.hpp"
-#include "audio/music/damage/genre_augmentation.hpp"
+#include "audio/music/damage/sound_augmentation.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {

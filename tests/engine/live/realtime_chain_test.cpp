@@ -7,7 +7,7 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
-#include "engine/live/live_input.hpp"
+#include "engine/live/analysis_stage.hpp"
 #include "engine/live/motion_stage.hpp"
 #include "engine/live/playback.hpp"
 #include "engine/setup/dance_files.hpp"

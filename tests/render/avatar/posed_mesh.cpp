@@ -1,5 +1,5 @@
 #include "tests/render/avatar/posed_mesh.hpp"
-#include "render/avatar/skinning.hpp"
+#include "render/avatar/avatar.hpp"
 #include "render/mannequin/mannequin.hpp"
 
 #include <array>

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/skeleton/skeleton.hpp"
-#include "render/gl/offscreen_context.hpp"
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "render/renderer.hpp"
-#include "render/scene/beat_rings.hpp"
 #include "render/scene/camera.hpp"
+#include "render/scene/scene.hpp"
 #include "render/scene/stage_light.hpp"
 #include "render/scene/stage_shapes.hpp"
 #include "render/scene/stick_figure.hpp"

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/offscreen_context.hpp"
-#include "render/gl/offscreen_target.hpp"
+#include "render/gl/offscreen.hpp"
 
 namespace raks::render {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "audio/music/instruments/studio.hpp"
-#include "audio/music/score/drum_scores.hpp"
+#include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/keyboard_scores.hpp"
-#include "audio/music/score/performance.hpp"
+#include "audio/music/score/score.hpp"
 #include "tests/audio/music/shipped_styles.hpp"
 
 namespace raks::audio {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "audio/evaluate/genre_folder.hpp"
-#include "audio/evaluate/genre_tally.hpp"
+#include "audio/evaluate/genre_scores.hpp"
 #include "base/file.hpp"
 #include "base/random.hpp"
 #include "tests/support/dances.hpp"

@@ -1,4 +1,4 @@
-#include "render/scene/beat_rings.hpp"
+#include "render/scene/scene.hpp"
 
 #include <cmath>
 

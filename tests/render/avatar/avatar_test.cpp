@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/avatar/skinning.hpp"
-#include "render/mannequin/helper_joints.hpp"
+#include "render/avatar/avatar.hpp"
+#include "render/mannequin/skin_weights.hpp"
 #include "render/mannequin/test_poses.hpp"
 #include "tests/render/avatar/posed_mesh.hpp"
 #include "tests/support/realtime_guard.hpp"

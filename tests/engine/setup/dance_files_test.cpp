@@ -1,4 +1,3 @@
-#include "engine/setup/dance_cache.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "audio/music/score/performance.hpp"
+#include "audio/music/score/score.hpp"
 
 #include <algorithm>
 #include <array>

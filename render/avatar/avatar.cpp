@@ -1,4 +1,4 @@
-#include "render/avatar/skinning.hpp"
+#include "render/avatar/avatar.hpp"
 
 #include <algorithm>
 #include <array>
