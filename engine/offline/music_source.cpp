@@ -1,7 +1,6 @@
 #include "engine/offline/music_source.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "audio/io/downmix.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
+#include "engine/setup/settings.hpp"
 
 #include <fmt/format.h>
 

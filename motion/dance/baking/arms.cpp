@@ -26,7 +26,7 @@ constexpr double kTiny = 1e-6;
 // upper arm's turn about itself, would be noise; people's elbows are hardly ever straighter.
 constexpr double kLeastBend = 0.25;
 // Radians; soft limit of a varied direction's distance from the learnt one
-constexpr double kFarthest = 0.5;
+constexpr double kFarthestTurned = 0.5;
 
 /// Column at which a joint's three features begin.
 std::size_t column_of(const PartModel& part, Bone bone) {
@@ -97,8 +97,8 @@ std::vector<glm::dvec3> directions_of(const std::vector<glm::dvec3>& vectors,
     return directions;
 }
 
-/// Limits the angle between each direction and the learnt one to kFarthest, softly (tanh), along
-/// the great circle.
+/// Limits the angle between each direction and the learnt one to kFarthestTurned, softly (tanh),
+/// along the great circle.
 void hold_near(const std::vector<glm::dvec3>& learnt, std::vector<glm::dvec3>& directions) {
     for (std::size_t i = 0; i < learnt.size(); ++i) {
         const glm::dvec3 across = directions[i] - learnt[i] * glm::dot(learnt[i], directions[i]);
@@ -108,7 +108,7 @@ void hold_near(const std::vector<glm::dvec3>& learnt, std::vector<glm::dvec3>& d
             continue;
         }
         const double angle = std::atan2(sine, glm::dot(learnt[i], directions[i]));
-        const double held = kFarthest * std::tanh(angle / kFarthest);
+        const double held = kFarthestTurned * std::tanh(angle / kFarthestTurned);
         directions[i] = std::cos(held) * learnt[i] + (std::sin(held) / sine) * across;
     }
 }

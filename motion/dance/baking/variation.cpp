@@ -58,7 +58,7 @@ constexpr std::array<double, 5> kHarmonics = {0.25, 0.3, 0.2, 0.15, 0.1};
 // a slice and what differs between people's takes (stance, hold).
 constexpr double kTorso = 0.95;
 constexpr double kUpper = 1.3;
-constexpr double kFarthest = 1.8;       // deviations, soft limit of the curve
+constexpr double kFarthestCurve = 1.8;  // deviations, soft limit of the curve
 constexpr double kFarthestTurn = 1.0;   // radians of a joint, soft limit
 constexpr double kFarthestPlace = 0.2;  // metres of a joint, soft limit
 constexpr double kVelocity = 0.2;     // of the hips; with more the legs would not reach their steps
@@ -153,7 +153,7 @@ void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& trac
             }
             // No repeat is far out: people's are not, and joints would turn over.
             track.row(i)[feature] +=
-                amount * deviation[i] * kFarthest * std::tanh(curve / kFarthest);
+                amount * deviation[i] * kFarthestCurve * std::tanh(curve / kFarthestCurve);
         }
     }
     hold_joints(part, learnt, track);

@@ -8,6 +8,8 @@
 #include <functional>
 #include <random>
 
+#include "motion/evaluate/body_track.hpp"
+
 namespace raks::motion {
 namespace {
 

@@ -18,7 +18,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kBpm = 171.0;
+constexpr double kSalsaTempo = 171.0;
 constexpr HopIndex kMinute = 6000;
 
 /// Poses and what was danced, hop by hop.
@@ -36,7 +36,7 @@ Danced dance(std::uint64_t seed, HopIndex hops, const std::vector<DancerCommand>
     const auto track = std::make_unique<PoseTrack>();
     Danced danced;
     for (HopIndex hop = 0; hop < hops; ++hop) {
-        dancer.advance(test::sure_state(hop, test::steady_grid(kBpm)), *track);
+        dancer.advance(test::sure_state(hop, test::steady_grid(kSalsaTempo)), *track);
         danced.poses.push_back(track->at_hop(hop));
         danced.status.push_back(dancer.status());
     }
@@ -169,7 +169,7 @@ TEST(Salsa, keeps_the_real_time_rules) {
     const auto track = std::make_unique<PoseTrack>();
     raks::test::RealtimeScope scope;
     for (HopIndex hop = 0; hop < kMinute; ++hop) {
-        dancer.advance(test::sure_state(hop, test::steady_grid(kBpm)), *track);
+        dancer.advance(test::sure_state(hop, test::steady_grid(kSalsaTempo)), *track);
     }
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
