@@ -11,7 +11,7 @@ namespace raks::apps {
 
 /// What `raks analyze --json` tells of one file: the streaming tracker's own announcements, without
 /// look-ahead; `beats` are never revised, `predicted` are the beats as committed 100 ms ahead.
-/// The form is in docs/file_formats.md (raks-analysis, version 1).
+/// The form is in docs/reference/files.md (raks-analysis, version 1).
 class AnalysisDocument {
  public:
     /// `genres`: names of the classes of MusicState::genre_log_probability, "unknown" last.

@@ -13,7 +13,7 @@ namespace raks::audio {
 inline constexpr std::string_view kGenreFormat = "raks-genre";
 inline constexpr int kGenreVersion = 4;
 
-/// JSON text of a model (docs/file_formats.md); numbers with six digits.
+/// JSON text of a model (docs/reference/files.md); numbers with six digits.
 [[nodiscard]] std::string genre_text(const GenreModel& model);
 
 /// What the numbers of a model are about, as its file says it: two that differ do not fit.

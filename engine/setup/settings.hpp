@@ -11,7 +11,7 @@
 namespace raks::engine {
 
 /// What a user can set. Order of precedence: these defaults < config/default.toml as installed <
-/// $XDG_CONFIG_HOME/raks/config.toml < command line. File form: docs/file_formats.md.
+/// $XDG_CONFIG_HOME/raks/config.toml < command line. File form: docs/reference/files.md.
 struct Settings {
     // [audio]
     std::string device;              ///< input for `live`; empty: chosen, with the reason said

@@ -9,7 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 /// Which way pelvis, chest, head and arms turn in space, before any height or balance: section 5
-/// and the directions of section 8 of the evaluation in docs/choreography.md.
+/// and the directions of section 8 of the evaluation in docs/reference/choreography.md.
 namespace raks::motion {
 
 /// A turned frame as dancers say it: yaw to the left, then left side up, then top forward; radians.

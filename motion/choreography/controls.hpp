@@ -9,7 +9,7 @@
 
 #include "motion/skeleton/humanoid.hpp"
 
-/// What a written dance can move: 34 controls, each a number over time. docs/choreography.md
+/// What a written dance can move: 34 controls, each a number over time. docs/reference/choreography.md
 /// explains them; amounts are in centimetres and degrees, as dancers say them.
 namespace raks::motion {
 

@@ -11,7 +11,7 @@
 #include <glm/vec3.hpp>
 
 /// Where the feet are, from the steps alone: section 3 and 4 of the evaluation in
-/// docs/choreography.md.
+/// docs/reference/choreography.md.
 namespace raks::motion {
 
 /// One foot at one frame; metres and radians in the world.

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-/// When and where feet step: section 3 of the evaluation in docs/choreography.md.
+/// When and where feet step: section 3 of the evaluation in docs/reference/choreography.md.
 namespace raks::motion {
 
 /// One step of one foot; metres and radians in the world, places on the floor.

@@ -24,7 +24,7 @@ struct PatternTrainingPlan {
 
 /// What tells dances by rhythm, and by sound. Chosen by artist on the dev recordings: the patterns
 /// over the bar carry the written genres, but mislead on recordings unless kept apart from what the
-/// spectrum says (docs/genre.md).
+/// spectrum says (docs/how_it_works/genre.md).
 [[nodiscard]] PatternTrainingPlan rhythm_training();
 [[nodiscard]] PatternTrainingPlan sound_training();
 

@@ -16,7 +16,7 @@ inline constexpr int kStylesVersion = 1;
 /// A file of styles that was read already.
 struct StyleText {
     std::string name;  ///< for errors
-    std::string text;  ///< TOML; its form: docs/file_formats.md, raks-styles
+    std::string text;  ///< TOML; its form: docs/reference/files.md, raks-styles
 };
 
 /// Reads all .toml files of a folder as one book. Any of them may hold rhythms, palettes and corpus
