@@ -15,8 +15,8 @@
 
 #include <glm/vec2.hpp>
 
-/// A dance as a dancer writes it down ("raks-choreography", TOML; docs/reference/choreography.md): figures of
-/// steps, weight and body tracks. evaluate_figure() makes poses of one.
+/// A dance as a dancer writes it down ("raks-choreography", TOML; docs/reference/choreography.md):
+/// figures of steps, weight and body tracks. evaluate_figure() makes poses of one.
 ///
 /// Beats count from 0 within a figure. Centimetres and degrees, seen by the dancer: x to the left,
 /// y up, z to the front; turns are positive to the left.

@@ -9,8 +9,9 @@
 
 #include "motion/skeleton/humanoid.hpp"
 
-/// What a written dance can move: 34 controls, each a number over time. docs/reference/choreography.md
-/// explains them; amounts are in centimetres and degrees, as dancers say them.
+/// What a written dance can move: 34 controls, each a number over time.
+/// docs/reference/choreography.md explains them; amounts are in centimetres and degrees, as dancers
+/// say them.
 namespace raks::motion {
 
 /// The middle's controls, then the left side's, then the right side's in the same order.

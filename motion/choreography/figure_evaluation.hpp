@@ -10,8 +10,8 @@
 #include "motion/skeleton/skeleton.hpp"
 
 /// From a written figure to poses: what the dancer writes is feet, weight and the body's angles;
-/// heights, knees, heels, balance and jumps are worked out here. docs/reference/choreography.md has the
-/// equations.
+/// heights, knees, heels, balance and jumps are worked out here. docs/reference/choreography.md has
+/// the equations.
 namespace raks::motion {
 
 /// A foot that the leg does not reach where the figure wants it.

@@ -106,15 +106,10 @@ class DocumentCommands : public ProgramTest {
         return {};
     }
 
-    /// A folder of a document's own with the manual's files; the cache is common to all.
-    void run_in(const fs::path& folder, const ManualCommand& command) const {
+    /// In the test's folder.
+    void run_here(const ManualCommand& command) const {
         ProcessPlan here = plan(without_window(command.words));
-        here.folder = folder.string();
-        for (auto& [name, value] : here.environment) {
-            if (name == "XDG_CONFIG_HOME" || name == "XDG_DATA_HOME") {
-                value = (folder / name).string();
-            }
-        }
+        here.folder = folder_.path().string();
         const ProcessResult result = run_process(here);
         EXPECT_EQ(result.exit_code, 0) << command.said() << "\n" << result.err;
     }
@@ -128,24 +123,41 @@ bool is_run_elsewhere(const ManualCommand& command) {
     return command.document == "README.md" && command.section == "Teach it a dance";
 }
 
-TEST_F(DocumentCommands, run) {
-    const fs::path files = folder_ / "files";
-    fs::create_directories(files);
-    write_manual_files(files);
+std::vector<ManualCommand> commands_to_run(const std::string& document) {
+    std::vector<ManualCommand> commands = commands_of(document);
+    std::erase_if(commands, [](const ManualCommand& command) {
+        return !command.is_run || is_run_elsewhere(command);
+    });
+    return commands;
+}
+
+std::vector<std::string> documents_to_run() {
+    std::vector<std::string> documents = manual_documents();
+    std::erase_if(documents,
+                  [](const std::string& document) { return commands_to_run(document).empty(); });
+    return documents;
+}
+
+/// "docs_using_dancer_md"
+std::string test_name(const ::testing::TestParamInfo<std::string>& document) {
+    return std::regex_replace(document.param, std::regex("[^A-Za-z0-9]"), "_");
+}
+
+class DocumentRun : public DocumentCommands, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(DocumentRun, does_every_command) {
+    write_manual_files(folder_.path());
+    for (const ManualCommand& command : commands_to_run(GetParam())) {
+        run_here(command);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Manual, DocumentRun, ::testing::ValuesIn(documents_to_run()), test_name);
+
+TEST_F(DocumentCommands, are_run_in_most_places) {
     std::size_t runs = 0;
     for (const std::string& document : manual_documents()) {
-        const fs::path folder = folder_ / document;
-        for (const ManualCommand& command : commands_of(document)) {
-            if (!command.is_run || is_run_elsewhere(command)) {
-                continue;
-            }
-            if (!fs::exists(folder)) {
-                fs::create_directories(folder.parent_path());
-                fs::copy(files, folder, fs::copy_options::recursive);
-            }
-            run_in(folder, command);
-            ++runs;
-        }
+        runs += commands_to_run(document).size();
     }
     EXPECT_GE(runs, 50U);
 }

@@ -106,14 +106,15 @@ class Reader {
         if (paragraph_.empty()) {
             began_ = line_;
         }
-        paragraph_ += line + " ";
+        paragraph_ += line + "\n";
     }
 
     void end_paragraph() {
         static const std::regex kSpan("`(raks [^`]*)`");
         const std::string text = std::exchange(paragraph_, "");
         for (std::sregex_iterator at(text.begin(), text.end(), kSpan), end; at != end; ++at) {
-            add((*at)[1], began_, false);
+            const auto lines = std::count(text.begin(), (*at)[0].first, '\n');
+            add((*at)[1], began_ + static_cast<int>(lines), false);
         }
     }
 

@@ -37,7 +37,8 @@ struct MelHearing {
 
 /// What a room adds to music, hop by hop: per band, energy that dies away exponentially (Polack
 /// 1988: late reverberation is decaying noise), in the mean. That narrow bands fluctuate as the
-/// reflections meet is left out: learnt with it, clean music was known less well (docs/how_it_works/genre.md).
+/// reflections meet is left out: learnt with it, clean music was known less well
+/// (docs/decisions/0010).
 class RoomEcho {
  public:
     using Bands = std::array<float, NetworkInput::kBands>;

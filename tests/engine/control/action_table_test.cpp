@@ -42,8 +42,8 @@ TEST(ActionTable, is_in_the_manual_with_all_keys) {
         EXPECT_NE(told, "") << "docs/reference/keys.md: " << row.name << " is missing";
         const bool is_range = row.action == Action::select_figure;  // "1 to 9"
         for (const ActionKey& key : row.keys()) {
-            EXPECT_TRUE(is_range || told.find(key.label) != std::string::npos)
-                << row.name << ": " << key.label;
+            EXPECT_TRUE(is_range || told.find(key.name) != std::string::npos)
+                << row.name << ": " << key.name;
         }
     }
 }
