@@ -11,7 +11,7 @@ namespace raks::apps {
 
 /// The document of `raks analyze --json` for one file: what the streaming tracker announced,
 /// without look-ahead. `beats` are never revised; `predicted` are beats as committed 100 ms ahead.
-/// The format is described in docs/file_formats.md (raks-analysis, version 1).
+/// The format is described in docs/reference/files.md (raks-analysis, version 1).
 class AnalysisDocument {
  public:
     /// `genres`: names of the classes of MusicState::genre_log_probability, "unknown" last.

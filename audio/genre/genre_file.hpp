@@ -8,7 +8,7 @@
 #include "audio/genre/genre_model.hpp"
 #include "base/expected.hpp"
 
-/// Reads and writes genre models as JSON (docs/file_formats.md).
+/// Reads and writes genre models as JSON (docs/reference/files.md).
 namespace raks::audio {
 
 /// Value of the field `format`.

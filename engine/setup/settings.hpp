@@ -12,7 +12,7 @@ namespace raks::engine {
 
 /// What a user can set. Precedence, lowest first: these defaults, the installed
 /// config/default.toml, $XDG_CONFIG_HOME/raks/config.toml, the command line. File format:
-/// docs/file_formats.md.
+/// docs/reference/files.md.
 struct Settings {
     // [audio]
     std::string device;              ///< input for `live`; empty: chosen, and the reason printed

@@ -15,8 +15,8 @@
 
 #include <glm/vec2.hpp>
 
-/// A dance as a dancer writes it down ("raks-choreography", TOML; docs/choreography.md): figures of
-/// steps, weight and body tracks. evaluate_figure() turns one into poses.
+/// A dance as a dancer writes it down ("raks-choreography", TOML; docs/reference/choreography.md):
+/// figures of steps, weight and body tracks. evaluate_figure() turns one into poses.
 ///
 /// Beats count from 0 within a figure. Centimetres and degrees, as the dancer sees them: x to the
 /// left, y up, z to the front; turns are positive to the left.

@@ -9,7 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 /// Orientation of pelvis, chest, head and arms in space, before height and balance: section 5 and
-/// the directions of section 8 of the evaluation in docs/choreography.md.
+/// the directions of section 8 of the evaluation in docs/reference/choreography.md.
 namespace raks::motion {
 
 /// Orientation of a body part: yaw, then roll, then tilt; radians.

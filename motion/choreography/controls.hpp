@@ -9,8 +9,9 @@
 
 #include "motion/skeleton/humanoid.hpp"
 
-/// What a written dance can move: 34 controls, each a number over time. docs/choreography.md
-/// explains them; values are in centimetres and degrees, as dancers give them.
+/// What a written dance can move: 34 controls, each a number over time.
+/// docs/reference/choreography.md explains them; values are in centimetres and degrees, as dancers
+/// give them.
 namespace raks::motion {
 
 /// The controls of the trunk, then those of the left side, then those of the right side in the same

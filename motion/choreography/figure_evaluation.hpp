@@ -10,8 +10,8 @@
 #include "motion/skeleton/skeleton.hpp"
 
 /// Figure evaluation: from a written figure to poses. A dancer writes feet, weight and angles of
-/// the body; heights, knees, heels, balance and jumps are computed. docs/choreography.md has the
-/// equations.
+/// the body; heights, knees, heels, balance and jumps are computed. docs/reference/choreography.md
+/// has the equations.
 namespace raks::motion {
 
 /// A place of a standing foot that the leg does not reach.

@@ -11,7 +11,7 @@
 #include <glm/vec3.hpp>
 
 /// Foot plan: places and angles of the feet by frame, from the steps alone; sections 3 and 4 of the
-/// evaluation in docs/choreography.md.
+/// evaluation in docs/reference/choreography.md.
 namespace raks::motion {
 
 /// One foot at one frame; metres and radians in the world.

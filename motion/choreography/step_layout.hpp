@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 /// Step layout: when and where feet step over all repeats; section 3 of the evaluation in
-/// docs/choreography.md.
+/// docs/reference/choreography.md.
 namespace raks::motion {
 
 /// One step of one foot; metres and radians in the world, places on the floor.

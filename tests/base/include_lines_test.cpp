@@ -1,5 +1,5 @@
 // The walls of the house: reads every #include line and fails on an arrow that the design does
-// not allow, and on a cycle between folders. The picture is in docs/architecture.md.
+// not allow, and on a cycle between folders. The picture is in docs/how_it_works/architecture.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

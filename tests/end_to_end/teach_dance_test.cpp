@@ -2,15 +2,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "base/file.hpp"
-#include "motion/skeleton/bvh.hpp"
-#include "motion/skeleton/skeleton.hpp"
+#include "tests/end_to_end/manual.hpp"
 #include "tests/end_to_end/program.hpp"
-#include "tests/motion/figures/small_figure.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -28,35 +25,7 @@ class TeachDance : public ProgramTest {
         plan.seconds = 8.0;
         write_music("song.wav", plan);
         fs::rename(folder_ / "song.wav", folder_ / "song.mp3");  // told by what it holds
-        write_dance("my.toml", "tango");
-    }
-
-    /// A written dance with another name.
-    void write_dance(const std::string& file, const std::string& name) const {
-        const fs::path written = fs::path(RAKS_SOURCE_DIR) / "config/choreographies/waltz.toml";
-        auto text = read_file(written);
-        ASSERT_TRUE(text) << text.error().message;
-        const std::string old = "dance = \"waltz\"";
-        text->replace(text->find(old), old.size(), "dance = \"" + name + "\"");
-        ASSERT_TRUE(write_file(folder_ / file, *text));
-    }
-
-    /// Three repeats of a known dance, with the tables that a person writes.
-    void write_clips() const {
-        fs::create_directories(folder_ / "CLIPS");
-        const motion::TrainingClip clip = motion::test::known_dance(3);
-        ASSERT_TRUE(motion::write_bvh(
-            folder_ / "CLIPS/1.bvh", motion::mannequin_skeleton(), clip.poses, 60.0));
-        std::string labels = "take\trole\tstart\tend\tfigure\tbeats\tconfidence\tsplit\n";
-        std::string counts = "take\tcount\tframe\n";
-        for (int r = 0; r < 3; ++r) {
-            labels += fmt::format("1\tlead\t{}\t{}\tbasic\t8\t1\ttrain\n", 160 * r, 160 * r + 160);
-            for (int c = 1; c <= 8; ++c) {
-                counts += fmt::format("1\t{}\t{}\n", c, 160 * r + 20 * (c - 1));
-            }
-        }
-        ASSERT_TRUE(write_file(folder_ / "labels.tsv", labels));
-        ASSERT_TRUE(write_file(folder_ / "counts.tsv", counts));
+        write_dance(folder_ / "my.toml", "tango");
     }
 
     /// Runs a command in the test's folder.
@@ -86,33 +55,19 @@ class TeachDance : public ProgramTest {
     }
 };
 
-/// The commands of README's section: its indented lines, without what stands behind a '#'.
+/// The commands of README's section.
 std::vector<std::vector<std::string>> commands_of_readme() {
-    const auto readme = read_file(fs::path(RAKS_SOURCE_DIR) / "README.md");
-    EXPECT_TRUE(readme);
-    const std::size_t start = readme->find("## Teach it a dance");
-    std::istringstream lines(readme->substr(start, readme->find("\n## ", start + 3) - start));
     std::vector<std::vector<std::string>> commands;
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("    raks ")) {
-            continue;
+    for (const ManualCommand& command : commands_of("README.md")) {
+        if (command.is_run && command.section == "Teach it a dance") {
+            commands.push_back(without_window(command.words));
         }
-        std::istringstream words(line.substr(0, line.find('#')));
-        std::vector<std::string> command;
-        for (std::string word; words >> word;) {
-            command.push_back(word);
-        }
-        command.erase(command.begin());  // "raks"
-        if (command.front() == "play") {
-            command.insert(command.end(), {"--headless", "--no-sound", "--duration", "4"});
-        }
-        commands.push_back(std::move(command));
     }
     return commands;
 }
 
 TEST_F(TeachDance, the_lines_of_readme_end_with_the_dance_danced) {
-    write_clips();
+    write_clips(folder_.path());
     const auto commands = commands_of_readme();
     ASSERT_GE(commands.size(), 6U);
     for (const auto& command : commands) {
@@ -170,7 +125,7 @@ TEST_F(TeachDance, a_figure_joins_a_dance_that_there_is) {
 }
 
 TEST_F(TeachDance, a_dance_of_the_users_shadows_one_and_that_is_said) {
-    write_dance("own.toml", "waltz");
+    write_dance(folder_ / "own.toml", "waltz");
     expect_done({"train", "figure", "own.toml", "--figure", "box"});
     const ProcessResult result = run_here({"dance", "song.mp3", "--dance", "waltz", "-o", "x.bvh"});
     EXPECT_EQ(result.exit_code, 0) << result.err;

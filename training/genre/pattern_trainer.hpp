@@ -26,7 +26,8 @@ struct PatternTrainingPlan {
 
 /// Plan of the network on rhythm features. Which features belong to rhythm and which to sound was
 /// chosen by cross-validation by artist on the dev recordings: bar patterns tell the written genres
-/// apart, but mislead on recordings when mixed with the spectrum's features (docs/genre.md).
+/// apart, but mislead on recordings when mixed with the spectrum's features
+/// (docs/decisions/0009-genre-evidence-left-out.md).
 [[nodiscard]] PatternTrainingPlan rhythm_training();
 /// Plan of the classifier on sound features.
 [[nodiscard]] PatternTrainingPlan sound_training();

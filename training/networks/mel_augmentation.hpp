@@ -39,7 +39,7 @@ struct MelAugmentation {
 
 /// Adds a room's late reverberation hop by hop: in each band an energy that decays exponentially
 /// (Polack 1988), in the mean. Narrow-band fluctuation is left out, because training with it made
-/// results on clean music worse (docs/genre.md).
+/// results on clean music worse (docs/decisions/0010-genre-training-tried.md).
 class RoomEcho {
  public:
     using Bands = std::array<float, NetworkInput::kBands>;

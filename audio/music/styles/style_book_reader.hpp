@@ -18,7 +18,7 @@ inline constexpr int kStylesVersion = 1;
 /// The text of one file of styles.
 struct StyleText {
     std::string name;  ///< for errors
-    std::string text;  ///< TOML; its form: docs/file_formats.md, raks-styles
+    std::string text;  ///< TOML; its form: docs/reference/files.md, raks-styles
 };
 
 /// Reads all .toml files of a folder as one book. Each may hold rhythms, palettes and corpus

@@ -439,12 +439,12 @@ TEST(Drums, have_each_a_name_and_a_key_of_their_own) {
 
 TEST(StyleBook, takes_the_rhythm_that_the_manual_adds) {
     const auto manual =
-        read_text_file(std::filesystem::path(RAKS_SOURCE_DIR) / "docs" / "genre_training.md",
+        read_text_file(std::filesystem::path(RAKS_SOURCE_DIR) / "docs" / "using" / "researcher.md",
                        std::size_t{1} << 20U);
     ASSERT_TRUE(manual) << manual.error().message;
-    const std::size_t begin = manual->find("    [[rhythm]]");
+    const std::size_t begin = manual->find("\n[[rhythm]]\n");
     ASSERT_NE(begin, std::string::npos);
-    const std::string rhythm = manual->substr(begin, manual->find("\n    ]\n", begin) + 7 - begin);
+    const std::string rhythm = manual->substr(begin, manual->find("\n]\n", begin) + 3 - begin);
     const auto book = parse_styles(
         std::vector<StyleText>{{"manual.toml", "format = \"raks-styles\"\nversion = 1\n" + rhythm},
                                {"palettes.toml", kPalettes}},

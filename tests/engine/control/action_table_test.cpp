@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include "base/file.hpp"
 
 namespace raks::engine {
 namespace {
@@ -22,6 +26,26 @@ TEST(ActionTable, has_every_action_once_in_order) {
     for (std::size_t i = 0; i < kActionCount; ++i) {
         EXPECT_EQ(static_cast<std::size_t>(action_table()[i].action), i);
         EXPECT_EQ(&row_of(static_cast<Action>(i)), &action_table()[i]);
+    }
+}
+
+/// The row of an action in the manual's table: "| `seek` | Left, Right | ... |".
+std::string manual_row(const std::string& page, std::string_view name) {
+    const std::size_t at = page.find("\n| `" + std::string(name) + "` |");
+    return at == std::string::npos ? "" : page.substr(at + 1, page.find('\n', at + 1) - at - 1);
+}
+
+TEST(ActionTable, is_in_the_manual_with_all_keys) {
+    const auto page = read_file(std::filesystem::path(RAKS_SOURCE_DIR) / "docs/reference/keys.md");
+    ASSERT_TRUE(page) << page.error().message;
+    for (const ActionRow& row : action_table()) {
+        const std::string told = manual_row(*page, row.name);
+        EXPECT_NE(told, "") << "docs/reference/keys.md: " << row.name << " is missing";
+        const bool is_range = row.action == Action::select_figure;  // "1 to 9"
+        for (const ActionKey& key : row.keys()) {
+            EXPECT_TRUE(is_range || told.find(key.name) != std::string::npos)
+                << row.name << ": " << key.name;
+        }
     }
 }
 
