@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/reports/svg_path.hpp"
 #include "apps/reports/web_page.hpp"
 
 #include <fmt/format.h>
@@ -79,14 +80,12 @@ void Chart::tick_y(double value, std::string_view label) {
 }
 
 void Chart::line(std::span<const Point> points, std::string_view style) {
-    // M moves to the first point, L draws to each later one.
-    std::string path;
+    SvgPath path;
     for (const Point& point : points) {
-        path += fmt::format(
-            "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x(point.first), y(point.second));
+        path.to(x(point.first), y(point.second));
     }
-    body_ +=
-        fmt::format("<path d=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", path, style);
+    body_ += fmt::format(
+        "<path d=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", path.data(), style);
 }
 
 void Chart::dot(Point at, double radius, std::string_view style) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/reports/plotter.hpp"
+#include "base/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -123,7 +124,7 @@ void Plotter::tempo() {
     Values seen;
     std::copy_if(
         bpm.begin(), bpm.end(), std::back_inserter(seen), [](double v) { return !std::isnan(v); });
-    std::string dots;
+    std::string places;
     Values reference;
     std::vector<double> reference_x;
     if (labels_.reference) {
@@ -140,8 +141,8 @@ void Plotter::tempo() {
     }
     seen.insert(seen.end(), reference.begin(), reference.end());
     // The range is that of nearly all values: a single octave error must not flatten the rest.
-    double low = seen.empty() ? 100.0 : quantile(seen, 0.005);
-    double high = seen.empty() ? 140.0 : quantile(seen, 0.995);
+    double low = seen.empty() ? 100.0 : lower_percentile(seen, 0.005);
+    double high = seen.empty() ? 140.0 : lower_percentile(seen, 0.995);
     // At least 24 BPM, so that a steady tempo is not magnified into noise; never below 0.
     const double spare = std::max(0.12 * (high - low), 0.5 * (24.0 - (high - low)));
     low = std::max(0.0, low - std::max(4.0, spare));
@@ -157,12 +158,9 @@ void Plotter::tempo() {
     }
     sheet_.legend(panel, kBlue, "tracker");
     for (std::size_t i = 0; i < reference.size(); ++i) {
-        dots += fmt::format("M{:.1f} {:.1f}h0", reference_x[i], panel.y(reference[i]));
+        places += fmt::format("M{:.1f} {:.1f}h0", reference_x[i], panel.y(reference[i]));
     }
-    sheet_.raw(
-        fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"4\" stroke-linecap=\"round\"/>\n",
-                    dots,
-                    kOrange));
+    dots(places, kOrange, 4.0);
     stroke(line(panel, bpm), kBlue, 1.6);
     sheet_.end_panel();
 }
@@ -183,8 +181,7 @@ void Plotter::bar() {
     if (!is_known) {
         sheet_.note(panel, "this tracker knows no bars");
     }
-    // Dots as one path: a line of length 0 with round ends is a dot.
-    const auto dots = [&](std::span<const BeatEvent> beats) {
+    const auto places_of = [&](std::span<const BeatEvent> beats) {
         std::string path;
         double last = -1.0;
         for (const BeatEvent& beat : beats) {
@@ -196,21 +193,14 @@ void Plotter::bar() {
         }
         return path;
     };
-    const auto draw = [&](std::span<const BeatEvent> beats, const char* colour, double width) {
-        sheet_.raw(fmt::format(
-            "<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>\n",
-            dots(beats),
-            colour,
-            width));
-    };
     if (labels_.reference) {
         sheet_.legend(panel, kOrange, "reference");
         // Rings: a wide dot with a light one over it, which the tracker's dot may fill.
-        draw(*labels_.reference, kOrange, 8.0);
-        draw(*labels_.reference, "#f8fafc", 5.0);
+        dots(places_of(*labels_.reference), kOrange, 8.0);
+        dots(places_of(*labels_.reference), "#f8fafc", 5.0);
     }
     sheet_.legend(panel, kBlue, "tracker");
-    draw(data_.beats(), kBlue, 4.5);
+    dots(places_of(data_.beats()), kBlue, 4.5);
     sheet_.end_panel();
 }
 

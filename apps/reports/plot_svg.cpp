@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "apps/reports/plotter.hpp"
+#include "apps/reports/svg_path.hpp"
+#include "base/statistics.hpp"
 #include "render/video/png.hpp"
 
 #include <fmt/format.h>
@@ -59,30 +61,28 @@ Expected<std::string> Plotter::draw() {
 
 // SVG path of a line; each NaN ends a stretch, the next value begins another.
 std::string Plotter::line(const Panel& panel, const Values& values) const {
-    std::string path;
-    bool is_drawing = false;
+    SvgPath path;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (std::isnan(values[i])) {
-            is_drawing = false;
-            continue;
+            path.lift();
+        } else {
+            path.to(column_x(i), panel.y(values[i]));
         }
-        path +=
-            fmt::format("{}{:.1f} {:.1f}", is_drawing ? 'L' : 'M', column_x(i), panel.y(values[i]));
-        is_drawing = true;
     }
-    return path;
+    return path.data();
 }
 
 // SVG path: along the upper values from left to right and back along the lower ones.
 std::string Plotter::area(const Panel& panel, const Values& high, const Values& low) const {
-    std::string path;
+    SvgPath path;
     for (std::size_t i = 0; i < high.size(); ++i) {
-        path += fmt::format("{}{:.1f} {:.1f}", i == 0 ? 'M' : 'L', column_x(i), panel.y(high[i]));
+        path.to(column_x(i), panel.y(high[i]));
     }
     for (std::size_t i = low.size(); i > 0; --i) {
-        path += fmt::format("L{:.1f} {:.1f}", column_x(i - 1), panel.y(low[i - 1]));
+        path.to(column_x(i - 1), panel.y(low[i - 1]));
     }
-    return path.empty() ? path : path + "Z";
+    path.close();
+    return path.data();
 }
 
 void Plotter::stroke(std::string_view path, std::string_view colour, double width) {
@@ -94,18 +94,16 @@ void Plotter::stroke(std::string_view path, std::string_view colour, double widt
                     width));
 }
 
-void Plotter::fill(std::string_view path, std::string_view colour) {
-    sheet_.raw(fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, colour));
+void Plotter::dots(std::string_view path, std::string_view colour, double width) {
+    sheet_.raw(
+        fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>\n",
+                    path,
+                    colour,
+                    width));
 }
 
-// By partial sorting; the nearest rank below, without interpolation.
-double Plotter::quantile(Values values, double share) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
+void Plotter::fill(std::string_view path, std::string_view colour) {
+    sheet_.raw(fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, colour));
 }
 
 // Title and one line of numbers.
@@ -114,7 +112,7 @@ void Plotter::head() {
         "{:.1f} s, beats by {}: {}", data_.duration(), labels_.method, data_.beats().size());
     const Values bpm =
         collect([](const PlotColumn& c) { return c.states > 0 ? c.bpm / c.states : 0.0; });
-    if (const double median = quantile(bpm, 0.5); median > 0.0 && !data_.beats().empty()) {
+    if (const double median = lower_percentile(bpm, 0.5); median > 0.0 && !data_.beats().empty()) {
         about += fmt::format(", median tempo {:.1f} BPM", median);
     }
     if (labels_.reference) {
@@ -210,7 +208,7 @@ void Plotter::onsets() {
         below[i] = std::min(strength[i], threshold[i]);
     }
     // The scale follows nearly all values: a single loud onset must not flatten the rest.
-    const double top = std::max(1.0, 1.1 * quantile(strength, 0.998));
+    const double top = std::max(1.0, 1.1 * lower_percentile(strength, 0.998));
     const Panel panel = sheet_.begin_panel(
         {"onsets", "Onset strength (spectral energy flux)", "flux", 120.0, 0.0, top});
     sheet_.tick(panel, 0.0, "0");

@@ -51,9 +51,9 @@ class Plotter {
     /// The area between two rows of values.
     [[nodiscard]] std::string area(const Panel& panel, const Values& high, const Values& low) const;
     void stroke(std::string_view path, std::string_view colour, double width);
+    /// Dots, where the path has lines of length 0: their ends are round.
+    void dots(std::string_view path, std::string_view colour, double width);
     void fill(std::string_view path, std::string_view colour);
-    /// The value that this share of them does not exceed; 0 where there are none.
-    [[nodiscard]] static double quantile(Values values, double share);
 
     /// `value(column)` for every column.
     template <typename Value>
