@@ -1,12 +1,12 @@
 #include "apps/raks/commands.hpp"
 
-#include <array>
 #include <cstdio>
 #include <fstream>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "apps/dances/known_dances.hpp"
 #include "apps/reports/analysis_document.hpp"
 #include "apps/reports/plot_svg.hpp"
 #include "apps/terminal/program.hpp"
@@ -15,9 +15,9 @@
 #include "audio/music_analyzer.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"
+#include "engine/offline/last_hops.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
-#include "engine/setup/dance_catalogue.hpp"
 
 namespace raks::apps {
 namespace {
@@ -119,13 +119,7 @@ void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& co
     }
     // From here on states beyond the file's end are dropped.
     collect.end = StreamTime(source.given());
-    // delay() of silence completes the last hops; one hop more absorbs rounding.
-    const std::array<float, 256> silence{};
-    for (Nanos fed{};
-         fed <= analyses.analyzer.delay() + kHop && collect.newest + kHop < collect.end;
-         fed += source.rate().time_of(silence.size()).time_since_epoch()) {
-        analyses.analyzer.process(silence, collect);
-    }
+    engine::bring_last_hops_out(analyses.analyzer, source.rate(), collect.end, collect);
 }
 
 // As the plot names the method.
@@ -164,11 +158,7 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
     if (!source) {
         return fail(source.error());
     }
-    const auto catalogue = engine::DanceCatalogue::load();
-    if (!catalogue) {
-        return fail(catalogue.error());
-    }
-    const auto models = engine::load_analyzer_models(catalogue->list());
+    const auto models = load_models_of_known_dances();
     if (!models) {
         return fail(models.error());
     }

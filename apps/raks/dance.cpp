@@ -8,7 +8,6 @@
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
-#include "engine/setup/dance_files.hpp"
 #include "motion/skeleton/bvh.hpp"
 
 #include <fmt/format.h>
@@ -42,19 +41,12 @@ ExitCode dance(const DanceArguments& given) {
     if (!source) {
         return fail(source.error());
     }
-    const auto setup = open_dances(arguments.settings);
+    const auto setup = open_dancers(arguments.settings);
     if (!setup) {
         return fail(setup.error());
     }
-    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
-    if (!dancers) {
-        return fail(dancers.error());
-    }
-    // All dances must be ready: otherwise the result would depend on which thread is faster.
-    for (const std::string& line : dancers->wait()) {
-        say(line);
-    }
-    auto driver = engine::OfflineDriver::create(source->rate(), setup->models, dancers->cast());
+    auto driver =
+        engine::OfflineDriver::create(source->rate(), setup->models, setup->dancers.cast());
     if (!driver) {
         return fail(driver.error());
     }

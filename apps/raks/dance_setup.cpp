@@ -7,7 +7,6 @@
 
 #include "apps/dances/written_dance.hpp"
 #include "apps/terminal/say.hpp"
-#include "engine/setup/dance_files.hpp"
 
 namespace raks::apps {
 namespace {
@@ -61,6 +60,34 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
         return fail(std::move(models.error()));
     }
     return DanceSetup{std::move(*catalogue), std::move(*models), motion::mannequin_skeleton()};
+}
+
+Expected<OfflineSetup> open_dancers(engine::Settings& settings) {
+    auto setup = open_dances(settings);
+    if (!setup) {
+        return fail(std::move(setup.error()));
+    }
+    auto dancers = engine::Dancers::load(settings, setup->catalogue, setup->skeleton);
+    if (!dancers) {
+        return fail(std::move(dancers.error()));
+    }
+    // All dances must be ready: otherwise the result would depend on which thread is faster.
+    for (const std::string& line : dancers->wait()) {
+        say(line);
+    }
+    return OfflineSetup{std::move(*setup), std::move(*dancers)};
+}
+
+Expected<StageSetup> open_formations(engine::Settings& settings) {
+    auto setup = open_dances(settings);
+    if (!setup) {
+        return fail(std::move(setup.error()));
+    }
+    auto formations = engine::Formations::load(settings, setup->catalogue, setup->skeleton);
+    if (!formations) {
+        return fail(std::move(formations.error()));
+    }
+    return StageSetup{std::move(*setup), std::move(*formations)};
 }
 
 }  // namespace raks::apps

@@ -3,6 +3,8 @@
 #include "base/expected.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_catalogue.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "engine/setup/formations.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -23,5 +25,21 @@ struct DanceSetup {
 /// folder of the user's cache, where it is found the next time. Errors: those of the catalogue, of
 /// a written dance, and of the analyzer's models.
 [[nodiscard]] Expected<DanceSetup> open_dances(engine::Settings& settings);
+
+/// What a command that dances offline begins with.
+struct OfflineSetup : DanceSetup {
+    engine::Dancers dancers;
+};
+/// As open_dances(), and loads all dances that the settings ask for; says which were left out.
+/// Errors: also those of engine::Dancers::load.
+[[nodiscard]] Expected<OfflineSetup> open_dancers(engine::Settings& settings);
+
+/// What a command that dances live begins with.
+struct StageSetup : DanceSetup {
+    engine::Formations formations;
+};
+/// As open_dances(), and solves the dance that the show begins with; others are solved while it
+/// runs. Errors: also those of engine::Formations::load.
+[[nodiscard]] Expected<StageSetup> open_formations(engine::Settings& settings);
 
 }  // namespace raks::apps

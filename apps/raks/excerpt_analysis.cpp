@@ -12,6 +12,7 @@
 #include "apps/terminal/say.hpp"
 #include "audio/beat/paper_beat.hpp"
 #include "audio/music_analyzer.hpp"
+#include "engine/offline/last_hops.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 
@@ -74,13 +75,8 @@ Expected<audio::BeatEstimate> analyze_streaming(engine::MusicSource& source,
     for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
         analyzer->process(block.mono, notes);
     }
-    // delay() of silence completes the last hops; one hop more absorbs rounding.
     notes.end = StreamTime(source.given());
-    const std::array<float, 256> silence{};
-    for (Nanos fed{}; fed <= analyzer->delay() + kHop && notes.newest + kHop < notes.end;
-         fed += source.rate().time_of(silence.size()).time_since_epoch()) {
-        analyzer->process(silence, notes);
-    }
+    engine::bring_last_hops_out(*analyzer, source.rate(), notes.end, notes);
     const Bars bars = method == audio::BeatMethod::pointer ? Bars::told : Bars::not_told;
     return audio::BeatEstimate{list_of(notes.beats, bars), std::move(notes.predicted)};
 }

@@ -7,7 +7,6 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/devices.hpp"
-#include "engine/setup/formations.hpp"
 
 #include <fmt/format.h>
 
@@ -24,27 +23,23 @@ ExitCode live(const LiveArguments& given) {
     if (!choice) {
         return fail(choice.error());
     }
-    const auto setup = open_dances(arguments.settings);
+    auto setup = open_formations(arguments.settings);
     if (!setup) {
         return fail(setup.error());
     }
-    auto formations =
-        engine::Formations::load(arguments.settings, setup->catalogue, setup->skeleton);
-    if (!formations) {
-        return fail(formations.error());
-    }
+    engine::Formations& formations = setup->formations;
     // The window before the audio: what comes in while it opens would be late.
     auto loop =
         StageLoop::create(arguments.settings,
                           {arguments.is_headless, arguments.is_fullscreen, arguments.duration},
                           setup->catalogue.list(),
-                          *formations);
+                          formations);
     if (!loop) {
         return fail(loop.error());
     }
     engine::LiveGraphConfig config;
     config.models = setup->models;
-    config.cast = formations->cast();
+    config.cast = formations.cast();
     // No latency offset: it belongs to an output.
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);
@@ -55,7 +50,7 @@ ExitCode live(const LiveArguments& given) {
     // Why it ended does not matter: there is only one source.
     static_cast<void>((*loop)->run(**graph, {.name = choice->device.name}));
     // Dances that could not be loaded meanwhile.
-    for (const std::string& line : formations->wait()) {
+    for (const std::string& line : formations.wait()) {
         (*loop)->say(line);
     }
     // A last line with what the tracker had found, also for headless runs.

@@ -13,7 +13,6 @@
 #include "audio/io/devices.hpp"
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"
-#include "engine/setup/formations.hpp"
 
 namespace raks::apps {
 namespace {
@@ -214,29 +213,24 @@ ExitCode play(const PlayArguments& given) {
     if (!output) {
         return fail(output.error().message + " (--no-sound dances without a loudspeaker)");
     }
-    const auto setup = open_dances(arguments.settings);
+    auto setup = open_formations(arguments.settings);
     if (!setup) {
         return fail(setup.error());
     }
-    // The dance that the show begins with is solved here; others are solved while it runs.
-    auto formations =
-        engine::Formations::load(arguments.settings, setup->catalogue, setup->skeleton);
-    if (!formations) {
-        return fail(formations.error());
-    }
+    engine::Formations& formations = setup->formations;
     auto loop = StageLoop::create(arguments.settings,
                                   {arguments.is_headless, arguments.is_fullscreen, std::nullopt},
                                   setup->catalogue.list(),
-                                  *formations);
+                                  formations);
     if (!loop) {
         return fail(loop.error());
     }
-    Player player(arguments, *output, setup->models, *formations, **loop);
+    Player player(arguments, *output, setup->models, formations, **loop);
     if (const auto played = player.play(*files); !played) {
         return fail(played.error());
     }
     // Dances that were left out meanwhile.
-    for (const std::string& line : formations->wait()) {
+    for (const std::string& line : formations.wait()) {
         (*loop)->say(line);
     }
     return player.has_failed() ? kExitFailed : kExitDone;

@@ -13,7 +13,6 @@
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
-#include "engine/setup/dance_files.hpp"
 #include "engine/show/show.hpp"
 #include "render/gl/offscreen.hpp"
 #include "render/video/video_writer.hpp"
@@ -162,18 +161,12 @@ ExitCode render(const RenderArguments& given) {
     if (!look) {
         return fail(look.error());
     }
-    const auto setup = open_dances(arguments.settings);
+    const auto setup = open_dancers(arguments.settings);
     if (!setup) {
         return fail(setup.error());
     }
-    auto dancers = engine::Dancers::load(arguments.settings, setup->catalogue, setup->skeleton);
-    if (!dancers) {
-        return fail(dancers.error());
-    }
-    for (const std::string& line : dancers->wait()) {  // the same film whatever thread is faster
-        say(line);
-    }
-    auto driver = engine::OfflineDriver::create(source->rate(), setup->models, dancers->cast());
+    auto driver =
+        engine::OfflineDriver::create(source->rate(), setup->models, setup->dancers.cast());
     if (!driver) {
         return fail(std::move(driver.error()).in(arguments.input.string()));
     }

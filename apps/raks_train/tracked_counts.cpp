@@ -1,14 +1,14 @@
 #include "apps/raks_train/tracked_counts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "apps/dances/known_dances.hpp"
+#include "engine/offline/last_hops.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
-#include "engine/setup/dance_catalogue.hpp"
 
 namespace raks::apps {
 namespace {
@@ -85,12 +85,7 @@ Expected<TrackedCounts> track_counts(const std::filesystem::path& file) {
     if (!source) {
         return fail(source.error());
     }
-    // The analyzer counts genres by the catalogue's list.
-    const auto catalogue = engine::DanceCatalogue::load();
-    if (!catalogue) {
-        return fail(catalogue.error());
-    }
-    const auto models = engine::load_analyzer_models(catalogue->list());
+    const auto models = load_models_of_known_dances();
     if (!models) {
         return fail(models.error());
     }
@@ -103,12 +98,7 @@ Expected<TrackedCounts> track_counts(const std::filesystem::path& file) {
         analyzer->process(block.mono, collect);
     }
     const StreamTime end(source->given());
-    // Silence after the end brings out the states that the analyzer still delays.
-    const std::array<float, 256> silence{};
-    for (Nanos fed{}; fed <= analyzer->delay() + kHop && collect.newest + kHop < end;
-         fed += source->rate().time_of(silence.size()).time_since_epoch()) {
-        analyzer->process(silence, collect);
-    }
+    engine::bring_last_hops_out(*analyzer, source->rate(), end, collect);
     TrackedCounts tracked;
     tracked.music.name = file.filename().string();
     tracked.music.duration = to_seconds(end);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "base/expected.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+
+namespace raks::apps {
+
+/// The analyzer's models, for all dances that are found.
+/// Errors: those of the catalogue and of the models. Threads: workers. Real-time: no.
+[[nodiscard]] Expected<engine::AnalyzerModels> load_models_of_known_dances();
+
+}  // namespace raks::apps
