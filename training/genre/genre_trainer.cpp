@@ -11,6 +11,8 @@
 
 #include "base/parallel.hpp"
 
+#include "training/networks/adam.hpp"
+
 namespace raks::audio {
 namespace {
 
@@ -311,20 +313,14 @@ GenreFusion fit_fusion(std::span<const WindowScore> scores,
     std::copy(mask.begin(), mask.end(), numbers.begin());
     std::copy(mask.begin(), mask.end(), numbers.begin() + kWeights);
     const std::vector<double> shares = shares_of(used);
-    // Adam (Kingma, Ba 2015) on all windows at once. The log-likelihood is concave in the numbers,
-    // so no optimum is merely local; the rate falls linearly to 0.
-    Numbers first{};
-    Numbers second{};
+    // Adam on all windows at once. The log-likelihood is concave in the numbers, so no optimum is
+    // merely local; the rate falls linearly to 0.
+    Adam<double> adam(kNumbers, {.square_decay = 0.99, .epsilon = 1e-9});
     constexpr int kSteps = 400;
     for (int step = 1; step <= kSteps && !used.empty(); ++step) {
         const Numbers slope = slope_of(used, shares, numbers, evidence, classes);
         const double rate = 0.08 * (1.0 - static_cast<double>(step) / (kSteps + 1));
-        for (std::size_t k = 0; k < kNumbers; ++k) {
-            first[k] = 0.9 * first[k] + 0.1 * slope[k];
-            second[k] = 0.99 * second[k] + 0.01 * slope[k] * slope[k];
-            numbers[k] -= rate * first[k] / (1.0 - std::pow(0.9, step)) /
-                          (std::sqrt(second[k] / (1.0 - std::pow(0.99, step))) + 1e-9);
-        }
+        adam.step(slope, rate, numbers);
         // Projection: unused evidence stays at 0, and no weight may become negative.
         for (std::size_t k = 0; k < 2 * kWeights; ++k) {
             numbers[k] = mask[k % kWeights] * std::max(0.0, numbers[k]);

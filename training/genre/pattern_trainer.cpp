@@ -6,6 +6,7 @@
 
 #include "base/assert.hpp"
 #include "base/dice.hpp"
+#include "training/networks/adam.hpp"
 
 namespace raks::audio {
 namespace {
@@ -47,12 +48,12 @@ void measure_inputs(std::span<const PieceFeatures* const> pieces, PatternNetwork
     }
 }
 
-/// A list of weights with its gradient and Adam's moments (Kingma, Ba 2015). The first weights are
-/// drawn from a normal distribution of this deviation.
+/// A list of weights with its gradient and Adam. The first weights are drawn from a normal
+/// distribution of this deviation.
 class Weights {
  public:
     Weights(std::vector<float>& values, double deviation, Dice& dice)
-        : values_(values), gradient_(values.size()), first_(values.size()), second_(values.size()) {
+        : values_(values), gradient_(values.size()), adam_(values.size(), kConstants) {
         for (float& value : values_) {
             value = static_cast<float>(dice.normal(deviation));
         }
@@ -60,29 +61,23 @@ class Weights {
     [[nodiscard]] std::span<float> gradient() { return gradient_; }
 
     /// One Adam step on the mean gradient of a batch plus `decay` times the weights (L2); clears
-    /// the gradient. `number`: of the step, from 1.
-    void step(int number, double rate, double decay) {
-        constexpr float kFirst = 0.9F;
-        constexpr float kSecond = 0.999F;
-        // Bias corrections of both moments in one factor.
-        const auto correction = static_cast<float>(std::sqrt(1.0 - std::pow(0.999, number)) /
-                                                   (1.0 - std::pow(0.9, number)));
-        const auto size = static_cast<float>(rate) * correction;
+    /// the gradient.
+    void step(double rate, double decay) {
         const auto pull = static_cast<float>(decay);
         for (std::size_t i = 0; i < gradient_.size(); ++i) {
-            const float slope = gradient_[i] / kBatch + pull * values_[i];
-            first_[i] = kFirst * first_[i] + (1.0F - kFirst) * slope;
-            second_[i] = kSecond * second_[i] + (1.0F - kSecond) * slope * slope;
-            values_[i] -= size * first_[i] / (std::sqrt(second_[i]) + 1e-7F);
-            gradient_[i] = 0.0F;
+            gradient_[i] = gradient_[i] / kBatch + pull * values_[i];
         }
+        adam_.step(gradient_, rate, values_);
+        std::fill(gradient_.begin(), gradient_.end(), 0.0F);
     }
 
  private:
+    static constexpr AdamConstants kConstants = {.epsilon = 1e-7,
+                                                 .correction = AdamConstants::Correction::of_rate};
+
     std::vector<float>& values_;
     std::vector<float> gradient_;
-    std::vector<float> first_;
-    std::vector<float> second_;
+    Adam<float, float> adam_;
 };
 
 /// 1 for the inputs of these parts and for the window's length (the last input), 0 for the others.
@@ -189,11 +184,11 @@ class Descent {
         backward(inputs, drawn.class_number);
     }
 
-    void step(int number, double rate) {
-        hidden_weights_.step(number, rate, plan_.weight_decay);
-        hidden_bias_.step(number, rate, 0.0);
-        output_weights_.step(number, rate, plan_.weight_decay);
-        output_bias_.step(number, rate, 0.0);
+    void step(double rate) {
+        hidden_weights_.step(rate, plan_.weight_decay);
+        hidden_bias_.step(rate, 0.0);
+        output_weights_.step(rate, plan_.weight_decay);
+        output_bias_.step(rate, 0.0);
     }
 
  private:
@@ -318,7 +313,7 @@ PatternNetwork train_patterns(std::span<const PieceFeatures* const> pieces,
         }
         // Cosine schedule from the full rate to 2 % of it.
         const double share = static_cast<double>(step) / plan.steps;
-        descent.step(step, plan.rate * (0.02 + 0.98 * 0.5 * (1.0 + std::cos(M_PI * share))));
+        descent.step(plan.rate * (0.02 + 0.98 * 0.5 * (1.0 + std::cos(M_PI * share))));
     }
     return network;
 }

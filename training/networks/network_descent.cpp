@@ -11,7 +11,8 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kWarmUpSteps = 30;  // until the rate is at its full height
+constexpr int kWarmUpSteps = 30;          // until the rate is at its full height
+constexpr double kLongestGradient = 1.0;  // Euclidean norm above which a gradient is scaled down
 
 /// Runs work(i) for i = 0 .. count - 1 on some threads; returns when all is done. Thread n takes n,
 /// n + threads, ...
@@ -28,6 +29,16 @@ void share(std::size_t count, int wanted_threads, const Work& work) {
             }
         });
     }
+}
+
+// What a gradient is scaled by, clipped by norm: a single batch must not throw the weights far off.
+double clipping_of(std::span<const float> gradient) {
+    double norm = 0.0;
+    for (const float value : gradient) {
+        norm += static_cast<double>(value) * static_cast<double>(value);
+    }
+    norm = std::sqrt(norm);
+    return norm > kLongestGradient ? 1.0 / norm : 1.0;
 }
 
 // Frames of all chunks together.
@@ -70,7 +81,7 @@ double NetworkDescent::step(double rate,
     for (float& value : gradients[0]) {
         value *= scale;
     }
-    adam_.step(gradients[0], rate, network_.parameters());
+    adam_.step(gradients[0], rate, network_.parameters(), clipping_of(gradients[0]));
     return loss / all;
 }
 

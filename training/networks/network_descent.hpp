@@ -6,13 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "training/networks/adam.hpp"
 #include "training/networks/network_gradient.hpp"
 
 namespace raks::audio {
 
-/// Minimizes the loss of a network with Adam. A batch is computed in shards whose gradients are
-/// summed in a fixed order: the same draws give the same weights on one machine, for any number of
-/// threads.
+/// Minimizes the loss of a network with Adam; gradients longer than 1 are scaled to length 1 first.
+/// A batch is computed in shards whose gradients are summed in a fixed order: the same draws give
+/// the same weights on one machine, for any number of threads.
 /// Threads: one caller; it starts workers. Real-time: no.
 class NetworkDescent {
  public:
@@ -32,7 +33,7 @@ class NetworkDescent {
  private:
     models::RecurrentNetwork& network_;
     int threads_;
-    Adam adam_;
+    Adam<float> adam_;
     std::array<NetworkGradient, kShards> gradients_;
 };
 

@@ -11,8 +11,6 @@
 namespace raks::audio {
 namespace {
 
-constexpr float kLongestGradient = 1.0F;  // Euclidean norm above which a gradient is scaled down
-
 /// How B enters a product.
 enum class Right { plain, transposed };
 
@@ -374,33 +372,6 @@ double NetworkGradient::accumulate(const models::RecurrentNetwork& network,
         backward(network, layer, below(layer), batch, from_above_, gradient);
     }
     return loss;
-}
-
-void Adam::step(std::span<float> gradient, double rate, std::span<float> parameters) {
-    constexpr double kMeanDecay = 0.9;
-    constexpr double kSquareDecay = 0.999;
-    constexpr double kEpsilon = 1e-8;
-    // Clipped by norm: a single batch must not throw the weights far off.
-    double norm = 0.0;
-    for (const float value : gradient) {
-        norm += static_cast<double>(value) * static_cast<double>(value);
-    }
-    norm = std::sqrt(norm);
-    const double scale = norm > static_cast<double>(kLongestGradient) ? 1.0 / norm : 1.0;
-    ++steps_;
-    // Bias corrections of the running means, which start at 0.
-    const double mean_share = 1.0 - std::pow(kMeanDecay, static_cast<double>(steps_));
-    const double square_share = 1.0 - std::pow(kSquareDecay, static_cast<double>(steps_));
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const double g = scale * static_cast<double>(gradient[i]);
-        const double mean = kMeanDecay * static_cast<double>(mean_[i]) + (1.0 - kMeanDecay) * g;
-        const double square =
-            kSquareDecay * static_cast<double>(square_[i]) + (1.0 - kSquareDecay) * g * g;
-        mean_[i] = static_cast<float>(mean);
-        square_[i] = static_cast<float>(square);
-        parameters[i] -= static_cast<float>(rate * (mean / mean_share) /
-                                            (std::sqrt(square / square_share) + kEpsilon));
-    }
 }
 
 // One draw a parameter, by its index: the shape decides what each gets.

@@ -59,20 +59,6 @@ class NetworkGradient {
     std::vector<float> from_above_;       // steps x chunks x units
 };
 
-/// Adam (Kingma, Ba 2015); gradients longer than 1 are scaled to length 1 first.
-class Adam {
- public:
-    /// `parameters`: how many.
-    explicit Adam(std::size_t parameters) : mean_(parameters), square_(parameters) {}
-    /// One step against `gradient` (not changed) at the given rate, in place.
-    void step(std::span<float> gradient, double rate, std::span<float> parameters);
-
- private:
-    std::vector<float> mean_;
-    std::vector<float> square_;
-    std::int64_t steps_ = 0;
-};
-
 /// Draws all parameters uniformly from +-1 / sqrt(units). The same seed gives the same weights.
 void initialize(models::RecurrentNetwork& network, std::uint64_t seed);
 

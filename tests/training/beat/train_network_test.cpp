@@ -94,16 +94,5 @@ TEST(NetworkTraining, listener_hears_what_the_trainer_computes) {
     EXPECT_NEAR(gradient.accumulate(*network, batch, {}), expected, 1e-4 * expected);
 }
 
-TEST(NetworkTraining, adam_goes_down_a_bowl) {
-    std::vector<float> at = {3.0F, -2.0F};
-    Adam adam(at.size());
-    for (int i = 0; i < 400; ++i) {
-        std::vector<float> gradient = {2.0F * at[0], 8.0F * at[1]};
-        adam.step(gradient, 0.05, at);
-    }
-    EXPECT_NEAR(at[0], 0.0F, 0.05F);
-    EXPECT_NEAR(at[1], 0.0F, 0.05F);
-}
-
 }  // namespace
 }  // namespace raks::audio
