@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/timed_commands.hpp"
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 #include "motion/dance/figure_sequence.hpp"
@@ -24,7 +25,6 @@ constexpr int kHopsToStart = 60;            // of sure music before the first st
 constexpr int kHopsToStop = 150;            // of unsure music or silence before settling (1.5 s)
 constexpr double kDownbeatWindow = 0.5;     // beats: how late after a downbeat one may still start
 constexpr double kEarliestToSettle = 0.15;  // seconds sooner than a change of dance needs
-constexpr std::size_t kQueuedCommands = 16;
 // Seconds, times 1 - 1 / pace: how much later the mean landing comes at another pace (`raks eval
 // dance`, salsa, lead and follow, paces 0.70 to 1.41).
 constexpr double kLandingLeadByPace = 0.06;
@@ -94,14 +94,13 @@ struct Dancer::State {
     Pose shown_before;          // the one before it
     HopIndex last_hop = -1;     // -1: none yet
 
-    std::array<DancerCommand, kQueuedCommands> commands{};
-    std::size_t command_count = 0;
+    TimedCommands<DancerCommand, 16> commands;
 
     [[nodiscard]] const DanceLibrary::Content& content() const noexcept { return dance->content(); }
     void reset() noexcept;
     void take_up(DanceId other) noexcept;
     [[nodiscard]] FloorMove place() const noexcept;
-    void run_commands(StreamTime now) noexcept;
+    void apply(const DancerCommand& command) noexcept;
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
     void start_on_downbeat(const MusicState& music) noexcept;
@@ -146,45 +145,35 @@ void Dancer::State::reset() noexcept {
     smoothing.clear();
     shown = shown_before = standing.at(skeleton, StreamTime{});
     last_hop = -1;
-    command_count = 0;
+    commands.clear();
 }
 
-// Applies the commands that are due, in order, and keeps the others.
-void Dancer::State::run_commands(StreamTime now) noexcept {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < command_count; ++i) {
-        const DancerCommand& command = commands[i];
-        if (command.time > now) {
-            commands[kept++] = command;
-            continue;
-        }
-        switch (command.kind) {
-            case DancerCommand::Kind::next_figure:
-                wish.is_another = true;
-                break;
-            case DancerCommand::Kind::select_figure:
-                if (command.value >= 0.0 &&
-                    command.value < static_cast<double>(content().figures.size())) {
-                    wish.figure = static_cast<std::size_t>(command.value);
-                }
-                break;
-            case DancerCommand::Kind::lock_figure:
-                wish.is_locked = command.value != 0.0;
-                break;
-            case DancerCommand::Kind::select_dance:
-                if (command.value >= 0.0 && command.value <= static_cast<double>(DanceId::none)) {
-                    selected = static_cast<DanceId>(command.value);
-                }
-                break;
-            case DancerCommand::Kind::hold:
-                is_held = true;
-                break;
-            case DancerCommand::Kind::release:
-                is_held = false;
-                break;
-        }
+void Dancer::State::apply(const DancerCommand& command) noexcept {
+    switch (command.kind) {
+        case DancerCommand::Kind::next_figure:
+            wish.is_another = true;
+            break;
+        case DancerCommand::Kind::select_figure:
+            if (command.value >= 0.0 &&
+                command.value < static_cast<double>(content().figures.size())) {
+                wish.figure = static_cast<std::size_t>(command.value);
+            }
+            break;
+        case DancerCommand::Kind::lock_figure:
+            wish.is_locked = command.value != 0.0;
+            break;
+        case DancerCommand::Kind::select_dance:
+            if (command.value >= 0.0 && command.value <= static_cast<double>(DanceId::none)) {
+                selected = static_cast<DanceId>(command.value);
+            }
+            break;
+        case DancerCommand::Kind::hold:
+            is_held = true;
+            break;
+        case DancerCommand::Kind::release:
+            is_held = false;
+            break;
     }
-    command_count = kept;
 }
 
 /// The pose before inertialization, `ahead` of the hop at `time`.
@@ -361,7 +350,7 @@ void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NO
         track.clear();
     }
     state.last_hop = music.hop;
-    state.run_commands(music.time);
+    state.commands.run_due(music.time, [&](const DancerCommand& command) { state.apply(command); });
     state.decide(music);
     const Pose pose = state.smoothed(music.time, Nanos(0));
     state.shown_before = state.shown;
@@ -373,9 +362,7 @@ void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NO
 }
 
 void Dancer::command(const DancerCommand& command) noexcept RAKS_NONBLOCKING {
-    if (state_->command_count < kQueuedCommands) {
-        state_->commands[state_->command_count++] = command;
-    }
+    state_->commands.push(command);
 }
 
 void Dancer::reset() noexcept RAKS_NONBLOCKING {

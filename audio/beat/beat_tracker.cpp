@@ -69,7 +69,7 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     contrast_ = mass_ = confidence_ = 0.0F;
     next_beat_ = next_predicted_ = 0;
     last_beat_time_ = last_predicted_time_ = StreamTime(std::chrono::seconds(-10));
-    command_count_ = 0;
+    commands_.clear();
 }
 
 void BeatTracker::set_bar_network(std::shared_ptr<const BarNetwork> network) {
@@ -330,23 +330,11 @@ void BeatTracker::announce(const TrackedHop& hop, MusicState& state) noexcept {
 }
 
 bool BeatTracker::command(const AnalyzerCommand& command) noexcept RAKS_NONBLOCKING {
-    if (command_count_ == kCommands) {
-        return false;
-    }
-    commands_[command_count_++] = command;
-    return true;
+    return commands_.push(command);
 }
 
 void BeatTracker::run_commands(StreamTime now) noexcept {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < command_count_; ++i) {
-        if (commands_[i].time <= now) {
-            apply(commands_[i], now);
-        } else {
-            commands_[kept++] = commands_[i];
-        }
-    }
-    command_count_ = kept;
+    commands_.run_due(now, [&](const AnalyzerCommand& command) { apply(command, now); });
 }
 
 // Moves the grid to this phase by the shortest way.

@@ -15,6 +15,7 @@
 #include "base/beat_grid.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
+#include "base/timed_commands.hpp"
 
 namespace raks::audio {
 
@@ -68,7 +69,6 @@ class BeatTracker {
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
-    static constexpr std::size_t kCommands = 16;
     static constexpr std::size_t kRecent = 64;  // hops of evidence that are kept
 
     // Evidence of one recent hop.
@@ -137,8 +137,7 @@ class BeatTracker {
     StreamTime last_beat_time_{std::chrono::seconds(-10)};
     StreamTime last_predicted_time_{std::chrono::seconds(-10)};
 
-    std::array<AnalyzerCommand, kCommands> commands_{};
-    std::size_t command_count_ = 0;
+    TimedCommands<AnalyzerCommand, 16> commands_;
 };
 
 }  // namespace raks::audio
