@@ -4,42 +4,20 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/utf8.hpp"
+
 namespace raks {
 namespace {
 
-// Unsigned, so that comparisons with 0x80 and above work.
-std::uint8_t byte_at(std::string_view text, std::size_t index) {
-    return static_cast<std::uint8_t>(text[index]);
-}
-
-bool is_continuation(std::uint8_t byte) { return (byte & 0xC0U) == 0x80U; }
-
 /// Bytes of the UTF-8 character at the start of `text`; 0 where there is none that can be shown.
 std::size_t character_size(std::string_view text) {
-    const std::uint8_t first = byte_at(text, 0);
-    if (first < 0x80U) {
-        // ASCII, without control characters and delete.
-        return first >= ' ' && first != 0x7FU ? 1 : 0;
-    }
-    const std::size_t size = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : 2;
-    // 0xC0 and 0xC1 would be overlong; above 0xF4 lies beyond U+10FFFF.
-    if (first < 0xC2U || first > 0xF4U || text.size() < size) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < size; ++i) {
-        if (!is_continuation(byte_at(text, i))) {
-            return 0;
-        }
-    }
-    // Faults that show in the second byte: C1 controls, overlong forms, surrogates, beyond
-    // U+10FFFF.
-    const std::uint8_t second = byte_at(text, 1);
-    const bool is_control = first == 0xC2U && second < 0xA0U;
-    const bool is_too_long =
-        (first == 0xE0U && second < 0xA0U) || (first == 0xF0U && second < 0x90U);
-    const bool is_surrogate = first == 0xEDU && second >= 0xA0U;
-    const bool is_beyond = first == 0xF4U && second >= 0x90U;
-    return is_control || is_too_long || is_surrogate || is_beyond ? 0 : size;
+    const std::size_t size = utf8_size(text);
+    // Unsigned, so that comparisons with 0x80 and above work.
+    const auto byte_at = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    // Of ASCII with delete, and C1.
+    const bool is_control = (size == 1 && (byte_at(0) < ' ' || byte_at(0) == 0x7FU)) ||
+                            (size == 2 && byte_at(0) == 0xC2U && byte_at(1) < 0xA0U);
+    return is_control ? 0 : size;
 }
 
 }  // namespace
@@ -58,10 +36,10 @@ std::string printable(std::string_view text, std::size_t longest) {
     // Keeps both ends, and moves the cuts so that no character is split.
     std::size_t head = longest / 2;
     std::size_t tail = result.size() - longest / 2;
-    while (head > 0 && is_continuation(byte_at(result, head))) {
+    while (head > 0 && is_utf8_continuation(result[head])) {
         --head;
     }
-    while (tail < result.size() && is_continuation(byte_at(result, tail))) {
+    while (tail < result.size() && is_utf8_continuation(result[tail])) {
         ++tail;
     }
     return result.substr(0, head) + "..." + result.substr(tail);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
+
 #include <fmt/format.h>
 
 namespace raks::apps {
@@ -41,38 +43,12 @@ constexpr std::string_view kStyle =
     ".none{color:#cbd5e1}\n"
     "caption{text-align:left;font-weight:650;color:#0f172a;font-size:14px;padding-bottom:4px}\n";
 
-// True for sequences that look like UTF-8 and are not: overlong forms, surrogates and values beyond
-// U+10FFFF; and for U+FFFE and U+FFFF, which XML forbids.
-bool is_forbidden(unsigned first, unsigned second, unsigned third) noexcept {
-    return (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-           (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F) ||
-           (first == 0xEF && second == 0xBF && third >= 0xBE);
-}
-
-// Bytes of the UTF-8 character at the start of `text`; 0 when it does not start with a valid one.
-std::size_t utf8_length(std::string_view text) noexcept {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(0);
-    // The first byte says how long the character is: 0x80 to 0xC1 and those from 0xF5 on begin
-    // none.
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xC2 ? 0
-                               : first < 0xE0 ? 2
-                               : first < 0xF0 ? 3
-                               : first < 0xF5 ? 4
-                                              : 0;
-    if (length == 0 || length > text.size()) {
-        return 0;
-    }
-    // All further bytes are of the form 10xxxxxx.
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    const unsigned second = length > 1 ? byte(1) : 0U;
-    const unsigned third = length > 2 ? byte(2) : 0U;
-    return is_forbidden(first, second, third) ? 0 : length;
+// Bytes of the character at the start of `text`; 0 where there is none of UTF-8, and for U+FFFE and
+// U+FFFF, which XML forbids.
+std::size_t character_size(std::string_view text) noexcept {
+    const std::size_t size = utf8_size(text);
+    const std::string_view character = text.substr(0, size);
+    return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF" ? 0 : size;
 }
 
 }  // namespace
@@ -81,7 +57,7 @@ std::size_t utf8_length(std::string_view text) noexcept {
 std::string xml_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
+        const std::size_t length = character_size(text);
         const char first = text.front();
         if (length == 0) {
             out += "\xEF\xBF\xBD";
