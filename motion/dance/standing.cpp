@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/smooth_steps.hpp"
 #include "motion/dance/body/curves.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"

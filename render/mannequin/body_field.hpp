@@ -5,24 +5,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/smooth_steps.hpp"
 #include "render/mannequin/bind_pose.hpp"
 #include "render/mannequin/body_primitives.hpp"
 
 #include <glm/vec3.hpp>
 
 namespace raks::render {
-
-/// 0 below `from`, 1 above `to`, with flat ends: 3 t^2 - 2 t^3.
-[[nodiscard]] constexpr float smoothstep(float from, float to, float x) noexcept {
-    const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
-/// The same with zero curvature at the ends: 6 t^5 - 15 t^4 + 10 t^3.
-[[nodiscard]] constexpr float smootherstep(float from, float to, float x) noexcept {
-    const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
-    return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
-}
 
 /// A solid moved into the bind pose and made ready for many evaluations.
 struct PreparedLoft {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/smooth_steps.hpp"
 #include "render/mannequin/body_field.hpp"
 
 #include <glm/common.hpp>

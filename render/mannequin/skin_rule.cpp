@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/smooth_steps.hpp"
 #include "render/mannequin/body_field.hpp"
 #include "render/mannequin/skin_weights.hpp"
 

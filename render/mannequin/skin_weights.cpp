@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/smooth_steps.hpp"
 #include "render/mannequin/body_field.hpp"
 
 namespace raks::render {

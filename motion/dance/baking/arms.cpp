@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/smooth_steps.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 
 #include <glm/geometric.hpp>

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "base/smooth_steps.hpp"
 #include "motion/dance/baking/banded_system.hpp"
 #include "motion/dance/body/curves.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/smooth_steps.hpp"
 #include "motion/dance/baking/flight.hpp"
 #include "motion/dance/body/curves.hpp"
 #include "motion/dance/body/limb_ik.hpp"

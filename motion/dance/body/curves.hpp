@@ -1,4 +1,4 @@
-// Curves: easing functions and closed curves.
+// Curves: a rounded maximum, and closed curves.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,6 @@
 #include <vector>
 
 namespace raks::motion {
-
-/// From 0 at t = 0 to 1 at t = 1 (clamped) with no speed and acceleration at either end.
-/// Threads: any. Real-time: yes.
-[[nodiscard]] inline float smootherstep(float t) noexcept {
-    t = std::clamp(t, 0.0F, 1.0F);
-    return t * t * t * (10.0F + t * (-15.0F + t * 6.0F));
-}
 
 /// The larger of both, rounded where they are nearer than `softness`; twice differentiable.
 /// Threads: any. Real-time: yes.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/smooth_steps.hpp"
 #include "motion/dance/baking/banded_system.hpp"
 #include "motion/dance/baking/flight.hpp"
 #include "motion/dance/baking/free_figure.hpp"
@@ -33,6 +34,9 @@ std::vector<bool> resting() {
     }
     return rests;
 }
+
+// The overload that has no ends.
+float smoothly(float t) { return smootherstep(t); }
 
 /// Share of the way to the far place, along x, by the share of a flight's time.
 template <typename Way>
@@ -72,14 +76,14 @@ TEST(Flight, takes_off_what_is_quick_and_leaves_rests_alone) {
         }
     }
     EXPECT_LT(largest_jerk(path), 0.3F * largest_jerk(rough));
-    const std::vector<glm::vec3> smooth = steps(smootherstep);
+    const std::vector<glm::vec3> smooth = steps(smoothly);
     for (std::size_t i = 0; i < kSize; ++i) {
         ASSERT_NEAR(path[i].x, smooth[i].x, 0.03F) << i;
     }
 }
 
 TEST(Flight, keeps_the_path_of_one_reach) {
-    const std::vector<glm::vec3> smooth = steps(smootherstep);
+    const std::vector<glm::vec3> smooth = steps(smoothly);
     std::vector<glm::vec3> path = smooth;
     fly(resting(), 0.06, path);
     for (std::size_t i = 0; i < kSize; ++i) {
@@ -88,7 +92,7 @@ TEST(Flight, keeps_the_path_of_one_reach) {
 }
 
 TEST(Flight, leaves_a_foot_that_never_rests) {
-    const std::vector<glm::vec3> path = steps(smootherstep);
+    const std::vector<glm::vec3> path = steps(smoothly);
     std::vector<glm::vec3> flown = path;
     fly(std::vector<bool>(kSize, false), 0.06, flown);
     EXPECT_EQ(flown, path);
@@ -132,7 +136,7 @@ TEST(StepTiming, a_foot_that_halts_on_its_way_goes_on) {
 }
 
 TEST(StepTiming, a_foot_that_goes_in_one_reach_keeps_its_time) {
-    const std::vector<FootTarget> feet = feet_on(steps(smootherstep));
+    const std::vector<FootTarget> feet = feet_on(steps(smoothly));
     const std::vector<FootTarget> same = in_time(both_rests(), feet);
     for (std::size_t i = 0; i < kSize; ++i) {
         ASSERT_NEAR(same[i].ankle.x, feet[i].ankle.x, 1e-4F) << i;
