@@ -17,6 +17,7 @@
 #include "audio/features/onset.hpp"
 #include "audio/genre/genre_recognizer.hpp"
 #include "audio/resample/resampler.hpp"
+#include "base/decibels.hpp"
 
 namespace raks::audio {
 namespace {
@@ -38,12 +39,8 @@ constexpr Nanos kLongestBlindGap = std::chrono::milliseconds(200);
 
 // RMS level in dBFS; the small constant keeps silence finite.
 float level_of(std::span<const float> samples) noexcept {
-    double energy = 0.0;
-    for (const float sample : samples) {
-        energy += static_cast<double>(sample) * static_cast<double>(sample);
-    }
-    const double mean = energy / static_cast<double>(samples.size());
-    return std::max(kLowestLevel, static_cast<float>(10.0 * std::log10(mean + 1e-12)));
+    return std::max(kLowestLevel,
+                    static_cast<float>(decibels_of_power(mean_square(samples) + 1e-12)));
 }
 
 // The genre fields without a model: one class, none, with probability 1.

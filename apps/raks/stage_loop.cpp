@@ -1,6 +1,5 @@
 #include "apps/raks/stage_loop.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <span>
@@ -9,6 +8,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "render/overlay/text_format.hpp"
 
 #include <fmt/format.h>
 
@@ -58,9 +58,7 @@ Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
 // 20 characters from -60 to 0 dBFS.
 std::string level_meter(float dbfs) {
     constexpr int kWidth = 20;
-    constexpr float kLowest = -60.0F;
-    const float share = std::clamp((dbfs - kLowest) / -kLowest, 0.0F, 1.0F);
-    const auto bars = static_cast<std::size_t>(std::lround(share * kWidth));
+    const auto bars = static_cast<std::size_t>(std::lround(render::meter_fraction(dbfs) * kWidth));
     return fmt::format("[{:<{}}] {:6.1f} dBFS", std::string(bars, '#'), kWidth, dbfs);
 }
 

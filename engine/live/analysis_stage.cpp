@@ -1,10 +1,10 @@
 #include "engine/live/analysis_stage.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "audio/io/downmix.hpp"
+#include "base/decibels.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 
 namespace raks::engine {
@@ -15,14 +15,7 @@ constexpr float kMeterFallPerSecond = 20.0F / 1.7F;
 
 // RMS level of a block in dBFS; the floor of -120 dBFS keeps silence finite.
 float level_of(std::span<const float> mono) noexcept {
-    // Summed in double: squares of quiet samples vanish beside those of loud ones in single
-    // precision.
-    double energy = 0.0;
-    for (const float sample : mono) {
-        energy += static_cast<double>(sample) * static_cast<double>(sample);
-    }
-    const double mean = energy / static_cast<double>(std::max<std::size_t>(1, mono.size()));
-    return static_cast<float>(10.0 * std::log10(std::max(mean, 1e-12)));
+    return static_cast<float>(decibels_of_power(std::max(mean_square(mono), 1e-12)));
 }
 
 }  // namespace

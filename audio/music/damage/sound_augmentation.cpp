@@ -6,6 +6,7 @@
 
 #include "audio/io/lossy_codec.hpp"
 #include "audio/music/damage/sound_damage.hpp"
+#include "base/decibels.hpp"
 
 namespace raks::audio {
 namespace {
@@ -126,12 +127,8 @@ void add_voice(double rate, std::vector<float>& samples, Dice& dice) {
 
 // Noise of 8 to 45 dB below the music: a first-order low-pass over white noise gives its colour.
 void add_noise(std::vector<float>& samples, Dice& dice) {
-    double energy = 1e-9;
-    for (const float sample : samples) {
-        energy += static_cast<double>(sample) * static_cast<double>(sample);
-    }
-    const double rms = std::sqrt(energy / static_cast<double>(samples.size()));
-    const double level = rms * std::pow(10.0, -dice.uniform(8.0, 45.0) / 20.0);
+    const double rms = std::sqrt(mean_square(samples, 1e-9));
+    const double level = rms * amplitude_of_decibels(-dice.uniform(8.0, 45.0));
     const double colour = dice.uniform(0.0, 0.97);  // 0 white, towards 1 brown
     // The level of the coloured noise: variance 1 / (1 - colour^2), and 1.7 is about sqrt(3) for
     // uniform white noise.
@@ -177,7 +174,7 @@ void augment_sound(int sample_rate,
         add_noise(samples, dice);
     }
     if (effects.has(SoundEffect::gain)) {
-        const auto gain = static_cast<float>(std::pow(10.0, -dice.uniform(0.0, 30.0) / 20.0));
+        const auto gain = static_cast<float>(amplitude_of_decibels(-dice.uniform(0.0, 30.0)));
         for (float& sample : samples) {
             sample *= gain;
         }

@@ -4,21 +4,9 @@
 #include <cmath>
 
 #include "audio/io/lossy_codec.hpp"
+#include "base/decibels.hpp"
 
 namespace raks::audio {
-namespace {
-
-// Level over all samples; never 0, as it is divided by.
-double rms_of(const std::vector<float>& samples) {
-    double energy = 1e-12;
-    for (const float sample : samples) {
-        energy += static_cast<double>(sample) * static_cast<double>(sample);
-    }
-    return std::sqrt(energy / static_cast<double>(std::max<std::size_t>(samples.size(), 1)));
-}
-
-}  // namespace
-
 // Convolution with a sparse impulse response whose energy is wet^2, beside the direct sound.
 void add_room(int rate, double seconds, double wet, std::vector<float>& samples, Dice& dice) {
     // Velvet noise: sparse reflections of random sign sound like dense ones and cost little.
@@ -51,7 +39,8 @@ void add_room(int rate, double seconds, double wet, std::vector<float>& samples,
 
 void add_white_noise(double ratio_db, std::vector<float>& samples, Dice& dice) {
     // Uniform noise of [-1, 1) has an rms of 1 / sqrt(3).
-    const double level = rms_of(samples) * std::pow(10.0, -ratio_db / 20.0) * std::sqrt(3.0);
+    const double rms = std::sqrt(mean_square(samples, 1e-12));
+    const double level = rms * amplitude_of_decibels(-ratio_db) * std::sqrt(3.0);
     for (float& sample : samples) {
         sample += static_cast<float>(level * dice.uniform(-1.0, 1.0));
     }
@@ -84,7 +73,7 @@ void cut_above(int rate, double hertz, std::vector<float>& samples) {
 }
 
 void change_gain(double db, std::vector<float>& samples) {
-    const auto gain = static_cast<float>(std::pow(10.0, db / 20.0));
+    const auto gain = static_cast<float>(amplitude_of_decibels(db));
     for (float& sample : samples) {
         sample *= gain;
     }

@@ -5,6 +5,7 @@
 
 #include "audio/music/generator/dsp.hpp"
 #include "audio/music/styles/general_midi_drums.hpp"
+#include "base/decibels.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {
@@ -252,7 +253,7 @@ DrawnDrum draw_drum(int key, Dice& dice) {
         ratio = dice.uniform(1.0, 2.7);
     }
     drum.drive = dice.chance(0.3) ? dice.log_uniform(1.0, 8.0) : 1.0;
-    drum.level = std::pow(10.0, dice.uniform(-10.0, 2.0) / 20.0);
+    drum.level = amplitude_of_decibels(dice.uniform(-10.0, 2.0));
     return drum;
 }
 

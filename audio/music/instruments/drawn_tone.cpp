@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "audio/music/generator/dsp.hpp"
+#include "base/decibels.hpp"
 #include "base/random.hpp"
 
 namespace raks::audio {
@@ -131,7 +132,7 @@ DrawnTone draw_tone(int program, Dice& dice) {
     tone.resonance = dice.log_uniform(0.6, 4.0);
     tone.vibrato = family.is_held && dice.chance(0.4) ? dice.uniform(0.001, 0.008) : 0.0;
     tone.drive = dice.chance(0.3) ? dice.log_uniform(1.0, 12.0) : 1.0;
-    tone.level = std::pow(10.0, dice.uniform(-8.0, 4.0) / 20.0);
+    tone.level = amplitude_of_decibels(dice.uniform(-8.0, 4.0));
     return tone;
 }
 
