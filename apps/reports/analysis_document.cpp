@@ -1,8 +1,9 @@
 #include "apps/reports/analysis_document.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "base/statistics.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -114,12 +115,7 @@ double AnalysisDocument::median_bpm() const {
             bpm.push_back(point.bpm);
         }
     }
-    if (bpm.empty()) {
-        return 0.0;
-    }
-    const auto middle = bpm.begin() + static_cast<std::ptrdiff_t>(bpm.size() / 2);
-    std::nth_element(bpm.begin(), middle, bpm.end());
-    return *middle;
+    return bpm.empty() ? 0.0 : upper_median(std::move(bpm));
 }
 
 // The dance is the last decision, which rests on the most music.

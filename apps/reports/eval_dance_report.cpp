@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/reports/text_table.hpp"
+#include "base/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -95,7 +96,7 @@ double median_of(const std::vector<motion::Amplitude>& amplitudes,
     for (const motion::Amplitude& amplitude : amplitudes) {
         values.push_back(amplitude.*member);
     }
-    return motion::percentile(std::move(values), 0.5);
+    return percentile(std::move(values), 0.5);
 }
 
 // Distances between repeats of one figure. Of people between all pairs; of trials within each trial
@@ -334,9 +335,9 @@ std::vector<FigureSummary> figure_summaries(std::span<const MeasuredDance> dance
         summary.peak_ball_speed = median_of(figure.amplitudes, &motion::Amplitude::peak_ball_speed);
         const std::vector<double> distances = distances_of(figure, dances);
         if (!distances.empty()) {
-            summary.distance_median = motion::percentile(distances, 0.5);
-            summary.distance_p10 = motion::percentile(distances, 0.1);
-            summary.distance_p90 = motion::percentile(distances, 0.9);
+            summary.distance_median = percentile(distances, 0.5);
+            summary.distance_p10 = percentile(distances, 0.1);
+            summary.distance_p90 = percentile(distances, 0.9);
         }
     }
     return summaries;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/statistics.hpp"
+
 namespace raks::audio {
 namespace {
 
@@ -302,16 +304,6 @@ std::optional<double> median_error(BeatTimes reference, BeatTimes estimate) {
         error = std::abs(error);
     }
     return median(errors);
-}
-
-std::optional<double> median(std::span<const double> values) {
-    if (values.empty()) {
-        return std::nullopt;
-    }
-    std::vector<double> sorted(values.begin(), values.end());
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t middle = sorted.size() / 2;
-    return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
 }
 
 }  // namespace raks::audio

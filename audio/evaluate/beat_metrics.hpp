@@ -80,7 +80,4 @@ struct TempoAccuracy {
 /// Median of |estimate - reference| over the hits within 70 ms; seconds. Empty: no hits.
 [[nodiscard]] std::optional<double> median_error(BeatTimes reference, BeatTimes estimate);
 
-/// Middle value; the mean of the two middle ones of an even count. Empty for no values.
-[[nodiscard]] std::optional<double> median(std::span<const double> values);
-
 }  // namespace raks::audio

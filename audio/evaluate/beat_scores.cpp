@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "audio/evaluate/beat_metrics.hpp"
+#include "base/statistics.hpp"
 
 namespace raks::audio {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/statistics.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/trials/danced_figures.hpp"
 #include "motion/evaluate/couple_measures.hpp"
@@ -141,8 +142,8 @@ CoupleResult couple_of(const motion::Skeleton& skeleton,
         counted += 1.0;
     }
     result.overlapping /= std::max(counted, 1.0);
-    result.hands_p90 = motion::percentile(std::move(hands), 0.9);
-    result.facing_p90 = motion::percentile(std::move(facing), 0.9);
+    result.hands_p90 = percentile(std::move(hands), 0.9);
+    result.facing_p90 = percentile(std::move(facing), 0.9);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/statistics.hpp"
 #include "base/time.hpp"
 
 namespace raks::engine {
@@ -79,14 +80,11 @@ std::optional<double> count_offset(std::span<const DancerStatus> hops,
     if (offsets.empty()) {
         return std::nullopt;
     }
-    // The median: a beat at which the phase was just being corrected does not matter.
-    std::nth_element(offsets.begin(),
-                     offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2),
-                     offsets.end());
     // At octave 0.5 half of the music's beats are counts, and either half may be: the grid is half
     // a beat then.
     const double grid = std::min(octave, 1.0);
-    return grid * std::round(offsets[offsets.size() / 2] / grid);
+    // The median: a beat at which the phase was just being corrected does not matter.
+    return grid * std::round(upper_median(std::move(offsets)) / grid);
 }
 
 // Times of all counts, interpolated between the music's beats: counts may lie between beats at

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "audio/io/jack_loop.hpp"
+#include "base/statistics.hpp"
 
 namespace raks::engine {
 namespace {
@@ -54,10 +55,9 @@ HostTime LoopRecording::heard_at(std::int64_t frame) const {
         origins.push_back(block->entered.time_since_epoch() -
                           rate_.time_of(block->first_frame).time_since_epoch());
     }
-    const auto middle = origins.begin() + static_cast<std::ptrdiff_t>(origins.size() / 2);
-    std::nth_element(origins.begin(), middle, origins.end());
     // Subtracted: the input's latency is between the loop and the callback.
-    return HostTime(*middle + rate_.time_of(frame).time_since_epoch() - input_latency_);
+    return HostTime(upper_median(std::move(origins)) + rate_.time_of(frame).time_since_epoch() -
+                    input_latency_);
 }
 
 // Keeps the first channel and the time of every block, in memory that was allocated before: the

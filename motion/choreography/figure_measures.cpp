@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/statistics.hpp"
 #include "motion/choreography/figure_evaluation.hpp"
 #include "motion/evaluate/body_track.hpp"
 #include "motion/evaluate/dance_metrics.hpp"

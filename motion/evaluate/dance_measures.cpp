@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/statistics.hpp"
 #include "motion/evaluate/published_metrics.hpp"
 
 namespace raks::motion {

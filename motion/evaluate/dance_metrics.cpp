@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/statistics.hpp"
 #include "motion/evaluate/body_track.hpp"
 
 #include <glm/geometric.hpp>
@@ -66,18 +67,6 @@ void add_slips(const Places& toe, const std::vector<bool>& touches, ContactRepor
 }
 
 }  // namespace
-
-double percentile(std::vector<double> values, double share) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    std::sort(values.begin(), values.end());
-    // numpy's "linear" interpolation between order statistics.
-    const double at = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (at - std::floor(at)) * (values[above] - values[below]);
-}
 
 JerkReport jerk_of(const BodyTrack& track, const MetricFrames& frames) {
     if (track.frames() < 4) {

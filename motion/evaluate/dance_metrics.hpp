@@ -68,10 +68,6 @@ struct ContactReport {
 /// Computes the statistics of `slips` and `toe_speeds`, for contacts joined from several dances.
 void summarize(ContactReport& report);
 
-/// Percentile: the value below which `share` of the values lie, interpolated linearly as numpy
-/// does; 0 when empty.
-[[nodiscard]] double percentile(std::vector<double> values, double share);
-
 // Played at pace: what the jerk of a dance would measure at another tempo. Divided by pace^3 it
 // would stay the same but for the filter, which cuts at a fixed frequency and so takes more off a
 // faster dance.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/statistics.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 
 #include <glm/geometric.hpp>

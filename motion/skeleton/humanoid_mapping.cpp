@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/statistics.hpp"
+
 namespace raks::motion {
 namespace {
 
@@ -162,13 +164,6 @@ Expected<void> check_rest_pose(const HumanoidMapping& mapping,
     return {};
 }
 
-// The order statistic below, without interpolation; values must not be empty.
-double percentile(std::vector<double> values, double share) {
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
-}
-
 // One frame on the humanoid; bones that the clip lacks stay at rest.
 Pose pose_of(const MotionClip& clip,
              const HumanoidMapping& mapping,
@@ -277,7 +272,7 @@ Expected<RetargetedClip> retarget(const MotionClip& clip,
         }
     }
     constexpr double kFloorShare = 0.05;  // a foot is on the floor for far more than 5 % of a dance
-    result.floor_height = options.floor_height.value_or(percentile(toe_heights, kFloorShare));
+    result.floor_height = options.floor_height.value_or(lower_percentile(toe_heights, kFloorShare));
     const glm::dvec3 floor(0.0, result.floor_height, 0.0);
     for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {
         for (SourceFoot& foot : result.source_feet[frame]) {

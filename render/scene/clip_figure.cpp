@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <string>
 
+#include "base/statistics.hpp"
 #include "motion/skeleton/text_lines.hpp"
 #include "render/scene/stick_figure.hpp"
 
@@ -112,11 +113,11 @@ void ClipFigures::find_origin() {
         lowest.push_back(least);
     }
     // A low percentile, not the minimum: single frames with a foot below the floor would lift all.
-    const auto at = static_cast<std::ptrdiff_t>(kFloorShare * static_cast<double>(lowest.size()));
-    std::nth_element(lowest.begin(), lowest.begin() + at, lowest.end());
-    origin_ = metres_per_unit_ * glm::dvec3(0.5 * (low.x + high.x),
-                                            lowest[static_cast<std::size_t>(at)],
-                                            0.5 * (low.z + high.z));
+    const auto floor_rank =
+        static_cast<std::size_t>(kFloorShare * static_cast<double>(lowest.size()));
+    origin_ =
+        metres_per_unit_ *
+        glm::dvec3(0.5 * (low.x + high.x), nth_value(lowest, floor_rank), 0.5 * (low.z + high.z));
     // Sticks have a thickness: the foot's stands on the floor, not in it.
     origin_.y -= static_cast<double>(kStickTaper * kStickBoneRadius * size_);
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "base/statistics.hpp"
 #include "motion/figures/clip_conditioning.hpp"
 #include "motion/figures/foot_events.hpp"
 #include "training/figures/repeat_features.hpp"
@@ -79,9 +81,7 @@ double peak_toe_speed(std::span<const TrainingClip> clips,
         }
         peaks.push_back(peak);
     }
-    const auto middle = peaks.begin() + static_cast<std::ptrdiff_t>(peaks.size() / 2);
-    std::nth_element(peaks.begin(), middle, peaks.end());
-    return *middle;
+    return upper_median(std::move(peaks));
 }
 
 // Median and sample standard deviation of the landings at one count.
@@ -92,9 +92,7 @@ LandingOffset summary_of(std::vector<double> offsets) {
         return result;
     }
     std::sort(offsets.begin(), offsets.end());
-    const std::size_t half = offsets.size() / 2;
-    const bool is_odd = offsets.size() % 2 == 1;
-    result.median = Beats(is_odd ? offsets[half] : 0.5 * (offsets[half - 1] + offsets[half]));
+    result.median = Beats(*median(offsets));
     double mean = 0.0;
     for (const double offset : offsets) {
         mean += offset / static_cast<double>(offsets.size());

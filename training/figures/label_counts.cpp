@@ -6,6 +6,9 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
+
+#include "base/statistics.hpp"
 
 namespace raks::motion {
 namespace {
@@ -75,9 +78,7 @@ double median_interval(std::span<const MusicBeat> beats) {
     for (std::size_t i = 1; i < beats.size(); ++i) {
         intervals.push_back(beats[i].seconds - beats[i - 1].seconds);
     }
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::nth_element(intervals.begin(), middle, intervals.end());
-    return *middle;
+    return upper_median(std::move(intervals));
 }
 
 /// The beats from one inter-beat interval before the label to one after it; missed beats are

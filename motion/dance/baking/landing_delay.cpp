@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "base/statistics.hpp"
 #include "motion/figures/foot_events.hpp"
 
 namespace raks::motion {
@@ -117,10 +119,9 @@ Nanos landing_delay(const FigureModel& model,
     if (late.empty()) {
         return Nanos(0);
     }
-    // Upper median: one stray match does not move it.
-    const auto middle = late.begin() + std::ssize(late) / 2;
-    std::nth_element(late.begin(), middle, late.end());
-    return nanos_from_seconds(*middle * model.learnt_tempo.seconds_per_beat());
+    // The median: one stray match does not move it.
+    return nanos_from_seconds(upper_median(std::move(late)) *
+                              model.learnt_tempo.seconds_per_beat());
 }
 
 void aim_landings(const FigureModel& model,

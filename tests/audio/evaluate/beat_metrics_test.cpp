@@ -211,12 +211,5 @@ TEST(MedianBias, is_positive_when_late_and_counts_hits_only) {
     EXPECT_NEAR(median_error(reference, both_sides).value(), 0.02, 1e-12);
 }
 
-TEST(Median, is_the_middle_or_the_mean_of_the_two) {
-    EXPECT_EQ(median(Times{}), std::nullopt);
-    EXPECT_EQ(median(Times{3.0}), 3.0);
-    EXPECT_EQ(median(Times{3.0, 1.0, 2.0}), 2.0);
-    EXPECT_EQ(median(Times{4.0, 1.0, 2.0, 3.0}), 2.5);
-}
-
 }  // namespace
 }  // namespace raks::audio

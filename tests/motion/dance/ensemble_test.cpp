@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/statistics.hpp"
 #include "motion/evaluate/couple_measures.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "tests/motion/dance/stage.hpp"

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "base/statistics.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/figures/motion_features.hpp"
 #include "tests/motion/dance/stage.hpp"

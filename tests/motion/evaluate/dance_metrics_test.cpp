@@ -21,13 +21,6 @@ BodyTrack standing(std::size_t frames) {
 
 double seconds(std::size_t frame) { return static_cast<double>(frame) / kRate; }
 
-TEST(Percentile, interpolates_between_neighbours) {
-    EXPECT_EQ(percentile({}, 0.5), 0.0);
-    EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.0), 1.0);
-    EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
-    EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
-}
-
 TEST(Jerk, of_a_sine_is_its_third_derivative_and_of_a_steady_way_nothing) {
     // Slow enough that filter and differences cost less than 1 %: 1 Hz at 60 frames a second.
     constexpr double kRadius = 0.1;
