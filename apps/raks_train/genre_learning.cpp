@@ -14,6 +14,7 @@
 #include "apps/raks_train/genre_features.hpp"
 #include "apps/reports/genre_page.hpp"
 #include "apps/terminal/say.hpp"
+#include "audio/evaluate/genre_scores.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
@@ -380,10 +381,9 @@ void keep_known(const GenreBase& base,
                 audio::GenreModel& model) {
     // Genres are matched by name: the new model may number them otherwise.
     for (std::size_t i = 0; i < model.genres.size(); ++i) {
-        const auto& known = base.model->genres;
-        const auto found = std::find(known.begin(), known.end(), model.genres[i]);
-        if (found != known.end() && !renewed.contains(model.genres[i])) {
-            model.mfcc[i] = base.model->mfcc[static_cast<std::size_t>(found - known.begin())];
+        const std::size_t known = audio::class_of(model.genres[i], base.model->genres);
+        if (known < base.model->genres.size() && !renewed.contains(model.genres[i])) {
+            model.mfcc[i] = base.model->mfcc[known];
         }
     }
 }

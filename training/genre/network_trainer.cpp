@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "audio/evaluate/genre_scores.hpp"
 #include "base/dice.hpp"
 #include "training/networks/mel_augmentation.hpp"
 #include "training/networks/network_descent.hpp"
@@ -340,8 +341,7 @@ models::RecurrentNetwork widened(const models::RecurrentNetwork& network,
     // which is that of none.
     std::vector<std::size_t> sources;
     for (const std::string& genre : genres) {
-        const auto found = std::find(known.begin(), known.end(), genre);
-        sources.push_back(static_cast<std::size_t>(found - known.begin()));
+        sources.push_back(class_of(genre, known));
     }
     sources.push_back(none);
     // So many outputs share the probability of none: each bias falls by ln of that number.
