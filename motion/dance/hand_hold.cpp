@@ -6,7 +6,6 @@
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/curves.hpp"
 #include "motion/dance/body/limb_ik.hpp"
-#include "motion/dance/body/soft_max.hpp"
 
 #include <glm/geometric.hpp>
 
