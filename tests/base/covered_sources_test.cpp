@@ -3,18 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
+
+#include "tests/base/source_tree.hpp"
 
 namespace raks {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kRoot = RAKS_SOURCE_DIR;
+using test::kSourceTree;
+using test::source_text;
 
 /// Source -> suite and test by which it is covered.
 const std::map<std::string, std::string> kCovered = {
@@ -52,22 +52,20 @@ const std::map<std::string, std::string> kCovered = {
 TEST(CoveredSources, of_training_and_dance_have_a_test) {
     std::set<std::string> files;
     std::string tests;
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests")) {
+    for (const auto& entry : fs::recursive_directory_iterator(kSourceTree / "tests")) {
         if (entry.path().extension() == ".cpp") {
             files.insert(entry.path().filename().string());
-            std::ostringstream text;
-            text << std::ifstream(entry.path()).rdbuf();
-            tests += text.str();
+            tests += source_text(entry.path());
         }
     }
     std::size_t sources = 0;
     for (const char* const folder : {"training", "motion/dance"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+        for (const auto& entry : fs::recursive_directory_iterator(kSourceTree / folder)) {
             if (entry.path().extension() != ".cpp") {
                 continue;
             }
             ++sources;
-            const std::string name = fs::relative(entry.path(), kRoot).string();
+            const std::string name = fs::relative(entry.path(), kSourceTree).string();
             const bool has_own = files.contains(entry.path().stem().string() + "_test.cpp");
             const auto covered = kCovered.find(name);
             EXPECT_NE(has_own, covered != kCovered.end()) << name << ": one of both";

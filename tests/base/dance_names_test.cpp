@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/base/source_tree.hpp"
 #include "tests/support/dances.hpp"
 
 namespace raks {
@@ -54,12 +55,11 @@ bool has_word(const std::string& text, const std::string& word) {
 
 TEST(DanceNames, are_in_no_source_file) {
     const auto dances = test::shipped_dances();
-    const fs::path root = RAKS_SOURCE_DIR;
     int files = 0;
     for (const char* const room :
          {"base", "models", "audio", "motion", "render", "training", "engine", "apps"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
-            const std::string file = fs::relative(entry.path(), root).generic_string();
+        for (const auto& entry : fs::recursive_directory_iterator(test::kSourceTree / room)) {
+            const std::string file = fs::relative(entry.path(), test::kSourceTree).generic_string();
             const std::string extension = entry.path().extension().string();
             if ((extension != ".cpp" && extension != ".hpp") || kBodyParts.contains(file)) {
                 continue;

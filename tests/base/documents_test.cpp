@@ -2,22 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/base/source_tree.hpp"
 
 namespace raks {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kRoot = RAKS_SOURCE_DIR;
+using test::kSourceTree;
+using test::source_text;
 
 std::vector<fs::path> documents() {
-    std::vector<fs::path> found = {kRoot / "README.md", kRoot / "NOTICE.md"};
-    for (const fs::path& folder : {kRoot / "docs", kRoot / "models"}) {
+    std::vector<fs::path> found = {kSourceTree / "README.md", kSourceTree / "NOTICE.md"};
+    for (const fs::path& folder : {kSourceTree / "docs", kSourceTree / "models"}) {
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             if (entry.path().extension() == ".md") {
                 found.push_back(entry.path());
@@ -25,12 +25,6 @@ std::vector<fs::path> documents() {
         }
     }
     return found;
-}
-
-std::string text_of(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
 }
 
 std::vector<std::string> all_of(const std::string& text, const std::string& pattern) {
@@ -46,7 +40,7 @@ TEST(Documents, link_to_what_is_there) {
     std::size_t links = 0;
     for (const fs::path& document : documents()) {
         for (const std::string& link :
-             all_of(text_of(document), R"(\]\(([A-Za-z0-9_./-]+)(#[^)]*)?\))")) {
+             all_of(source_text(document), R"(\]\(([A-Za-z0-9_./-]+)(#[^)]*)?\))")) {
             ++links;
             EXPECT_TRUE(fs::exists(document.parent_path() / link)) << document << ": " << link;
         }
@@ -58,9 +52,9 @@ TEST(Documents, name_source_files_that_are_there) {
     std::size_t names = 0;
     for (const fs::path& document : documents()) {
         for (const std::string& name :
-             all_of(text_of(document), R"(`([a-z_]+/[A-Za-z0-9_./-]+\.(?:cpp|hpp|sh|md))`)")) {
+             all_of(source_text(document), R"(`([a-z_]+/[A-Za-z0-9_./-]+\.(?:cpp|hpp|sh|md))`)")) {
             ++names;
-            EXPECT_TRUE(fs::exists(kRoot / name)) << document << ": " << name;
+            EXPECT_TRUE(fs::exists(kSourceTree / name)) << document << ": " << name;
         }
     }
     EXPECT_GT(names, 20U);

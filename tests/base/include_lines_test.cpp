@@ -13,12 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "tests/base/source_tree.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
+using raks::test::kSourceTree;
 using Graph = std::map<std::string, std::set<std::string>>;
-
-const fs::path kRoot = RAKS_SOURCE_DIR;
 
 /// What a room may include besides itself. A file belongs to the room of the longest prefix; a room
 /// inside another one is a room of its own, which the outer one may include only if it says so.
@@ -185,12 +186,12 @@ std::map<std::string, std::vector<std::string>> include_lines() {
     const std::regex pattern("^\\s*#\\s*include\\s+\"([^\"]+)\"");
     std::map<std::string, std::vector<std::string>> lines;
     for (const char* room : kRooms) {
-        for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
+        for (const auto& entry : fs::recursive_directory_iterator(kSourceTree / room)) {
             const std::string extension = entry.path().extension().string();
             if (extension != ".hpp" && extension != ".cpp") {
                 continue;
             }
-            const std::string file = fs::relative(entry.path(), kRoot).generic_string();
+            const std::string file = fs::relative(entry.path(), kSourceTree).generic_string();
             lines[file];
             std::ifstream stream(entry.path());
             std::string line;
@@ -214,7 +215,7 @@ TEST(IncludeLines, every_file_belongs_to_a_room) {
 TEST(IncludeLines, go_only_where_the_design_allows) {
     for (const auto& [file, includes] : include_lines()) {
         for (const std::string& include : includes) {
-            ASSERT_TRUE(fs::exists(kRoot / include))
+            ASSERT_TRUE(fs::exists(kSourceTree / include))
                 << file << " includes \"" << include << "\": not a full path from the root";
             EXPECT_TRUE(is_allowed(file, include)) << file << " may not include " << include;
         }
