@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "models/hmm_json.hpp"
 #include "models/json_fields.hpp"
+#include "models/network_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -162,22 +163,12 @@ Json network_json(const models::RecurrentNetwork& network) {
 
 // Inputs and outputs follow from the model; units and layers are in the file.
 models::RecurrentNetwork read_recurrent(const Field& field, std::size_t outputs) {
-    models::RecurrentNetwork::Shape shape{.inputs = NetworkInput::kSize, .outputs = outputs};
-    shape.units = static_cast<std::size_t>(
-        field["units"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxUnits)));
-    shape.layers = static_cast<std::size_t>(
-        field["layers"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxLayers)));
-    models::RecurrentNetwork network(shape);
-    const std::vector<float> parameters = floats_of(field["parameters"]);
-    if (parameters.size() != network.parameters().size()) {
-        field["parameters"].complain(fmt::format("has {} numbers, {} units in {} layers have {}",
-                                                 parameters.size(),
-                                                 shape.units,
-                                                 shape.layers,
-                                                 network.parameters().size()));
-        return network;
-    }
-    std::copy(parameters.begin(), parameters.end(), network.parameters().begin());
+    const models::NetworkSize size = models::read_network_size(field);
+    models::RecurrentNetwork network({.inputs = NetworkInput::kSize,
+                                      .units = size.units,
+                                      .layers = size.layers,
+                                      .outputs = outputs});
+    models::read_network_parameters(field, network);
     return network;
 }
 

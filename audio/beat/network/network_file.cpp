@@ -1,14 +1,13 @@
 #include "audio/beat/network/network_file.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "audio/beat/network/bar_network.hpp"
 #include "base/file.hpp"
 #include "models/json_fields.hpp"
+#include "models/network_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,53 +19,8 @@ constexpr std::string_view kFormat = "raks-beat-network";     // field `format`
 constexpr int kVersion = 3;                                   // newest version; older ones are read
 constexpr std::size_t kLargestFile = std::size_t{16} << 20U;  // bytes
 constexpr int kLongestLookahead = 10;                         // hops
-constexpr double kLargestWeight = 1e6;                        // beyond it, sums become infinite
 
 using Field = models::JsonDocument::Field;
-
-// Reads "parameters" of an object into a network; reports a wrong number or size.
-void read_parameters(const Field& object, models::RecurrentNetwork& network) {
-    const Field field = object["parameters"];
-    const std::vector<double> values = field.numbers();
-    const std::span<float> parameters = network.parameters();
-    if (values.size() != parameters.size()) {
-        field.complain(fmt::format("has {} numbers, {} units in {} layers need {}",
-                                   values.size(),
-                                   network.units(),
-                                   network.layers().size(),
-                                   parameters.size()));
-        return;
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        // Larger weights would make infinities of sums; a NaN fails the comparison.
-        if (!(std::abs(values[i]) < kLargestWeight)) {
-            field[i].complain("is not below 1e6");
-            return;
-        }
-        parameters[i] = static_cast<float>(values[i]);
-    }
-}
-
-// Whether all weights are finite and not huge.
-bool is_sound(std::span<const float> weights) {
-    return std::all_of(weights.begin(), weights.end(), [](float weight) {
-        return std::abs(static_cast<double>(weight)) < kLargestWeight;
-    });
-}
-
-// Size of a network as a file gives it.
-struct Size {
-    std::size_t units = 1;
-    std::size_t layers = 1;
-};
-// Both are bounded, so a wrong file cannot ask for a huge network.
-Size read_size(const Field& object) {
-    const int units =
-        object["units"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxUnits));
-    const int layers =
-        object["layers"].whole(1, static_cast<int>(models::RecurrentNetwork::kMaxLayers));
-    return {static_cast<std::size_t>(units), static_cast<std::size_t>(layers)};
-}
 
 // The ensemble's further networks; all have the look-ahead of the first.
 std::vector<std::shared_ptr<const BeatNetwork>> read_others(const Field& list, int lookahead) {
@@ -77,9 +31,9 @@ std::vector<std::shared_ptr<const BeatNetwork>> read_others(const Field& list, i
         return others;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const Size size = read_size(list[i]);
+        const models::NetworkSize size = models::read_network_size(list[i]);
         auto other = std::make_shared<BeatNetwork>(size.units, size.layers, lookahead);
-        read_parameters(list[i], *other);
+        models::read_network_parameters(list[i], *other);
         others.push_back(std::move(other));
     }
     return others;
@@ -118,17 +72,17 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
         return fail(path.string() + ": " + document.error().message);
     }
     const Field root = document->root();
-    const Size size = read_size(root);
+    const models::NetworkSize size = models::read_network_size(root);
     auto network = std::make_shared<BeatNetwork>(
         size.units, size.layers, root["lookahead"].whole(0, kLongestLookahead));
-    read_parameters(root, *network);
+    models::read_network_parameters(root, *network);
     if (root.has("others")) {
         network->set_others(read_others(root["others"], network->lookahead()));
     }
     if (root.has("bars")) {
-        const Size bars_size = read_size(root["bars"]);
+        const models::NetworkSize bars_size = models::read_network_size(root["bars"]);
         auto bars = std::make_shared<BarNetwork>(bars_size.units, bars_size.layers);
-        read_parameters(root["bars"], *bars);
+        models::read_network_parameters(root["bars"], *bars);
         network->set_bars(std::move(bars));
     }
     // The document keeps its first fault; reading went on with default values.
@@ -143,11 +97,11 @@ Expected<void> save_network(const BeatNetwork& network,
                             const std::filesystem::path& path) {
     // Training that diverged must not replace a good file.
     const auto& others = network.others();
-    if (!is_sound(network.parameters()) ||
+    if (!models::is_sound(network) ||
         std::any_of(others.begin(),
                     others.end(),
-                    [](const auto& other) { return !is_sound(other->parameters()); }) ||
-        (network.bars() && !is_sound(network.bars()->parameters()))) {
+                    [](const auto& other) { return !models::is_sound(*other); }) ||
+        (network.bars() && !models::is_sound(*network.bars()))) {
         return fail(path.string() + ": not written: training went astray; learn with a lower rate");
     }
     const std::string lookahead = fmt::format("\"lookahead\": {},\n", network.lookahead());

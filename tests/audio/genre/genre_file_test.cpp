@@ -124,7 +124,7 @@ TEST(GenreFile, version_2_reads_with_the_same_weights_for_all_classes) {
 TEST(GenreFile, a_network_of_another_size_is_refused) {
     const std::string good = genre_text(test::small_genre_model());
     EXPECT_EQ(error_of(replaced(good, "\"layers\": 1", "\"layers\": 2")),
-              "networks[0].parameters has 727 numbers, 4 units in 2 layers have 839");
+              "networks[0].parameters has 727 numbers, 4 units in 2 layers need 839");
 }
 
 TEST(GenreFile, another_feature_size_is_refused) {
