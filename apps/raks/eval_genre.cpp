@@ -227,7 +227,7 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
     const std::size_t damages = arguments.with_damage ? std::size(audio::kDamageNames) : 1;
     for (std::size_t damage = 0; damage < damages; ++damage) {
         // Each file has its place, whichever thread takes it.
-        std::vector<Expected<AnalyzedFile>> analyzed(files->size(), fail("not heard"));
+        std::vector<Expected<AnalyzedFile>> analyzed(files->size(), fail("not analysed"));
         run_parallel(files->size(), arguments.threads, [&](std::size_t i) {
             analyzed[i] = analyze_file((*files)[i], static_cast<audio::Damage>(damage), models);
         });

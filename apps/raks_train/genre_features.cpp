@@ -163,12 +163,12 @@ void print_cost(const Cost& cost, const GenreOptions& options) {
         return;  // all of it was in the cache
     }
     std::fprintf(stderr,
-                 "raks: %.1f min of recordings heard in %.1f s of computing",
+                 "raks: %.1f min of recordings analysed in %.1f s of computing",
                  cost.music / 60.0,
                  cost.extracting);
     if (options.augmentation.copies > 0) {
         std::fprintf(stderr,
-                     "; %d altered copies made in %.1f s, heard in %.1f s",
+                     "; %d altered copies made in %.1f s, analysed in %.1f s",
                      options.augmentation.copies,
                      cost.altering,
                      cost.extracting_copies);
@@ -235,7 +235,7 @@ std::vector<audio::FeatureUnit> extract_recordings(const std::vector<audio::Musi
         const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
         if (finished % kReportEvery == 0) {
             std::fprintf(stderr,
-                         "raks: %zu of %zu recordings heard, %.0f s left\n",
+                         "raks: %zu of %zu recordings analysed, %.0f s left\n",
                          finished,
                          own.size(),
                          seconds_since(start) * static_cast<double>(own.size() - finished) /

@@ -370,7 +370,7 @@ Expected<void> check_features(const GenreBase& base,
     // Features of two kinds in one training would separate the genres by their kind.
     if (base.samples.feature_key != text_of(feature_plan, base.model->features)) {
         return fail(audio::samples_path(model).string() +
-                    ": was heard with other features or another beat network than this program "
+                    ": was made with other features or another beat network than this program "
                     "has; train the model again");
     }
     return {};

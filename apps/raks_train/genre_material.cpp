@@ -46,7 +46,7 @@ Expected<std::vector<audio::FeatureUnit>> extract_chunks(const GenreOptions& opt
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
         std::fprintf(
             stderr,
-            "raks: %s: %zu of %zu chunks played and heard (%.0f s of computing), %.0f s "
+            "raks: %s: %zu of %zu chunks played and analysed (%.0f s of computing), %.0f s "
             "left\n",
             chunks[i].name.c_str(),
             done,

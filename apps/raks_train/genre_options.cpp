@@ -1,6 +1,9 @@
 #include "apps/raks_train/genre_options.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "apps/terminal/option_checks.hpp"
 #include "audio/genre/genre_scorer.hpp"
@@ -50,15 +53,27 @@ void add_options(CLI::App& app, WrittenTestOptions& test) {
         ->check(in_range(0, 10'000));
 }
 
+// `name`: one of kSoundEffectNames.
+audio::SoundEffect sound_effect_of(const std::string& name) {
+    const auto* const known =
+        std::find(std::begin(audio::kSoundEffectNames), std::end(audio::kSoundEffectNames), name);
+    return static_cast<audio::SoundEffect>(known - std::begin(audio::kSoundEffectNames));
+}
+
 void add_options(CLI::App& app, AugmentationOptions& augmentation) {
     app.add_option("--altered",
                    augmentation.copies,
                    "damaged copies of each recording to learn from; 0: none")
         ->check(in_range(0, 50));
-    app.add_option("--without",
-                   augmentation.left_out_effects,
-                   "what is not to happen to music: " +
-                       fmt::format("{}", fmt::join(audio::kSoundEffectNames, ", ")))
+    app.add_option_function<std::vector<std::string>>(
+           "--without",
+           [&effects = augmentation.effects](const std::vector<std::string>& names) {
+               for (const std::string& name : names) {
+                   effects.leave_out(sound_effect_of(name));
+               }
+           },
+           fmt::format("what is not to happen to music: {}",
+                       fmt::join(audio::kSoundEffectNames, ", ")))
         ->check(one_of({std::begin(audio::kSoundEffectNames), std::end(audio::kSoundEffectNames)}));
 }
 

@@ -48,9 +48,8 @@ struct WrittenTestOptions {
 
 /// Damaged copies of the recordings, which are learnt from as well.
 struct AugmentationOptions {
-    int copies = 2;                             ///< of each recording
-    std::vector<std::string> left_out_effects;  ///< names of SoundEffect
-    audio::SoundEffects effects;                ///< that may happen: all but those left out
+    int copies = 2;               ///< of each recording
+    audio::SoundEffects effects;  ///< that may happen: all but those left out
 };
 
 /// Cross-validation over groups (artists), from which the fusion is fitted.

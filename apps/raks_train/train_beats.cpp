@@ -54,7 +54,7 @@ std::function<void()> add_options(CLI::App& app, Options& options) {
     auto* average = app.add_option(
         "--average", options.averaged, "no training: the mean of these networks' weights");
     auto* together = app.add_option(
-        "--together", options.ensembled, "no training: these networks, to be heard together");
+        "--together", options.ensembled, "no training: averages the outputs of these networks");
     app.add_option("--trust", options.trust, "in what they say; below 1: less sure")
         ->check(in_range(0.1, 10.0))
         ->needs(together);

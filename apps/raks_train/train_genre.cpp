@@ -66,14 +66,8 @@ std::vector<const audio::PieceFeatures*> free_pieces(const RecordingOptions& rec
     return free;
 }
 
-/// Which effects may happen; says it once where FFmpeg cannot encode.
-void choose_effects(AugmentationOptions& augmentation) {
-    for (const std::string& name : augmentation.left_out_effects) {
-        const auto* const known = std::find(
-            std::begin(audio::kSoundEffectNames), std::end(audio::kSoundEffectNames), name);
-        augmentation.effects.leave_out(
-            static_cast<audio::SoundEffect>(known - std::begin(audio::kSoundEffectNames)));
-    }
+/// Leaves lossy codecs out, and says so, where FFmpeg cannot encode.
+void leave_out_missing_codecs(AugmentationOptions& augmentation) {
     for (const auto codec : {audio::LossyCodec::mp3, audio::LossyCodec::opus}) {
         std::vector<float> silence(4'410);
         const auto passed = audio::pass_lossy_codec(codec, 44'100, 64'000, silence);
@@ -117,7 +111,7 @@ Expected<void> check_options(GenreOptions& options) {
                         ": no folder can be made here: " + error.message());
         }
     }
-    choose_effects(options.augmentation);
+    leave_out_missing_codecs(options.augmentation);
     if (!options.augmentation.effects.has(audio::SoundEffect::room)) {
         options.plan.network.room_chance = 0.0;
     }

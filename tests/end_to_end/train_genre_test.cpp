@@ -110,10 +110,10 @@ TEST_F(TrainGenre, a_stopped_run_goes_on_from_its_cache) {
     };
     const ProcessResult first = run_once("first.json");
     ASSERT_EQ(first.exit_code, 0) << first.err;
-    EXPECT_NE(first.err.find("min of recordings heard"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find("min of recordings analysed"), std::string::npos) << first.err;
     const ProcessResult second = run_once("second.json");
     ASSERT_EQ(second.exit_code, 0) << second.err;
-    EXPECT_EQ(second.err.find("min of recordings heard"), std::string::npos) << second.err;
+    EXPECT_EQ(second.err.find("min of recordings analysed"), std::string::npos) << second.err;
     EXPECT_EQ(model("second.json"), model("first.json"));
 }
 
@@ -213,7 +213,7 @@ TEST_F(TrainGenre, a_genre_is_added_without_the_music_of_the_others) {
     write("three.samples", *bytes);
     expect_failure(train({path("more"), "--add-to", path("three.json"), "-o", path("x.json")}),
                    path("three.samples") +
-                       ": was heard with other features or another beat network than this program "
+                       ": was made with other features or another beat network than this program "
                        "has; train the model again");
 }
 
