@@ -126,13 +126,13 @@ TEST(DanceList, names_are_parts_of_files_names_on_any_system) {
 
 TEST(DanceList, finds_dances_by_name_and_number) {
     const auto dances = test::shipped_dances();
-    ASSERT_EQ(dances->size(), 6U);
+    ASSERT_GE(dances->size(), 6U);
     EXPECT_EQ(dances->id_of("waltz"), shipped::waltz);
     EXPECT_EQ(dances->name_of(shipped::hiphop), "hiphop");
     EXPECT_EQ(dances->title_of(shipped::hiphop), "Hip-hop");
-    EXPECT_EQ(dances->id_of("tango"), DanceId::none);
+    EXPECT_EQ(dances->id_of("no_such_dance"), DanceId::none);
     EXPECT_EQ(dances->name_of(DanceId::none), "unknown");
-    EXPECT_EQ(dances->find(static_cast<DanceId>(6)), nullptr);
+    EXPECT_EQ(dances->find(static_cast<DanceId>(dances->size())), nullptr);
     EXPECT_EQ(dances->find(shipped::waltz)->beats_per_bar, 3);
 }
 

@@ -21,7 +21,7 @@ TEST_F(Install, both_programs_and_what_they_read_are_put_in_place) {
     const ProcessResult dances = run_process(installed);
     ASSERT_EQ(dances.exit_code, 0) << dances.err;
     const auto document = nlohmann::json::parse(dances.out);
-    ASSERT_EQ(document["dances"].size(), 6U);
+    ASSERT_GE(document["dances"].size(), 6U);
     for (const auto& dance : document["dances"]) {
         EXPECT_EQ(dance["folder"], root + "/share/raks/models/trained");
         EXPECT_EQ(dance["fault"], "");

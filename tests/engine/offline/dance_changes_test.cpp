@@ -137,7 +137,7 @@ std::vector<std::size_t> all_pairs(std::size_t n) {
     return row;
 }
 
-TEST(DanceChanges, six_dances_are_shipped) { EXPECT_EQ(shipped_dances().size(), 6U); }
+TEST(DanceChanges, six_dances_or_more_are_shipped) { EXPECT_GE(shipped_dances().size(), 6U); }
 
 TEST(DanceChanges, each_dance_goes_over_to_each_other_within_three_bars) {
     constexpr HopIndex kHops = 1200;  // for each
