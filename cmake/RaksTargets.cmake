@@ -17,25 +17,39 @@ function(raks_library name)
     add_library(raks::${name} ALIAS ${target})
 endfunction()
 
-# raks_test_program(audio SOURCES ... LIBRARIES ... [LABELS ...])
+# raks_test_program(audio SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT seconds] [SERIAL] [LOCK name])
 # makes the test program raks_tests_audio (GoogleTest, with the real-time guard linked in) and
-# registers each of its tests with ctest. Labels: the room, plus those given.
+# registers each of its suites with ctest. Labels: the room, plus those given. SERIAL: nothing
+# runs beside its tests; LOCK: none of those with the same lock does.
 function(raks_test_program name)
-    cmake_parse_arguments(arg "SERIAL" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    cmake_parse_arguments(arg "SERIAL" "TIMEOUT;LOCK" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     set(target raks_tests_${name})
     add_executable(${target} ${arg_SOURCES})
     target_link_libraries(${target} PRIVATE raks_test_support ${arg_LIBRARIES} raks_warnings)
     target_compile_definitions(${target} PRIVATE RAKS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(NOT arg_TIMEOUT)
-        set(arg_TIMEOUT 120)
+        set(arg_TIMEOUT 400)
     endif()
-    set(properties TIMEOUT ${arg_TIMEOUT} LABELS "${name};${arg_LABELS}")
+    list(JOIN arg_LABELS ";" labels)
+    set(properties "TIMEOUT ${arg_TIMEOUT} LABELS [=[${name};${labels}]=]")
+    string(APPEND properties " WORKING_DIRECTORY [=[${CMAKE_CURRENT_BINARY_DIR}]=]")
     if(arg_SERIAL)
-        list(APPEND properties RUN_SERIAL TRUE)
+        string(APPEND properties " RUN_SERIAL TRUE")
     endif()
-    gtest_discover_tests(${target}
-        PROPERTIES ${properties}
-        DISCOVERY_TIMEOUT 60)
+    if(arg_LOCK)
+        string(APPEND properties " RESOURCE_LOCK ${arg_LOCK}")
+    endif()
+    set(suites "${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake")
+    add_custom_command(TARGET ${target} POST_BUILD
+        BYPRODUCTS "${suites}"
+        COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${target}>"
+                "-DSUITES_FILE=${suites}" "-DPROPERTIES=${properties}"
+                -P "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake"
+        VERBATIM)
+    # A program that was not built has no tests.
+    set(include "${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake")
+    file(WRITE "${include}" "include([=[${suites}]=] OPTIONAL)\n")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include}")
 endfunction()
 
 # A system library found by pkg-config, as imported target PkgConfig::NAME whose headers are

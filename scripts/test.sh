@@ -20,7 +20,7 @@ sanitized() {
     quietly cmake --build --preset "$preset" -j "$(nproc)" --target "${@/#/raks_tests_}"
     # Long computations without memory or threads of their own run in release alone.
     quietly ctest --preset "$preset" -j "$(nproc)" -L "^($names)\$" --no-tests=error \
-        -E "OfflineLanding|comes_out_of_the_clips|MusicScenes|WrittenFigures|DanceChanges|RealtimeChain|HeardMusic.counts"
+        -E "OfflineLanding|FigureFromClips|MusicScenes|WrittenFigures|DanceChanges|RealtimeChain"
     tail -n 3 build.log
 }
 
