@@ -57,6 +57,7 @@ struct MusicAnalyzer::State {
     LoudnessMeter loudness;
     OnsetDetector onsets;
     BeatTracker tracker;
+    TrackedHop tracked;  // the newest hop, as the tracker got it
     PaperTracker paper;
     BeatMethod beat_method = BeatMethod::pointer;
     NetworkInput network_input;
@@ -180,7 +181,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
 
 // The hop's evidence for the beat tracker; the network takes the same mel magnitudes as the onsets.
 void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept {
-    TrackedHop tracked;
+    tracked = TrackedHop();
     tracked.hop = state.hop;
     tracked.mel_magnitudes = onsets.mel_magnitudes();
     tracked.audio_end = state.audio_end;
@@ -370,6 +371,8 @@ const MfccVector& MusicAnalyzer::mfcc() const noexcept { return state_->mfcc; }
 std::span<const float> MusicAnalyzer::mel_magnitudes() const noexcept {
     return state_->onsets.mel_magnitudes();
 }
+
+const TrackedHop& MusicAnalyzer::tracked() const noexcept { return state_->tracked; }
 
 std::uint64_t MusicAnalyzer::bad_samples() const noexcept { return state_->bad_samples; }
 

@@ -20,6 +20,7 @@ enum class BeatMethod : std::uint8_t { pointer, paper };
 
 class BeatNetwork;  // audio/beat/network/beat_network.hpp
 struct GenreModel;  // audio/genre/genre_model.hpp
+struct TrackedHop;  // audio/beat/beat_tracker.hpp
 
 /// What MusicAnalyzer::prepare() needs to know.
 struct AnalyzerConfig {
@@ -100,6 +101,10 @@ class MusicAnalyzer {
 
     /// Mel magnitudes of the newest hop, not normalized (OnsetDetector). Threads: the owner.
     [[nodiscard]] std::span<const float> mel_magnitudes() const noexcept;
+
+    /// What the beat tracker was given of the newest hop; its mel magnitudes are those above. Empty
+    /// with the paper's method. Threads: the owner.
+    [[nodiscard]] const TrackedHop& tracked() const noexcept;
 
     /// Number of samples that were NaN or infinite since reset(). Threads: the owner.
     [[nodiscard]] std::uint64_t bad_samples() const noexcept;

@@ -24,6 +24,15 @@ struct BeatEvent {
     float confidence = 0.0F;  ///< [0, 1]
 };
 
+/// What is known beyond a hop where the whole song was analysed before it sounds.
+struct Foresight {
+    bool is_known = false;  ///< false: the rest means nothing, only the past is known
+    StreamTime begins{};    ///< the first downbeat that can be danced to
+    StreamTime ends{};      ///< the last beat that can
+    float energy =
+        0.5F;  ///< [0, 1]: loudness of the next two bars or so; 0.5: as in the whole song
+};
+
 /// What the analyzer knows at one hop (10 ms): the only data that passes from audio to motion.
 /// States come in order, one for every hop, without gaps.
 struct MusicState {
@@ -48,6 +57,8 @@ struct MusicState {
     float onset_strength = 0.0F;    ///< [0, inf), all bands; 0 in silence
     bool is_silent = true;          ///< no sound to analyse
     bool is_discontinuity = false;  ///< samples were lost before this hop; grid was re-anchored
+
+    Foresight ahead;  ///< of a song that is known before it sounds
 };
 static_assert(std::is_trivially_copyable_v<MusicState>);
 

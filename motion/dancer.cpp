@@ -22,6 +22,7 @@ namespace {
 constexpr float kStartConfidence = 0.35F;
 constexpr float kStopConfidence = 0.10F;    // lower, so that a dip does not end the dance
 constexpr int kHopsToStart = 60;            // of sure music before the first step (0.6 s)
+constexpr double kLeastDance = 2.0;         // bars that a known song must still have for a start
 constexpr int kHopsToStop = 150;            // of unsure music or silence before settling (1.5 s)
 constexpr double kDownbeatWindow = 0.5;     // beats: how late after a downbeat one may still start
 constexpr double kEarliestToSettle = 0.15;  // seconds sooner than a change of dance needs
@@ -47,6 +48,18 @@ FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
     FloorMove stage = part.is_in_couple ? content.couple : content.stage;
     stage.offset.x += part.aside;
     return stage;
+}
+
+/// Whether a song that is known has no more to dance to.
+bool is_over(const MusicState& music) noexcept {
+    return music.ahead.is_known && music.time >= music.ahead.ends;
+}
+
+/// Whether it is worth while to begin: a known song must have some bars left.
+bool may_begin(const MusicState& music) noexcept {
+    const double least =
+        kLeastDance * music.grid.beats_per_bar * music.grid.tempo.seconds_per_beat();
+    return !music.ahead.is_known || to_seconds(music.ahead.ends - music.time) >= least;
 }
 
 /// The metre of a dance; in a couple the mean period of both, so that both change octave at once.
@@ -258,7 +271,9 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     energy.advance(music);
     if (is_dancing) {
         go_on(music);
-    } else if (is_held || hops_sure < kHopsToStart || !standing.is_settled(music.time)) {
+        // What is known needs no second look.
+    } else if (is_held || hops_sure < (music.ahead.is_known ? 1 : kHopsToStart) ||
+               !standing.is_settled(music.time) || !may_begin(music)) {
         was_downbeat = false;
     } else {
         start_on_downbeat(music);
@@ -277,7 +292,7 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
     sequence.set_tempo(Bpm(pace * 60.0 * own_rate));
     sequence.advance(phase.phase(), energy.value(), wish);
     delay += nanos_from_seconds(kLeadShare * to_seconds(sequence.figure().landing_delay - delay));
-    if (is_held || hops_unsure > kHopsToStop || leaves(music)) {
+    if (is_held || hops_unsure > kHopsToStop || is_over(music) || leaves(music)) {
         settle(music.time);
     } else if (has_reanchored) {
         ++reanchors;

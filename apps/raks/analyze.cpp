@@ -45,13 +45,14 @@ class Collect final : public audio::MusicAnalyzer::Sink {
 
 // The streaming method; paper_whole runs the paper's streaming method beside, for tempo and genre.
 audio::BeatMethod streaming_method(FileBeatMethod method) {
-    return method == FileBeatMethod::pointer ? audio::BeatMethod::pointer
-                                             : audio::BeatMethod::paper;
+    const bool is_pointer = method == FileBeatMethod::pointer || method == FileBeatMethod::whole;
+    return is_pointer ? audio::BeatMethod::pointer : audio::BeatMethod::paper;
 }
 
 // Everything that gets the file's samples, and what is drawn in the end.
 struct Analyses {
     audio::MusicAnalyzer analyzer;
+    std::optional<audio::SongAnalyzer> song;          // --beat whole: instead of `analyzer`
     std::optional<audio::PaperFile> whole;            // --beat paper-whole
     std::optional<PlotData> plot;                     // --plot
     std::optional<std::vector<BeatEvent>> reference;  // --reference: beats to draw beside
@@ -93,6 +94,14 @@ Expected<void> prepare(const AnalyzeArguments& arguments,
             return prepared;
         }
     }
+    if (arguments.beat == FileBeatMethod::whole) {
+        auto song = engine::make_song_analyzer(rate, models);
+        if (!song) {
+            return fail(std::move(song.error()));
+        }
+        to.song.emplace(std::move(*song));
+        return {};
+    }
     auto analyzer = engine::make_analyzer(rate, models, streaming_method(arguments.beat));
     if (!analyzer) {
         return fail(std::move(analyzer.error()));
@@ -105,7 +114,11 @@ Expected<void> prepare(const AnalyzeArguments& arguments,
 void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& collect) {
     ProgressLine progress("analyzing");
     for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
-        analyses.analyzer.process(block.mono, collect);
+        if (analyses.song) {
+            analyses.song->process(block.mono);
+        } else {
+            analyses.analyzer.process(block.mono, collect);
+        }
         if (analyses.whole) {
             analyses.whole->add(block.mono);
         }
@@ -119,6 +132,12 @@ void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& co
     }
     // From here on states beyond the file's end are dropped.
     collect.end = StreamTime(source.given());
+    if (analyses.song) {
+        for (const MusicState& state : analyses.song->finish().states) {
+            collect.on_state(state);
+        }
+        return;
+    }
     engine::bring_last_hops_out(analyses.analyzer, source.rate(), collect.end, collect);
 }
 
@@ -127,6 +146,8 @@ const char* name_of(FileBeatMethod method) {
     switch (method) {
         case FileBeatMethod::pointer:
             return "bar pointer, streaming";
+        case FileBeatMethod::whole:
+            return "bar pointer, whole file";
         case FileBeatMethod::paper:
             return "the paper's method, streaming";
         case FileBeatMethod::paper_whole:

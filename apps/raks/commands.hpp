@@ -28,6 +28,7 @@ struct PlayArguments {
     bool is_headless = false;    ///< no window
     bool is_soundless = false;   ///< no loudspeaker; paced by the clock
     bool is_fullscreen = false;  ///< the window fills the screen
+    bool is_as_live = false;     ///< songs are analyzed as they come, as an input is
 };
 /// Plays files and dances to them. Errors: the only file cannot be played, no loudspeaker.
 [[nodiscard]] ExitCode play(const PlayArguments& arguments);
@@ -56,13 +57,14 @@ struct RenderArguments {
     Path input;                 ///< empty: the demo salsa
     Path output;                ///< .mp4, .avi, or a folder for .png
     Section section;            ///< of the input
+    bool is_as_live = false;    ///< it is analyzed as it comes, as an input is
 };
 /// Writes a film of the dance. Errors: those of input, OpenGL and the film.
 [[nodiscard]] ExitCode render(const RenderArguments& arguments);
 
 /// How a file's beats are tracked: the methods of audio::BeatMethod, and the paper's method with
 /// the whole file before it.
-enum class FileBeatMethod : std::uint8_t { pointer, paper, paper_whole };
+enum class FileBeatMethod : std::uint8_t { pointer, whole, paper, paper_whole };
 
 /// Arguments of `raks analyze`.
 struct AnalyzeArguments {
@@ -113,6 +115,7 @@ struct DanceArguments {
     Path input;                 ///< the music file
     Path output;                ///< x.bvh; of several dancers x_1.bvh, x_2.bvh, ...
     double fps = 60.0;          ///< [1, 240]
+    bool is_as_live = false;    ///< the music is analyzed as it comes, as an input is
 };
 /// Writes the dance to a file as motion. Errors: those of the files and of the dance.
 [[nodiscard]] ExitCode dance(const DanceArguments& arguments);

@@ -45,10 +45,9 @@ ExitCode dance(const DanceArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    auto driver =
-        engine::OfflineDriver::create(source->rate(), setup->models, setup->dancers.cast());
+    auto driver = open_driver({arguments.input, source->rate(), 0.0, arguments.is_as_live}, *setup);
     if (!driver) {
-        return fail(driver.error());
+        return fail(std::move(driver.error()));
     }
     // Poses are kept in memory: BVH needs their number before the first.
     engine::CollectPoses collect(arguments.fps);

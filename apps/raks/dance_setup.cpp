@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "apps/dances/written_dance.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "engine/offline/song_planner.hpp"
 
 namespace raks::apps {
 namespace {
@@ -88,6 +90,33 @@ Expected<StageSetup> open_formations(engine::Settings& settings) {
         return fail(std::move(formations.error()));
     }
     return StageSetup{std::move(*setup), std::move(*formations)};
+}
+
+Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const OfflineSetup& setup) {
+    const engine::Cast cast = setup.dancers.cast();
+    if (!music.is_as_live) {
+        ProgressLine progress("analyzing");
+        auto plan = engine::plan_song(
+            music.file,
+            setup.models,
+            [&](double share) { progress.show(share); },
+            [] { return stop_signal().has_value(); });
+        if (!plan) {
+            return fail(std::move(plan.error()));
+        }
+        if (*plan) {
+            // At a whole frame, as it is decoded from there on.
+            const StreamTime start =
+                music.rate.time_of(music.rate.index_at(stream_time_from_seconds(music.start)));
+            return engine::OfflineDriver::create(music.rate, std::move(*plan), start, cast);
+        }
+        say(music.file.string() + ": longer than an hour: danced to as it comes");
+    }
+    auto driver = engine::OfflineDriver::create(music.rate, setup.models, cast);
+    if (!driver) {
+        return fail(std::move(driver.error()).in(music.file.string()));
+    }
+    return driver;
 }
 
 }  // namespace raks::apps

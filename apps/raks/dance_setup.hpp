@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/expected.hpp"
+#include "engine/offline/offline_driver.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "engine/setup/dance_files.hpp"
@@ -33,6 +34,18 @@ struct OfflineSetup : DanceSetup {
 /// As open_dances(), and loads all dances that the settings ask for; says which were left out.
 /// Errors: also those of engine::Dancers::load.
 [[nodiscard]] Expected<OfflineSetup> open_dancers(engine::Settings& settings);
+
+/// What of a file is danced offline, and how.
+struct OfflineMusic {
+    std::filesystem::path file;
+    SampleRate rate{48'000};  ///< of the file
+    double start = 0.0;       ///< seconds into the file
+    bool is_as_live = false;  ///< it is analyzed as it comes, and not all of it first
+};
+/// A driver for this music. Analyzes all of the file first, with progress on a terminal, unless it
+/// is to be danced as it comes. Errors: those of engine::plan_song and OfflineDriver::create.
+[[nodiscard]] Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music,
+                                                          const OfflineSetup& setup);
 
 /// What a command that dances live begins with.
 struct StageSetup : DanceSetup {

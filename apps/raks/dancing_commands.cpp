@@ -34,6 +34,12 @@ void add_picture_options(CLI::App& app, engine::Settings& settings) {
                    "milliseconds added to the latency that the device reports");
 }
 
+void add_as_live_option(CLI::App& app, bool& is_as_live) {
+    app.add_flag("--as-live",
+                 is_as_live,
+                 "analyze the music as it comes, as live does, and not all of it first");
+}
+
 // --start and --duration, which play and render share.
 void add_section_options(CLI::App& app, Section& section) {
     app.add_option("--start", section.start, "seconds into the file")
@@ -55,6 +61,7 @@ void add_play(RaksCommands& table) {
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
     app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
+    add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     add_picture_options(*app, a->settings);
 }
@@ -78,6 +85,7 @@ void add_render(RaksCommands& table) {
         table.add(table.app(), "render", "write a video of the dance to a file", render);
     app->add_option("file", a->input, "music file; none: music of our own");
     app->add_option("-o,--out", a->output, "X.mp4, X.avi, or a folder for .png")->required();
+    add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     add_picture_options(*app, a->settings);
 }
@@ -88,6 +96,7 @@ void add_dance(RaksCommands& table) {
     app->add_option("-o,--out", a->output, "X.bvh; of several dancers X_1.bvh, X_2.bvh, ...")
         ->required();
     app->add_option("--fps", a->fps, "poses a second")->check(in_range(1.0, 240.0));
+    add_as_live_option(*app, a->is_as_live);
     add_formation_option(*app, a->settings);
     app->add_option("--dance",
                     a->settings.dance,

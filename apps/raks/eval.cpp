@@ -29,6 +29,8 @@ const char* name_of(FileBeatMethod method) {
     switch (method) {
         case FileBeatMethod::pointer:
             return "raks";
+        case FileBeatMethod::whole:
+            return "raks-whole";
         case FileBeatMethod::paper:
             return "raks-paper";
         case FileBeatMethod::paper_whole:

@@ -81,7 +81,25 @@ Expected<audio::BeatEstimate> analyze_streaming(engine::MusicSource& source,
     return audio::BeatEstimate{list_of(notes.beats, bars), std::move(notes.predicted)};
 }
 
-// Tracks with the method that gets the whole file first.
+// Tracks by the plan of the whole song.
+Expected<audio::BeatEstimate> analyze_song(engine::MusicSource& source,
+                                           std::shared_ptr<const audio::BeatNetwork> network) {
+    auto analyzer =
+        engine::make_song_analyzer(source.rate(), {std::move(network), nullptr, nullptr});
+    if (!analyzer) {
+        return fail(std::move(analyzer.error()));
+    }
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        analyzer->process(block.mono);
+    }
+    NoteBeats notes;
+    for (const MusicState& state : analyzer->finish().states) {
+        notes.on_state(state);
+    }
+    return audio::BeatEstimate{list_of(notes.beats, Bars::told), std::nullopt};
+}
+
+// Tracks with the paper's method that gets the whole file first.
 Expected<audio::BeatEstimate> analyze_whole(engine::MusicSource& source) {
     audio::PaperFile paper;
     if (auto prepared = paper.prepare(source.rate()); !prepared) {
@@ -104,6 +122,7 @@ Expected<ExcerptBeats> analyze_excerpt(const Path& audio,
     }
     auto estimate =
         method == FileBeatMethod::paper_whole ? analyze_whole(*source)
+        : method == FileBeatMethod::whole     ? analyze_song(*source, std::move(network))
         : method == FileBeatMethod::paper
             ? analyze_streaming(*source, audio::BeatMethod::paper, nullptr)
             : analyze_streaming(*source, audio::BeatMethod::pointer, std::move(network));

@@ -21,7 +21,7 @@ struct ExcerptBeats {
 };
 
 /// Tracks one file from start to end: beats as announced and as predicted, without look-ahead;
-/// paper-whole announces all beats at the end and predicts none. `network`: for the pointer method;
+/// the methods that have the whole file predict none. `network`: for the pointer method;
 /// null: none. Errors: as MusicSource::open.
 [[nodiscard]] Expected<ExcerptBeats> analyze_excerpt(
     const Path& audio, FileBeatMethod method, std::shared_ptr<const audio::BeatNetwork> network);

@@ -12,17 +12,18 @@ template <typename Methods>
 void add_beat_option(CLI::App& app, Methods& method) {
     const std::map<std::string, FileBeatMethod> names = {
         {"pointer", FileBeatMethod::pointer},
+        {"whole", FileBeatMethod::whole},
         {"paper", FileBeatMethod::paper},
         {"paper-whole", FileBeatMethod::paper_whole},
     };
     // allow_extra_args(false): the word after the method is the file, not another method.
     app.add_option("--beat",
                    method,
-                   "tracker: pointer, or the paper's method, streaming (paper) or with the whole "
-                   "file before it (paper-whole)")
+                   "tracker: pointer, or the paper's method, both streaming; whole and paper-whole "
+                   "have the whole file before them")
         ->transform(CLI::CheckedTransformer(names))
         ->allow_extra_args(false)
-        ->option_text("pointer|paper|paper-whole");
+        ->option_text("pointer|whole|paper|paper-whole");
 }
 
 // Each add_ function below adds one command with its options.
@@ -38,7 +39,11 @@ void add_analyze(RaksCommands& table) {
     app->add_option("file", a->input, "music file")->required();
     app->add_flag("--json", a->as_json, "one JSON document");
     add_beat_option(*app, a->beat);
-    auto* plot = app->add_option("--plot", a->plot, "X.svg: a picture of what was heard");
+    app->add_flag_callback(
+        "--whole",
+        [arguments = a] { arguments->beat = FileBeatMethod::whole; },
+        "with the whole file before it, as play and render dance to it");
+    auto* plot = app->add_option("--plot", a->plot, "X.svg: a picture of the analysis");
     app->add_option("--reference", a->reference, "beats to draw beside: seconds, bar position")
         ->needs(plot);
 }
@@ -90,7 +95,7 @@ void add_eval(RaksCommands& table) {
     app->add_flag("--json", a->as_json, "one JSON document");
     app->add_flag("--each", a->asks_for_each, "a row for each excerpt");
     app->add_option("--class", a->category, "only excerpts of this class");
-    app->add_option("--out", a->output, "folder for NAME.beats and NAME.pred as heard");
+    app->add_option("--out", a->output, "folder for NAME.beats and NAME.pred: beats as announced");
     app->add_option("--peers", a->peers, "folder of NAME.beats, or a folder per tracker")
         ->allow_extra_args(false);
     app->add_option("--network", a->network, "X.json for the pointer, or none: onsets alone");

@@ -13,11 +13,15 @@
 #include "audio/io/devices.hpp"
 #include "base/file.hpp"
 #include "engine/offline/music_source.hpp"
+#include "engine/offline/song_planner.hpp"
 
 namespace raks::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+// How long a song may be analyzed before it begins to sound.
+constexpr Nanos kPlanPatience = std::chrono::milliseconds(1500);
 
 // Extensions that are taken from a folder; a file that is named is tried whatever its extension.
 bool looks_like_music(const Path& path) {
@@ -108,7 +112,8 @@ class Player {
           output_(output),
           models_(models),
           formations_(formations),
-          loop_(loop) {}
+          loop_(loop),
+          planner_(models) {}
 
     // Errors: the only file cannot be played. With several files a line is printed, and the next
     // one plays.
@@ -117,7 +122,8 @@ class Player {
     [[nodiscard]] bool has_failed() const noexcept { return has_failed_; }
 
  private:
-    [[nodiscard]] Expected<StageEnd> play(const Path& file);
+    [[nodiscard]] Expected<StageEnd> play(const Path& file, const Path& next);
+    [[nodiscard]] engine::PlanOfSong plan_of(const Path& file);
     [[nodiscard]] engine::LiveGraphConfig graph_config() const;
 
     const PlayArguments& arguments_;
@@ -125,13 +131,14 @@ class Player {
     const engine::AnalyzerModels& models_;
     const engine::Formations& formations_;
     StageLoop& loop_;
+    engine::SongPlanner planner_;
     bool has_failed_ = false;
 };
 
 // A file that ends, or that cannot be played, is followed by the next one.
 Expected<void> Player::play(const std::vector<Path>& files) {
     for (std::size_t i = 0; i < files.size();) {
-        const auto end = play(files[i]);
+        const auto end = play(files[i], i + 1 < files.size() ? files[i + 1] : Path());
         if (!end && files.size() == 1) {
             return fail(end.error());
         }
@@ -148,9 +155,21 @@ Expected<void> Player::play(const std::vector<Path>& files) {
     return {};
 }
 
-// Plays one file; returns why it ended.
-Expected<StageEnd> Player::play(const Path& file) {
+// The plan of a file where it is ready, or soon will be. Only the first song of a show may begin
+// without one: the others were begun while the song before played.
+engine::PlanOfSong Player::plan_of(const Path& file) {
+    if (arguments_.is_as_live) {
+        return nullptr;
+    }
+    planner_.prepare(file);
+    return planner_.plan_of(file, kPlanPatience);
+}
+
+// Plays one file; returns why it ended. `next`: what plays after it, or empty.
+Expected<StageEnd> Player::play(const Path& file, const Path& next) {
     const Section& section = arguments_.section;
+    engine::LiveGraphConfig config = graph_config();
+    config.plan = plan_of(file);
     // The file is decoded from the section's start on.
     auto player = audio::FilePlayer::start({file}, {.start_seconds = section.start});
     if (!player) {
@@ -160,7 +179,8 @@ Expected<StageEnd> Player::play(const Path& file) {
     const std::optional<double> duration = (*player)->first_info().claimed_seconds;
     // The first callback must not find an empty ring.
     (*player)->wait_until_ready(4096);
-    auto graph = engine::LiveGraph::play(std::move(*player), output_, graph_config());
+    const bool is_known = config.plan != nullptr;
+    auto graph = engine::LiveGraph::play(std::move(*player), output_, config);
     if (!graph) {
         return fail(graph.error());
     }
@@ -169,7 +189,20 @@ Expected<StageEnd> Player::play(const Path& file) {
         (*graph)->playback()->set_end(section.start + *section.duration);
     }
     say("playing " + file.string());
-    const StageEnd end = loop_.run(**graph, {file.filename().string(), duration, section.start});
+    StageSource stage{file.filename().string(), duration, section.start};
+    // While the song plays: its plan, where it has none yet, then that of the next song.
+    stage.each_picture = [&, is_planned = is_known, is_next_begun = false]() mutable {
+        if (!is_planned && !arguments_.is_as_live) {
+            if (auto plan = planner_.plan_of(file, Nanos(0))) {
+                (*graph)->follow(std::move(plan));
+                is_planned = true;
+            }
+        } else if (!is_next_begun && !next.empty() && !arguments_.is_as_live) {
+            is_next_begun = true;
+            planner_.prepare(next);
+        }
+    };
+    const StageEnd end = loop_.run(**graph, stage);
     // Messages of the decoder, such as a damaged file.
     for (const std::string& message : (*graph)->playback()->player().take_messages()) {
         loop_.say(message);

@@ -165,10 +165,10 @@ ExitCode render(const RenderArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    auto driver =
-        engine::OfflineDriver::create(source->rate(), setup->models, setup->dancers.cast());
+    auto driver = open_driver(
+        {arguments.input, source->rate(), arguments.section.start, arguments.is_as_live}, *setup);
     if (!driver) {
-        return fail(std::move(driver.error()).in(arguments.input.string()));
+        return fail(std::move(driver.error()));
     }
     render::VideoOptions options;
     options.width = look->size.width;

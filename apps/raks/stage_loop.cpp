@@ -155,6 +155,9 @@ void StageLoop::advance(double /*seconds*/) {
     if (const auto line = graph_->watch(HostClock::now())) {
         say(*line);
     }
+    if (source_.each_picture) {
+        source_.each_picture();
+    }
     const auto is_formed = formations_.poll();
     if (!is_formed) {
         say(is_formed.error().message);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct StageSource {
     std::string name;                               ///< file or device
     std::optional<double> duration = std::nullopt;  ///< of the file in seconds, where known
     double start = 0.0;                             ///< where in the file it began, in seconds
+    std::function<void()> each_picture = {};        ///< called with every picture; may be empty
 };
 
 /// The main thread of `play` and `live`: draws pictures, carries out actions and watches the

@@ -61,10 +61,6 @@ float BeatChange::next_beat() noexcept RAKS_NONBLOCKING {
 
 namespace {
 
-// Probabilities of 2, 3, 4 and 6 beats a bar.
-constexpr std::array kMetrePrior = {0.16F, 0.2F, 0.62F, 0.02F};
-constexpr float kMetreChange = 0.02F;   // probability a bar
-constexpr float kLeak = 0.003F;         // share of the prior a beat: the bar may be counted wrong
 constexpr float kPriorDownbeat = 0.3F;  // share of downbeats among beats
 constexpr float kTrust = 0.8F;          // exponent: a bar's beats are not independent evidence
 constexpr float kLikeFirst = 0.5F;      // share of bar middles with the evidence of a downbeat
@@ -82,8 +78,9 @@ void BarBelief::reset() noexcept RAKS_NONBLOCKING {
     for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
         const int beats = kMetres[metre];
         probability_[metre].fill(0.0F);
-        std::fill_n(
-            probability_[metre].begin(), beats, kMetrePrior[metre] / static_cast<float>(beats));
+        std::fill_n(probability_[metre].begin(),
+                    beats,
+                    BarModel::prior_of(beats) / static_cast<float>(beats));
     }
     number_ = origin_ = 0;
     has_beat_ = is_held_ = false;
@@ -105,12 +102,14 @@ void BarBelief::step() noexcept {
         for (std::size_t place = static_cast<std::size_t>(beats - 1); place > 0; --place) {
             places[place] = places[place - 1];
         }
-        places[0] =
-            (1.0F - kMetreChange) * arriving[metre] + kMetreChange * total * kMetrePrior[metre];
+        const float prior = BarModel::prior_of(beats);
+        places[0] = (1.0F - BarModel::kMetreChange) * arriving[metre] +
+                    BarModel::kMetreChange * total * prior;
         // The leak to the prior lets a wrong count be left.
         for (int place = 0; place < beats; ++place) {
             float& value = places[static_cast<std::size_t>(place)];
-            value = (1.0F - kLeak) * value + kLeak * kMetrePrior[metre] / static_cast<float>(beats);
+            value = (1.0F - BarModel::kLeak) * value +
+                    BarModel::kLeak * prior / static_cast<float>(beats);
         }
     }
 }
@@ -128,37 +127,46 @@ void BarBelief::next_beat(long number) noexcept RAKS_NONBLOCKING {
 }
 
 // Ratio of posterior to prior probability, as a likelihood up to a factor.
-void BarBelief::observe_downbeat(float probability) noexcept RAKS_NONBLOCKING {
+BarLikelihood BarLikelihood::of_downbeat(float probability) noexcept {
     const float downbeat = std::clamp(probability, 0.02F, 0.98F);
     const float first = std::pow(downbeat / kPriorDownbeat, kTrust);
     const float other = std::pow((1.0F - downbeat) / (1.0F - kPriorDownbeat), kTrust);
-    weigh(first, kLikeFirst * first + (1.0F - kLikeFirst) * other, other);
+    return {first, kLikeFirst * first + (1.0F - kLikeFirst) * other, other};
 }
 
 // Only first beats gain by a change: harmony and bass line change where bars begin.
-void BarBelief::observe_change(float deviations) noexcept RAKS_NONBLOCKING {
-    weigh(std::exp(kChangeTrust * deviations), 1.0F, 1.0F);
+BarLikelihood BarLikelihood::of_change(float deviations) noexcept {
+    return {std::exp(kChangeTrust * deviations), 1.0F, 1.0F};
 }
 
-void BarBelief::observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKING {
+BarLikelihood BarLikelihood::of_bar(const BarEvidence& evidence) noexcept {
     const auto likelihood = [](float probability, float usual) {
         return std::pow(std::max(probability, kLeastOfBar) / usual, kNetworkTrust);
     };
-    weigh(likelihood(evidence.first, kUsual.first),
-          likelihood(evidence.middle, kUsual.middle),
-          likelihood(evidence.other, kUsual.other));
+    return {likelihood(evidence.first, kUsual.first),
+            likelihood(evidence.middle, kUsual.middle),
+            likelihood(evidence.other, kUsual.other)};
 }
 
-// Multiplies in the likelihoods of the last beat's evidence, for the first beat of a bar, the
-// middle of a bar of 4 or 6, and all others; then normalizes.
-void BarBelief::weigh(float first, float middle, float other) noexcept {
+void BarBelief::observe_downbeat(float probability) noexcept RAKS_NONBLOCKING {
+    weigh(BarLikelihood::of_downbeat(probability));
+}
+
+void BarBelief::observe_change(float deviations) noexcept RAKS_NONBLOCKING {
+    weigh(BarLikelihood::of_change(deviations));
+}
+
+void BarBelief::observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKING {
+    weigh(BarLikelihood::of_bar(evidence));
+}
+
+// Multiplies in the likelihoods of the last beat's evidence, then normalizes.
+void BarBelief::weigh(const BarLikelihood& likelihood) noexcept {
     float total = 0.0F;
     for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
-        const auto beats = static_cast<std::size_t>(kMetres[metre]);
-        const std::size_t half = beats == 4 || beats == 6 ? beats / 2 : kLongest;
-        for (std::size_t place = 0; place < beats; ++place) {
-            float& value = probability_[metre][place];
-            value *= place == 0 ? first : place == half ? middle : other;
+        for (int place = 0; place < kMetres[metre]; ++place) {
+            float& value = probability_[metre][static_cast<std::size_t>(place)];
+            value *= likelihood.of(kMetres[metre], place);
             total += value;
         }
     }

@@ -45,6 +45,58 @@ class BeatChange {
     float variance_ = 0.0F;  // of the change
 };
 
+/// Bars as a Markov chain over metre x position: what both the running belief and the search over a
+/// whole song assume.
+struct BarModel {
+    static constexpr std::array kMetres = {2, 3, 4, 6};  ///< beats a bar
+    static constexpr float kMetreChange = 0.02F;         ///< probability a bar
+    /// Share of the prior that is mixed in each beat: the bar may be counted wrong.
+    static constexpr float kLeak = 0.003F;
+    /// Probability of a metre while nothing is known.
+    [[nodiscard]] static constexpr float prior_of(int beats_per_bar) noexcept {
+        switch (beats_per_bar) {
+            case 2:
+                return 0.16F;
+            case 3:
+                return 0.2F;
+            case 4:
+                return 0.62F;
+            default:
+                return 0.02F;
+        }
+    }
+};
+
+/// Likelihoods of what is known of a beat, up to a common factor: at the first beat of a bar, in
+/// the middle of a bar of 4 or 6, and at all other places.
+struct BarLikelihood {
+    float first = 1.0F;   ///< at position 0
+    float middle = 1.0F;  ///< at half of a bar of 4 or 6
+    float other = 1.0F;   ///< elsewhere
+
+    /// Of a network's or the pointer's probability, [0, 1], that the beat is a downbeat. The middle
+    /// of a bar may have the evidence of a downbeat, too, so that such bars are not mistaken for
+    /// two short ones.
+    [[nodiscard]] static BarLikelihood of_downbeat(float probability) noexcept;
+    /// Of how much the sound changed at the beat, in standard deviations, see BeatChange.
+    [[nodiscard]] static BarLikelihood of_change(float deviations) noexcept;
+    /// Of a network's probabilities of the beat's place in its bar.
+    [[nodiscard]] static BarLikelihood of_bar(const BarEvidence& evidence) noexcept;
+
+    /// At a position of a bar of this many beats.
+    [[nodiscard]] float of(int beats_per_bar, int position) const noexcept {
+        const bool has_middle = beats_per_bar == 4 || beats_per_bar == 6;
+        return position == 0 ? first : has_middle && position == beats_per_bar / 2 ? middle : other;
+    }
+    /// Both are known of the same beat.
+    BarLikelihood& operator*=(const BarLikelihood& more) noexcept {
+        first *= more.first;
+        middle *= more.middle;
+        other *= more.other;
+        return *this;
+    }
+};
+
 /// Estimates the bar position of each beat and the number of beats a bar: a forward recursion over
 /// metre x position, one step a beat. Its evidence: the probability of a downbeat, the change of
 /// the sound at the beat, and a network's bar evidence. The metre may change at a downbeat.
@@ -89,12 +141,12 @@ class BarBelief {
     void reset() noexcept RAKS_NONBLOCKING;
 
  private:
-    static constexpr std::array kMetres = {2, 3, 4, 6};  // beats a bar
+    static constexpr auto kMetres = BarModel::kMetres;
     static constexpr std::size_t kLongest = 6;
     using Positions = std::array<float, kLongest>;  // probability by bar position
 
     void step() noexcept;
-    void weigh(float first, float middle, float other) noexcept;
+    void weigh(const BarLikelihood& likelihood) noexcept;
     void tell() noexcept;
 
     std::array<Positions, kMetres.size()> probability_{};  // by metre

@@ -2,27 +2,11 @@
 
 #include <vector>
 
-#include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/network/beat_network.hpp"
+#include "audio/beat/pointer_states.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {
-
-/// Options of BeatPointer; the defaults were chosen by classes of music, not by single pieces.
-struct BeatPointerConfig {
-    double lowest_bpm = kSlowestTempo.bpm();   ///< slowest tempo
-    double highest_bpm = kFastestTempo.bpm();  ///< fastest tempo
-    int tempi = 76;                            ///< number of tempi, log-spaced between the two
-    /// A tempo change by ratio r at a beat has probability proportional to exp(-stiffness |r - 1|).
-    double stiffness = 100.0;
-    double trust = 0.7;           ///< exponent of a hop's onset strength when it is alone
-    double trust_beside = 0.3;    ///< the same beside a network's evidence
-    double network_trust = 0.22;  ///< exponent of the network's evidence
-    /// Share of the prior that is mixed in each hop: so a new song is found within seconds.
-    double leak = 1e-6;
-    double centre_bpm = 120.0;  ///< middle of the log-normal tempo prior
-    double octaves = 0.7;       ///< standard deviation of the tempo prior
-};
 
 /// Most likely state of the pointer after a hop.
 struct PointerEstimate {
@@ -76,28 +60,14 @@ class BeatPointer {
     void open_positions() noexcept RAKS_NONBLOCKING;
 
  private:
-    struct Tempo {
-        int first = 0;  // index of its first state
-        int hops = 0;   // number of its states, one for each hop of a beat
-        [[nodiscard]] std::size_t state(int position) const noexcept {
-            return static_cast<std::size_t>(first) + static_cast<std::size_t>(position);
-        }
-    };
     void move() noexcept;
-    void move_and_weigh(float flux) noexcept;
     void normalize() noexcept;
 
-    BeatPointerConfig config_;
-    std::vector<Tempo> tempi_;
-    std::vector<float> default_prior_;  // of every state
-    std::vector<float> prior_;          // the prior in force
-    std::vector<float> template_;       // of onset strength, of every state
-    std::vector<float> on_beat_;        // how near a state is to the beat: 1 on it
-    std::vector<float> on_half_;        // the same for the middle between two beats
-    std::vector<float> transition_;     // tempo from x tempo to, row-major
-    std::vector<float> probability_;    // of every state
-    std::vector<float> moved_;          // work space
-    std::vector<float> arrivals_;       // probability that a beat of each tempo ends now
+    PointerStates states_;
+    std::vector<float> prior_;        // the prior in force
+    std::vector<float> probability_;  // of every state
+    std::vector<float> moved_;        // work space
+    std::vector<float> arrivals_;     // probability that a beat of each tempo ends now
 };
 
 }  // namespace raks::audio

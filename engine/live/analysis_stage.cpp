@@ -76,6 +76,8 @@ void AnalysisStage::run_commands() noexcept {
     // At most as many as the queue holds: bounded, as the audio thread needs.
     audio::AnalyzerCommand command{};
     while (commands_.pop(command)) {
+        // Whoever sets beats by hand leads, until the tempo is given back to the music.
+        planned_.let_person_lead(command.kind != audio::AnalyzerCommand::Kind::release_tempo);
         analyzer_.command(command);
     }
 }

@@ -14,6 +14,7 @@
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
 #include "engine/live/clock_map.hpp"
+#include "engine/live/planned_states.hpp"
 #include "engine/live/timing.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 
@@ -57,6 +58,9 @@ class AnalysisStage {
     /// The clock as of the newest block. Threads: main only (one reader).
     [[nodiscard]] const ClockLine& clock() noexcept { return clock_line_.read(); }
 
+    /// The states of a song that is known before it sounds, in place of those that are found.
+    [[nodiscard]] PlannedStates& planned() noexcept { return planned_; }
+
     /// Sample rate of the analyzed samples.
     [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
     /// The queue of states, one a hop; the motion thread is its one consumer.
@@ -75,11 +79,15 @@ class AnalysisStage {
  private:
     class Queue final : public audio::MusicAnalyzer::Sink {
      public:
-        explicit Queue(EventQueue<MusicState>& states) : states_(states) {}
-        void on_state(const MusicState& state) noexcept override { states_.push(state); }
+        Queue(EventQueue<MusicState>& states, PlannedStates& planned)
+            : states_(states), planned_(planned) {}
+        void on_state(const MusicState& state) noexcept override {
+            states_.push(planned_.at(state));
+        }
 
      private:
         EventQueue<MusicState>& states_;
+        PlannedStates& planned_;
     };
 
     AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer);
@@ -88,7 +96,8 @@ class AnalysisStage {
     SampleRate rate_;
     audio::MusicAnalyzer analyzer_;
     EventQueue<MusicState> states_{kQueuedStates};
-    Queue queue_{states_};
+    PlannedStates planned_;
+    Queue queue_{states_, planned_};
     EventQueue<audio::AnalyzerCommand> commands_{64};
     ClockMap clock_map_;
     LatestValue<ClockLine> clock_line_;

@@ -84,6 +84,9 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     // The callback's target is built before the stream that will call it.
     graph->playback_ = std::move(*playback);
     graph->analysis_ = &graph->playback_->analysis();
+    if (config.plan) {
+        graph->analysis_->planned().set_plan(config.plan, PlannedStates::Beginning::now);
+    }
     if (output) {
         auto stream = audio::DeviceStream::open_output(*output, {});
         if (!stream) {

@@ -72,6 +72,7 @@ std::size_t Playback::refill() noexcept {
     if (got.is_jump && analysis_->taken_until() > StreamTime{}) {
         analysis_->skip(0);
     }
+    analysis_->planned().set_place(analysis_->taken_until(), file_rate_.time_of(got.position));
     const std::span<float> mono = std::span(mono_).first(frames);
     audio::downmix_to_mono(std::span(pulled_).first(2 * frames), 2, mono);
     analysis_->analyze(mono);

@@ -48,6 +48,20 @@ Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
     return OfflineDriver(rate, std::move(*analyzer), std::move(dancers));
 }
 
+Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
+                                              std::shared_ptr<const audio::SongPlan> plan,
+                                              StreamTime start,
+                                              const Cast& cast) {
+    motion::Ensemble dancers;
+    if (auto prepared = dancers.prepare(cast.members, cast.skeleton); !prepared) {
+        return fail(prepared.error());
+    }
+    OfflineDriver driver(rate, audio::MusicAnalyzer(), std::move(dancers));
+    driver.plan_ = std::move(plan);
+    driver.plan_start_ = start;
+    return driver;
+}
+
 OfflineDriver::OfflineDriver(SampleRate rate,
                              audio::MusicAnalyzer analyzer,
                              motion::Ensemble dancers)
@@ -57,14 +71,30 @@ OfflineDriver::OfflineDriver(SampleRate rate,
       tracks_(dancers_.size()) {}
 
 void OfflineDriver::feed(std::span<const float> mono, Sink& sink) {
+    samples_fed_ += static_cast<std::int64_t>(mono.size());
+    if (plan_) {
+        perform_until(rate_.time_of(samples_fed_), sink);
+        return;
+    }
     // Made anew for each call: it only holds references.
     DanceEachState each(dancers_, tracks_, sink);
     analyzer_.process(mono, each);
-    samples_fed_ += static_cast<std::int64_t>(mono.size());
+}
+
+// The plan's hops that begin before `end`.
+void OfflineDriver::perform_until(StreamTime end, Sink& sink) {
+    DanceEachState each(dancers_, tracks_, sink);
+    for (; time_of_hop(next_hop_) < end; ++next_hop_) {
+        each.on_state(
+            plan_->at(plan_start_ + time_of_hop(next_hop_).time_since_epoch(), next_hop_));
+    }
 }
 
 void OfflineDriver::finish(Sink& sink) {
     const StreamTime end = rate_.time_of(samples_fed_);
+    if (plan_) {
+        return;  // feed() has performed every hop already
+    }
     const std::array<float, 256> silence{};
     DanceEachState each(dancers_, tracks_, sink);
     // A hop is complete delay() after its time, so that much silence is needed; one hop more

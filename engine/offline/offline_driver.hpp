@@ -45,9 +45,16 @@ class OfflineDriver {
         ~Sink() = default;
     };
 
-    /// Errors: a sample rate out of range, no dancer, a library that is missing.
+    /// Analyzes as the music comes. Errors: a sample rate out of range, no dancer, a library that
+    /// is missing.
     [[nodiscard]] static Expected<OfflineDriver> create(SampleRate rate,
                                                         const AnalyzerModels& models,
+                                                        const Cast& cast);
+    /// Dances to a song that is known, from this place of it on. `plan`: not null. Errors: as
+    /// above.
+    [[nodiscard]] static Expected<OfflineDriver> create(SampleRate rate,
+                                                        std::shared_ptr<const audio::SongPlan> plan,
+                                                        StreamTime start,
                                                         const Cast& cast);
 
     /// Takes the next samples; calls the sink once for each hop that is complete.
@@ -56,15 +63,20 @@ class OfflineDriver {
     /// Ends the music: feeds silence until every hop that begins before the end has been danced.
     void finish(Sink& sink);
 
-    /// A command for the analyzer; it takes effect at its own time.
+    /// A command for the analyzer; it takes effect at its own time, and not where the song is
+    /// known.
     void command(const audio::AnalyzerCommand& command) { analyzer_.command(command); }
     /// A command for all dancers; it takes effect at its own time.
     void command(const motion::DancerCommand& command) { dancers_.command(command); }
 
  private:
     OfflineDriver(SampleRate rate, audio::MusicAnalyzer analyzer, motion::Ensemble dancers);
+    void perform_until(StreamTime end, Sink& sink);
 
     SampleRate rate_;
+    std::shared_ptr<const audio::SongPlan> plan_;  // null: the music is analyzed as it comes
+    StreamTime plan_start_{};                      // place of the song at stream time 0
+    HopIndex next_hop_ = 0;                        // of the plan
     audio::MusicAnalyzer analyzer_;
     motion::Ensemble dancers_;
     std::vector<motion::PoseTrack> tracks_;

@@ -45,21 +45,40 @@ Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> d
     return AnalyzerModels{std::move(*beats), std::move(*genres), std::move(dances)};
 }
 
-Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
-                                             const AnalyzerModels& models,
-                                             audio::BeatMethod method) {
+namespace {
+
+audio::AnalyzerConfig config_of(SampleRate rate,
+                                const AnalyzerModels& models,
+                                audio::BeatMethod method) {
     audio::AnalyzerConfig config;
     config.sample_rate = rate;
     config.beat_method = method;
     config.beat_network = models.beats;
     config.genre_model = models.genres;
     config.dances = models.dances;
-    // prepare() checks the whole configuration and makes all allocations; later calls cannot fail.
-    audio::MusicAnalyzer analyzer;
+    return config;
+}
+
+// prepare() checks the whole configuration and makes all allocations; later calls cannot fail.
+template <class Analyzer>
+Expected<Analyzer> prepared(const audio::AnalyzerConfig& config) {
+    Analyzer analyzer;
     if (auto done = analyzer.prepare(config); !done) {
         return fail(done.error());
     }
     return analyzer;
+}
+
+}  // namespace
+
+Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
+                                             const AnalyzerModels& models,
+                                             audio::BeatMethod method) {
+    return prepared<audio::MusicAnalyzer>(config_of(rate, models, method));
+}
+
+Expected<audio::SongAnalyzer> make_song_analyzer(SampleRate rate, const AnalyzerModels& models) {
+    return prepared<audio::SongAnalyzer>(config_of(rate, models, audio::BeatMethod::pointer));
 }
 
 }  // namespace raks::engine

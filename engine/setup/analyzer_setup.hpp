@@ -6,6 +6,7 @@
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_model.hpp"
 #include "audio/music_analyzer.hpp"
+#include "audio/song/song_plan.hpp"
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
@@ -40,5 +41,9 @@ struct AnalyzerModels {
     SampleRate rate,
     const AnalyzerModels& models,
     audio::BeatMethod method = audio::BeatMethod::pointer);
+
+/// The analyzer of a whole song, for mono samples of this rate. Errors: as make_analyzer.
+[[nodiscard]] Expected<audio::SongAnalyzer> make_song_analyzer(SampleRate rate,
+                                                               const AnalyzerModels& models);
 
 }  // namespace raks::engine

@@ -26,6 +26,10 @@ constexpr std::uint64_t kFigureStream = 1;
 
 // Two exponential means of the loudness; both start at the first one measured.
 void MusicEnergy::advance(const MusicState& music) noexcept {
+    known_.reset();
+    if (music.ahead.is_known) {
+        known_ = static_cast<double>(music.ahead.energy);
+    }
     const double loudness = static_cast<double>(music.loudness_lufs);
     if (music.is_silent || loudness < kQuietest) {
         return;
@@ -39,7 +43,7 @@ void MusicEnergy::advance(const MusicState& music) noexcept {
 }
 
 double MusicEnergy::value() const noexcept {
-    return std::clamp(0.5 + (now_ - usual_) / kSpan, 0.0, 1.0);
+    return known_.value_or(std::clamp(0.5 + (now_ - usual_) / kSpan, 0.0, 1.0));
 }
 
 // The grammar's weight, times how well the energies fit, times the preference for facing the

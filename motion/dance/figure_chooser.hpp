@@ -12,8 +12,8 @@
 
 namespace raks::motion {
 
-/// How lively the music is compared with its recent past: follows the loudness of about two bars
-/// against that of the last half minute. Threads: one. Real-time: yes.
+/// How lively the music is: the energy of the next bars where the song is known, else the loudness
+/// of about two bars against that of the last half minute. Threads: one. Real-time: yes.
 class MusicEnergy {
  public:
     /// One hop; silence is skipped.
@@ -27,6 +27,7 @@ class MusicEnergy {
     double now_ = 0.0;    // LUFS, smoothed over 2.5 s
     double usual_ = 0.0;  // LUFS, smoothed over half a minute
     bool is_started_ = false;
+    std::optional<double> known_;  // of a song that is known
 };
 
 /// What the user wants of the next figure.

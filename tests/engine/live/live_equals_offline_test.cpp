@@ -2,8 +2,11 @@
 // the same poses, hop by hop.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -15,6 +18,7 @@
 #include "engine/live/playback.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
+#include "engine/offline/song_planner.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/realtime_guard.hpp"
@@ -55,6 +59,9 @@ class LiveEqualsOffline : public ::testing::Test {
         return std::move(*made);
     }
 
+    /// `plan`: of the song, or null.
+    [[nodiscard]] std::vector<motion::Pose> danced_live(const PlanOfSong& plan) const;
+
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "music.wav";
     std::shared_ptr<const motion::DanceLibrary> library_;
@@ -69,12 +76,15 @@ class Record final : public OfflineDriver::Sink {
     std::vector<motion::Pose> poses;
 };
 
-std::vector<motion::Pose> danced_offline(
-    const std::filesystem::path& path, const std::shared_ptr<const motion::DanceLibrary>& library) {
+/// `plan`: of the song, or null.
+std::vector<motion::Pose> danced_offline(const std::filesystem::path& path,
+                                         const std::shared_ptr<const motion::DanceLibrary>& library,
+                                         const PlanOfSong& plan) {
     auto source = MusicSource::open(path);
     EXPECT_TRUE(source);
-    auto driver = OfflineDriver::create(
-        source->rate(), installed::models(), cast_of(library, motion::mannequin_skeleton(), 1));
+    const Cast cast = cast_of(library, motion::mannequin_skeleton(), 1);
+    auto driver = plan ? OfflineDriver::create(source->rate(), plan, StreamTime{}, cast)
+                       : OfflineDriver::create(source->rate(), installed::models(), cast);
     EXPECT_TRUE(driver);
     Record record;
     for (auto block = source->next(); !block.mono.empty(); block = source->next()) {
@@ -103,33 +113,108 @@ void play_out(Playback& playback) {
     }
 }
 
-TEST_F(LiveEqualsOffline, hop_by_hop_the_same_poses) {
-    const std::vector<motion::Pose> offline = danced_offline(path_, library_);
-    ASSERT_GT(offline.size(), static_cast<std::size_t>(kSeconds * 100 - 10));
-
+std::vector<motion::Pose> LiveEqualsOffline::danced_live(const PlanOfSong& plan) const {
     EventQueue<DancedHop> record(4096);
-    std::vector<motion::Pose> live;
     {
         const auto loudspeaker = playback(SampleRate(48'000));
-        {
-            MotionThread motion(dancer(), {loudspeaker->analysis().states(), {}, &record});
-            play_out(*loudspeaker);
-            while (motion.danced_hops() < static_cast<std::int64_t>(offline.size())) {
-                std::this_thread::yield();
-            }
+        if (plan) {
+            loudspeaker->analysis().planned().set_plan(plan, PlannedStates::Beginning::now);
+        }
+        MotionThread motion(dancer(), {loudspeaker->analysis().states(), {}, &record});
+        play_out(*loudspeaker);
+        // All but the hops that need sound after them.
+        while (motion.danced_hops() < kSeconds * 100 - 5) {
+            std::this_thread::yield();
         }
         EXPECT_EQ(loudspeaker->analysis().states().dropped(), 0U);
     }
+    std::vector<motion::Pose> live;
     DancedHop hop;
     while (record.pop(hop)) {
-        ASSERT_EQ(hop.hop, static_cast<HopIndex>(live.size()));
+        EXPECT_EQ(hop.hop, static_cast<HopIndex>(live.size()));
         live.push_back(hop.pose);
     }
-    ASSERT_EQ(live.size(), offline.size());
+    return live;
+}
+
+/// Of a song that is known, the last hops are danced only offline: live they need sound after them.
+void expect_same_poses(const std::vector<motion::Pose>& live,
+                       const std::vector<motion::Pose>& offline) {
+    ASSERT_GT(live.size(), static_cast<std::size_t>(kSeconds * 100 - 10));
+    ASSERT_LE(live.size(), offline.size());
     for (std::size_t i = 0; i < live.size(); ++i) {
         ASSERT_EQ(live[i].hips_position, offline[i].hips_position) << i;
         ASSERT_EQ(live[i].local_rotations, offline[i].local_rotations) << i;
     }
+}
+
+TEST_F(LiveEqualsOffline, hop_by_hop_the_same_poses) {
+    const std::vector<motion::Pose> offline = danced_offline(path_, library_, nullptr);
+    const std::vector<motion::Pose> live = danced_live(nullptr);
+    EXPECT_EQ(live.size(), offline.size());
+    expect_same_poses(live, offline);
+}
+
+TEST_F(LiveEqualsOffline, hop_by_hop_the_same_poses_to_a_song_that_is_known) {
+    const auto plan = plan_song(path_, installed::models());
+    ASSERT_TRUE(plan) << plan.error().message;
+    const std::vector<motion::Pose> known = danced_offline(path_, library_, *plan);
+    expect_same_poses(danced_live(*plan), known);
+    // At once, and not when the stream's analysis is sure.
+    EXPECT_NE(known[200].hips_position,
+              danced_offline(path_, library_, nullptr)[200].hips_position);
+}
+
+TEST_F(LiveEqualsOffline, a_plan_keeps_the_real_time_rules_and_a_seek_stays_on_its_downbeats) {
+    const auto plan = plan_song(path_, installed::models());
+    ASSERT_TRUE(plan) << plan.error().message;
+    const auto loudspeaker = playback(SampleRate(48'000));
+    loudspeaker->analysis().planned().set_plan(*plan, PlannedStates::Beginning::now);
+    std::vector<float> block(2 * 256);
+    std::vector<MusicState> states;
+    for (std::int64_t frame = 0; !loudspeaker->is_finished(); frame += 256) {
+        loudspeaker->player().wait_until_ready(4096);
+        test::RealtimeScope scope;
+        loudspeaker->on_output(block, 2, {frame, HostClock::now(), false});
+        ASSERT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+        for (MusicState state; loudspeaker->analysis().states().pop(state);) {
+            ASSERT_TRUE(state.ahead.is_known);
+            states.push_back(state);
+        }
+        if (frame == 256 * 800) {
+            loudspeaker->seek(1.7);
+        }
+    }
+    const auto cut = std::find_if(states.begin(), states.end(), [](const MusicState& state) {
+        return state.is_discontinuity;
+    });
+    ASSERT_NE(cut, states.end());
+    ASSERT_NE(cut, states.begin());
+    const BeatGrid& before = (cut - 1)->grid;
+    EXPECT_LT(std::abs((before.beats_at(cut->time) - cut->grid.beats_at(cut->time)).count()), 2.1);
+    EXPECT_NEAR(cut->grid.bar_position(before.bar_origin), 0.0, 1e-6);
+}
+
+TEST_F(LiveEqualsOffline, a_plan_that_comes_later_is_taken_over_on_a_bar_line) {
+    const auto plan = plan_song(path_, installed::models());
+    ASSERT_TRUE(plan) << plan.error().message;
+    ASSERT_FALSE((*plan)->joins.empty());
+    const auto loudspeaker = playback(SampleRate(44'100));
+    loudspeaker->analysis().planned().set_plan(*plan, PlannedStates::Beginning::on_bar_line);
+    std::vector<float> block(2 * 1024);
+    std::optional<StreamTime> taken_over;
+    while (!loudspeaker->is_finished()) {
+        loudspeaker->player().wait_until_ready(4096);
+        loudspeaker->on_output(block, 2, {0, HostClock::now(), false});
+        for (MusicState state; loudspeaker->analysis().states().pop(state);) {
+            if (state.ahead.is_known && !taken_over) {
+                taken_over = state.time;
+            }
+            EXPECT_EQ(state.ahead.is_known, taken_over.has_value());
+        }
+    }
+    ASSERT_TRUE(taken_over);
+    EXPECT_LT(std::abs(to_seconds(*taken_over - (*plan)->joins.front())), 0.011);
 }
 
 TEST_F(LiveEqualsOffline, the_loudspeakers_callback_keeps_the_real_time_rules) {

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "audio/beat/analyzer_command.hpp"
+#include "audio/beat/network/beat_network.hpp"
+#include "base/realtime.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+/// Options of the pointer; the defaults were chosen by classes of music, not by single pieces.
+struct BeatPointerConfig {
+    double lowest_bpm = kSlowestTempo.bpm();   ///< slowest tempo
+    double highest_bpm = kFastestTempo.bpm();  ///< fastest tempo
+    int tempi = 76;                            ///< number of tempi, log-spaced between the two
+    /// A tempo change by ratio r at a beat has probability proportional to exp(-stiffness |r - 1|).
+    double stiffness = 100.0;
+    double trust = 0.7;           ///< exponent of a hop's onset strength when it is alone
+    double trust_beside = 0.3;    ///< the same beside a network's evidence
+    double network_trust = 0.22;  ///< exponent of the network's evidence
+    /// Share of the prior that is mixed in each hop: so a new song is found within seconds.
+    double leak = 1e-6;
+    double centre_bpm = 120.0;  ///< middle of the log-normal tempo prior
+    double octaves = 0.7;       ///< standard deviation of the tempo prior
+};
+
+/// Hops in a beat of this tempo; its own inverse: tempo of a beat of that many hops.
+constexpr double hops_of(double bpm) noexcept { return 60.0 * kHopsPerSecond / bpm; }
+
+/// State space of tempo x beat phase (Krebs, Boeck, Widmer 2015, "An efficient state space model
+/// for joint tempo and meter tracking"). A state is one hop of a beat of one tempo: the phase moves
+/// on by one state a hop, and the tempo may change at a beat only. The likelihood of a hop is
+/// exp(trust x onset strength x template), with a template of zero mean: 1 on the beat, 0.35 on the
+/// half, 0.12 on the quarters; times what a network says of it.
+///
+/// Immutable. Threads: any may read. Real-time: all but the constructor.
+class PointerStates {
+ public:
+    /// States of one tempo; they follow those of the tempo before.
+    struct Tempo {
+        int first = 0;  ///< index of its first state, which is the beat
+        int hops = 0;   ///< number of its states, one for each hop of a beat
+        /// Index of the state at a position, 0 to hops - 1.
+        [[nodiscard]] std::size_t state(int position) const noexcept {
+            return static_cast<std::size_t>(first) + static_cast<std::size_t>(position);
+        }
+    };
+
+    /// Lays out the states.
+    explicit PointerStates(const BeatPointerConfig& config);
+
+    /// From the fastest to the slowest.
+    [[nodiscard]] std::span<const Tempo> tempi() const noexcept { return tempi_; }
+    /// Probability of each state while nothing is known.
+    [[nodiscard]] std::span<const float> prior() const noexcept { return prior_; }
+    /// Number of states.
+    [[nodiscard]] std::size_t size() const noexcept { return prior_.size(); }
+    /// Probability of each tempo after a beat of tempo number `from`.
+    [[nodiscard]] std::span<const float> transitions(std::size_t from) const noexcept {
+        return std::span(transition_).subspan(from * tempi_.size(), tempi_.size());
+    }
+    /// Share of the prior that is mixed in each hop.
+    [[nodiscard]] float leak() const noexcept { return static_cast<float>(config_.leak); }
+
+    /// One hop's evidence: mixes a share of `prior` into `states`, then multiplies each by the
+    /// likelihood of the onset strength.
+    void weigh(std::span<float> states,
+               std::span<const float> prior,
+               float leak,
+               float onset_strength) const noexcept RAKS_NONBLOCKING;
+    /// The same with a network's evidence of the same hop.
+    void weigh(std::span<float> states,
+               std::span<const float> prior,
+               float leak,
+               float onset_strength,
+               const BeatEvidence& evidence) const noexcept RAKS_NONBLOCKING;
+
+ private:
+    void add_tempo(int hops);
+    void add_transitions(const Tempo& from);
+
+    BeatPointerConfig config_;
+    std::vector<Tempo> tempi_;
+    std::vector<float> prior_;
+    std::vector<float> template_;    // of onset strength, of every state
+    std::vector<float> on_beat_;     // how near a state is to the beat: 1 on it
+    std::vector<float> on_half_;     // the same for the middle between two beats
+    std::vector<float> transition_;  // tempo from x tempo to, row-major
+};
+
+}  // namespace raks::audio

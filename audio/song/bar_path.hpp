@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "audio/beat/bar_belief.hpp"
+
+namespace raks::audio {
+
+/// Place of a beat in its bar.
+struct BarPlace {
+    int beats_per_bar = 4;  ///< 2, 3, 4 or 6
+    int position = 0;       ///< 0 on the downbeat
+};
+
+/// The most likely bars of a whole song: BarBelief's places and transitions, with the best path
+/// through all beats (Viterbi 1967). `beats`: the product of each beat's likelihoods. The metre may
+/// change at a downbeat; a bar may break off at the cost of the belief's leak.
+/// Threads: any. Real-time: no.
+[[nodiscard]] std::vector<BarPlace> find_bars(std::span<const BarLikelihood> beats);
+
+}  // namespace raks::audio

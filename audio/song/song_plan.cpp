@@ -1,0 +1,234 @@
+#include "audio/song/song_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "audio/beat/network/beat_network.hpp"
+#include "audio/genre/genre_model.hpp"
+
+namespace raks::audio {
+namespace {
+
+// Confidence from which on the music can be danced to, as the dancer has it.
+constexpr float kDanceable = 0.35F;
+constexpr float kAnnounced = 0.02F;  // below it no beat is announced
+// Shortest time between two beats that are announced, as a share of the beat.
+constexpr double kLeastGap = 0.45;
+constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
+
+// Energy: loudness of the next two bars or so against the whole song's.
+constexpr std::size_t kAheadHops = 250;
+constexpr float kQuietest = -60.0F;   // LUFS
+constexpr float kEnergySpan = 10.0F;  // LU between the calmest and the liveliest
+
+std::size_t hop_at(StreamTime time, std::size_t hops) {
+    const std::int64_t hop = time.time_since_epoch() / kHop - (time < StreamTime{} ? 1 : 0);
+    return static_cast<std::size_t>(
+        std::clamp<std::int64_t>(hop, 0, static_cast<std::int64_t>(hops) - 1));
+}
+
+// Grid, beats and predictions of every hop.
+void write_beats(const std::vector<SongBeat>& beats, std::vector<MusicState>& states) {
+    for (MusicState& state : states) {
+        state.has_beat = state.has_predicted = false;
+        if (beats.size() >= 2) {
+            state.grid = grid_at(beats, state.time);
+        } else {
+            state.grid.confidence = 0.0F;
+        }
+    }
+    StreamTime last{std::chrono::seconds(-10)};
+    for (const SongBeat& beat : beats) {
+        const std::size_t hop = hop_at(beat.time, states.size());
+        const double gap = kLeastGap * states[hop].grid.tempo.seconds_per_beat();
+        if (beat.confidence <= kAnnounced || states[hop].is_silent ||
+            to_seconds(beat.time - last) < gap) {
+            continue;
+        }
+        last = beat.time;
+        states[hop].has_beat = true;
+        states[hop].beat = {beat.time, beat.place.position + 1, beat.confidence};
+        MusicState& before = states[hop_at(beat.time - kPredictedLead, states.size())];
+        before.has_predicted = true;
+        before.predicted = beat.time;
+    }
+}
+
+// When the dance may begin and must end. Without any danceable beat: at the end.
+void write_foresight(const std::vector<SongBeat>& beats, std::vector<MusicState>& states) {
+    const StreamTime end = states.back().time;
+    const auto is_danceable = [](const SongBeat& beat) { return beat.confidence >= kDanceable; };
+    const auto first = std::find_if(beats.begin(), beats.end(), [&](const SongBeat& beat) {
+        return is_danceable(beat) && beat.place.position == 0;
+    });
+    const auto last = std::find_if(beats.rbegin(), beats.rend(), is_danceable);
+    for (MusicState& state : states) {
+        state.ahead.is_known = true;
+        state.ahead.begins = first == beats.end() ? end : first->time;
+        state.ahead.ends = last == beats.rend() ? end : last->time;
+    }
+}
+
+// Bars are counted from the first that can be danced to.
+std::vector<StreamTime> joins_of(const std::vector<SongBeat>& beats, StreamTime begins) {
+    constexpr std::size_t kFirst = 5;
+    constexpr std::size_t kEvery = 8;
+    std::vector<StreamTime> joins;
+    std::size_t bar = 0;
+    for (const SongBeat& beat : beats) {
+        if (beat.place.position == 0 && beat.time >= begins) {
+            ++bar;
+            if (bar == kFirst || bar % kEvery == 0) {
+                joins.push_back(beat.time);
+            }
+        }
+    }
+    return joins;
+}
+
+// Mean loudness of the hops ahead against the mean of the song, silence left out of both.
+void write_energy(std::vector<MusicState>& states) {
+    // Running sums from the end: of loudness, and of the hops that count.
+    std::vector<double> sums(states.size() + 1);
+    std::vector<std::size_t> counts(states.size() + 1);
+    for (std::size_t i = states.size(); i-- > 0;) {
+        const bool counts_here = !states[i].is_silent && states[i].loudness_lufs >= kQuietest;
+        sums[i] = sums[i + 1] + (counts_here ? static_cast<double>(states[i].loudness_lufs) : 0.0);
+        counts[i] = counts[i + 1] + (counts_here ? 1 : 0);
+    }
+    const double usual = counts[0] > 0 ? sums[0] / static_cast<double>(counts[0]) : 0.0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const std::size_t end = std::min(states.size(), i + kAheadHops);
+        const std::size_t count = counts[i] - counts[end];
+        const double ahead = count > 0 ? (sums[i] - sums[end]) / static_cast<double>(count) : usual;
+        states[i].ahead.energy =
+            std::clamp(0.5F + static_cast<float>(ahead - usual) / kEnergySpan, 0.0F, 1.0F);
+    }
+}
+
+// ln of the mean probability of each class over these hops, silence left out.
+GenreLogProbabilities mean_probabilities(std::span<const MusicState> states, std::size_t classes) {
+    std::array<double, std::tuple_size_v<GenreLogProbabilities>> sums{};
+    std::size_t count = 0;
+    for (const MusicState& state : states) {
+        if (!state.is_silent) {
+            ++count;
+            for (std::size_t i = 0; i < classes; ++i) {
+                sums[i] += std::exp(static_cast<double>(state.genre_log_probability[i]));
+            }
+        }
+    }
+    GenreLogProbabilities means = states.front().genre_log_probability;
+    for (std::size_t i = 0; i < classes && count > 0; ++i) {
+        means[i] = static_cast<float>(std::log(sums[i] / static_cast<double>(count) + 1e-9));
+    }
+    return means;
+}
+
+// The dance of each section, under the class's number in the program's list.
+void write_dances(const std::vector<SongSection>& sections,
+                  const std::vector<DanceId>& dances,
+                  std::span<MusicState> states) {
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const std::size_t first = sections[i].first_hop;
+        const std::size_t end = i + 1 < sections.size() ? sections[i + 1].first_hop : states.size();
+        const std::span<MusicState> section = states.subspan(first, end - first);
+        const GenreLogProbabilities means = mean_probabilities(section, dances.size());
+        for (MusicState& state : section) {
+            state.genre_log_probability = means;
+            state.genre_class = sections[i].genre_class;
+            state.genre = dances[sections[i].genre_class];
+        }
+    }
+}
+
+// By class of the model; its last class is none of them.
+std::vector<DanceId> dances_of(const GenreModel& model, const DanceList* known) {
+    std::vector<DanceId> dances;
+    for (const std::string& genre : model.genres) {
+        dances.push_back(known == nullptr ? DanceId::none : known->id_of(genre));
+    }
+    dances.push_back(DanceId::none);
+    return dances;
+}
+
+}  // namespace
+
+MusicState SongPlan::at(StreamTime place, HopIndex hop) const noexcept RAKS_NONBLOCKING {
+    MusicState state;
+    if (states.empty()) {
+        return state;
+    }
+    state = states[hop_at(place, states.size())];
+    if (place < StreamTime{} || place > states.back().time + kHop) {
+        state.has_beat = state.has_predicted = false;  // they belong to the song's own hop
+    }
+    const Nanos shift = time_of_hop(hop) - place;
+    state.hop = hop;
+    state.time = time_of_hop(hop);
+    state.audio_end += shift;
+    state.grid.anchor_time += shift;
+    state.beat.time += shift;
+    state.predicted += shift;
+    state.ahead.begins += shift;
+    state.ahead.ends += shift;
+    return state;
+}
+
+struct SongAnalyzer::State {
+    AnalyzerConfig config;
+    MusicAnalyzer analyzer;
+    std::optional<SongRecorder> recorder;
+    std::int64_t samples = 0;
+};
+
+SongAnalyzer::SongAnalyzer() : state_(std::make_unique<State>()) {}
+SongAnalyzer::~SongAnalyzer() = default;
+SongAnalyzer::SongAnalyzer(SongAnalyzer&&) noexcept = default;
+SongAnalyzer& SongAnalyzer::operator=(SongAnalyzer&&) noexcept = default;
+
+Expected<void> SongAnalyzer::prepare(const AnalyzerConfig& config) {
+    state_ = std::make_unique<State>();
+    state_->config = config;
+    state_->recorder.emplace(state_->analyzer);
+    return state_->analyzer.prepare(config);
+}
+
+void SongAnalyzer::process(std::span<const float> mono) {
+    state_->analyzer.process(mono, *state_->recorder);
+    state_->samples += static_cast<std::int64_t>(mono.size());
+}
+
+SongPlan SongAnalyzer::finish() {
+    State& state = *state_;
+    // Hops before the end; silence brings the last of them out.
+    const StreamTime end = state.config.sample_rate.time_of(state.samples);
+    const auto hops = static_cast<std::size_t>(std::ceil(to_seconds(end) * kHopsPerSecond - 1e-9));
+    const std::array<float, 256> silence{};
+    while (state.recorder->hops() < hops) {
+        state.analyzer.process(silence, *state.recorder);
+    }
+    SongRecording song = state.recorder->take(hops);
+    SongPlan plan;
+    if (hops == 0) {
+        return plan;
+    }
+    const auto& network = state.config.beat_network;
+    plan.beats = track_song(song, network ? network->bars() : nullptr);
+    plan.states = std::move(song.states);
+    write_beats(plan.beats, plan.states);
+    write_foresight(plan.beats, plan.states);
+    plan.joins = joins_of(plan.beats, plan.states.front().ahead.begins);
+    write_energy(plan.states);
+    if (const auto& model = state.config.genre_model) {
+        const std::vector<DanceId> dances = dances_of(*model, state.config.dances.get());
+        plan.sections = find_sections(plan.states, dances.size(), state.config.genre_window);
+        write_dances(plan.sections, dances, plan.states);
+    }
+    return plan;
+}
+
+}  // namespace raks::audio

@@ -1,0 +1,38 @@
+#include "audio/song/song_recording.hpp"
+
+#include <utility>
+
+#include "audio/beat/beat_tracker.hpp"
+
+namespace raks::audio {
+namespace {
+
+// Soft for longer than a beat at this tempo lasts: the hop holds no evidence.
+constexpr int kQuietHops = 55;
+
+}  // namespace
+
+void SongRecorder::on_state(const MusicState& state) noexcept {
+    const TrackedHop& tracked = analyzer_.tracked();
+    recording_.states.push_back(state);
+    recording_.hops.push_back({.onset_strength = tracked.onset_strength,
+                               .evidence = {},
+                               .has_evidence = tracked.has_evidence,
+                               .is_blind = tracked.is_silent || tracked.quiet_hops > kQuietHops});
+    // The network's evidence is about an earlier hop.
+    const auto lag = static_cast<std::size_t>(tracked.evidence_lag);
+    if (tracked.has_evidence && recording_.hops.size() > lag) {
+        recording_.hops[recording_.hops.size() - 1 - lag].evidence = tracked.evidence;
+    }
+    recording_.mel.insert(
+        recording_.mel.end(), tracked.mel_magnitudes.begin(), tracked.mel_magnitudes.end());
+}
+
+SongRecording SongRecorder::take(std::size_t hops) {
+    recording_.states.resize(hops);
+    recording_.hops.resize(hops);
+    recording_.mel.resize(hops * SongRecording::kMelBands);
+    return std::exchange(recording_, {});
+}
+
+}  // namespace raks::audio

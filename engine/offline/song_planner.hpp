@@ -1,0 +1,57 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "audio/song/song_plan.hpp"
+#include "base/expected.hpp"
+#include "engine/setup/analyzer_setup.hpp"
+
+namespace raks::engine {
+
+/// A song's plan; shared with the threads that play by it.
+using PlanOfSong = std::shared_ptr<const audio::SongPlan>;
+
+/// Analyzes a whole file, from its first sample to its last. `progress` gets the share that is
+/// done, [0, 1], where the file says how long it is; `is_stopped`, asked after every block, ends it
+/// early: then the plan is of what was read. Both may be empty. Null for more than an hour of
+/// music: so much is danced to as it comes. Errors: those of MusicSource::open, and of the
+/// analyzer. Threads: workers.
+[[nodiscard]] Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
+                                             const AnalyzerModels& models,
+                                             const std::function<void(double)>& progress = {},
+                                             const std::function<bool()>& is_stopped = {});
+
+/// Plans songs ahead of time, each on a thread of its own with a low priority: the one that plays,
+/// and the next one. Threads: one.
+class SongPlanner {
+ public:
+    /// Plans with these models.
+    explicit SongPlanner(AnalyzerModels models);
+    ~SongPlanner();  ///< ends what is running
+    /// Not copied: threads refer to it.
+    SongPlanner(const SongPlanner&) = delete;
+    SongPlanner& operator=(const SongPlanner&) = delete;  ///< likewise
+
+    /// Begins with this file, unless it was begun already. Other files but the last two are
+    /// forgotten.
+    void prepare(const std::filesystem::path& file);
+
+    /// The plan of a file that was begun. Waits up to `patience`, but not when the work so far
+    /// shows that it will take longer. Empty: not ready, or the file has none.
+    [[nodiscard]] PlanOfSong plan_of(const std::filesystem::path& file, Nanos patience);
+
+ private:
+    struct Job;
+    [[nodiscard]] Job* job_of(const std::filesystem::path& file);
+
+    AnalyzerModels models_;
+    std::array<std::unique_ptr<Job>, 2> jobs_;  // the newer one first
+};
+
+}  // namespace raks::engine

@@ -1,0 +1,97 @@
+#include "engine/offline/song_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "audio/io/audio_file.hpp"
+#include "audio/music/generator/music_generator.hpp"
+#include "engine/offline/music_source.hpp"
+#include "engine/offline/offline_driver.hpp"
+#include "tests/engine/installed.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace raks::engine {
+namespace {
+
+constexpr Nanos kLong = std::chrono::minutes(5);
+
+class SongPlannerTest : public ::testing::Test {
+ protected:
+    /// A salsa with silence before and after it.
+    [[nodiscard]] std::filesystem::path song(const std::string& name, double seconds) const {
+        audio::MusicPlan plan;
+        plan.style = audio::Style::montuno;
+        plan.tempo = {{0.0, 180.0}};
+        plan.seconds = seconds;
+        plan.rate = SampleRate(44'100);
+        plan.silences = {{0.0, 2.0}, {seconds - 4.0, seconds}};
+        const auto music = audio::generate(plan);
+        EXPECT_TRUE(music);
+        EXPECT_TRUE(audio::write_wav(folder_ / name, music->samples, music->channels, music->rate));
+        return folder_ / name;
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(SongPlannerTest, plans_a_file_and_keeps_the_plan) {
+    SongPlanner planner(installed::models());
+    const auto file = song("a.wav", 12.0);
+    EXPECT_EQ(planner.plan_of(file, kLong), nullptr) << "not begun";
+    planner.prepare(file);
+    const PlanOfSong plan = planner.plan_of(file, kLong);
+    ASSERT_NE(plan, nullptr);
+    EXPECT_EQ(plan->states.size(), 1'200U);
+    planner.prepare(song("b.wav", 8.0));
+    EXPECT_EQ(planner.plan_of(file, Nanos(0)), plan) << "the next one is planned beside it";
+    planner.prepare(song("c.wav", 8.0));
+    EXPECT_EQ(planner.plan_of(file, Nanos(0)), nullptr) << "two are kept";
+}
+
+TEST_F(SongPlannerTest, a_file_that_cannot_be_read_has_no_plan) {
+    SongPlanner planner(installed::models());
+    planner.prepare(folder_ / "none.wav");
+    EXPECT_EQ(planner.plan_of(folder_ / "none.wav", kLong), nullptr);
+    const auto plan = plan_song(folder_ / "none.wav", installed::models());
+    ASSERT_FALSE(plan);
+    EXPECT_NE(plan.error().message.find("none.wav"), std::string::npos);
+}
+
+TEST_F(SongPlannerTest, ends_early_when_told) {
+    const auto plan = plan_song(song("a.wav", 12.0), installed::models(), {}, [] { return true; });
+    ASSERT_TRUE(plan);
+    EXPECT_LT((*plan)->states.size(), 10U);
+}
+
+// When the first dancer dances, and how.
+class Watch final : public OfflineDriver::Sink {
+ public:
+    void on_hop(const PerformedHop& hop) override {
+        if (hop.dancer.is_dancing) {
+            first = first < 0 ? hop.music.hop : first;
+            last = hop.music.hop;
+        }
+    }
+    HopIndex first = -1;
+    HopIndex last = -1;
+};
+
+TEST_F(SongPlannerTest, the_dance_begins_with_the_first_bar_and_ends_with_the_music) {
+    const auto file = song("a.wav", 24.0);
+    const auto plan = plan_song(file, installed::models());
+    ASSERT_TRUE(plan);
+    auto driver =
+        OfflineDriver::create(SampleRate(44'100), *plan, StreamTime{}, installed::solo("salsa"));
+    ASSERT_TRUE(driver);
+    Watch watch;
+    driver->feed(std::vector<float>(24 * 44'100), watch);
+    driver->finish(watch);
+    const Foresight& ahead = (*plan)->states.front().ahead;
+    EXPECT_NEAR(to_seconds(time_of_hop(watch.first)), to_seconds(ahead.begins), 0.011);
+    EXPECT_NEAR(to_seconds(time_of_hop(watch.first)), 2.0, 4.0 * 60.0 / 180.0 + 0.05);
+    EXPECT_NEAR(to_seconds(time_of_hop(watch.last)), to_seconds(ahead.ends), 0.02);
+    EXPECT_NEAR(to_seconds(ahead.ends), 20.0, 4.0 * 60.0 / 180.0);
+}
+
+}  // namespace
+}  // namespace raks::engine
