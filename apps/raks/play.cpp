@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/stage_loop.hpp"
@@ -20,8 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How long a song may be analyzed before it begins to sound.
-constexpr Nanos kPlanPatience = std::chrono::milliseconds(1500);
+// How long the first song, and the others, may be analyzed before they begin to sound.
+constexpr Nanos kFirstPatience = std::chrono::milliseconds(1500);
+constexpr Nanos kPatience = std::chrono::seconds(5);
 
 // Extensions that are taken from a folder; a file that is named is tried whatever its extension.
 bool looks_like_music(const Path& path) {
@@ -123,7 +125,7 @@ class Player {
 
  private:
     [[nodiscard]] Expected<StageEnd> play(const Path& file, const Path& next);
-    [[nodiscard]] engine::PlanOfSong plan_of(const Path& file);
+    class Planning;
     [[nodiscard]] engine::LiveGraphConfig graph_config() const;
 
     const PlayArguments& arguments_;
@@ -132,6 +134,7 @@ class Player {
     const engine::Formations& formations_;
     StageLoop& loop_;
     engine::SongPlanner planner_;
+    bool is_first_ = true;  // the next song to play
     bool has_failed_ = false;
 };
 
@@ -155,21 +158,58 @@ Expected<void> Player::play(const std::vector<Path>& files) {
     return {};
 }
 
-// The plan of a file where it is ready, or soon will be. Only the first song of a show may begin
-// without one: the others were begun while the song before played.
-engine::PlanOfSong Player::plan_of(const Path& file) {
-    if (arguments_.is_as_live) {
-        return nullptr;
+// With every picture: what a song's plan needs. It is waited for in silence where it will come
+// soon; else the song begins as it comes, and its plan is taken over later. Then the next song's
+// turn comes.
+class Player::Planning {
+ public:
+    Planning(Player& player, Path file, Path next, Nanos patience)
+        : player_(player),
+          file_(std::move(file)),
+          next_(std::move(next)),
+          deadline_(HostClock::now() + patience) {}
+
+    void operator()(engine::LiveGraph& graph) {
+        if (!is_planned_) {
+            const auto progress = player_.planner_.look(file_);
+            const HostTime now = HostClock::now();
+            const bool comes_soon = progress.is_working && now < deadline_ &&
+                                    progress.expected.value_or(now) <= deadline_;
+            if (progress.plan) {
+                using Beginning = engine::PlannedStates::Beginning;
+                graph.follow(progress.plan, is_begun_ ? Beginning::on_bar_line : Beginning::now);
+            }
+            is_planned_ = !progress.is_working;
+            begin(graph, progress.plan || !comes_soon);
+        } else if (!std::exchange(is_next_begun_, true) && !next_.empty()) {
+            player_.planner_.prepare(next_);
+        }
     }
-    planner_.prepare(file);
-    return planner_.plan_of(file, kPlanPatience);
-}
+
+ private:
+    void begin(engine::LiveGraph& graph, bool is_time) {
+        if (is_time && !std::exchange(is_begun_, true)) {
+            graph.playback()->let_go();
+        }
+    }
+
+    Player& player_;
+    Path file_;
+    Path next_;
+    HostTime deadline_;
+    bool is_begun_ = false;
+    bool is_planned_ = false;
+    bool is_next_begun_ = false;
+};
 
 // Plays one file; returns why it ended. `next`: what plays after it, or empty.
 Expected<StageEnd> Player::play(const Path& file, const Path& next) {
     const Section& section = arguments_.section;
     engine::LiveGraphConfig config = graph_config();
-    config.plan = plan_of(file);
+    config.is_held_back = !arguments_.is_as_live;
+    if (!arguments_.is_as_live) {
+        planner_.prepare(file);
+    }
     // The file is decoded from the section's start on.
     auto player = audio::FilePlayer::start({file}, {.start_seconds = section.start});
     if (!player) {
@@ -179,7 +219,6 @@ Expected<StageEnd> Player::play(const Path& file, const Path& next) {
     const std::optional<double> duration = (*player)->first_info().claimed_seconds;
     // The first callback must not find an empty ring.
     (*player)->wait_until_ready(4096);
-    const bool is_known = config.plan != nullptr;
     auto graph = engine::LiveGraph::play(std::move(*player), output_, config);
     if (!graph) {
         return fail(graph.error());
@@ -190,18 +229,13 @@ Expected<StageEnd> Player::play(const Path& file, const Path& next) {
     }
     say("playing " + file.string());
     StageSource stage{file.filename().string(), duration, section.start};
-    // While the song plays: its plan, where it has none yet, then that of the next song.
-    stage.each_picture = [&, is_planned = is_known, is_next_begun = false]() mutable {
-        if (!is_planned && !arguments_.is_as_live) {
-            if (auto plan = planner_.plan_of(file, Nanos(0))) {
-                (*graph)->follow(std::move(plan));
-                is_planned = true;
-            }
-        } else if (!is_next_begun && !next.empty() && !arguments_.is_as_live) {
-            is_next_begun = true;
-            planner_.prepare(next);
-        }
-    };
+    if (!arguments_.is_as_live) {
+        // The songs after the first were begun while the one before played.
+        const Nanos patience = std::exchange(is_first_, false) ? kFirstPatience : kPatience;
+        stage.each_picture = [&graph, planning = Planning(*this, file, next, patience)]() mutable {
+            planning(**graph);
+        };
+    }
     const StageEnd end = loop_.run(**graph, stage);
     // Messages of the decoder, such as a damaged file.
     for (const std::string& message : (*graph)->playback()->player().take_messages()) {

@@ -84,6 +84,9 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     // The callback's target is built before the stream that will call it.
     graph->playback_ = std::move(*playback);
     graph->analysis_ = &graph->playback_->analysis();
+    if (config.is_held_back) {
+        graph->playback_->hold_back();
+    }
     if (config.plan) {
         graph->analysis_->planned().set_plan(config.plan, PlannedStates::Beginning::now);
     }

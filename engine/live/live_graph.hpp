@@ -52,6 +52,8 @@ struct LiveGraphConfig {
     Cast cast;              ///< the dancers, their repertoires and skeleton
     /// The song that play() plays, where it is known already; null: it is analyzed as it comes.
     std::shared_ptr<const audio::SongPlan> plan = nullptr;
+    /// play(): nothing sounds until Playback::let_go(), e.g. as a plan will come soon.
+    bool is_held_back = false;
     Nanos latency_offset{};  ///< the user's, added to what the device reports
     Nanos pose_lead{};       ///< pictures show the pose this much ahead of the sound
     /// Readers of the stage besides the main thread, each on a thread of its own; they must outlive
@@ -128,10 +130,11 @@ class LiveGraph {
     /// The same for the dancers.
     bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
 
-    /// The plan of the song that plays came to hand: it is followed from a bar line on, see
-    /// PlannedStates. At most once, and not where play() was given one.
-    void follow(std::shared_ptr<const audio::SongPlan> plan) {
-        analysis_->planned().set_plan(std::move(plan), PlannedStates::Beginning::on_bar_line);
+    /// The plan of the song that plays came to hand: it is followed from now on, where nothing has
+    /// sounded yet, or from a bar line on, see PlannedStates. At most once, and not where play()
+    /// was given one.
+    void follow(std::shared_ptr<const audio::SongPlan> plan, PlannedStates::Beginning beginning) {
+        analysis_->planned().set_plan(std::move(plan), beginning);
     }
 
     /// Other dancers take over at once, from standing. Errors: those of Ensemble::prepare; the

@@ -113,7 +113,7 @@ void Playback::on_output(std::span<float> interleaved,
     const StreamTime first = device_rate_.time_of(frames_out_);
     // relaxed: switches that order nothing. A pause fades out before it stops: no click.
     const bool is_pausing = is_paused_.load(std::memory_order_relaxed);
-    if (is_pausing && gain_ == 0.0F) {
+    if ((is_pausing && gain_ == 0.0F) || is_held_back_.load(std::memory_order_relaxed)) {
         analysis_->stop_clock(first);
         return;
     }

@@ -42,6 +42,10 @@ class Playback final : public audio::StreamCallback {
     void set_volume(float volume) noexcept;  ///< [0, 2], clamped; the gain follows smoothly
     /// Fades out and stops, or goes on; stream time stands still in a pause.
     void set_paused(bool is_paused) noexcept;
+    /// Holds the first sample back, in silence, until it is let go. Before the first callback.
+    void hold_back() noexcept { is_held_back_.store(true, std::memory_order_relaxed); }
+    /// Lets what is held back sound.
+    void let_go() noexcept { is_held_back_.store(false, std::memory_order_relaxed); }
     /// What set_paused() was told last.
     [[nodiscard]] bool is_paused() const noexcept;
     /// Where the file plays, in seconds: a moment ahead of the loudspeaker. After a seek it is the
@@ -77,6 +81,7 @@ class Playback final : public audio::StreamCallback {
 
     std::atomic<float> volume_{1.0F};
     std::atomic<bool> is_paused_{false};
+    std::atomic<bool> is_held_back_{false};  // relaxed: as a pause, it orders nothing
     std::atomic<bool> is_finished_{false};
     std::atomic<double> position_seconds_{0.0};
     std::atomic<double> end_seconds_{1e18};

@@ -14,8 +14,8 @@ namespace {
 // Of the worker: sound and pictures come first. On Linux each thread has its own.
 constexpr int kNice = 10;
 constexpr Nanos kLongest = std::chrono::hours(1);  // 180 MB of plan
-constexpr std::chrono::milliseconds kLook(20);     // between two looks at the work
-constexpr std::chrono::milliseconds kFirst(300);   // from then on the rest can be foretold
+// From then on the time that is left can be foretold.
+constexpr Nanos kForetold = std::chrono::milliseconds(300);
 
 }  // namespace
 
@@ -63,13 +63,14 @@ struct SongPlanner::Job {
         }
     }
 
-    // Whether at this pace it will be ready within `patience` of now.
-    [[nodiscard]] bool is_worth_waiting(Nanos patience) const {
-        const Nanos spent = HostClock::now() - started;
+    // When it will be ready at the pace so far.
+    [[nodiscard]] std::optional<HostTime> expected(HostTime now) const {
+        const Nanos spent = now - started;
         const double share = done.load(std::memory_order_relaxed);
-        return spent < kFirst || share <= 0.0
-                   ? spent < kFirst
-                   : to_seconds(spent) * (1.0 - share) / share <= to_seconds(patience);
+        if (spent < kForetold || share <= 0.0) {
+            return std::nullopt;
+        }
+        return started + nanos_from_seconds(to_seconds(spent) / share);
     }
 };
 
@@ -105,21 +106,24 @@ void SongPlanner::prepare(const std::filesystem::path& file) {
     });
 }
 
-PlanOfSong SongPlanner::plan_of(const std::filesystem::path& file, Nanos patience) {
+SongPlanner::Progress SongPlanner::look(const std::filesystem::path& file) {
     Job* const job = job_of(file);
     if (job == nullptr) {
-        return nullptr;
+        return {};
     }
-    const HostTime deadline = HostClock::now() + patience;
-    while (job->plan_to_come.valid()) {
-        const Nanos left = std::max(Nanos(0), Nanos(deadline - HostClock::now()));
-        if (job->plan_to_come.wait_for(std::min<Nanos>(left, kLook)) == std::future_status::ready) {
-            job->plan = job->plan_to_come.get();
-        } else if (left <= Nanos(0) || !job->is_worth_waiting(left)) {
-            return nullptr;
-        }
+    if (job->plan_to_come.valid() &&
+        job->plan_to_come.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        job->plan = job->plan_to_come.get();
     }
-    return job->plan;
+    const bool is_working = job->plan_to_come.valid();
+    return {job->plan, is_working, is_working ? job->expected(HostClock::now()) : std::nullopt};
+}
+
+PlanOfSong SongPlanner::wait_for(const std::filesystem::path& file) {
+    if (Job* const job = job_of(file); job != nullptr && job->plan_to_come.valid()) {
+        job->plan_to_come.wait();
+    }
+    return look(file).plan;
 }
 
 }  // namespace raks::engine

@@ -42,9 +42,17 @@ class SongPlanner {
     /// forgotten.
     void prepare(const std::filesystem::path& file);
 
-    /// The plan of a file that was begun. Waits up to `patience`, but not when the work so far
-    /// shows that it will take longer. Empty: not ready, or the file has none.
-    [[nodiscard]] PlanOfSong plan_of(const std::filesystem::path& file, Nanos patience);
+    /// What is known of a file's plan.
+    struct Progress {
+        PlanOfSong plan;          ///< null: not ready, or the file has none
+        bool is_working = false;  ///< a plan may still come
+        /// When it will be ready if the work goes on as so far; known after 0.3 s of work.
+        std::optional<HostTime> expected;
+    };
+    /// Looks, without waiting. A file that was not begun has no plan.
+    [[nodiscard]] Progress look(const std::filesystem::path& file);
+    /// Waits until the work on a file has ended.
+    [[nodiscard]] PlanOfSong wait_for(const std::filesystem::path& file);
 
  private:
     struct Job;

@@ -158,5 +158,18 @@ TEST_F(PlaybackTest, an_end_behind_the_file_changes_nothing) {
     EXPECT_EQ(play_out(), kFileSeconds * kHertz);
 }
 
+TEST_F(PlaybackTest, what_is_held_back_begins_whole_when_it_is_let_go) {
+    playback_->hold_back();
+    for (int i = 0; i < 3; ++i) {
+        for (const float sample : call()) {
+            ASSERT_EQ(sample, 0.0F);
+        }
+    }
+    EXPECT_EQ(playback_->analysis().taken_until(), StreamTime{});
+    EXPECT_FALSE(playback_->is_paused()) << "nobody asked for a pause";
+    playback_->let_go();
+    EXPECT_NEAR(call().front(), 0.1F, 1e-3F) << "the file's first sample, without a fade";
+}
+
 }  // namespace
 }  // namespace raks::engine

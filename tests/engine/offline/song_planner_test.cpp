@@ -14,8 +14,6 @@
 namespace raks::engine {
 namespace {
 
-constexpr Nanos kLong = std::chrono::minutes(5);
-
 class SongPlannerTest : public ::testing::Test {
  protected:
     /// A salsa with silence before and after it.
@@ -37,21 +35,21 @@ class SongPlannerTest : public ::testing::Test {
 TEST_F(SongPlannerTest, plans_a_file_and_keeps_the_plan) {
     SongPlanner planner(installed::models());
     const auto file = song("a.wav", 12.0);
-    EXPECT_EQ(planner.plan_of(file, kLong), nullptr) << "not begun";
+    EXPECT_EQ(planner.wait_for(file), nullptr) << "not begun";
     planner.prepare(file);
-    const PlanOfSong plan = planner.plan_of(file, kLong);
+    const PlanOfSong plan = planner.wait_for(file);
     ASSERT_NE(plan, nullptr);
     EXPECT_EQ(plan->states.size(), 1'200U);
     planner.prepare(song("b.wav", 8.0));
-    EXPECT_EQ(planner.plan_of(file, Nanos(0)), plan) << "the next one is planned beside it";
+    EXPECT_EQ(planner.look(file).plan, plan) << "the next one is planned beside it";
     planner.prepare(song("c.wav", 8.0));
-    EXPECT_EQ(planner.plan_of(file, Nanos(0)), nullptr) << "two are kept";
+    EXPECT_EQ(planner.look(file).plan, nullptr) << "two are kept";
 }
 
 TEST_F(SongPlannerTest, a_file_that_cannot_be_read_has_no_plan) {
     SongPlanner planner(installed::models());
     planner.prepare(folder_ / "none.wav");
-    EXPECT_EQ(planner.plan_of(folder_ / "none.wav", kLong), nullptr);
+    EXPECT_EQ(planner.wait_for(folder_ / "none.wav"), nullptr);
     const auto plan = plan_song(folder_ / "none.wav", installed::models());
     ASSERT_FALSE(plan);
     EXPECT_NE(plan.error().message.find("none.wav"), std::string::npos);
