@@ -172,8 +172,22 @@ void add_rows(const audio::GenreModel& model,
                 audio::tally(
                     scores, logs, window, evaluation.genres, evaluation.asked, evaluation.pair)};
             // No file is as long as this window.
-            if (row.tally.windows > 0) {
-                evaluation.rows.push_back(std::move(row));
+            if (row.tally.windows == 0) {
+                continue;
+            }
+            evaluation.rows.push_back(std::move(row));
+            // What `play` and `render` take: the sum of all of a song's windows.
+            if (evidence == GenreEvidence::fused) {
+                const audio::PieceScores songs = audio::whole_pieces(scores, logs, window);
+                evaluation.rows.push_back({damage,
+                                           "song",
+                                           audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                                           audio::tally(songs.scores,
+                                                        songs.log_chances,
+                                                        window,
+                                                        evaluation.genres,
+                                                        evaluation.asked,
+                                                        evaluation.pair)});
             }
         }
     }

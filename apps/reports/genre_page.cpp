@@ -19,7 +19,8 @@ namespace raks::apps {
 namespace {
 
 // One colour a kind of evidence, in the order of the rows.
-constexpr std::array kColours = {"#dc2626", "#2563eb", "#7c3aed", "#ca8a04", "#64748b", "#16a34a"};
+constexpr std::array kColours = {
+    "#dc2626", "#2563eb", "#7c3aed", "#ca8a04", "#64748b", "#16a34a", "#0891b2"};
 
 // An empty chart: x from 0 to `most_x`, y from 0 to 1.
 Chart empty_chart(double most_x, std::string_view x_label) {
@@ -248,6 +249,7 @@ GenrePage page_of(const std::string& title,
     page.title = title;
     page.genres.assign(genres.begin(), genres.end());
     page.pair = judged.pair;
+    std::vector<GenrePage::Row> songs;  // after all others
     // MFCC+IGS is optional evidence: its scores are all zero where it was left out.
     const bool has_similarity =
         std::any_of(judged.scores.begin(), judged.scores.end(), [](const auto& score) {
@@ -263,18 +265,30 @@ GenrePage page_of(const std::string& title,
             continue;
         }
         for (std::size_t window = 0; window < audio::kGenreWindows.size(); ++window) {
+            const double seconds = audio::kGenreWindows[window] * audio::kSegmentSeconds;
             // One class more than genres: "unknown".
             const auto logs = fused_scores(judged, window, genres.size() + 1, evidence);
             GenrePage::Row row{
                 kEvidenceNames[static_cast<std::size_t>(evidence)],
-                audio::kGenreWindows[window] * audio::kSegmentSeconds,
+                seconds,
                 audio::tally(judged.scores, logs, window, genres, asked, judged.pair)};
             // A window length that no piece fills has no row.
-            if (row.tally.windows > 0) {
-                page.rows.push_back(std::move(row));
+            if (row.tally.windows == 0) {
+                continue;
+            }
+            page.rows.push_back(std::move(row));
+            // What is danced to a song that is known: the sum of its windows.
+            if (evidence == GenreEvidence::fused) {
+                const auto all = audio::whole_pieces(judged.scores, logs, window);
+                songs.push_back(
+                    {"song",
+                     seconds,
+                     audio::tally(
+                         all.scores, all.log_chances, window, genres, asked, judged.pair)});
             }
         }
     }
+    page.rows.insert(page.rows.end(), songs.begin(), songs.end());
     return page;
 }
 

@@ -345,4 +345,34 @@ GenreTally tally(std::span<const WindowScore> scores,
     return maker.finish();
 }
 
+PieceScores whole_pieces(std::span<const WindowScore> scores,
+                         std::span<const GenreScores::Values> log_chances,
+                         std::size_t window) {
+    PieceScores pieces;
+    std::map<std::pair<std::size_t, bool>, std::size_t> places;  // by piece; written ones apart
+    std::vector<float> counts;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+        if (scores[i].window != window) {
+            continue;
+        }
+        const auto [place, is_new] =
+            places.try_emplace({scores[i].piece, scores[i].is_recorded}, pieces.scores.size());
+        if (is_new) {
+            pieces.scores.push_back(scores[i]);
+            pieces.log_chances.emplace_back();
+            counts.push_back(0.0F);
+        }
+        counts[place->second] += 1.0F;
+        for (std::size_t c = 0; c < log_chances[i].size(); ++c) {
+            pieces.log_chances[place->second][c] += log_chances[i][c];
+        }
+    }
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        for (float& value : pieces.log_chances[i]) {
+            value /= counts[i];
+        }
+    }
+    return pieces;
+}
+
 }  // namespace raks::audio

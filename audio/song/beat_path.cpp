@@ -13,8 +13,10 @@ namespace {
 constexpr std::uint8_t kRestart = 255;  // in place of the number of a tempo
 static_assert(kRestart > 128);          // more tempi than BeatPointerConfig asks for
 
+constexpr std::int64_t kAhead = 5;  // hops that a beat may lie before the song
+
 // Standard deviations of the smoother.
-constexpr double kPlaceNoise = 0.8;    // hops: the raster, and how far players scatter
+constexpr double kPlaceNoise = 0.8;     // hops: the raster, and how far players scatter
 constexpr double kLengthDrift = 0.004;  // change of the beat's length from beat to beat, as a ratio
 
 // The most likely predecessor of each state: of all states but the first ones it is the state
@@ -58,7 +60,11 @@ class Viterbi {
             const std::size_t tempo = tempo_of(state);
             hop -= static_cast<std::int64_t>(state) - states_.tempi()[tempo].first;
             if (hop < 0) {
-                break;  // this beat lies before the song
+                // Before the song; one on its first sample may seem to be a little before it.
+                if (hop >= -kAhead) {
+                    found.push_back({static_cast<double>(hop), false});
+                }
+                break;
             }
             const auto at = static_cast<std::size_t>(hop);
             const std::uint8_t from = arrived_from_[at * states_.tempi().size() + tempo];

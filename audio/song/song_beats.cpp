@@ -42,17 +42,36 @@ BeatRating rate(const SongRecording& song, double hop) {
     return rating;
 }
 
-// How sure a beat's evidence is, [0, 1].
-float certainty(const SongRecording& song, const BeatRating& rating) {
-    const bool has_evidence = !song.hops.empty() && song.hops.front().has_evidence;
-    const float least = has_evidence ? kLeastEvidence : kLeastStrength;
-    const float full = has_evidence ? kFullEvidence : kFullStrength;
-    return (has_evidence ? rating.beat : rating.strength) < least
-               ? 0.0F
-               : std::min(
-                     1.0F,
-                     ((has_evidence ? rating.beat : rating.strength) - least) / (full - least));
+float share_of(float value, float least, float full) {
+    return std::clamp((value - least) / (full - least), 0.0F, 1.0F);
 }
+
+// Judges how sure the evidence of a beat is, [0, 1]: by the network where there is one. In a
+// sound's first seconds a recurrent network knows too little, and the onset strength counts, too.
+class Certainty {
+ public:
+    explicit Certainty(const SongRecording& song)
+        : has_network_(!song.hops.empty() && song.hops.front().has_evidence) {
+        const auto first = std::find_if(song.states.begin(),
+                                        song.states.end(),
+                                        [](const MusicState& state) { return !state.is_silent; });
+        warm_from_ = static_cast<double>(first - song.states.begin()) + kColdHops;
+    }
+
+    [[nodiscard]] float of(const BeatRating& rating, double hop) const {
+        const float by_network = share_of(rating.beat, kLeastEvidence, kFullEvidence);
+        const float by_onset = share_of(rating.strength, kLeastStrength, kFullStrength);
+        if (!has_network_) {
+            return by_onset;
+        }
+        return hop < warm_from_ ? std::max(by_network, by_onset) : by_network;
+    }
+
+ private:
+    static constexpr double kColdHops = 400.0;
+    bool has_network_;
+    double warm_from_ = 0.0;  // hop
+};
 
 // Collects the sound of each beat, as BeatTracker does: what the bar network says of it, and how
 // much the sound changed at its beginning.
@@ -120,6 +139,7 @@ std::vector<SongBeat> track_song(const SongRecording& song,
     std::vector<PathBeat> path = find_beats(song.hops, states);
     smooth_beats(path);
     BeatSounds sounds(song, std::move(bars));
+    const Certainty certainty(song);
     std::vector<BarLikelihood> likelihoods;
     std::vector<float> certain;
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -132,13 +152,14 @@ std::vector<SongBeat> track_song(const SongRecording& song,
             likelihood *= BarLikelihood::of_downbeat(rating.downbeat / rating.beat);
         }
         likelihoods.push_back(likelihood);
-        certain.push_back(certainty(song, rating));
+        certain.push_back(certainty.of(rating, path[i].hop));
     }
     const std::vector<BarPlace> places = find_bars(likelihoods);
     const std::vector<float> sure = confidences(certain);
     std::vector<SongBeat> beats;
     for (std::size_t i = 0; i < path.size(); ++i) {
-        beats.push_back({stream_time_from_seconds((path[i].hop + kOnsetLagHops) / kHopsPerSecond),
+        const double hop = std::max(0.0, path[i].hop + kOnsetLagHops);
+        beats.push_back({stream_time_from_seconds(hop / kHopsPerSecond),
                          places[i],
                          sure[i],
                          path[i].is_restart});

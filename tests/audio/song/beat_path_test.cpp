@@ -154,7 +154,9 @@ TEST(BeatPath, is_the_best_of_all_paths) {
         }
         std::vector<double> found;
         for (const PathBeat& beat : find_beats(song, states)) {
-            found.push_back(beat.hop);
+            if (beat.hop >= 0.0) {  // one may lie a little before the song
+                found.push_back(beat.hop);
+            }
         }
         EXPECT_EQ(found, AllPaths(states, song).best_beats()) << seed;
     }
