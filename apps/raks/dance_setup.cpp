@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/dances/written_dance.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 
 namespace raks::apps {
@@ -27,6 +28,9 @@ bool is_dance_place(const std::string& dance) {
 }
 
 Expected<DanceSetup> open_dances(engine::Settings& settings) {
+    // Nothing of what is loaded would be kept.
+    const EndAtOnceOnSignals at_once;
+    say_detail("loading the dances");
     fs::path given;
     if (is_dance_place(settings.dance)) {
         given = settings.dance;
@@ -52,7 +56,7 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
         settings.dance = catalogue->given_dance();
     }
     // The name can only be checked now that all dances are known.
-    if (auto checked = engine::check_dances(settings, *catalogue->list()); !checked) {
+    if (auto checked = engine::check_dances(settings, *catalogue); !checked) {
         return fail(std::move(checked.error()));
     }
     auto models = engine::load_analyzer_models(catalogue->list());
@@ -63,6 +67,7 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
 }
 
 Expected<OfflineSetup> open_dancers(engine::Settings& settings) {
+    const EndAtOnceOnSignals at_once;
     auto setup = open_dances(settings);
     if (!setup) {
         return fail(std::move(setup.error()));
@@ -79,6 +84,7 @@ Expected<OfflineSetup> open_dancers(engine::Settings& settings) {
 }
 
 Expected<StageSetup> open_formations(engine::Settings& settings) {
+    const EndAtOnceOnSignals at_once;
     auto setup = open_dances(settings);
     if (!setup) {
         return fail(std::move(setup.error()));
