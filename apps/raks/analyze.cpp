@@ -3,21 +3,27 @@
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "apps/dances/known_dances.hpp"
+#include "apps/raks/sound_pipe.hpp"
 #include "apps/reports/analysis_document.hpp"
 #include "apps/reports/plot_svg.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/beat/paper_beat.hpp"
+#include "audio/io/audio_file.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"
 #include "engine/offline/last_hops.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/play_list.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
@@ -61,6 +67,7 @@ struct Analyses {
 
 // Checks and opens all that is asked for before the analysis, which may take long.
 Expected<void> prepare(const AnalyzeArguments& arguments,
+                       const Path& input,
                        SampleRate rate,
                        const engine::AnalyzerModels& models,
                        Analyses& to) {
@@ -69,7 +76,7 @@ Expected<void> prepare(const AnalyzeArguments& arguments,
         if (arguments.plot.extension() != ".svg") {
             return fail(arguments.plot.string() + ": a plot is written as .svg");
         }
-        const std::vector<Path> read = {arguments.input, arguments.reference};
+        const std::vector<Path> read = {input, arguments.reference};
         if (auto checked = check_is_no_input(arguments.plot, read); !checked) {
             return checked;
         }
@@ -157,10 +164,13 @@ const char* name_of(FileBeatMethod method) {
 }
 
 // Draws the plot into its temporary file and gives it its name.
-Expected<void> write_plot(const AnalyzeArguments& arguments, Analyses& analyses, Nanos duration) {
+Expected<void> write_plot(const AnalyzeArguments& arguments,
+                          const Path& input,
+                          Analyses& analyses,
+                          Nanos duration) {
     analyses.plot->finish(duration);
     const auto svg = draw_plot(*analyses.plot,
-                               {.title = printable(arguments.input.filename().string(), 200),
+                               {.title = printable(input.filename().string(), 200),
                                 .method = name_of(arguments.beat),
                                 .reference = std::move(analyses.reference)});
     if (!svg) {
@@ -172,25 +182,34 @@ Expected<void> write_plot(const AnalyzeArguments& arguments, Analyses& analyses,
     return analyses.plot_file->commit();
 }
 
-}  // namespace
+// A file, or what comes through a pipe.
+Expected<engine::MusicSource> open_source(const Path& input) {
+    if (!engine::is_pipe(input)) {
+        return engine::MusicSource::open(input);
+    }
+    auto pipe = open_sound_pipe(input);
+    if (!pipe) {
+        return fail(pipe.error());
+    }
+    return engine::MusicSource::of(std::move(*pipe));
+}
 
-ExitCode analyze(const AnalyzeArguments& arguments) {
-    auto source = engine::MusicSource::open(arguments.input);
+// The document of one file, as text or as JSON. Errors: those of the file and of the plot.
+Expected<std::string> analyze_one(const AnalyzeArguments& arguments,
+                                  const Path& input,
+                                  const engine::AnalyzerModels& models) {
+    auto source = open_source(input);
     if (!source) {
         return fail(source.error());
     }
-    const auto models = load_models_of_known_dances();
-    if (!models) {
-        return fail(models.error());
-    }
     Analyses analyses;
-    if (auto prepared = prepare(arguments, source->rate(), *models, analyses); !prepared) {
+    if (auto prepared = prepare(arguments, input, source->rate(), models, analyses); !prepared) {
         return fail(std::move(prepared.error()));
     }
     // The last class of the model's posterior.
-    std::vector<std::string> genres = models->genres->genres;
+    std::vector<std::string> genres = models.genres->genres;
     genres.emplace_back("unknown");
-    AnalysisDocument document(arguments.input.string(), source->rate(), std::move(genres));
+    AnalysisDocument document(input.string(), source->rate(), std::move(genres));
     Collect collect(document, analyses.plot ? &*analyses.plot : nullptr);
     analyze_source(*source, analyses, collect);
     // The method with the whole file before it replaces the streaming beats, in both outputs.
@@ -205,15 +224,90 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
         say(source->warning());
     }
     if (analyses.plot) {
-        if (auto written = write_plot(arguments, analyses, source->given()); !written) {
+        if (auto written = write_plot(arguments, input, analyses, source->given()); !written) {
             return fail(std::move(written.error()));
         }
     }
-    // One write: the document appears whole.
-    const std::string text =
-        arguments.as_json ? document.to_json(source->given()) : document.to_text(source->given());
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    return kExitDone;
+    return arguments.as_json ? document.to_json(source->given())
+                             : document.to_text(source->given());
+}
+
+// Of one file its own document. Of several one document around theirs, which come as they are
+// ready: memory does not grow with their number.
+class Output {
+ public:
+    Output(bool is_json, bool has_several) : is_json_(is_json), has_several_(has_several) {
+        if (is_set()) {
+            std::fputs("{\"format\":\"raks-analyses\",\"version\":1,\"files\":[", stdout);
+        }
+    }
+    void add(std::string_view document) {
+        if (has_several_ && count_ > 0) {
+            // JSON has a comma between two, text an empty line.
+            std::fputs(is_json_ ? ",\n" : "\n", stdout);
+        }
+        if (is_set() && document.ends_with('\n')) {
+            document.remove_suffix(1);
+        }
+        ++count_;
+        std::fwrite(document.data(), 1, document.size(), stdout);
+    }
+    void finish(const engine::SkippedFiles& skipped) {
+        if (is_set()) {
+            const std::string rest = fmt::format("],\"skipped\":{}}}\n", skipped.count());
+            std::fputs(rest.c_str(), stdout);
+        }
+    }
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+
+ private:
+    [[nodiscard]] bool is_set() const noexcept { return is_json_ && has_several_; }
+
+    bool is_json_;
+    bool has_several_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+ExitCode analyze(const AnalyzeArguments& arguments) {
+    auto list = engine::read_play_list(arguments.inputs);
+    if (!list) {
+        return fail(list.error());
+    }
+    const bool has_several = list->files.size() > 1;
+    if (has_several && !arguments.plot.empty()) {
+        return fail(arguments.plot.string() + ": a plot shows one file; name one");
+    }
+    // One file that is no music is said before the models are loaded.
+    if (!has_several && !engine::is_pipe(list->files.front())) {
+        if (const auto file = audio::open_audio_file(list->files.front()); !file) {
+            return fail(file.error());
+        }
+    }
+    const auto models = load_models_of_known_dances();
+    if (!models) {
+        return fail(models.error());
+    }
+    Output output(arguments.as_json, has_several);
+    for (const Path& input : list->files) {
+        if (stop_signal()) {
+            break;
+        }
+        const auto document = analyze_one(arguments, input, *models);
+        if (document) {
+            output.add(*document);
+        } else if (!has_several) {
+            return fail(document.error());
+        } else {
+            list->skipped.add(document.error().message);
+        }
+    }
+    output.finish(list->skipped);
+    for (const std::string& line : list->skipped.report()) {
+        complain(line);
+    }
+    return list->skipped.count() == 0 ? kExitDone : output.count() == 0 ? kExitFailed : kExitPartly;
 }
 
 }  // namespace raks::apps

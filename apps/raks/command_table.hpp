@@ -5,6 +5,7 @@
 
 #include "apps/raks/commands.hpp"
 #include "apps/terminal/command_table.hpp"
+#include "apps/terminal/say.hpp"
 #include "engine/setup/settings.hpp"
 
 namespace raks::apps {
@@ -15,7 +16,9 @@ class RaksCommands : public CommandTable {
     /// `settings`: read from the files; options are parsed over them.
     explicit RaksCommands(engine::Settings settings)
         : CommandTable("raks: an avatar that dances to what it hears", "raks"),
-          settings_(std::move(settings)) {}
+          settings_(std::move(settings)) {
+        add_talk_options(app());
+    }
 
     /// As CommandTable::add; arguments that have settings get those of the files first.
     template <typename Arguments>
@@ -24,6 +27,7 @@ class RaksCommands : public CommandTable {
                            const char* help,
                            ExitCode (*run)(const Arguments&)) {
         auto command = CommandTable::add(parent, name, help, run);
+        add_talk_options(*command.app);
         if constexpr (requires { command.arguments->settings; }) {
             command.arguments->settings = settings_;
             command.app->callback([this, arguments = command.arguments, run] {
@@ -40,6 +44,14 @@ class RaksCommands : public CommandTable {
     }
 
  private:
+    // -q and -v stand before or behind the command.
+    static void add_talk_options(CLI::App& app) {
+        app.add_flag_callback(
+            "-q,--quiet", [] { set_talk(Talk::quiet); }, "say only what went wrong");
+        app.add_flag_callback(
+            "-v,--verbose", [] { set_talk(Talk::verbose); }, "say more");
+    }
+
     engine::Settings settings_;
     std::shared_ptr<const engine::Settings> chosen_settings_;
 };

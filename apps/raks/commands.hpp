@@ -23,14 +23,18 @@ struct Section {
 /// Arguments of `raks play`.
 struct PlayArguments {
     engine::Settings settings;   ///< of the files and the options
-    std::vector<Path> files;     ///< files and folders; empty: the demo salsa
+    std::vector<Path> files;     ///< files, folders, playlists, pipes; empty: the demo salsa
     Section section;             ///< of every file
+    bool is_shuffled = false;    ///< in an order of the seed
+    bool repeats = false;        ///< begins anew behind the last file
+    bool quits = false;          ///< closes the window behind the last file
     bool is_headless = false;    ///< no window
     bool is_soundless = false;   ///< no loudspeaker; paced by the clock
     bool is_fullscreen = false;  ///< the window fills the screen
     bool is_as_live = false;     ///< songs are analyzed as they come, as an input is
 };
-/// Plays files and dances to them. Errors: the only file cannot be played, no loudspeaker.
+/// Plays files and dances to them; kExitPartly when some could not be played. Errors: none can be
+/// played, no loudspeaker.
 [[nodiscard]] ExitCode play(const PlayArguments& arguments);
 
 /// Arguments of `raks live`.
@@ -55,9 +59,10 @@ struct DevicesArguments {
 struct RenderArguments {
     engine::Settings settings;  ///< of the files and the options
     Path input;                 ///< empty: the demo salsa
-    Path output;                ///< .mp4, .avi, or a folder for .png
+    Path output;                ///< .mp4, .mkv, .webm, .avi, or a folder for .png
     Section section;            ///< of the input
     bool is_as_live = false;    ///< it is analyzed as it comes, as an input is
+    bool has_overlay = false;   ///< beat, tempo and levels on top, whatever the settings say
 };
 /// Writes a film of the dance. Errors: those of input, OpenGL and the film.
 [[nodiscard]] ExitCode render(const RenderArguments& arguments);
@@ -68,13 +73,14 @@ enum class FileBeatMethod : std::uint8_t { pointer, whole, paper, paper_whole };
 
 /// Arguments of `raks analyze`.
 struct AnalyzeArguments {
-    Path input;                                     ///< the music file
+    std::vector<Path> inputs;                       ///< files, folders, playlists, pipes
     bool as_json = false;                           ///< one JSON document instead of text
     FileBeatMethod beat = FileBeatMethod::pointer;  ///< how beats are tracked
     Path plot;                                      ///< .svg; empty: none
     Path reference;  ///< beats to compare with in the plot; empty: none
 };
-/// Reports beats, tempo and dance of a file. Errors: those of the files.
+/// Reports beats, tempo and dance of files; kExitPartly when some could not be read. Errors: none
+/// can be read; those of the plot.
 [[nodiscard]] ExitCode analyze(const AnalyzeArguments& arguments);
 
 /// Arguments of `raks eval beats`.
@@ -171,7 +177,8 @@ struct StickArguments {
 struct SynthArguments {
     std::string style;      ///< of the generator, or a dance; empty: the first dance's
     Path output;            ///< .wav
-    double bpm = 180.0;     ///< [50, 230]
+    Path beats;             ///< its beats as text; empty: not written
+    double bpm = 0.0;       ///< [50, 230]; 0: the usual tempo of the style
     double seconds = 60;    ///< (0, 3600]
     std::int64_t seed = 1;  ///< same seed, same music
 };

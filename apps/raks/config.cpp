@@ -10,6 +10,11 @@ namespace raks::apps {
 ExitCode config(const ConfigArguments& arguments) {
     // `path` and `init` do not read the settings: they work with a faulty file, too.
     const Path path = engine::user_settings_path();
+    if (path.empty() && arguments.action != "show") {
+        return fail(
+            "there is no place for your settings: set HOME or XDG_CONFIG_HOME to a folder of "
+            "yours");
+    }
     if (arguments.action == "path") {
         std::printf("%s\n", path.c_str());
         return kExitDone;

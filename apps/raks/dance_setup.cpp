@@ -29,6 +29,9 @@ bool is_dance_place(const std::string& dance) {
 }
 
 Expected<DanceSetup> open_dances(engine::Settings& settings) {
+    // Nothing of what is loaded would be kept.
+    const EndAtOnceOnSignals at_once;
+    say_detail("loading the dances");
     fs::path given;
     if (is_dance_place(settings.dance)) {
         given = settings.dance;
@@ -54,7 +57,7 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
         settings.dance = catalogue->given_dance();
     }
     // The name can only be checked now that all dances are known.
-    if (auto checked = engine::check_dances(settings, *catalogue->list()); !checked) {
+    if (auto checked = engine::check_dances(settings, *catalogue); !checked) {
         return fail(std::move(checked.error()));
     }
     auto models = engine::load_analyzer_models(catalogue->list());
@@ -65,6 +68,7 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
 }
 
 Expected<OfflineSetup> open_dancers(engine::Settings& settings) {
+    const EndAtOnceOnSignals at_once;
     auto setup = open_dances(settings);
     if (!setup) {
         return fail(std::move(setup.error()));
@@ -81,6 +85,7 @@ Expected<OfflineSetup> open_dancers(engine::Settings& settings) {
 }
 
 Expected<StageSetup> open_formations(engine::Settings& settings) {
+    const EndAtOnceOnSignals at_once;
     auto setup = open_dances(settings);
     if (!setup) {
         return fail(std::move(setup.error()));

@@ -13,8 +13,9 @@ void add_formation_option(CLI::App& app, engine::Settings& settings) {
 }
 
 // The options that play, live and render share: they overwrite the settings of the files. Names and
-// ranges are checked with the settings, after parsing.
-void add_picture_options(CLI::App& app, engine::Settings& settings) {
+// ranges are checked with the settings, after parsing. `overlay`: a window's is a setting, a film's
+// is not.
+void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overlay) {
     app.add_option("--dance",
                    settings.dance,
                    "the dance to keep to: name, folder or written dance (X.toml); or auto");
@@ -28,7 +29,7 @@ void add_picture_options(CLI::App& app, engine::Settings& settings) {
     app.add_option("--fps", settings.fps, "pictures a second");
     app.add_option("--quality", settings.quality, "auto, fast or high");
     app.add_option("--view", settings.view, "skin, stick or auto");
-    app.add_flag("--overlay,!--no-overlay", settings.overlay, "beat, tempo and levels on top");
+    app.add_flag("--overlay,!--no-overlay", overlay, "beat, tempo and levels on top");
     app.add_option("--latency-offset",
                    settings.latency_offset_ms,
                    "milliseconds added to the latency that the device reports");
@@ -55,7 +56,13 @@ void add_section_options(CLI::App& app, Section& section) {
 // Each add_ function below adds one command with its options.
 void add_play(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
-    app->add_option("files", a->files, "music files and folders; none: music of our own");
+    app->add_option("files",
+                    a->files,
+                    "music files, folders, playlists (.m3u, .pls, .xspf), - for a pipe; none: "
+                    "music of our own");
+    app->add_flag("--shuffle", a->is_shuffled, "mixed; the same seed, the same order");
+    app->add_flag("--repeat", a->repeats, "begin anew behind the last file");
+    app->add_flag("--quit", a->quits, "close the window behind the last file");
     app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
     app->add_option("--volume", a->settings.volume, "1 is the file's own level");
     app->add_flag("--headless", a->is_headless, "no window");
@@ -63,7 +70,7 @@ void add_play(RaksCommands& table) {
     app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
-    add_picture_options(*app, a->settings);
+    add_picture_options(*app, a->settings, a->settings.overlay);
 }
 
 void add_live(RaksCommands& table) {
@@ -77,17 +84,18 @@ void add_live(RaksCommands& table) {
         ->check(in_range(kShortestSeconds, kLongestSeconds));
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
-    add_picture_options(*app, a->settings);
+    add_picture_options(*app, a->settings, a->settings.overlay);
 }
 
 void add_render(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "render", "write a video of the dance to a file", render);
     app->add_option("file", a->input, "music file; none: music of our own");
-    app->add_option("-o,--out", a->output, "X.mp4, X.avi, or a folder for .png")->required();
+    app->add_option("-o,--out", a->output, "X.mp4, X.mkv, X.webm, X.avi, or a folder for .png")
+        ->required();
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
-    add_picture_options(*app, a->settings);
+    add_picture_options(*app, a->settings, a->has_overlay);
 }
 
 void add_dance(RaksCommands& table) {
@@ -115,7 +123,8 @@ void add_dances(RaksCommands& table) {
 void add_sheet(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "sheet", "draw a figure as a pose sheet, or film it", sheet);
-    app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.avi or a folder")->required();
+    app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.mkv, X.webm, X.avi, a folder")
+        ->required();
     app->add_option("--dance", a->settings.dance, "name, folder or written dance (X.toml)");
     app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
     add_figures_option(*app, a->settings);
@@ -162,7 +171,9 @@ void add_synth(RaksCommands& table) {
         "a dance, or montuno, maqsum, four-on-the-floor, backbeat, boom-bap, oom-pah-pah, drums, "
         "clicks; none: the first dance's");
     app->add_option("-o,--out", a->output, "X.wav")->required();
-    app->add_option("--bpm", a->bpm, "tempo")->check(in_range(50.0, 230.0));
+    app->add_option("--beats", a->beats, "X.beats: when each beat falls, and its place in the bar");
+    app->add_option("--bpm", a->bpm, "tempo; else the usual one of the style")
+        ->check(in_range(50.0, 230.0));
     app->add_option("--duration", a->seconds, "seconds")->check(in_range(1.0, 3600.0));
     app->add_option("--seed", a->seed, "same seed, same music")
         ->check(in_range<std::int64_t>(0, 9'000'000'000'000'000));

@@ -36,7 +36,7 @@ std::string fault_of_dances(engine::Settings settings) {
     if (!catalogue) {
         return {};  // the command reports it, if it dances
     }
-    const auto checked = engine::check_dances(settings, *catalogue->list());
+    const auto checked = engine::check_dances(settings, *catalogue);
     return checked ? std::string() : checked.error().message;
 }
 
@@ -66,7 +66,7 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     const auto settings = engine::load_settings();
     RaksCommands table(settings.value_or(engine::Settings{}));
     table.app().require_subcommand(0, 1);
-    table.app().set_version_flag("--version", std::string("raks ") + kVersion);
+    table.app().set_version_flag("-V,--version", std::string("raks ") + kVersion);
     add_dancing_commands(table);
     add_measuring_commands(table);
     add_training_commands(table);
@@ -81,13 +81,13 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     }
     // A faulty file must not prevent --help, nor `raks config`, which tells where the file lies.
     if (!settings && !table.app().got_subcommand("config")) {
-        say(settings.error().message);
+        complain(settings.error().message);
         return {nullptr, kExitUsage};
     }
     // Checked after parsing, since file and options together make the values.
     if (table.chosen_settings() != nullptr) {
         if (const std::string fault = fault_of(*table.chosen_settings()); !fault.empty()) {
-            say(fault);
+            complain(fault);
             return {nullptr, kExitUsage};
         }
     }

@@ -35,8 +35,9 @@ void add_devices(RaksCommands& table) {
 
 void add_analyze(RaksCommands& table) {
     auto [app, a] =
-        table.add(table.app(), "analyze", "tell beats, tempo and dance of a file", analyze);
-    app->add_option("file", a->input, "music file")->required();
+        table.add(table.app(), "analyze", "tell beats, tempo and dance of files", analyze);
+    app->add_option("files", a->inputs, "music files, folders, playlists, - for a pipe")
+        ->required();
     app->add_flag("--json", a->as_json, "one JSON document");
     add_beat_option(*app, a->beat);
     app->add_flag_callback(

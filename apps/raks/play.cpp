@@ -1,91 +1,65 @@
 #include "apps/raks/commands.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <iterator>
-#include <system_error>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "apps/raks/dance_setup.hpp"
+#include "apps/raks/song_start.hpp"
+#include "apps/raks/sound_pipe.hpp"
 #include "apps/raks/stage_loop.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/devices.hpp"
-#include "base/file.hpp"
+#include "audio/io/pipe_reader.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/song_planner.hpp"
+#include "engine/setup/play_list.hpp"
+#include "engine/setup/play_order.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
-
-namespace fs = std::filesystem;
 
 // How long the first song, and the others, may be analyzed before they begin to sound.
 constexpr Nanos kFirstPatience = std::chrono::milliseconds(1500);
 constexpr Nanos kPatience = std::chrono::seconds(5);
 
-// Extensions that are taken from a folder; a file that is named is tried whatever its extension.
-bool looks_like_music(const Path& path) {
-    constexpr std::array<std::string_view, 17> kExtensions = {".wav",
-                                                              ".flac",
-                                                              ".ogg",
-                                                              ".oga",
-                                                              ".opus",
-                                                              ".mp3",
-                                                              ".m4a",
-                                                              ".aac",
-                                                              ".aif",
-                                                              ".aiff",
-                                                              ".wma",
-                                                              ".webm",
-                                                              ".mp4",
-                                                              ".mkv",
-                                                              ".mov",
-                                                              ".avi",
-                                                              ".caf"};
-    // Compared in lower case: "SONG.MP3" is music, too.
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
-    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+// The files to play; nothing stands for the demo. Errors: none that can be played is named.
+Expected<engine::PlayList> files_to_play(const std::vector<Path>& given) {
+    if (!given.empty()) {
+        return engine::read_play_list(given);
+    }
+    const EndAtOnceOnSignals at_once;
+    const auto demo = engine::demo_music();
+    if (!demo) {
+        return fail(demo.error());
+    }
+    return engine::PlayList{{*demo}, {}};
 }
 
-// The files to play: a folder stands for the music in it, sorted; nothing stands for the demo.
-// Errors: a folder that cannot be read or has no music.
-Expected<std::vector<Path>> files_to_play(const std::vector<Path>& given) {
-    std::vector<Path> files;
-    for (const Path& path : given) {
-        std::error_code error;
-        // Not checked further: opening it will tell.
-        if (!fs::is_directory(path, error)) {
-            files.push_back(path);
-            continue;
-        }
-        std::vector<Path> inside;
-        const auto listed = list_folder(path);
-        if (!listed) {
-            return fail(listed.error());
-        }
-        std::copy_if(
-            listed->begin(), listed->end(), std::back_inserter(inside), [&](const Path& file) {
-                return fs::is_regular_file(file, error) && looks_like_music(file);
-            });
-        // A folder without music is rather a mistake than nothing to play.
-        if (inside.empty()) {
-            return fail(path.string() + ": no music in this folder");
-        }
-        files.insert(files.end(), inside.begin(), inside.end());
+// Opens what comes through a pipe.
+Expected<std::unique_ptr<audio::PipeReader>> open_pipe(const Path& path, const Section& section) {
+    if (section.start > 0.0) {
+        return fail(path.string() +
+                    ": comes through a pipe, which plays from its beginning; "
+                    "leave --start out");
     }
-    if (files.empty()) {
-        const auto demo = engine::demo_music();
-        if (!demo) {
-            return fail(demo.error());
-        }
-        files.push_back(*demo);
+    return open_sound_pipe(path);
+}
+
+// Whether a file can be played from the section's start on. Errors: why not.
+Expected<void> check_file(const Path& path, const Section& section) {
+    const auto file = audio::open_audio_file(path);
+    if (!file) {
+        return fail(file.error());
     }
-    return files;
+    const auto length = (*file)->info().claimed_seconds;
+    return length && section.start >= *length && section.start > 0.0
+               ? fail(engine::starts_behind_end(path, *length, section.start))
+               : Expected<void>();
 }
 
 // The device for the sound; none with --no-sound. Errors: no device, or none of that name.
@@ -100,6 +74,115 @@ Expected<std::optional<audio::AudioDevice>> choose_output(const PlayArguments& a
     }
     say("sound goes to " + choice->reason);
     return choice->device;
+}
+
+// The part of the arguments that says in which order files are played.
+engine::PlayOrderOptions order_of(const PlayArguments& arguments) {
+    engine::PlayOrderOptions options;
+    if (arguments.is_shuffled) {
+        options.shuffle_seed = static_cast<std::uint64_t>(arguments.settings.seed);
+    }
+    options.repeats = arguments.repeats;
+    return options;
+}
+
+// Of files none of which could be played, why.
+std::string nothing_played(const engine::SkippedFiles& skipped) {
+    const std::string& first = skipped.lines().front();
+    return skipped.count() == 1 ? first
+                                : fmt::format("{} (and {} more; none of the files can be played)",
+                                              first,
+                                              skipped.count() - 1);
+}
+
+// The files in their order, and what of them turned out not to be playable.
+class PlaySet {
+ public:
+    PlaySet(engine::PlayList list, const PlayArguments& arguments)
+        : list_(std::move(list)),
+          section_(arguments.section),
+          order_(list_.files.size(), order_of(arguments)) {}
+
+    // Goes to the first file that can be played; a pipe is opened. Errors: there is none; the line
+    // says why.
+    [[nodiscard]] Expected<void> begin();
+    // The pipe that begin() opened, once; else null.
+    [[nodiscard]] std::unique_ptr<audio::PipeReader> take_pipe() { return std::move(pipe_); }
+    // The file that plays; null: the end.
+    [[nodiscard]] const Path* current() const;
+    // Whether a file follows that can be played, as far as that can be told without playing it.
+    [[nodiscard]] bool has_next();
+    // That file, once has_next() has looked; empty: none, or one that comes through a pipe.
+    [[nodiscard]] Path next() const;
+    void go_on() { order_.go_on(); }
+    void go_back() { order_.go_back(); }
+    // The current file turned out not to be playable: it is left out, the next one follows.
+    void skip_current(const std::string& why) {
+        list_.skipped.add(why);
+        order_.drop_current();
+    }
+    [[nodiscard]] const engine::SkippedFiles& skipped() const noexcept { return list_.skipped; }
+
+ private:
+    // Pipes are opened once, when they are played.
+    [[nodiscard]] Expected<void> check(const Path& path) const {
+        return engine::is_pipe(path) ? Expected<void>() : check_file(path, section_);
+    }
+    [[nodiscard]] Expected<void> open_first();
+
+    engine::PlayList list_;
+    const Section& section_;
+    engine::PlayOrder order_;
+    std::unique_ptr<audio::PipeReader> pipe_;
+};
+
+Expected<void> PlaySet::open_first() {
+    const Path& path = *current();
+    if (!engine::is_pipe(path)) {
+        return check(path);
+    }
+    auto pipe = open_pipe(path, section_);
+    if (!pipe) {
+        return fail(pipe.error());
+    }
+    pipe_ = std::move(*pipe);
+    return {};
+}
+
+Expected<void> PlaySet::begin() {
+    while (current() != nullptr) {
+        const auto opened = open_first();
+        if (opened) {
+            return {};
+        }
+        if (stop_signal()) {
+            return fail("stopped before anything was played");
+        }
+        skip_current(opened.error().message);
+    }
+    return fail(nothing_played(skipped()));
+}
+
+const Path* PlaySet::current() const {
+    const auto file = order_.current();
+    return file ? &list_.files[*file] : nullptr;
+}
+
+bool PlaySet::has_next() {
+    while (const auto next = order_.next()) {
+        const auto checked = check(list_.files[*next]);
+        if (checked || stop_signal()) {
+            break;
+        }
+        list_.skipped.add(checked.error().message);
+        order_.drop_next();
+    }
+    return order_.has_next();
+}
+
+Path PlaySet::next() const {
+    const auto next = order_.next();
+    return next && !engine::is_pipe(list_.files[*next]) ? list_.files[*next] : Path();
 }
 
 // Plays several files, one after the other, in one window.
@@ -117,15 +200,20 @@ class Player {
           loop_(loop),
           planner_(models) {}
 
-    // Errors: the only file cannot be played. With several files a line is printed, and the next
-    // one plays.
-    [[nodiscard]] Expected<void> play(const std::vector<Path>& files);
-    // True when a file could not be played, or the device died.
+    // Files that cannot be played are skipped and noted in `files`.
+    void play(PlaySet& files);
+    // True when the device died.
     [[nodiscard]] bool has_failed() const noexcept { return has_failed_; }
+    // True when a file was played, or somebody ended it.
+    [[nodiscard]] bool has_played() const noexcept { return has_played_; }
 
  private:
-    [[nodiscard]] Expected<StageEnd> play(const Path& file, const Path& next);
-    class Planning;
+    using FilePlayerPtr = std::unique_ptr<audio::FilePlayer>;
+    [[nodiscard]] Expected<StageEnd> play(const Path& file,
+                                          FilePlayerPtr player,
+                                          StageSource::Behind behind,
+                                          const Path& next);
+    [[nodiscard]] Expected<FilePlayerPtr> open(PlaySet& files) const;
     [[nodiscard]] engine::LiveGraphConfig graph_config() const;
 
     const PlayArguments& arguments_;
@@ -136,90 +224,81 @@ class Player {
     engine::SongPlanner planner_;
     bool is_first_ = true;  // the next song to play
     bool has_failed_ = false;
+    bool has_played_ = false;
 };
 
 // A file that ends, or that cannot be played, is followed by the next one.
-Expected<void> Player::play(const std::vector<Path>& files) {
-    for (std::size_t i = 0; i < files.size();) {
-        const auto end = play(files[i], i + 1 < files.size() ? files[i + 1] : Path());
-        if (!end && files.size() == 1) {
-            return fail(end.error());
+void Player::play(PlaySet& files) {
+    while (const Path* const file = files.current()) {
+        const auto behind = files.has_next()   ? StageSource::Behind::next_file
+                            : arguments_.quits ? StageSource::Behind::end
+                                               : StageSource::Behind::stay;
+        const Path next = files.next();
+        auto player = open(files);
+        const Expected<StageEnd> end =
+            player ? play(*file, std::move(*player), behind, next) : fail(player.error());
+        has_played_ = has_played_ || end || stop_signal();
+        if (stop_signal()) {
+            return;
         }
         if (!end) {
-            loop_.say(end.error().message);
-            has_failed_ = true;
+            loop_.show(end.error().message);
+            files.skip_current(end.error().message);
         } else if (*end == StageEnd::quit) {
-            break;
+            return;
+        } else if (*end == StageEnd::previous_file) {
+            // From the first file "back" stays at the first.
+            files.go_back();
+        } else {
+            files.go_on();
         }
-        // From the first file "back" stays at the first.
-        const bool is_back = end && *end == StageEnd::previous_file;
-        i = is_back ? i - std::min<std::size_t>(i, 1) : i + 1;
     }
-    return {};
 }
 
-// With every picture: what a song's plan needs. It is waited for in silence where it will come
-// soon; else the song begins as it comes, and its plan is taken over later. Then the next song's
-// turn comes.
-class Player::Planning {
- public:
-    Planning(Player& player, Path file, Path next, Nanos patience)
-        : player_(player),
-          file_(std::move(file)),
-          next_(std::move(next)),
-          deadline_(HostClock::now() + patience) {}
-
-    void operator()(engine::LiveGraph& graph) {
-        if (!is_planned_) {
-            const auto progress = player_.planner_.look(file_);
-            const HostTime now = HostClock::now();
-            const bool comes_soon = progress.is_working && now < deadline_ &&
-                                    progress.expected.value_or(now) <= deadline_;
-            if (progress.plan) {
-                using Beginning = engine::PlannedStates::Beginning;
-                graph.follow(progress.plan, is_begun_ ? Beginning::on_bar_line : Beginning::now);
-            }
-            is_planned_ = !progress.is_working;
-            begin(graph, progress.plan || !comes_soon);
-        } else if (!std::exchange(is_next_begun_, true) && !next_.empty()) {
-            player_.planner_.prepare(next_);
-        }
-    }
-
- private:
-    void begin(engine::LiveGraph& graph, bool is_time) {
-        if (is_time && !std::exchange(is_begun_, true)) {
-            graph.playback()->let_go();
-        }
-    }
-
-    Player& player_;
-    Path file_;
-    Path next_;
-    HostTime deadline_;
-    bool is_begun_ = false;
-    bool is_planned_ = false;
-    bool is_next_begun_ = false;
-};
-
-// Plays one file; returns why it ended. `next`: what plays after it, or empty.
-Expected<StageEnd> Player::play(const Path& file, const Path& next) {
+// Errors: the file cannot be opened, or begins behind its end.
+Expected<Player::FilePlayerPtr> Player::open(PlaySet& files) const {
     const Section& section = arguments_.section;
-    engine::LiveGraphConfig config = graph_config();
-    config.is_held_back = !arguments_.is_as_live;
-    if (!arguments_.is_as_live) {
-        planner_.prepare(file);
+    const Path& file = *files.current();
+    if (auto opened = files.take_pipe()) {
+        return audio::FilePlayer::start(std::move(opened), file);
+    }
+    if (engine::is_pipe(file)) {
+        auto pipe = open_pipe(file, section);
+        if (!pipe) {
+            return fail(pipe.error());
+        }
+        return audio::FilePlayer::start(std::move(*pipe), file);
+    }
+    if (auto checked = check_file(file, section); !checked) {
+        return fail(checked.error());
     }
     // The file is decoded from the section's start on.
     auto player = audio::FilePlayer::start({file}, {.start_seconds = section.start});
-    if (!player) {
-        return fail(player.error());
+    if (player) {
+        // The first callback must not find an empty ring.
+        (*player)->wait_until_ready(4096);
     }
+    return player;
+}
+
+// Plays one file; returns why it ended. `next`: what plays after it, or empty.
+Expected<StageEnd> Player::play(const Path& file,
+                                FilePlayerPtr player,
+                                StageSource::Behind behind,
+                                const Path& next) {
+    const Section& section = arguments_.section;
+    // Nothing is known of a pipe before it sounds. The songs after the first were begun while the
+    // one before played.
+    std::optional<SongStart> start;
+    if (!arguments_.is_as_live && !engine::is_pipe(file)) {
+        const Nanos patience = std::exchange(is_first_, false) ? kFirstPatience : kPatience;
+        start.emplace(planner_, file, next, patience);
+    }
+    engine::LiveGraphConfig config = graph_config();
+    config.is_held_back = start.has_value();
     // Asked before the player is handed over.
-    const std::optional<double> duration = (*player)->first_info().claimed_seconds;
-    // The first callback must not find an empty ring.
-    (*player)->wait_until_ready(4096);
-    auto graph = engine::LiveGraph::play(std::move(*player), output_, config);
+    const std::optional<double> duration = player->first_info().claimed_seconds;
+    auto graph = engine::LiveGraph::play(std::move(player), output_, config);
     if (!graph) {
         return fail(graph.error());
     }
@@ -227,21 +306,23 @@ Expected<StageEnd> Player::play(const Path& file, const Path& next) {
     if (section.duration) {
         (*graph)->playback()->set_end(section.start + *section.duration);
     }
-    say("playing " + file.string());
-    StageSource stage{file.filename().string(), duration, section.start};
-    if (!arguments_.is_as_live) {
-        // The songs after the first were begun while the one before played.
-        const Nanos patience = std::exchange(is_first_, false) ? kFirstPatience : kPatience;
-        stage.each_picture = [&graph, planning = Planning(*this, file, next, patience)]() mutable {
-            planning(**graph);
-        };
+    const std::string name = file == "-" ? "standard input" : file.filename().string();
+    say("playing " + (file == "-" ? name : file.string()));
+    StageSource source{name, duration, section.start, behind};
+    if (start) {
+        source.each_picture = [&start, &graph] { start->look(**graph); };
     }
-    const StageEnd end = loop_.run(**graph, stage);
+    const StageEnd end = loop_.run(**graph, source);
     // Messages of the decoder, such as a damaged file.
     for (const std::string& message : (*graph)->playback()->player().take_messages()) {
         loop_.say(message);
     }
     has_failed_ = has_failed_ || (*graph)->has_lost_device();
+    // A file that does not say how long it is shows its end only here.
+    if (section.start > 0.0 && end == StageEnd::finished &&
+        (*graph)->analysis().taken_until() == StreamTime{}) {
+        return fail(fmt::format("{}: ends before {} s", file.string(), section.start));
+    }
     return end;
 }
 
@@ -259,13 +340,14 @@ engine::LiveGraphConfig Player::graph_config() const {
 
 ExitCode play(const PlayArguments& given) {
     PlayArguments arguments = given;
-    const auto files = files_to_play(arguments.files);
-    if (!files) {
-        return fail(files.error());
+    auto list = files_to_play(arguments.files);
+    if (!list) {
+        return fail(list.error());
     }
-    // A missing file is reported before a window opens.
-    if (const auto first = audio::open_audio_file(files->front()); !first) {
-        return fail(first.error());
+    // Whether there is anything to play is said before a window opens.
+    PlaySet files(std::move(*list), arguments);
+    if (auto begun = files.begin(); !begun) {
+        return fail(begun.error());
     }
     // Without sound no audio system is opened, so that none is needed.
     std::optional<audio::AudioSystem> system;
@@ -293,14 +375,22 @@ ExitCode play(const PlayArguments& given) {
         return fail(loop.error());
     }
     Player player(arguments, *output, setup->models, formations, **loop);
-    if (const auto played = player.play(*files); !played) {
-        return fail(played.error());
+    player.play(files);
+    if (!player.has_played()) {
+        return fail(nothing_played(files.skipped()));
     }
+    for (const std::string& line : files.skipped().report()) {
+        complain(line);
+    }
+    // A signal does not wait for dances that are still being solved.
+    const EndAtOnceOnSignals at_once;
     // Dances that were left out meanwhile.
     for (const std::string& line : formations.wait()) {
         (*loop)->say(line);
     }
-    return player.has_failed() ? kExitFailed : kExitDone;
+    return player.has_failed()           ? kExitFailed
+           : files.skipped().count() > 0 ? kExitPartly
+                                         : kExitDone;
 }
 
 }  // namespace raks::apps

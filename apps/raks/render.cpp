@@ -17,6 +17,8 @@
 #include "render/gl/offscreen.hpp"
 #include "render/video/video_writer.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::apps {
 namespace {
 
@@ -28,7 +30,8 @@ class Film final : public engine::OfflineDriver::Sink {
          render::OffscreenTarget& target,
          render::VideoWriter& writer,
          const RenderArguments& arguments,
-         render::FrameRate rate)
+         render::FrameRate rate,
+         std::optional<double> total)
         : show_(show),
           target_(target),
           writer_(writer),
@@ -36,6 +39,7 @@ class Film final : public engine::OfflineDriver::Sink {
           start_seconds_(arguments.section.start),
           lead_(nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3)),
           source_(arguments.input.filename().string()),
+          total_(total),
           rgba_(static_cast<std::size_t>(target.width()) *
                 static_cast<std::size_t>(target.height()) * 4) {}
 
@@ -90,6 +94,30 @@ class Film final : public engine::OfflineDriver::Sink {
             fault_ = done.error();
         }
         ++next_;
+        tell_time();
+    }
+
+    // How long the film will take, once the first pictures tell.
+    void tell_time() {
+        constexpr std::int64_t kLeastPictures = 5;
+        constexpr double kLeastSeconds = 2.0;
+        constexpr double kWorthSaying = 15.0;  // seconds
+        const HostTime now = HostClock::now();
+        if (next_ == 1) {  // the first one warms up the driver
+            begun_ = now;
+        }
+        const double gone = to_seconds(now - begun_);
+        if (has_told_time_ || !total_ || next_ < kLeastPictures || gone < kLeastSeconds) {
+            return;
+        }
+        has_told_time_ = true;
+        const double pictures = *total_ * rate_.fps();
+        const double expected = gone * pictures / static_cast<double>(next_ - 1);
+        if (expected > kWorthSaying) {
+            say(fmt::format("about {} for {:.0f} pictures (--quality fast: a quick draft)",
+                            time_in_words(expected),
+                            pictures));
+        }
     }
 
     engine::Show& show_;
@@ -99,6 +127,9 @@ class Film final : public engine::OfflineDriver::Sink {
     double start_seconds_;
     Nanos lead_;
     std::string source_;
+    std::optional<double> total_;  // seconds of the film, where the music says it
+    HostTime begun_{};
+    bool has_told_time_ = false;
     std::vector<std::uint8_t> rgba_;
     std::int64_t next_ = 0;
     std::optional<Last> last_;
@@ -136,30 +167,52 @@ Expected<void> run(engine::MusicSource& source,
     return writer.finish();
 }
 
+// Size, rate and quality of the film; the sound's rate is the music's.
+render::VideoOptions video_options(const RenderArguments& arguments, const engine::Look& look) {
+    render::VideoOptions options;
+    options.width = look.size.width;
+    options.height = look.size.height;
+    // The nearest rate that the format can express.
+    options.rate = render::FrameRate::nearest(arguments.settings.fps);
+    options.quality = arguments.settings.quality == "fast" ? render::VideoQuality::draft
+                                                           : render::VideoQuality::high;
+    return options;
+}
+
 }  // namespace
 
 ExitCode render(const RenderArguments& given) {
     RenderArguments arguments = given;
+    // A film is not in a hurry.
+    if (arguments.settings.quality == "auto") {
+        arguments.settings.quality = "high";
+    }
+    const auto look = engine::read_look(arguments.settings);
+    if (!look) {
+        return fail(look.error());
+    }
+    // What cannot be written is said before anything is loaded. A film over its own music would
+    // destroy it.
+    render::VideoOptions options = video_options(arguments, *look);
+    if (auto checked = check_is_no_input(arguments.output, {arguments.input}); !checked) {
+        return fail(std::move(checked.error()));
+    }
+    if (auto checked = render::VideoWriter::check(arguments.output, options); !checked) {
+        return fail(checked.error());
+    }
     // Without a file, the demo.
     if (arguments.input.empty()) {
+        const EndAtOnceOnSignals at_once;
         const auto demo = engine::demo_music();
         if (!demo) {
             return fail(demo.error());
         }
         arguments.input = *demo;
     }
-    // A film over its own music would destroy it.
-    if (auto checked = check_is_no_input(arguments.output, {arguments.input}); !checked) {
-        return fail(std::move(checked.error()));
-    }
     auto source = engine::MusicSource::open(
         arguments.input, arguments.section.start, arguments.section.duration);
     if (!source) {
         return fail(source.error());
-    }
-    const auto look = engine::read_look(arguments.settings);
-    if (!look) {
-        return fail(look.error());
     }
     const auto setup = open_dancers(arguments.settings);
     if (!setup) {
@@ -170,11 +223,6 @@ ExitCode render(const RenderArguments& given) {
     if (!driver) {
         return fail(std::move(driver.error()));
     }
-    render::VideoOptions options;
-    options.width = look->size.width;
-    options.height = look->size.height;
-    // The nearest rate that the format can express.
-    options.rate = render::FrameRate::nearest(arguments.settings.fps);
     options.audio_rate = source->rate().hertz();
     auto writer = render::VideoWriter::create(arguments.output, options);
     if (!writer) {
@@ -185,7 +233,7 @@ ExitCode render(const RenderArguments& given) {
     if (!context) {
         return fail(context.error());
     }
-    auto show = engine::Show::create(*look, arguments.settings.overlay, setup->catalogue.list());
+    auto show = engine::Show::create(*look, arguments.has_overlay, setup->catalogue.list());
     if (!show) {
         return fail(show.error());
     }
@@ -194,7 +242,7 @@ ExitCode render(const RenderArguments& given) {
     if (!target) {
         return fail(target.error());
     }
-    Film film(*show, *target, **writer, arguments, options.rate);
+    Film film(*show, *target, **writer, arguments, options.rate, source->seconds());
     if (auto ran = run(*source, *driver, **writer, film); !ran) {
         return fail(ran.error());
     }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/raks/dance_setup.hpp"
@@ -10,6 +12,8 @@
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/trials/figure_alone.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
@@ -25,17 +29,20 @@ struct SheetPlan {
     double poses_per_beat = kPosesPerBeat;
 };
 
-// Poses of one figure, danced by itself on a steady beat, from count 1 on. Errors: no such figure.
-Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& arguments,
-                                                      const DanceSetup& setup,
-                                                      const SheetPlan& plan) {
+// What a sheet shows.
+struct DancedFigure {
+    std::string name;  // "salsa: basic"
+    std::vector<motion::Pose> poses;
+};
+
+// One figure, danced by itself on a steady beat, from count 1 on. Errors: no such figure.
+Expected<DancedFigure> dance_a_figure(const SheetArguments& arguments,
+                                      const DanceSetup& setup,
+                                      const SheetPlan& plan) {
     const engine::Settings& settings = arguments.settings;
-    const auto library =
-        engine::load_dance(setup.catalogue,
-                           engine::dance_to_load(settings, *setup.catalogue.list()),
-                           setup.skeleton,
-                           motion::DanceRole::lead,
-                           engine::form_of(settings));
+    const std::string dance = engine::dance_to_load(settings, *setup.catalogue.list());
+    const auto library = engine::load_dance(
+        setup.catalogue, dance, setup.skeleton, motion::DanceRole::lead, engine::form_of(settings));
     if (!library) {
         return fail(library.error());
     }
@@ -56,7 +63,11 @@ Expected<std::vector<motion::Pose>> poses_of_a_figure(const SheetArguments& argu
     on.figure = static_cast<std::size_t>(index);
     on.tempo = Bpm(arguments.bpm);
     on.seed = static_cast<std::uint64_t>(settings.seed);
-    return engine::dance_alone(*library, setup.skeleton, on, beats);
+    auto danced = engine::dance_alone(*library, setup.skeleton, on, beats);
+    if (!danced) {
+        return fail(danced.error());
+    }
+    return DancedFigure{fmt::format("{}: {}", dance, names[on.figure]), std::move(*danced)};
 }
 
 }  // namespace
@@ -77,12 +88,17 @@ ExitCode sheet(const SheetArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    const auto poses = poses_of_a_figure(arguments, *setup, plan);
-    if (!poses) {
-        return fail(poses.error());
+    const auto danced = dance_a_figure(arguments, *setup, plan);
+    if (!danced) {
+        return fail(danced.error());
     }
-    if (auto written = is_sheet ? write_sheet(arguments.output, *look, *poses, figure_sheet())
-                                : write_film(arguments.output, *look, *poses, fps);
+    const std::string title = fmt::format("{}, {:g} BPM", danced->name, arguments.bpm);
+    if (auto written = is_sheet ? write_sheet(arguments.output,
+                                              *look,
+                                              danced->poses,
+                                              figure_sheet(),
+                                              figure_labels(title, danced->poses.size()))
+                                : write_film(arguments.output, *look, danced->poses, fps);
         !written) {
         return fail(written.error());
     }

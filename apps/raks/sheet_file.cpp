@@ -1,12 +1,17 @@
 #include "apps/raks/sheet_file.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "apps/terminal/say.hpp"
 #include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
+#include "render/overlay/picture_text.hpp"
 #include "render/video/png.hpp"
 #include "render/video/video_writer.hpp"
 
@@ -30,7 +35,68 @@ Expected<Studio> open_studio(const engine::Look& look) {
     if (!renderer) {
         return fail(renderer.error());
     }
+    // The quality that the renderer chose by itself.
+    if (const std::string notice(renderer->notice()); !notice.empty()) {
+        say(notice);
+    }
     return Studio{std::move(*context), std::move(*renderer)};
+}
+
+constexpr int kTitleHeight = 44;       // pixels
+constexpr float kTitlePixels = 24.0F;  // height of a line
+constexpr float kLabelPixels = 18.0F;
+constexpr int kEdge = 10;
+constexpr std::uint32_t kPaper = 0x14161F;
+constexpr std::uint32_t kInk = 0xF2EEE6;
+constexpr std::uint32_t kAmber = 0xFFB454;
+
+// The sheet below a strip for its title.
+render::PoseSheet with_title(const render::PoseSheet& sheet, const std::string& title) {
+    render::PoseSheet whole{sheet.width, sheet.height + kTitleHeight, {}};
+    whole.rgba.resize(static_cast<std::size_t>(whole.width) *
+                      static_cast<std::size_t>(whole.height) * 4U);
+    const auto strip =
+        static_cast<std::size_t>(whole.width) * static_cast<std::size_t>(kTitleHeight) * 4U;
+    for (std::size_t i = 0; i < strip; i += 4) {
+        whole.rgba[i] = kPaper >> 16U & 0xFFU;
+        whole.rgba[i + 1] = kPaper >> 8U & 0xFFU;
+        whole.rgba[i + 2] = kPaper & 0xFFU;
+        whole.rgba[i + 3] = 0xFF;
+    }
+    std::copy(sheet.rgba.begin(),
+              sheet.rgba.end(),
+              whole.rgba.begin() + static_cast<std::ptrdiff_t>(strip));
+    render::PictureText(kTitlePixels)
+        .write({whole.rgba, whole.width, whole.height}, kEdge, kEdge, kInk, title);
+    return whole;
+}
+
+// Names of the views at the left, labels in the pictures of the first view. A band has a row for
+// each view.
+void write_labels(render::PoseSheet& sheet,
+                  const render::PoseSheetConfig& config,
+                  const SheetLabels& labels,
+                  std::size_t poses) {
+    constexpr const char* kViews[] = {"front", "side"};
+    const render::PictureText text(kLabelPixels);
+    const render::PictureText::Picture picture{sheet.rgba, sheet.width, sheet.height};
+    const auto views = config.cameras.size();
+    const auto columns = std::min(static_cast<std::size_t>(config.columns), poses);
+    for (std::size_t i = 0; i < poses; ++i) {
+        const int x = static_cast<int>(i % columns) * config.tile_width;
+        for (std::size_t view = 0; view < views; ++view) {
+            const auto row = static_cast<int>(i / columns * views + view);
+            const int y = kTitleHeight + row * config.tile_height;
+            if (view == 0 && i < labels.poses.size()) {
+                text.write(picture, x + kEdge, y + kEdge / 2, kAmber, labels.poses[i]);
+            }
+            if (i % columns == 0 && view < std::size(kViews)) {
+                const int foot =
+                    y + config.tile_height - static_cast<int>(kLabelPixels) - kEdge / 2;
+                text.write(picture, kEdge, foot, kInk, kViews[view]);
+            }
+        }
+    }
 }
 
 // Poses and clip figures alike: the sheet is a template over what is drawn.
@@ -38,7 +104,8 @@ template <typename Body>
 Expected<void> write(const Path& output,
                      const engine::Look& look,
                      std::span<const Body> bodies,
-                     const render::PoseSheetConfig& config) {
+                     const render::PoseSheetConfig& config,
+                     const SheetLabels& labels) {
     auto studio = open_studio(look);
     if (!studio) {
         return fail(studio.error());
@@ -47,23 +114,41 @@ Expected<void> write(const Path& output,
     if (!picture) {
         return fail(picture.error());
     }
-    return render::write_png(output, picture->width, picture->height, picture->rgba);
+    if (labels.title.empty()) {
+        return render::write_png(output, picture->width, picture->height, picture->rgba);
+    }
+    render::PoseSheet labelled = with_title(*picture, labels.title);
+    write_labels(labelled, config, labels, bodies.size());
+    return render::write_png(output, labelled.width, labelled.height, labelled.rgba);
 }
 
 }  // namespace
 
+SheetLabels figure_labels(std::string title, std::size_t poses) {
+    SheetLabels labels{std::move(title), {}};
+    for (std::size_t i = 0; i < poses; ++i) {
+        const std::size_t eighth = i % kPosesPerBeat;
+        labels.poses.push_back(eighth == 0                   ? std::to_string(1 + i / kPosesPerBeat)
+                               : eighth == kPosesPerBeat / 2 ? std::string("&")
+                                                             : std::string());
+    }
+    return labels;
+}
+
 Expected<void> write_sheet(const Path& output,
                            const engine::Look& look,
                            std::span<const motion::Pose> poses,
-                           const render::PoseSheetConfig& config) {
-    return write(output, look, poses, config);
+                           const render::PoseSheetConfig& config,
+                           const SheetLabels& labels) {
+    return write(output, look, poses, config, labels);
 }
 
 Expected<void> write_sheet(const Path& output,
                            const engine::Look& look,
                            std::span<const render::ClipFigure> figures,
-                           const render::PoseSheetConfig& config) {
-    return write(output, look, figures, config);
+                           const render::PoseSheetConfig& config,
+                           const SheetLabels& labels) {
+    return write(output, look, figures, config, labels);
 }
 
 Expected<void> write_film(const Path& output,

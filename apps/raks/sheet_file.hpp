@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "apps/raks/commands.hpp"
 #include "base/expected.hpp"
@@ -21,20 +24,30 @@ constexpr int kPosesPerBeat = 8;
     return config;
 }
 
-/// Draws a pose sheet without a window and writes it as PNG: poses of the mannequin. Errors: no
-/// OpenGL, those of the sheet and of the file.
+/// What is written on a sheet.
+struct SheetLabels {
+    std::string title;               ///< above all pictures; empty: nothing is written at all
+    std::vector<std::string> poses;  ///< one a pose, in its picture; empty: nothing
+};
+/// The labels of a sheet of figures: numbers on the beats, "&" between them.
+[[nodiscard]] SheetLabels figure_labels(std::string title, std::size_t poses);
+
+/// Draws a pose sheet without a window and writes it as PNG: poses of the mannequin, with labels,
+/// and the names of the views at the left. Errors: no OpenGL, those of the sheet and of the file.
 [[nodiscard]] Expected<void> write_sheet(const Path& output,
                                          const engine::Look& look,
                                          std::span<const motion::Pose> poses,
-                                         const render::PoseSheetConfig& config);
+                                         const render::PoseSheetConfig& config,
+                                         const SheetLabels& labels);
 /// The same for frames of a recorded clip, as stick figures.
 [[nodiscard]] Expected<void> write_sheet(const Path& output,
                                          const engine::Look& look,
                                          std::span<const render::ClipFigure> figures,
-                                         const render::PoseSheetConfig& config);
+                                         const render::PoseSheetConfig& config,
+                                         const SheetLabels& labels);
 
 /// Films poses without a window, one a picture: from the front and, beside it, from the side; no
-/// sound. `output`: .mp4 or .avi, or a folder of pictures. Errors: no OpenGL, those of the film.
+/// sound. `output`: as VideoWriter has it. Errors: no OpenGL, those of the film.
 [[nodiscard]] Expected<void> write_film(const Path& output,
                                         const engine::Look& look,
                                         std::span<const motion::Pose> poses,

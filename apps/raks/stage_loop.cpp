@@ -1,6 +1,8 @@
 #include "apps/raks/stage_loop.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <ctime>
 #include <span>
 #include <utility>
@@ -106,6 +108,12 @@ void StageLoop::say(const std::string& line) {
     }
 }
 
+void StageLoop::show(const std::string& line) {
+    if (window_) {
+        window_->show(line);
+    }
+}
+
 // Actions are bound anew for each file, as they act on its graph.
 StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     graph_ = &graph;
@@ -115,12 +123,14 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
     // Volume and latency offset are carried over from the file before.
     live_actions_.attach(target);
+    carry_over(graph);
     bind(actions);
     if (!window_) {
         run_headless(source.name);
     } else if (window_->run(*this, actions) == engine::WindowEnd::quit) {
         return StageEnd::quit;
     }
+    note_figure(graph);
     // A signal also ends the list of files.
     if (is_stop_requested()) {
         return StageEnd::quit;
@@ -143,11 +153,53 @@ void StageLoop::run_headless(const std::string& source) {
 // Actions of this class, beside those of LiveActions and of the window.
 void StageLoop::bind(engine::ActionDispatcher& actions) {
     live_actions_.bind(actions);
-    actions.on(Action::next_file, [this](double) { wish_ = StageEnd::next_file; });
-    actions.on(Action::previous_file, [this](double) { go_back(); });
+    actions.on(Action::next_file, [this](double) { go_on(); });
+    bind_playing(actions);
     actions.on(Action::next_dance, [this](double) { select_next_dance(*graph_); });
     actions.on(Action::next_formation, [this](double) { ask_for_next_formation(); });
     actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
+}
+
+// What a file has, and not an input.
+void StageLoop::bind_playing(engine::ActionDispatcher& actions) {
+    actions.on(Action::previous_file, [this](double) { go_back(); });
+    engine::Playback* const playback = graph_->playback();
+    if (playback == nullptr) {
+        return;
+    }
+    actions.on(Action::pause, [this](double) { toggle_pause(); });
+    if (!playback->player().can_seek()) {
+        actions.on(Action::seek,
+                   [this](double) { say("a pipe plays on: there is no going back or ahead"); });
+    }
+}
+
+// Dance and figure that a person keeps to are not those of one file.
+void StageLoop::carry_over(engine::LiveGraph& graph) {
+    repeat_selected_dance(graph);
+    live_actions_.brief_dancers();
+    const motion::Repertoire& repertoire = *formations_.cast().members.front().repertoire;
+    const DanceId first = selected_dance_ == DanceId::none ? repertoire.first() : selected_dance_;
+    // Another dance has other figures.
+    const motion::DanceLibrary* const dance =
+        first == last_dance_ ? repertoire.of(last_dance_) : nullptr;
+    if (!live_actions_.keeps_figure() || dance == nullptr) {
+        return;
+    }
+    const std::vector<std::string_view> names = dance->figure_names();
+    const auto figure = std::find(names.begin(), names.end(), last_figure_);
+    if (figure != names.end()) {
+        graph.command(DancerKind::select_figure, static_cast<double>(figure - names.begin()));
+    }
+}
+
+void StageLoop::note_figure(engine::LiveGraph& graph) {
+    const motion::DancerStatus& dancer = graph.stage().dancer;
+    if (dancer.is_dancing) {
+        last_dance_ = dancer.dance;
+        last_figure_ =
+            std::string(dancer.figure.data(), strnlen(dancer.figure.data(), dancer.figure.size()));
+    }
 }
 
 // With every picture: is the device alive, and is a formation ready?
@@ -157,6 +209,9 @@ void StageLoop::advance(double /*seconds*/) {
     }
     if (source_.each_picture) {
         source_.each_picture();
+    }
+    if (const bool had_ended = std::exchange(had_ended_, has_ended()); had_ended_ && !had_ended) {
+        say_detail("at the end of the last file");
     }
     const auto is_formed = formations_.poll();
     if (!is_formed) {
@@ -176,7 +231,51 @@ bool StageLoop::is_finished() const {
         return true;
     }
     const engine::Playback* const playback = graph_->playback();
-    return playback != nullptr && playback->is_finished();
+    return playback != nullptr && playback->is_finished() && !has_ended();
+}
+
+// At the end of the last file a window stays.
+bool StageLoop::has_ended() const {
+    const engine::Playback* const playback = graph_->playback();
+    return window_ && source_.behind == StageSource::Behind::stay && playback != nullptr &&
+           playback->is_finished();
+}
+
+void StageLoop::go_on() {
+    if (window_ && source_.behind == StageSource::Behind::stay) {
+        say("no file follows (Q quits)");
+    } else {
+        wish_ = StageEnd::next_file;
+    }
+}
+
+// A file that has ended plays again.
+void StageLoop::toggle_pause() {
+    engine::Playback& playback = *graph_->playback();
+    if (has_ended() && playback.player().can_seek()) {
+        playback.set_paused(false);
+        playback.seek(source_.start);
+    } else {
+        playback.set_paused(!playback.is_paused());
+    }
+}
+
+void StageLoop::seek_to(double seconds) {
+    if (engine::Playback* const playback = graph_->playback()) {
+        playback->seek(std::max(seconds, source_.start));
+    }
+}
+
+// What is clicked or dragged in the overlay.
+void StageLoop::use(render::OverlayControl control, double share) {
+    if (graph_->playback() == nullptr) {
+        return;
+    }
+    if (control == render::OverlayControl::play_sign) {
+        toggle_pause();
+    } else if (source_.duration) {
+        seek_to(share * *source_.duration);
+    }
 }
 
 // Goes back to the start of the section or, when it is close, to the file before.
@@ -185,7 +284,8 @@ void StageLoop::go_back() {
     if (playback == nullptr) {
         return;
     }
-    if (playback->position_seconds() - source_.start > kStillTheStart) {
+    const bool is_far_in = playback->position_seconds() - source_.start > kStillTheStart;
+    if ((is_far_in || has_ended()) && playback->player().can_seek()) {
         playback->seek(source_.start);
     } else {
         wish_ = StageEnd::previous_file;
@@ -261,12 +361,18 @@ void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState&
 }
 
 // The parts of the overlay that a moment does not know: source, place, latency and counters.
-void StageLoop::describe(const engine::StageState& stage, render::OverlayState& overlay) const {
+void StageLoop::describe(const engine::StageState& stage, render::OverlayState& overlay) {
+    if (has_ended()) {
+        overlay.message = graph_->playback()->player().can_seek()
+                              ? "the end   (Space: once more, Q: quit)"
+                              : "the end   (Q: quit)";
+    }
     overlay.source = source_.name;
+    overlay.has_keys = true;
     overlay.duration = source_.duration;
     if (const engine::Playback* const playback = graph_->playback()) {
         overlay.position = playback->position_seconds();
-        overlay.is_paused = playback->is_paused();
+        overlay.is_paused = playback->is_paused() || has_ended();
         overlay.volume = live_actions_.volume();
         overlay.latency_ms = to_seconds(graph_->output_latency()) * 1e3;
         // With an input the latency is that of the analysis: nothing is played.

@@ -22,9 +22,14 @@ enum class StageEnd { finished, next_file, previous_file, quit };
 
 /// What is playing, for the overlay.
 struct StageSource {
+    /// What comes when a file has ended. `stay`: a window stays open, its dancer still, until
+    /// somebody goes back or quits; without a window as `end`.
+    enum class Behind { next_file, end, stay };
+
     std::string name;                               ///< file or device
     std::optional<double> duration = std::nullopt;  ///< of the file in seconds, where known
     double start = 0.0;                             ///< where in the file it began, in seconds
+    Behind behind = Behind::end;                    ///< the file's end
     std::function<void()> each_picture = {};        ///< called with every picture; may be empty
 };
 
@@ -55,6 +60,8 @@ class StageLoop final : private engine::WindowContent {
 
     /// Prints a line for people on stderr, and shows it over the picture for a while.
     void say(const std::string& line);
+    /// Shows it over the picture alone; without a window it does nothing.
+    void show(const std::string& line);
 
  private:
     StageLoop(const engine::Settings& settings,
@@ -64,16 +71,24 @@ class StageLoop final : private engine::WindowContent {
 
     void advance(double seconds) override;
     void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
+    void use(render::OverlayControl control, double share) override;
     [[nodiscard]] bool is_finished() const override;
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
 
     void bind(engine::ActionDispatcher& actions);
     void run_headless(const std::string& source);
-    void describe(const engine::StageState& stage, render::OverlayState& overlay) const;
+    void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void select_next_dance(engine::LiveGraph& graph);
     void repeat_selected_dance(engine::LiveGraph& graph) const;
     void toggle_figure_view();
+    void bind_playing(engine::ActionDispatcher& actions);
     void go_back();
+    void go_on();
+    void toggle_pause();
+    void seek_to(double seconds);
+    [[nodiscard]] bool has_ended() const;
+    void carry_over(engine::LiveGraph& graph);
+    void note_figure(engine::LiveGraph& graph);
     void ask_for_next_formation();
     void change_formation();
 
@@ -85,10 +100,14 @@ class StageLoop final : private engine::WindowContent {
     engine::LiveActions live_actions_;
     std::string formation_;                   // whose distance the camera has
     DanceId selected_dance_ = DanceId::none;  // none: the recognised one
+    // What was danced when the last file ended; kept with K, it goes on with the next file.
+    DanceId last_dance_ = DanceId::none;
+    std::string last_figure_;
     // While run() runs.
     engine::LiveGraph* graph_ = nullptr;
     StageSource source_;
     std::optional<StageEnd> wish_;
+    bool had_ended_ = false;
     std::array<motion::Pose, motion::Ensemble::kMost> poses_;
 };
 

@@ -9,6 +9,7 @@
 #include "apps/raks/sheet_file.hpp"
 #include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/printable.hpp"
 #include "engine/show/clip_transport.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "motion/skeleton/text_lines.hpp"
@@ -69,6 +70,7 @@ std::vector<std::size_t> frames_to_draw(const motion::MotionClip& clip,
 // Draws these frames from the front and the side, and prints their numbers.
 Expected<void> write_frames(const Path& output,
                             const engine::Look& look,
+                            const std::string& name,
                             const render::ClipFigures& figures,
                             const std::vector<std::size_t>& frames) {
     render::PoseSheetConfig config;
@@ -85,7 +87,15 @@ Expected<void> write_frames(const Path& output,
     for (const std::size_t frame : frames) {
         bodies.push_back(figures.at(frame));
     }
-    if (auto written = write_sheet(output, look, bodies, config); !written) {
+    // A frame alone is the picture that was asked for, without a word on it.
+    SheetLabels labels;
+    if (!is_alone) {
+        labels.title = printable(name, 120) + ", frames";
+        for (const std::size_t frame : frames) {
+            labels.poses.push_back(std::to_string(frame));
+        }
+    }
+    if (auto written = write_sheet(output, look, bodies, config, labels); !written) {
         return written;
     }
     std::string numbers;
@@ -149,8 +159,11 @@ ExitCode stick(const StickArguments& arguments) {
         output += ".png";
         say("no window (" + window.error().message + "): drawing a sheet");
     }
-    if (auto written =
-            write_frames(output, *look, *figures, frames_to_draw(*clip, arguments.frame));
+    if (auto written = write_frames(output,
+                                    *look,
+                                    arguments.input.filename().string(),
+                                    *figures,
+                                    frames_to_draw(*clip, arguments.frame));
         !written) {
         return fail(written.error());
     }

@@ -21,7 +21,12 @@ namespace {
 Expected<void> write_figure(engine::DancePreview& preview,
                             const engine::Look& look,
                             const Path& output) {
-    if (auto written = write_sheet(output, look, preview.sheet(kPosesPerBeat), figure_sheet());
+    const auto poses = preview.sheet(kPosesPerBeat);
+    if (auto written = write_sheet(output,
+                                   look,
+                                   poses,
+                                   figure_sheet(),
+                                   figure_labels(std::string(preview.figure()), poses.size()));
         !written) {
         return written;
     }

@@ -2,19 +2,28 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
+#include "base/file.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_catalogue.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::apps {
 
 namespace {
 
+// What to play, and how fast by itself.
+struct Music {
+    audio::Style style;
+    Bpm tempo;
+};
+
 // The style of this name, or the style of the dance of this name; without a name, that of the first
 // dance. Errors: neither a style nor a dance, or a dance without a style.
-Expected<audio::Style> style_of(const std::string& name) {
+Expected<Music> music_of(const std::string& name) {
     // Styles first: dances are only loaded when they are needed.
     if (const auto style = audio::style_from_name(name)) {
-        return style;
+        return Music{*style, audio::usual_tempo(*style)};
     }
     const auto catalogue = engine::DanceCatalogue::load();
     if (!catalogue) {
@@ -34,7 +43,20 @@ Expected<audio::Style> style_of(const std::string& name) {
         return fail(dance->name +
                     ": no style of our own music fits it; name one in its dances.toml");
     }
-    return audio::style_from_name(dance->style);
+    const auto style = audio::style_from_name(dance->style);
+    if (!style) {
+        return fail(style.error());
+    }
+    return Music{*style, dance->likely};
+}
+
+// One beat a line: seconds, and its place in the bar.
+std::string text_of(const std::vector<audio::ReferenceBeat>& beats) {
+    std::string text;
+    for (const audio::ReferenceBeat& beat : beats) {
+        text += fmt::format("{:.6f}\t{}\n", to_seconds(beat.time), beat.bar_position);
+    }
+    return text;
 }
 
 }  // namespace
@@ -43,14 +65,20 @@ ExitCode synth(const SynthArguments& arguments) {
     if (arguments.output.extension() != ".wav") {
         return fail(arguments.output.string() + ": cannot write this kind of sound; known: .wav");
     }
-    const auto style = style_of(arguments.style);
-    if (!style) {
-        return fail(style.error());
+    // Both files can be written, or neither is.
+    for (const Path& file : {arguments.output, arguments.beats}) {
+        if (auto checked = file.empty() ? Expected<void>() : check_output(file, {}); !checked) {
+            return fail(checked.error());
+        }
+    }
+    const auto what = music_of(arguments.style);
+    if (!what) {
+        return fail(what.error());
     }
     // All but these four are the generator's defaults.
     audio::MusicPlan plan;
-    plan.style = *style;
-    plan.tempo = {{0.0, arguments.bpm}};
+    plan.style = what->style;
+    plan.tempo = {{0.0, arguments.bpm > 0.0 ? arguments.bpm : what->tempo.bpm()}};
     plan.seconds = arguments.seconds;
     plan.seed = static_cast<std::uint64_t>(arguments.seed);
     const auto music = audio::generate(plan);
@@ -61,6 +89,11 @@ ExitCode synth(const SynthArguments& arguments) {
             audio::write_wav(arguments.output, music->samples, music->channels, music->rate);
         !written) {
         return fail(written.error());
+    }
+    if (!arguments.beats.empty()) {
+        if (auto written = write_file(arguments.beats, text_of(music->beats)); !written) {
+            return fail(written.error());
+        }
     }
     return kExitDone;
 }

@@ -12,6 +12,8 @@
 #include <system_error>
 #include <vector>
 
+#include <unistd.h>
+
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
@@ -107,7 +109,7 @@ namespace {
 
 // An error after a signal still ends with the signal's code: the signal was the cause.
 int report(const std::string& message) {
-    say(message);
+    complain(message);
     return exit_code_after_signals(kExitFailed);
 }
 
@@ -143,9 +145,13 @@ int run_program(const std::function<ParsedCommand()>& parse) {
 namespace {
 
 std::atomic<int> g_signal{0};
+std::atomic<int> g_ends_at_once{0};
 static_assert(std::atomic<int>::is_always_lock_free, "used inside a signal handler");
 
 extern "C" void note_signal(int number) {
+    if (g_ends_at_once.load(std::memory_order_relaxed) > 0) {  // relaxed: as below
+        _exit(128 + number);
+    }
     g_signal.store(number, std::memory_order_relaxed);  // relaxed: a flag that orders nothing
     std::signal(number, SIG_DFL);                       // the next one ends the process
 }
@@ -159,6 +165,17 @@ void catch_signals() noexcept {
     std::signal(SIGTERM, note_signal);
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
+}
+
+EndAtOnceOnSignals::EndAtOnceOnSignals() noexcept {
+    g_ends_at_once.fetch_add(1, std::memory_order_relaxed);  // relaxed: a flag that orders nothing
+    if (const auto number = stop_signal()) {
+        _exit(128 + *number);
+    }
+}
+
+EndAtOnceOnSignals::~EndAtOnceOnSignals() {
+    g_ends_at_once.fetch_sub(1, std::memory_order_relaxed);  // relaxed: likewise
 }
 
 std::optional<int> stop_signal() noexcept {

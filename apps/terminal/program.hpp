@@ -19,6 +19,7 @@ namespace raks::apps {
 inline constexpr int kExitDone = 0;    ///< everything asked for is done
 inline constexpr int kExitFailed = 1;  ///< a fault while running
 inline constexpr int kExitUsage = 2;   ///< a wrong command line
+inline constexpr int kExitPartly = 3;  ///< done, but some of the inputs were skipped
 // Stopped by a signal: 128 + its number (130 SIGINT, 143 SIGTERM); what was finished is kept.
 
 /// Short for the arguments of commands.
@@ -46,6 +47,18 @@ struct ParsedCommand {
 /// over its limit) and SIGPIPE become errors of the write. A second SIGINT ends at once.
 /// Threads: main, once.
 void catch_signals() noexcept;
+
+/// While one lives, SIGINT and SIGTERM end the process at once, with the exit code that they always
+/// have: for long work of which nothing is kept, such as loading. (Without one they are noted, and
+/// work that is under way is finished first.) Threads: main. Nests.
+class EndAtOnceOnSignals {
+ public:
+    EndAtOnceOnSignals() noexcept;  ///< a signal that was noted before ends the process here
+    ~EndAtOnceOnSignals();          ///< as before
+    /// Not copied: it counts.
+    EndAtOnceOnSignals(const EndAtOnceOnSignals&) = delete;
+    EndAtOnceOnSignals& operator=(const EndAtOnceOnSignals&) = delete;  ///< likewise
+};
 
 /// The signal that asked the program to stop, if any came.
 /// Threads: any. Real-time: yes.

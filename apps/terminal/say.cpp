@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -12,15 +15,47 @@
 
 namespace raks::apps {
 
-void say(std::string_view line) { std::fprintf(stderr, "raks: %s\n", printable(line).c_str()); }
+namespace {
+
+std::atomic<Talk> g_talk{Talk::usual};
+
+// relaxed: set once, before any other thread
+Talk talk() noexcept { return g_talk.load(std::memory_order_relaxed); }
+
+double seconds_now() { return to_seconds(Nanos(HostClock::now().time_since_epoch())); }
+
+}  // namespace
+
+void set_talk(Talk talk) noexcept { g_talk.store(talk, std::memory_order_relaxed); }
+
+void complain(std::string_view line) {
+    std::fprintf(stderr, "raks: %s\n", printable(line).c_str());
+}
+
+void say(std::string_view line) {
+    if (talk() != Talk::quiet) {
+        complain(line);
+    }
+}
+
+void say_detail(std::string_view line) {
+    if (talk() == Talk::verbose) {
+        complain(line);
+    }
+}
 
 namespace {
 // At most five updates a second: writing to a terminal is slow.
 constexpr double kSecondsBetween = 0.2;
+// Before that much is done and has been waited for, what is left is a guess.
+constexpr double kLeastShare = 0.02;
+constexpr double kLeastSeconds = 2.0;
 }  // namespace
 
 ProgressLine::ProgressLine(std::string what)
-    : what_(printable(what, 60)), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : what_(printable(what, 60)),
+      is_terminal_(isatty(STDERR_FILENO) == 1 && talk() != Talk::quiet),
+      start_seconds_(seconds_now()) {}
 
 ProgressLine::~ProgressLine() {
     if (has_shown_) {
@@ -28,11 +63,18 @@ ProgressLine::~ProgressLine() {
     }
 }
 
-void ProgressLine::show(double share) { show(fmt::format("{:3.0f} %", 100.0 * share)); }
+void ProgressLine::show(double share) {
+    std::string text = fmt::format("{:3.0f} %", 100.0 * share);
+    const double gone = seconds_now() - start_seconds_;
+    if (share >= kLeastShare && gone >= kLeastSeconds) {
+        text += ", " + time_in_words(gone * (1.0 - share) / share) + " left";
+    }
+    show(text);
+}
 
 void ProgressLine::show(const std::string& text) {
     // Updates in between are dropped, not queued: the next one is newer.
-    const double now = to_seconds(Nanos(HostClock::now().time_since_epoch()));
+    const double now = seconds_now();
     if (!is_terminal_ || now - last_seconds_ < kSecondsBetween) {
         return;
     }
@@ -40,6 +82,17 @@ void ProgressLine::show(const std::string& text) {
     has_shown_ = true;
     std::fprintf(stderr, "\r\033[K%s %s", what_.c_str(), text.c_str());
     std::fflush(stderr);
+}
+
+std::string time_in_words(double seconds) {
+    const auto whole = static_cast<long>(std::lround(std::clamp(seconds, 0.0, 1e9)));
+    if (whole < 60) {
+        return fmt::format("{} s", whole);
+    }
+    if (whole < 3600) {
+        return fmt::format("{} min {} s", whole / 60, whole % 60);
+    }
+    return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
 }  // namespace raks::apps

@@ -5,13 +5,22 @@
 
 namespace raks::apps {
 
-/// One line for people on stderr, behind "raks: ": an error, a warning, what is being done. Names
-/// and words that files and the command line bring along cannot break it (base/printable.hpp).
-/// Threads: any. Real-time: no.
+/// How much the program says on stderr: `quiet`, what went wrong alone; `verbose`, details too.
+enum class Talk { quiet, usual, verbose };
+/// Sets it for the whole program; `usual` until then. Threads: main, before any other.
+void set_talk(Talk talk) noexcept;
+
+/// One line for people on stderr, behind "raks: ": a warning, what is being done; not where
+/// `quiet`. Names and words that files and the command line bring along cannot break it
+/// (base/printable.hpp). Threads: any. Real-time: no.
 void say(std::string_view line);
+/// The same for details that few want to know: only where `verbose`.
+void say_detail(std::string_view line);
+/// The same for what went wrong: always.
+void complain(std::string_view line);
 
 /// One line of progress on stderr, rewritten in place; shown only on a terminal, at most five times
-/// a second. Threads: one.
+/// a second, and not where `quiet`. Threads: one.
 class ProgressLine {
  public:
     /// `what`: stands before the progress, cut to 60 characters.
@@ -21,7 +30,8 @@ class ProgressLine {
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;  ///< likewise
 
-    /// Shows `share` done, [0, 1], as a percentage.
+    /// Shows `share` done, [0, 1], as a percentage, and how long the rest takes by what the share
+    /// has taken.
     void show(double share);
     /// Shows any short text.
     void show(const std::string& text);
@@ -30,7 +40,11 @@ class ProgressLine {
     std::string what_;
     bool is_terminal_;
     bool has_shown_ = false;
+    double start_seconds_;
     double last_seconds_ = -1.0;
 };
+
+/// A span of time as people say it: "40 s", "3 min 20 s", "1 h 5 min".
+[[nodiscard]] std::string time_in_words(double seconds);
 
 }  // namespace raks::apps

@@ -70,6 +70,7 @@ struct FilePlayer::Impl {
     void drop(std::size_t frames) noexcept;
 
     const std::vector<std::filesystem::path> files;
+    std::shared_ptr<std::atomic<bool>> pipe_stop;  // null: files, which never keep one waiting
     AudioFileInfo first_info;
     AudioRing ring;  // stereo
     EventQueue<Segment> segments;
@@ -267,6 +268,20 @@ Expected<std::unique_ptr<FilePlayer>> FilePlayer::start(std::vector<std::filesys
     return std::unique_ptr<FilePlayer>(new FilePlayer(std::move(impl)));
 }
 
+std::unique_ptr<FilePlayer> FilePlayer::start(std::unique_ptr<PipeReader> pipe,
+                                              const std::filesystem::path& name) {
+    auto impl = std::make_unique<Impl>(std::vector{name}, FilePlayerConfig{});
+    impl->first_info = pipe->info();
+    impl->pipe_stop = pipe->stop_flag();
+    // It is open at its beginning already: no command, but the segment that one would push.
+    impl->generation =
+        impl->wanted_generation.load(std::memory_order_relaxed);  // relaxed: no thread
+    impl->reader = std::move(pipe);
+    impl->push_segment(0, false);
+    impl->decoder = std::thread(&Impl::run, impl.get());
+    return std::unique_ptr<FilePlayer>(new FilePlayer(std::move(impl)));
+}
+
 PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
     Impl& me = *impl_;
     // acquire: pairs with the release in seek(): nothing older is played from here on.
@@ -314,6 +329,9 @@ PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
 // The generation is published last: pull() may then drop samples, while the command waits under the
 // mutex for the decoder.
 void FilePlayer::seek(int track, double seconds) {
+    if (!can_seek()) {
+        return;
+    }
     const std::lock_guard lock(impl_->mutex);
     const std::uint64_t generation =
         impl_->wanted_generation.load(std::memory_order_relaxed) + 1;  // relaxed: own index
@@ -324,7 +342,13 @@ void FilePlayer::seek(int track, double seconds) {
     impl_->changed.notify_all();
 }
 
+bool FilePlayer::can_seek() const noexcept { return impl_->pipe_stop == nullptr; }
+
 void FilePlayer::stop() {
+    // A decoder that waits for the writer of a pipe would never look at is_stopping.
+    if (impl_->pipe_stop) {
+        impl_->pipe_stop->store(true, std::memory_order_relaxed);  // relaxed: orders nothing
+    }
     {
         const std::lock_guard lock(impl_->mutex);
         impl_->is_stopping = true;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "audio/io/audio_file.hpp"
+#include "audio/io/pipe_reader.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
@@ -44,6 +45,10 @@ class FilePlayer {
     /// Errors: no file, the first file cannot be opened.
     [[nodiscard]] static Expected<std::unique_ptr<FilePlayer>> start(
         std::vector<std::filesystem::path> files, const FilePlayerConfig& config = {});
+    /// The same with what comes through a pipe, called `name`: it is decoded as far ahead as it has
+    /// come, cannot be sought, and a pull waits for nothing where it is late.
+    [[nodiscard]] static std::unique_ptr<FilePlayer> start(std::unique_ptr<PipeReader> pipe,
+                                                           const std::filesystem::path& name);
     /// Calls stop().
     ~FilePlayer();
     /// Not copyable: it owns a thread.
@@ -58,8 +63,10 @@ class FilePlayer {
     PulledAudio pull(std::span<float> stereo) noexcept;
 
     /// Continues at `seconds` (>= 0, else 0) of file `track`; all that was decoded ahead is
-    /// dropped.
+    /// dropped. In a pipe it does nothing.
     void seek(int track, double seconds);
+    /// Whether there is going back and ahead: not in a pipe.
+    [[nodiscard]] bool can_seek() const noexcept;
     /// Ends the decoder thread and waits for it. What is decoded can still be pulled.
     void stop();
     /// Messages for the user since the last call: files that were skipped or are damaged.

@@ -76,6 +76,8 @@ class LiveActions {
     /// figure).
     void brief_dancers();
 
+    /// Whether the dancers are to keep to their figure.
+    [[nodiscard]] bool keeps_figure() const noexcept { return keeps_figure_; }
     /// The volume that is set, [0, 2].
     [[nodiscard]] float volume() const noexcept { return volume_; }
 

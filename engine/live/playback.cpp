@@ -151,10 +151,9 @@ void Playback::on_output(std::span<float> interleaved,
     } else {
         analysis_->stop_clock(first);
     }
-    if (is_source_ended_ && !has_sound) {
-        // release: pairs with the acquire in is_finished(): all samples are out by then.
-        is_finished_.store(true, std::memory_order_release);
-    }
+    // release: pairs with the acquire in is_finished(): all samples are out by then. A seek back
+    // makes it false again.
+    is_finished_.store(is_source_ended_ && !has_sound, std::memory_order_release);
     analysis_->add_callback_time(HostClock::now() - start);
 }
 
@@ -173,10 +172,16 @@ double Playback::position_seconds() const noexcept {
 }
 
 void Playback::seek(double seconds) {
+    if (!player_->can_seek()) {
+        return;
+    }
     // Shown at once: the player reaches the new place only with a later pull.
     const double wanted = std::max(0.0, seconds);
     player_->seek(0, wanted);
     position_seconds_.store(wanted, std::memory_order_relaxed);  // relaxed: for display
+    // Until the next block tells: nobody must take the file for finished meanwhile. relaxed: a
+    // block that is under way may still say the old state, as if the seek had come behind it.
+    is_finished_.store(false, std::memory_order_relaxed);
 }
 
 bool Playback::is_finished() const noexcept { return is_finished_.load(std::memory_order_acquire); }

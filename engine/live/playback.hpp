@@ -51,9 +51,11 @@ class Playback final : public audio::StreamCallback {
     /// Where the file plays, in seconds: a moment ahead of the loudspeaker. After a seek it is the
     /// new place at once, also in a pause.
     [[nodiscard]] double position_seconds() const noexcept;
-    /// Goes to another place of the file (clamped to >= 0); behind its end, playing is finished.
+    /// Goes to another place of the file (clamped to >= 0); behind its end, playing is finished. In
+    /// a pipe it does nothing.
     void seek(double seconds);
-    /// True when all of the file has been given to the device. Threads: any.
+    /// True when all of the file has been given to the device, until a seek goes back. Threads:
+    /// any.
     [[nodiscard]] bool is_finished() const noexcept;
     /// Plays no further than this place (seconds in the file), to the sample.
     void set_end(double seconds) noexcept;

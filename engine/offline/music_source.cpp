@@ -1,5 +1,7 @@
 #include "engine/offline/music_source.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <limits>
 #include <system_error>
@@ -22,12 +24,6 @@ constexpr std::size_t kBlockFrames = 1024;
 // Part of the cached file's name: a changed generator must not play the piece that an older one
 // made. To be raised with every change of the demo.
 constexpr int kDemoVersion = 1;
-
-// The user's cache folder, or the folder for temporary files where there is none.
-fs::path cache_folder() {
-    const fs::path cache = user_cache_path();
-    return cache.empty() ? temporary_folder() : cache;
-}
 
 }  // namespace
 
@@ -54,13 +50,18 @@ Expected<MusicSource> MusicSource::open(const fs::path& path,
     if (start > 0.0) {
         const auto claimed = source.reader_->info().claimed_seconds;
         if (claimed && start >= *claimed) {
-            return fail(fmt::format(
-                "{}: is {:.1f} s long; it cannot start at {} s", path.string(), *claimed, start));
+            return fail(starts_behind_end(path, *claimed, start));
         }
         if (auto sought = source.reader_->seek(std::llround(start * rate)); !sought) {
             return fail(sought.error());
         }
     }
+    return source;
+}
+
+MusicSource MusicSource::of(std::unique_ptr<audio::AudioFileReader> reader) {
+    MusicSource source(std::move(reader));
+    source.frames_left_ = std::numeric_limits<std::int64_t>::max();
     return source;
 }
 
@@ -86,37 +87,59 @@ Nanos MusicSource::given() const noexcept {
     return rate().time_of(frames_given_).time_since_epoch();
 }
 
-std::optional<double> MusicSource::progress() const noexcept {
+std::optional<double> MusicSource::seconds() const noexcept {
     const auto claimed = reader_->info().claimed_seconds;
     // The total is the section's, bounded by what the file claims to hold.
     const double rate = reader_->info().rate.hertz();
-    const double done = static_cast<double>(frames_given_) / rate;
     double total = claimed ? *claimed - start_seconds_ : 0.0;
     // frames_left_ counts down from the maximum where no duration was given.
     if (frames_left_ < std::numeric_limits<std::int64_t>::max() / 2) {
-        const double asked = done + static_cast<double>(frames_left_) / rate;
+        const double asked =
+            (static_cast<double>(frames_given_) + static_cast<double>(frames_left_)) / rate;
         total = claimed ? std::min(total, asked) : asked;
     }
-    return total > 0.0 ? std::optional(std::min(1.0, done / total)) : std::nullopt;
+    return total > 0.0 ? std::optional(total) : std::nullopt;
+}
+
+std::optional<double> MusicSource::progress() const noexcept {
+    const auto total = seconds();
+    const double done = static_cast<double>(frames_given_) / reader_->info().rate.hertz();
+    return total ? std::optional(std::min(1.0, done / *total)) : std::nullopt;
+}
+
+std::string starts_behind_end(const fs::path& path, double length, double start) {
+    return fmt::format(
+        "{}: is {:.1f} s long; it cannot start at {} s", path.string(), length, start);
 }
 
 Expected<fs::path> demo_music() {
-    const fs::path path = cache_folder() / fmt::format("demo_{}.wav", kDemoVersion);
-    std::error_code error;
-    // Made by an earlier run of the same version.
-    if (fs::exists(path, error)) {
-        return path;
+    const std::string name = fmt::format("demo_{}.wav", kDemoVersion);
+    std::vector<fs::path> places;
+    if (const fs::path cache = user_cache_path(); !cache.empty()) {
+        places.push_back(cache / name);
     }
-    fs::create_directories(path.parent_path(), error);
+    // Of this user alone: others may have a file of that name there.
+    places.push_back(temporary_folder() / fmt::format("raks-{}", ::getuid()) / name);
+    // Made by an earlier run of the same version.
+    const auto made = std::find_if(places.begin(), places.end(), is_there);
+    if (made != places.end()) {
+        return *made;
+    }
     const auto music = audio::generate(audio::demo_plan());
     if (!music) {
         return fail(music.error());
     }
-    if (auto written = audio::write_wav(path, music->samples, music->channels, music->rate);
-        !written) {
-        return fail(written.error());
+    Expected<void> written;
+    for (const fs::path& place : places) {
+        std::error_code error;
+        fs::create_directories(place.parent_path(), error);
+        // A folder that cannot be written does not stop the dance.
+        written = audio::write_wav(place, music->samples, music->channels, music->rate);
+        if (written) {
+            return place;
+        }
     }
-    return path;
+    return fail(written.error());
 }
 
 }  // namespace raks::engine

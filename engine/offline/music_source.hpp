@@ -25,6 +25,9 @@ class MusicSource {
                                                     double start = 0.0,
                                                     std::optional<double> duration = std::nullopt);
 
+    /// All that an open reader gives, such as one of a pipe.
+    [[nodiscard]] static MusicSource of(std::unique_ptr<audio::AudioFileReader> reader);
+
     /// The file's own sample rate.
     [[nodiscard]] SampleRate rate() const noexcept { return reader_->info().rate; }
 
@@ -41,6 +44,8 @@ class MusicSource {
     [[nodiscard]] Nanos given() const noexcept;
     /// What is wrong with a file that still plays; empty when nothing is.
     [[nodiscard]] const std::string& warning() const noexcept { return reader_->warning(); }
+    /// Length of what is to be given, as the file claims; empty when it does not say.
+    [[nodiscard]] std::optional<double> seconds() const noexcept;
     /// Share of the file that is done, [0, 1], as the file claims; empty when it does not say.
     [[nodiscard]] std::optional<double> progress() const noexcept;
 
@@ -56,8 +61,14 @@ class MusicSource {
     std::vector<float> stereo_;
 };
 
+/// The line for people about a file that is not as long as where it is to start: both in seconds.
+[[nodiscard]] std::string starts_behind_end(const std::filesystem::path& path,
+                                            double length,
+                                            double start);
+
 /// The piece that Raks dances to when no file is given: a salsa of its own, synthesized once into
-/// the user's cache ($XDG_CACHE_HOME/raks). Errors: the cache cannot be written.
+/// the user's cache ($XDG_CACHE_HOME/raks), or where that cannot be written into the folder for
+/// temporary files. Errors: neither can be written.
 [[nodiscard]] Expected<std::filesystem::path> demo_music();
 
 }  // namespace raks::engine

@@ -263,6 +263,22 @@ Expected<void> check_dances(const Settings& settings, const DanceList& dances) {
     return check_name(settings.fallback_dance, dances, {kFirst, kKeep, kStand});
 }
 
+Expected<void> check_dances(const Settings& settings, const DanceCatalogue& catalogue) {
+    auto checked = check_dances(settings, *catalogue.list());
+    if (checked) {
+        return checked;
+    }
+    // A name that is unknown only because its files are not there.
+    const bool is_fallback = settings.dance == kAuto;
+    const std::string& name = is_fallback ? settings.fallback_dance : settings.dance;
+    const auto& notes = catalogue.notes();
+    const auto reason = std::find_if(notes.begin(), notes.end(), [&](const std::string& note) {
+        return note.find("is not installed") != std::string::npos ||
+               note.find("so that " + name + " cannot") != std::string::npos;
+    });
+    return reason == notes.end() ? checked : fail(*reason + " (" + checked.error().message + ")");
+}
+
 std::string dance_to_load(const Settings& settings, const DanceList& dances) {
     if (settings.dance != kAuto) {
         return settings.dance;

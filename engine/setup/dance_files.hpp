@@ -51,6 +51,11 @@ class DanceCache {
 /// suggested.
 [[nodiscard]] Expected<void> check_dances(const Settings& settings, const DanceList& dances);
 
+/// The same against all dances that were found. Where the dance that is missing, or the dances that
+/// come with Raks, could not be read, the error says that first.
+[[nodiscard]] Expected<void> check_dances(const Settings& settings,
+                                          const DanceCatalogue& catalogue);
+
 /// The dance that a show begins with: `settings.dance`; where that is "auto", the fallback; where
 /// that is no dance either, the first of the list.
 [[nodiscard]] std::string dance_to_load(const Settings& settings, const DanceList& dances);

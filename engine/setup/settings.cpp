@@ -305,7 +305,8 @@ fs::path user_settings_path() {
         return fs::path(xdg) / "raks" / "config.toml";
     }
     const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
-    return fs::path(home != nullptr ? home : ".") / ".config" / "raks" / "config.toml";
+    return home != nullptr && *home == '/' ? fs::path(home) / ".config" / "raks" / "config.toml"
+                                           : fs::path();
 }
 
 fs::path user_cache_path() {
@@ -330,7 +331,7 @@ Expected<Settings> load_settings() {
     // The user's file last: it wins.
     for (const fs::path& file : files) {
         std::error_code ignored;
-        if (!fs::exists(file, ignored)) {
+        if (file.empty() || !fs::exists(file, ignored)) {
             continue;
         }
         if (auto read = read_settings(file, settings); !read) {

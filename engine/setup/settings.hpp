@@ -52,7 +52,8 @@ struct Settings {
 /// The settings as a TOML document with comments; reading it back gives the same settings.
 [[nodiscard]] std::string to_toml(const Settings& settings);
 
-/// Where the user's file lies: $XDG_CONFIG_HOME/raks/config.toml, or below ~/.config.
+/// Where the user's file lies: $XDG_CONFIG_HOME/raks/config.toml, or below ~/.config. Empty:
+/// neither variable names an absolute path.
 [[nodiscard]] std::filesystem::path user_settings_path();
 
 /// The installed and the user's file, where they exist, read over the defaults in this order.

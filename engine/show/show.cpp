@@ -39,6 +39,8 @@ Show::Show(const Look& look,
            std::shared_ptr<const DanceList> dances)
     : dances_(std::move(dances)),
       scene_(look.scene),
+      framing_(look.scene.camera,
+               static_cast<float>(look.size.width) / static_cast<float>(look.size.height)),
       renderer_(std::move(drawing.renderer)),
       overlay_(std::move(drawing.overlay)),
       overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {}
@@ -46,6 +48,9 @@ Show::Show(const Look& look,
 void Show::draw(const ShownMoment& shown,
                 render::OverlayState info,
                 const render::FrameTarget& target) {
+    const Nanos since = shown.moment - last_moment_.value_or(shown.moment);
+    last_moment_ = shown.moment;
+    scene_.camera = framing_.follow(shown.poses, to_seconds(since));
     // The picture first: the overlay is drawn over it.
     draw_moment(shown, renderer_, scene_, target);
     describe_moment(shown, *dances_, info);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
+#include "engine/show/framing.hpp"
 #include "engine/show/picture.hpp"
 #include "motion/dancer.hpp"
 #include "render/gl/frame_target.hpp"
@@ -37,7 +39,8 @@ void draw_moment(const ShownMoment& shown,
                  render::Scene& scene,
                  const render::FrameTarget& target);
 
-/// Draws the pictures of a film: stage, dancers and overlay, as a window shows them.
+/// Draws the pictures of a film: stage, dancers and overlay, as a window shows them, but with a
+/// camera that keeps the dancers in the picture (Framing).
 /// Threads: the OpenGL context's. Real-time: no.
 class Show {
  public:
@@ -63,6 +66,8 @@ class Show {
 
     std::shared_ptr<const DanceList> dances_;
     render::Scene scene_;
+    Framing framing_;
+    std::optional<StreamTime> last_moment_;
     render::Renderer renderer_;
     render::Overlay overlay_;
     render::OverlayView overlay_view_;

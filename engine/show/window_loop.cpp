@@ -16,6 +16,7 @@
 
 #include "base/expected.hpp"
 #include "engine/control/action_table.hpp"
+#include "engine/setup/user_folders.hpp"
 #include "render/gl/frame_target.hpp"
 #include "render/gl/window.hpp"
 #include "render/scene/camera.hpp"
@@ -56,9 +57,10 @@ void move_camera(render::Camera& camera, const render::ScrollEvent& scroll) {
     camera.zoom(std::pow(kZoomPerStep, scroll.dy));
 }
 
-/// A file name from the local time, "raks-20260131-235959.png"; with a number appended when a file
-/// of that name exists in the current folder.
-std::string screenshot_name() {
+/// A file name from the local time, "raks-20260131-235959.png", in the folder of pictures; with a
+/// number appended when a file of that name exists there.
+std::filesystem::path screenshot_path() {
+    const std::filesystem::path folder = pictures_folder();
     const std::time_t now = std::time(nullptr);
     // localtime_r: localtime() would share its result with other threads.
     std::tm local{};
@@ -70,13 +72,13 @@ std::string screenshot_name() {
                                          local.tm_hour,
                                          local.tm_min,
                                          local.tm_sec);
-    std::string name = stem + ".png";
+    std::filesystem::path path = folder / (stem + ".png");
     std::error_code error;
     // Several pictures within one second get -2, -3 and so on.
-    for (int i = 2; std::filesystem::exists(name, error); ++i) {
-        name = fmt::format("{}-{}.png", stem, i);
+    for (int i = 2; std::filesystem::exists(path, error); ++i) {
+        path = folder / fmt::format("{}-{}.png", stem, i);
     }
-    return name;
+    return path;
 }
 
 /// Writes what was drawn to `frame` as a PNG file. An OpenGL context must be current. Errors: the
@@ -141,6 +143,10 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
 // On the terminal and over the picture.
 void WindowLoop::say(const std::string& line) {
     options_.say(line);
+    show(line);
+}
+
+void WindowLoop::show(const std::string& line) {
     message_ = line;
     message_until_ = HostClock::now() + kMessageTime;
 }
@@ -170,7 +176,9 @@ void WindowLoop::handle_events(WindowContent& content, const ActionDispatcher& a
         if (const auto* key = std::get_if<KeyEvent>(&event)) {
             handle(*key, content, actions);
         } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
-            move_camera(scene_.camera, *drag);
+            handle(*drag, content);
+        } else if (const auto* button = std::get_if<render::MouseButtonEvent>(&event)) {
+            handle(*button, content);
         } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
             move_camera(scene_.camera, *scroll);
         }
@@ -191,6 +199,29 @@ void WindowLoop::handle(const KeyEvent& key,
     if (const auto done = actions.dispatch(*request); !done) {
         // Errors are shown, not fatal: the show goes on.
         say(done.error().message);
+    }
+}
+
+// A click on the overlay uses it; anywhere else it begins to move the camera.
+void WindowLoop::handle(const render::MouseButtonEvent& button, WindowContent& content) {
+    is_position_held_ = false;
+    is_click_taken_ = false;
+    pointer_x_ = button.x;
+    const auto control = controls_.at(button.x, button.y);
+    if (!button.is_down || button.button != render::MouseButton::left || !control) {
+        return;
+    }
+    is_click_taken_ = true;
+    is_position_held_ = *control == render::OverlayControl::position;
+    content.use(*control, controls_.share_at(pointer_x_));
+}
+
+void WindowLoop::handle(const render::MouseDragEvent& drag, WindowContent& content) {
+    pointer_x_ += drag.dx;
+    if (is_position_held_) {
+        content.use(render::OverlayControl::position, controls_.share_at(pointer_x_));
+    } else if (!is_click_taken_) {
+        move_camera(scene_.camera, drag);
     }
 }
 
@@ -219,7 +250,7 @@ void WindowLoop::draw_overlay(render::OverlayState overlay, const render::FrameT
     if (HostClock::now() < message_until_) {
         overlay.message = message_;
     }
-    drawing_.overlay.draw(overlay, overlay_view_, target, window_.content_scale());
+    controls_ = drawing_.overlay.draw(overlay, overlay_view_, target, window_.content_scale());
 }
 
 // Exponential mean: single late pictures do not make the number flicker.
@@ -232,9 +263,9 @@ void WindowLoop::count_picture() {
 }
 
 void WindowLoop::save_screenshot() {
-    const std::string name = screenshot_name();
-    const auto done = write_screenshot(name, window_.frame());
-    say(done ? "screenshot saved: " + name : done.error().message);
+    const std::filesystem::path path = screenshot_path();
+    const auto done = write_screenshot(path, window_.frame());
+    say(done ? "screenshot saved: " + path.string() : done.error().message);
 }
 
 // The list is made when it is opened: what the actions handle depends on the content.

@@ -37,6 +37,9 @@ class WindowContent {
 
     /// Gets each key before the table of actions does. True: the content has used it.
     virtual bool handle(const KeyEvent& /*key*/) { return false; }
+    /// Called when something of the overlay is clicked, and while it is dragged. `share`: of the
+    /// file, [0, 1], where the position is meant.
+    virtual void use(render::OverlayControl /*control*/, double /*share*/) {}
     /// Help lines of the keys that handle() uses.
     [[nodiscard]] virtual std::vector<render::HelpRow> own_keys() const { return {}; }
 
@@ -90,6 +93,8 @@ class WindowLoop {
 
     /// Passes a line for people on, and shows it over the picture for 4 s.
     void say(const std::string& line);
+    /// Shows a line over the picture alone, for 4 s.
+    void show(const std::string& line);
     /// A line for people when the renderer has changed its quality, with the reason; else empty.
     [[nodiscard]] std::string_view notice() const noexcept { return drawing_.renderer.notice(); }
     /// The scene that is drawn; contents may change it between two pictures.
@@ -102,6 +107,8 @@ class WindowLoop {
     void bind_window(ActionDispatcher& actions);
     void handle_events(WindowContent& content, const ActionDispatcher& actions);
     void handle(const KeyEvent& key, WindowContent& content, const ActionDispatcher& actions);
+    void handle(const render::MouseButtonEvent& button, WindowContent& content);
+    void handle(const render::MouseDragEvent& drag, WindowContent& content);
     void draw(WindowContent& content);
     void draw_overlay(render::OverlayState overlay, const render::FrameTarget& target);
     void count_picture();
@@ -121,6 +128,10 @@ class WindowLoop {
     std::string camera_name_;
     render::OverlayView overlay_view_;
     std::vector<render::HelpRow> help_;  // none: hidden
+    render::OverlayControls controls_;   // of the last picture
+    bool is_position_held_ = false;      // the bar is being dragged
+    bool is_click_taken_ = false;        // what is dragged is not the camera
+    float pointer_x_ = 0.0F;             // while a button is held, in pixels
     bool wants_screenshot_ = false;
     bool wants_to_quit_ = false;
     std::string message_;

@@ -25,6 +25,8 @@ void sleep_until(HostTime due) noexcept {
 namespace {
 
 constexpr double kUsualRefreshRate = 60.0;  // where the monitor tells none: Xvfb says 0
+// Over a full screen a pointer that rests for so long is hidden.
+constexpr Nanos kPointerRest = std::chrono::seconds(2);
 
 /// GLFW, alive while any window is.
 class Glfw {
@@ -152,6 +154,8 @@ struct Window::State {
     std::array<bool, kMouseButtons.size()> is_held{};
     double mouse_x = 0.0;
     double mouse_y = 0.0;
+    HostTime moved_at{};  // when the pointer moved or a button changed
+    bool is_pointer_hidden = false;
 
     State() = default;
     State(const State&) = delete;
@@ -170,6 +174,7 @@ struct Window::State {
     void on_character(unsigned int codepoint);
     void on_button(int button, int action);
     void on_mouse(double x, double y);
+    void show_or_hide_pointer();
     [[nodiscard]] float pixels_per_unit() const;
     [[nodiscard]] bool is_key_down(int key) const { return glfwGetKey(handle, key) == GLFW_PRESS; }
     [[nodiscard]] bool has_shift() const {
@@ -226,7 +231,18 @@ void Window::State::on_character(unsigned int codepoint) {
                                    .is_repeat = is_last_key_a_repeat});
 }
 
+// Shown where it moves, and in a window always.
+void Window::State::show_or_hide_pointer() {
+    const bool is_full = glfwGetWindowMonitor(handle) != nullptr;
+    const bool is_resting = HostClock::now() - moved_at > kPointerRest;
+    if (const bool hides = is_full && is_resting; hides != is_pointer_hidden) {
+        is_pointer_hidden = hides;
+        glfwSetInputMode(handle, GLFW_CURSOR, hides ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+    }
+}
+
 void Window::State::on_button(int button, int action) {
+    moved_at = HostClock::now();
     for (std::size_t i = 0; i < kMouseButtons.size(); ++i) {
         if (kMouseButtons[i].first == button) {
             // Screen coordinates become pixels: the caller compares them with what is drawn.
@@ -241,6 +257,7 @@ void Window::State::on_button(int button, int action) {
 }
 
 void Window::State::on_mouse(double x, double y) {
+    moved_at = HostClock::now();
     const float scale = pixels_per_unit();
     const float dx = static_cast<float>(x - mouse_x) * scale;
     const float dy = static_cast<float>(y - mouse_y) * scale;
@@ -315,6 +332,7 @@ Expected<Window> Window::create(const WindowOptions& options) {
 
 std::span<const WindowEvent> Window::poll_events() {
     glfwPollEvents();
+    state_->show_or_hide_pointer();
     // The two vectors keep their storage: no allocation once they have grown.
     state_->delivered.clear();
     std::swap(state_->delivered, state_->arriving);

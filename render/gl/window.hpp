@@ -148,7 +148,8 @@ class Window {
     /// vertical sync where the system keeps it, else by a clock.
     void present();
 
-    /// Full screen on the monitor that holds most of the window, or back to where it was.
+    /// Full screen on the monitor that holds most of the window, or back to where it was. Over a
+    /// full screen the pointer is hidden while it rests.
     void toggle_fullscreen();
     /// Whether it fills a monitor.
     [[nodiscard]] bool is_fullscreen() const;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <string>
+
 #include "render/overlay/panels.hpp"
 #include "render/overlay/text_format.hpp"
 
@@ -12,8 +14,9 @@ void draw_genre(const Pen& pen, const OverlayState& state, const Box& box) {
     const float x = box.x + kInner;
     const float right = box.right() - kInner;
     pen.text(fonts.small, x, box.y + 14.0F, palette::kDim, "MUSIC");
-    // The classifier's class "unknown" is shown in words, without a posterior.
-    const bool is_known = !state.genre.empty() && state.genre != "unknown";
+    // The classifier's class "unknown" is shown in words, without a posterior; so is silence, which
+    // is no music that could be recognised.
+    const bool is_known = !state.is_silent && !state.genre.empty() && state.genre != "unknown";
     const float posterior = is_known ? state.genre_posterior : 0.0F;
     if (is_known) {
         pen.text(fonts.small,
@@ -27,7 +30,9 @@ void draw_genre(const Pen& pen, const OverlayState& state, const Box& box) {
              x,
              box.y + 29.0F,
              is_known ? palette::kText : palette::kDim,
-             is_known ? capitalized(state.genre) : "not recognised",
+             is_known          ? capitalized(state.genre)
+             : state.is_silent ? std::string("silence")
+                               : std::string("not recognised"),
              Align::left,
              right - x);
     pen.bar({x, box.y + 55.0F, right - x, 3.0F}, posterior, palette::kTeal);
@@ -89,12 +94,20 @@ void draw_health(const Pen& pen, const OverlayState& state, float right, float y
     if (state.fps > 0.0) {
         add(line, fmt::format("{:.0f} fps", state.fps));
     }
-    add(line, "? keys");
-    const float width = pen.text(pen.fonts().small, right, y, palette::kDim, line, Align::right);
-    if (!trouble.empty()) {
-        pen.text(
-            pen.fonts().small, right - width - 12.0F, y, palette::kAmber, trouble, Align::right);
+    if (state.has_keys) {
+        add(line, "? keys");
     }
+    // On a card of its own: over a light stage nothing of this could be read.
+    const ImFont* const font = pen.fonts().small;
+    const float gap = trouble.empty() || line.empty() ? 0.0F : 12.0F;
+    const float width = pen.width_of(font, line) + pen.width_of(font, trouble) + gap;
+    if (width <= 0.0F) {
+        return;
+    }
+    pen.panel({right - width - 16.0F, y, width + 16.0F, 22.0F});
+    const float text_y = y + (22.0F - pen.height_of(font)) / 2.0F;
+    const float drawn = pen.text(font, right - 8.0F, text_y, palette::kDim, line, Align::right);
+    pen.text(font, right - 8.0F - drawn - gap, text_y, palette::kAmber, trouble, Align::right);
 }
 
 }  // namespace
@@ -108,7 +121,7 @@ void draw_dance(const Pen& pen, const OverlayState& state, const Canvas& canvas)
     pen.panel(box);
     draw_genre(pen, state, box);
     draw_figure(pen, state, box);
-    draw_health(pen, state, box.right() - 4.0F, box.bottom() + 8.0F);
+    draw_health(pen, state, box.right(), box.bottom() + 8.0F);
 }
 
 }  // namespace raks::render

@@ -47,11 +47,15 @@ void draw_row(const Pen& pen, const HelpRow& row, float x, float y, float pitch)
         key_x += draw_cap(pen, key, key_x, y, height) + 6.0F;
     }
     const OverlayFonts& fonts = pen.fonts();
+    // Many or long keys push their text on instead of running over it.
+    const float text_x = std::max(x + kKeysWidth, key_x + 2.0F);
     pen.text(fonts.body,
-             x + kKeysWidth,
+             text_x,
              y + (height - pen.height_of(fonts.body)) / 2.0F,
              palette::kText,
-             row.text);
+             row.text,
+             Align::left,
+             x + kColumnWidth - text_x - 6.0F);
 }
 
 /// Whether line i has a title above it.

@@ -5,13 +5,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
 #include <optional>
-#include <string>
 #include <utility>
 
+#include "render/overlay/fonts.hpp"
 #include "render/overlay/panels.hpp"
 
 namespace raks::render {
@@ -21,38 +19,6 @@ constexpr float kUnitsHigh = 720.0F;  // a picture of this size or wider has one
 constexpr float kUnitsWide = 640.0F;
 constexpr float kSmallestScale = 0.8F;
 constexpr float kLargestScale = 4.0F;
-
-// Latin, Greek, Cyrillic, dashes and the ellipsis: names of files and devices.
-constexpr std::array<ImWchar, 11> kNameRanges = {
-    0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x052F, 0x2010, 0x2027, 0x20AC, 0x20AC, 0};
-// Labels are the program's own words, and large glyphs take much of the font texture.
-constexpr std::array<ImWchar, 5> kLabelRanges = {0x0020, 0x00FF, 0x2010, 0x2027, 0};
-
-/// Where Debian, Fedora and Arch put DejaVu.
-std::string font_file(const char* name) {
-    for (const char* const folder : {"/usr/share/fonts/truetype/dejavu/",
-                                     "/usr/share/fonts/dejavu-sans-fonts/",
-                                     "/usr/share/fonts/TTF/"}) {
-        std::string path = std::string(folder) + name;
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(path, ignored)) {
-            return path;
-        }
-    }
-    return {};
-}
-
-/// The font at this many pixels; ImGui's own, which is always there, where the file is not.
-ImFont* add_font(ImFontAtlas& atlas, const std::string& file, float pixels, const ImWchar* ranges) {
-    ImFont* font =
-        file.empty() ? nullptr : atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, ranges);
-    if (font == nullptr) {
-        ImFontConfig config;
-        config.SizePixels = pixels;
-        font = atlas.AddFontDefault(&config);
-    }
-    return font;
-}
 
 /// Steps of a quarter: fonts are made anew when a window is pulled far, not for every pixel.
 float scale_for(const FrameTarget& target, float content_scale) {
@@ -87,7 +53,9 @@ OverlayState in_range(OverlayState state) {
     state.figure_count = std::clamp(state.figure_count, 0, state.figure_counts);
     state.level_dbfs = finite(state.level_dbfs, -120.0F, 20.0F);
     state.loudness_lufs = finite(state.loudness_lufs, -120.0F, 20.0F);
-    state.volume = finite(state.volume, 0.0F, 1.0F);
+    if (state.volume) {
+        state.volume = finite(*state.volume, 0.0F, 1.0F);
+    }
     state.position = finite(state.position, 0.0, kLongest);
     state.duration = finite(state.duration, 0.0, kLongest);
     state.latency_ms = finite(state.latency_ms, -kLongest, kLongest);
@@ -154,13 +122,11 @@ void Overlay::Impl::make_fonts(float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     // All four share one texture, which is built anew as a whole.
     atlas.Clear();
-    const std::string plain = font_file("DejaVuSans.ttf");
-    const std::string bold = font_file("DejaVuSans-Bold.ttf");
     const auto pixels = [&](float units) { return std::round(units * scale); };
-    fonts.body = add_font(atlas, plain, pixels(15.0F), kNameRanges.data());
-    fonts.small = add_font(atlas, plain, pixels(12.0F), kLabelRanges.data());
-    fonts.bold = add_font(atlas, bold, pixels(17.0F), kLabelRanges.data());
-    fonts.large = add_font(atlas, bold, pixels(46.0F), kLabelRanges.data());
+    fonts.body = add_font(atlas, FontFace::plain, pixels(15.0F), Glyphs::names);
+    fonts.small = add_font(atlas, FontFace::plain, pixels(12.0F), Glyphs::labels);
+    fonts.bold = add_font(atlas, FontFace::bold, pixels(17.0F), Glyphs::labels);
+    fonts.large = add_font(atlas, FontFace::bold, pixels(46.0F), Glyphs::labels);
     if (!is_first) {  // the first texture is made by NewFrame(), with all else
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -180,16 +146,27 @@ Expected<Overlay> Overlay::create() {
     return Overlay(std::move(impl));
 }
 
-void Overlay::draw(const OverlayState& given,
-                   OverlayView view,
-                   const FrameTarget& target,
-                   float content_scale) {
+std::optional<OverlayControl> OverlayControls::at(float x, float y) const noexcept {
+    if (play_sign.holds(x, y)) {
+        return OverlayControl::play_sign;
+    }
+    return position.holds(x, y) ? std::optional(OverlayControl::position) : std::nullopt;
+}
+
+double OverlayControls::share_at(float x) const noexcept {
+    return to > from ? std::clamp(static_cast<double>((x - from) / (to - from)), 0.0, 1.0) : 0.0;
+}
+
+OverlayControls Overlay::draw(const OverlayState& given,
+                              OverlayView view,
+                              const FrameTarget& target,
+                              float content_scale) {
     const OverlayState state = in_range(given);
     // A hidden overlay costs nothing.
     const bool has_nothing =
         view == OverlayView::hidden && state.message.empty() && state.help.empty();
     if (target.width <= 0 || target.height <= 0 || has_nothing) {
-        return;
+        return {};
     }
     ImGui::SetCurrentContext(impl_->context);
     const float scale = scale_for(target, content_scale);
@@ -209,11 +186,15 @@ void Overlay::draw(const OverlayState& given,
     const Canvas canvas{static_cast<float>(target.width) / scale,
                         static_cast<float>(target.height) / scale};
     const bool is_help = !state.help.empty();
+    OverlayControls controls;
     // Cards below the list of keys would shine through it.
-    if (view == OverlayView::shown && (!is_help || has_room_beside_help(canvas))) {
+    const bool has_cards = view == OverlayView::shown && (!is_help || has_room_beside_help(canvas));
+    if (has_cards && !has_room_for_cards(canvas)) {
+        draw_small_tempo(pen, state);
+    } else if (has_cards) {
         draw_tempo(pen, state);
         draw_dance(pen, state, canvas);
-        draw_source(pen, state, canvas);
+        controls = draw_source(pen, state, canvas);
         draw_level(pen, state, canvas);
     }
     draw_message(pen, state.message, canvas);
@@ -224,6 +205,7 @@ void Overlay::draw(const OverlayState& given,
     ImGui::Render();
     const FramebufferScope bound(target.framebuffer);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    return controls;
 }
 
 }  // namespace raks::render

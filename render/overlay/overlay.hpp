@@ -42,7 +42,7 @@ struct OverlayState {
     std::string_view source{};         ///< file name or device
     float level_dbfs = -120.0F;        ///< rms, >= -120
     float loudness_lufs = -120.0F;     ///< momentary, >= -120
-    float volume = 1.0F;               ///< [0, 1]
+    std::optional<float> volume{};     ///< [0, 1]; none: nothing is played back
     std::optional<double> position{};  ///< seconds into the file; none when live
     std::optional<double> duration{};  ///< seconds, where known
     /// playback stands still
@@ -53,6 +53,7 @@ struct OverlayState {
     std::uint64_t drops = 0;             ///< events or blocks that found a full queue
     std::uint64_t xruns = 0;             ///< blocks that the device lost
     std::uint64_t late = 0;              ///< pictures or figures that came late
+    bool has_keys = false;               ///< whether keys are listened to: a hint how to list them
     std::string_view message{};          ///< one line, e.g. "screenshot saved: raks-....png"
     // Above all else.
     std::span<const HelpRow> help{};  ///< the keys; none: not asked for
@@ -65,6 +66,36 @@ inline constexpr float kLockedConfidence = 0.35F;
 enum class OverlayView : std::uint8_t {
     hidden,  ///< nothing but the message line and the keys
     shown,
+};
+
+/// What of the overlay a pointer can use.
+enum class OverlayControl : std::uint8_t {
+    play_sign,  ///< pauses, goes on
+    position,   ///< the bar: a place of the file
+};
+
+/// Where the controls of a drawn overlay are, in pixels of the target, y down from its top.
+struct OverlayControls {
+    /// A rectangle; of no size: it is not drawn.
+    struct Area {
+        float left = 0.0F;    ///< first pixel
+        float top = 0.0F;     ///< first pixel
+        float right = 0.0F;   ///< behind the last pixel
+        float bottom = 0.0F;  ///< behind the last pixel
+        /// Whether a place lies in it.
+        [[nodiscard]] constexpr bool holds(float x, float y) const noexcept {
+            return x >= left && x < right && y >= top && y < bottom;
+        }
+    };
+    Area play_sign;     ///< with some room around it, so that it is easily hit
+    Area position;      ///< likewise above and below
+    float from = 0.0F;  ///< x of the file's start on the bar
+    float to = 0.0F;    ///< x of its end
+
+    /// The control at a place, if there is one.
+    [[nodiscard]] std::optional<OverlayControl> at(float x, float y) const noexcept;
+    /// The share of the file that an x on the bar means, [0, 1]; 0 without a bar.
+    [[nodiscard]] double share_at(float x) const noexcept;
 };
 
 /// The information over the picture: tempo and bar, genre and figure, level, position, health.
@@ -84,11 +115,11 @@ class Overlay {
     ~Overlay();
 
     /// Draws over `target`. Text grows with the height of the picture, and with `content_scale`
-    /// (Window::content_scale) on fine monitors.
-    void draw(const OverlayState& state,
-              OverlayView view,
-              const FrameTarget& target,
-              float content_scale = 1.0F);
+    /// (Window::content_scale) on fine monitors. Returns where a pointer can use it.
+    OverlayControls draw(const OverlayState& state,
+                         OverlayView view,
+                         const FrameTarget& target,
+                         float content_scale = 1.0F);
 
  private:
     struct Impl;

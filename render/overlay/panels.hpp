@@ -36,12 +36,20 @@ inline constexpr float kBottomHeight = 76.0F;
     return canvas.height >= kTopHeight + kBottomHeight + 3.0F * kMargin;
 }
 
+/// Whether the cards leave the middle to the dancer; else they would cover one in a small picture.
+[[nodiscard]] constexpr bool has_room_for_cards(const Canvas& canvas) noexcept {
+    return kMargin + kCardWidth <= 0.38F * canvas.width ||
+           kMargin + kTopHeight <= 0.22F * canvas.height;
+}
+
+/// Top left of a small picture: the tempo in one line.
+void draw_small_tempo(const Pen& pen, const OverlayState& state);
 /// Top left: tempo, what is known of it, the dots of the bar.
 void draw_tempo(const Pen& pen, const OverlayState& state);
 /// Top right: genre and figure; below it the line of health.
 void draw_dance(const Pen& pen, const OverlayState& state, const Canvas& canvas);
-/// Bottom left: source and position.
-void draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas);
+/// Bottom left: source and position. Returns where they can be clicked.
+OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas);
 /// Bottom right: level, loudness, volume.
 void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas);
 /// Above the source: one line that comes and goes.

@@ -97,6 +97,8 @@ class Pen {
                float max_width = 1e6F) const;
     /// Width of a line, units.
     [[nodiscard]] float width_of(const ImFont* font, std::string_view line) const;
+    /// Pixels a unit.
+    [[nodiscard]] float unit() const noexcept { return unit_; }
     /// Height of a line, units.
     [[nodiscard]] float height_of(const ImFont* font) const { return font->FontSize / unit_; }
 

@@ -56,6 +56,10 @@ void draw_state_sign(const Pen& pen, const OverlayState& state, float x, float y
     }
 }
 
+OverlayControls::Area area(const Box& box, float unit) {
+    return {box.x * unit, box.y * unit, box.right() * unit, box.bottom() * unit};
+}
+
 /// "1:05 / 3:20", or in words where there is no position.
 std::string time_text(const OverlayState& state) {
     if (!state.position) {
@@ -70,10 +74,11 @@ std::string time_text(const OverlayState& state) {
 
 }  // namespace
 
-void draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
+OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
     if (!has_two_rows(canvas)) {
-        return;
+        return {};
     }
+    OverlayControls controls;
     const OverlayFonts& fonts = pen.fonts();
     const Box box = source_box(canvas);
     pen.panel(box);
@@ -101,6 +106,16 @@ void draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas
              time_text(state),
              Align::left,
              right - left);
+    // The sign has the card's left edge to itself, the bar some room above and below.
+    if (state.position) {
+        controls.play_sign = area({box.x, box.y, left - box.x - 4.0F, box.height}, pen.unit());
+    }
+    if (has_end) {
+        controls.position = area({left, box.y + 33.0F, right - left, 16.0F}, pen.unit());
+        controls.from = left * pen.unit();
+        controls.to = right * pen.unit();
+    }
+    return controls;
 }
 
 void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
@@ -124,12 +139,14 @@ void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas)
              palette::kDim,
              state.loudness_lufs > kFloor ? fmt::format("{:.0f} LUFS", state.loudness_lufs)
                                           : std::string("quiet"));
-    pen.text(fonts.small,
-             right,
-             box.y + 44.0F,
-             palette::kDim,
-             fmt::format("volume {:.0f} %", state.volume * 100.0F),
-             Align::right);
+    if (state.volume) {
+        pen.text(fonts.small,
+                 right,
+                 box.y + 44.0F,
+                 palette::kDim,
+                 fmt::format("volume {:.0f} %", *state.volume * 100.0F),
+                 Align::right);
+    }
 }
 
 void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas) {

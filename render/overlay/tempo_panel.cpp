@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "render/overlay/panels.hpp"
 
@@ -94,6 +95,22 @@ void draw_confidence(const Pen& pen, const OverlayState& state, Tempo tempo) {
 }
 
 }  // namespace
+
+void draw_small_tempo(const Pen& pen, const OverlayState& state) {
+    constexpr float kSmallMargin = 8.0F;
+    const ImFont* const font = pen.fonts().body;
+    const Tempo tempo = tempo_of(state);
+    const std::string line = tempo == Tempo::silent ? std::string("silence")
+                             : state.bpm > 0.0      ? fmt::format("{:.0f} BPM", state.bpm)
+                                                    : std::string("listening");
+    const Box box{kSmallMargin, kSmallMargin, pen.width_of(font, line) + 16.0F, 26.0F};
+    pen.panel(box);
+    pen.text(font,
+             box.x + 8.0F,
+             box.y + (box.height - pen.height_of(font)) / 2.0F,
+             tempo == Tempo::found ? palette::kText : palette::kDim,
+             line);
+}
 
 void draw_tempo(const Pen& pen, const OverlayState& state) {
     const Tempo tempo = tempo_of(state);

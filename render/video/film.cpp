@@ -1,12 +1,31 @@
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "render/video/film_encoders.hpp"
 #include "render/video/video_forms.hpp"
 
 namespace raks::render {
 namespace {
+
+/// FFmpeg's name of a container.
+const char* muxer_name(FilmForm form) {
+    switch (form) {
+        case FilmForm::mkv:
+            return "matroska";
+        case FilmForm::webm:
+            return "webm";
+        case FilmForm::avi:
+            return "avi";
+        case FilmForm::mp4:
+            break;
+    }
+    return "mp4";
+}
 
 /// A film through FFmpeg's libraries. Sound is encoded only as far as the pictures reach, so that
 /// both tracks grow side by side and end together.
@@ -25,6 +44,9 @@ class Film final : public VideoWriter {
     [[nodiscard]] Expected<void> encode(AVCodecContext& codec,
                                         const AVStream& stream,
                                         const AVFrame* frame);
+    [[nodiscard]] Expected<void> write_header(const std::string& url);
+    [[nodiscard]] Expected<void> write_trailer();
+    [[nodiscard]] Expected<void> make_plain();
     [[nodiscard]] Expected<void> encode_sound();
     /// Audio frames until the end of the last picture, rounded down.
     [[nodiscard]] std::int64_t sound_end() const noexcept;
@@ -32,7 +54,8 @@ class Film final : public VideoWriter {
     [[nodiscard]] tl::unexpected<Error> give_up(const std::string& why);
     [[nodiscard]] Expected<AVStream*> add_stream(const AVCodecContext& codec);
 
-    PendingFile file_;  // first, so that it is removed after the muxer closed it
+    FilmForm form_ = FilmForm::mp4;
+    PendingFile file_;  // first of what writes, so that it is removed after the muxer closed it
     std::string name_;
     VideoOptions options_;
     MuxerHandle muxer_;
@@ -40,6 +63,7 @@ class Film final : public VideoWriter {
     std::optional<SoundEncoder> sound_;
     AVStream* picture_stream_ = nullptr;  // the muxer's
     AVStream* sound_stream_ = nullptr;
+    std::array<std::optional<std::int64_t>, 2> first_dts_;  // of each stream, in its codec's time
     PacketHandle packet_;
     std::int64_t picture_count_ = 0;
     std::optional<Error> failure_;
@@ -66,17 +90,18 @@ Expected<AVStream*> Film::add_stream(const AVCodecContext& codec) {
 /// Opens the encoders first, so that a wrong option is refused before anything is written.
 Expected<void> Film::open(FilmForm form) {
     AVFormatContext* muxer = nullptr;
+    form_ = form;
     // With the protocol named, a path with a colon in it is not taken for another protocol.
     const std::string url = "file:" + file_.part().string();
-    const char* const format = form == FilmForm::mp4 ? "mp4" : "avi";
+    const char* const format = muxer_name(form);
     if (const int error = avformat_alloc_output_context2(&muxer, nullptr, format, url.c_str());
         error < 0) {
         return give_up("this FFmpeg cannot write ." + std::string(format) + ": " +
                        av_reason(error));
     }
     muxer_.reset(muxer);
-    // No date and no library version in the file.
-    muxer_->flags |= AVFMT_FLAG_BITEXACT;
+    // No date and no library version in the file; what is written is there if we are killed.
+    muxer_->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
     packet_.reset(av_packet_alloc());
 
     auto pictures = PictureEncoder::create(form, options_, muxer_->oformat->flags);
@@ -101,10 +126,24 @@ Expected<void> Film::open(FilmForm form) {
         }
         sound_stream_ = *stream;
     }
+    return write_header(url);
+}
+
+/// What is on the disk plays at any time: fragments, or clusters of a second.
+Expected<void> Film::write_header(const std::string& url) {
+    AVDictionary* options = nullptr;
+    if (form_ == FilmForm::mp4) {
+        av_dict_set(&options, "movflags", "+frag_keyframe+delay_moov+default_base_moof", 0);
+    } else if (form_ != FilmForm::avi) {
+        av_dict_set(&options, "cluster_time_limit", "1000", 0);  // milliseconds
+        // The sound's delay is taken off in encode().
+        muxer_->avoid_negative_ts = AVFMT_AVOID_NEG_TS_DISABLED;
+    }
     int error = avio_open(&muxer_->pb, url.c_str(), AVIO_FLAG_WRITE);
     if (error >= 0) {
-        error = avformat_write_header(muxer_.get(), nullptr);
+        error = avformat_write_header(muxer_.get(), &options);
     }
+    av_dict_free(&options);
     if (error < 0) {
         return give_up("cannot be written: " + av_reason(error));
     }
@@ -127,6 +166,13 @@ Expected<void> Film::encode(AVCodecContext& codec, const AVStream& stream, const
         if (packet_->duration == 0 && codec.codec_type == AVMEDIA_TYPE_VIDEO) {
             packet_->duration = 1;  // else the last picture of an .mp4 has no length
         }
+        // Matroska's readers take the encoder's delay off once more.
+        if (form_ == FilmForm::mkv || form_ == FilmForm::webm) {
+            packet_->pts += codec.initial_padding;
+            packet_->dts += codec.initial_padding;
+        }
+        std::optional<std::int64_t>& first = first_dts_.at(static_cast<std::size_t>(stream.index));
+        first = first.value_or(packet_->dts);
         // Encoder and container count time in different units.
         av_packet_rescale_ts(packet_.get(), codec.time_base, stream.time_base);
         packet_->stream_index = stream.index;
@@ -138,11 +184,11 @@ Expected<void> Film::encode(AVCodecContext& codec, const AVStream& stream, const
     }
 }
 
-/// pictures * audio_rate / fps, in integers: no rounding error adds up over a long film.
+/// pictures * rate of the sound / fps, in integers: no rounding error adds up over a long film.
 std::int64_t Film::sound_end() const noexcept {
     return av_rescale_rnd(
         picture_count_,
-        static_cast<std::int64_t>(options_.audio_rate) * options_.rate.denominator,
+        static_cast<std::int64_t>(sound_->codec().sample_rate) * options_.rate.denominator,
         options_.rate.numerator,
         AV_ROUND_DOWN);
 }
@@ -219,6 +265,15 @@ Expected<void> Film::finish() {
     if (auto done = encode(pictures_->codec(), *picture_stream_, nullptr); !done) {
         return done;
     }
+    if (auto written = write_trailer(); !written) {
+        return written;
+    }
+    // Further calls are mistakes of the caller, and get this line.
+    failure_ = Error{name_ + ": is finished already"};
+    return file_.commit();
+}
+
+Expected<void> Film::write_trailer() {
     int error = av_write_trailer(muxer_.get());
     // A full disk may show only when the file is closed.
     const int close_error = avio_closep(&muxer_->pb);
@@ -226,9 +281,25 @@ Expected<void> Film::finish() {
     if (error < 0) {
         return give_up("cannot be written: " + av_reason(error));
     }
-    // Further calls are mistakes of the caller, and get this line.
-    failure_ = Error{name_ + ": is finished already"};
-    return file_.commit();
+    return form_ == FilmForm::mp4 ? make_plain() : Expected<void>();
+}
+
+/// Replaces the fragments by a plain film. Until the last step the fragments stay: whenever we are
+/// killed, one of the two is there whole.
+Expected<void> Film::make_plain() {
+    std::vector<FilmTrack> tracks = {
+        {&pictures_->codec(), first_dts_[0].value_or(0), picture_count_}};
+    if (sound_) {
+        tracks.push_back({&sound_->codec(), first_dts_[1].value_or(0), sound_end()});
+    }
+    const std::string plain = file_.part().string() + ".plain";
+    std::error_code error;
+    if (auto made = make_plain_mp4(file_.part().string(), plain, tracks); !made) {
+        std::filesystem::remove(plain, error);
+        return give_up(made.error().message);
+    }
+    std::filesystem::rename(plain, file_.part(), error);
+    return error ? give_up("cannot be written: " + error.message()) : Expected<void>();
 }
 
 }  // namespace

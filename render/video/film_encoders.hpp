@@ -12,6 +12,7 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libswresample/swresample.h>
 #include <libswscale/swscale.h>
 }
 
@@ -35,6 +36,10 @@ struct FreePacket {
 struct FreeScaler {
     void operator()(SwsContext* scaler) const noexcept { sws_freeContext(scaler); }
 };
+/// Frees a sample rate converter.
+struct FreeResampler {
+    void operator()(SwrContext* resampler) const noexcept { swr_free(&resampler); }
+};
 /// Closes the file and frees the container's writer.
 struct FreeMuxer {
     void operator()(AVFormatContext* muxer) const noexcept {
@@ -46,6 +51,7 @@ using CodecHandle = std::unique_ptr<AVCodecContext, FreeCodec>;
 using FrameHandle = std::unique_ptr<AVFrame, FreeFrame>;
 using PacketHandle = std::unique_ptr<AVPacket, FreePacket>;
 using ScalerHandle = std::unique_ptr<SwsContext, FreeScaler>;
+using ResamplerHandle = std::unique_ptr<SwrContext, FreeResampler>;
 using MuxerHandle = std::unique_ptr<AVFormatContext, FreeMuxer>;
 
 /// FFmpeg's number for what went wrong, in words.
@@ -59,8 +65,8 @@ using MuxerHandle = std::unique_ptr<AVFormatContext, FreeMuxer>;
 /// machine: x264 writes the number into the file, and its pictures depend on it.
 inline constexpr int kEncoderThreads = 2;
 
-/// H.264 for .mp4, Motion JPEG for .avi: converts RGBA pictures into frames for libavcodec.
-/// Threads: one. Real-time: no.
+/// H.264 for .mp4 and .mkv, VP9 for .webm, Motion JPEG for .avi: converts RGBA pictures into frames
+/// for libavcodec. Threads: one. Real-time: no.
 class PictureEncoder {
  public:
     /// Opens the encoder. `muxer_flags` are AVOutputFormat's: they tell whether the container keeps
@@ -81,21 +87,23 @@ class PictureEncoder {
     ScalerHandle scaler_;
 };
 
-/// AAC for .mp4, 16 bit PCM for .avi: collects samples until a frame of the codec's size is full.
+/// AAC for .mp4, Opus for .mkv and .webm, 16 bit PCM for .avi: collects samples until a frame of
+/// the codec's size is full. Positions and lengths count at the codec's rate, codec().sample_rate.
 /// Threads: one. Real-time: no.
 class SoundEncoder {
  public:
     /// Opens the encoder; `muxer_flags` are AVOutputFormat's. Errors: no such encoder in this
-    /// FFmpeg, a sample rate that it does not have, or one that does not start.
+    /// FFmpeg, or one that does not start.
     [[nodiscard]] static Expected<SoundEncoder> create(FilmForm form,
                                                        const VideoOptions& options,
                                                        int muxer_flags);
 
     /// The open encoder; owned by this object.
     [[nodiscard]] AVCodecContext& codec() const noexcept { return *codec_; }
-    /// Appends interleaved samples, whole audio frames.
+    /// Appends interleaved samples of the options' rate, whole audio frames.
     void add(std::span<const float> interleaved);
-    /// Cuts or fills with silence, so that the sound ends after `audio_frames`.
+    /// Cuts or fills with silence, so that the sound ends after `audio_frames`. Nothing may be
+    /// added afterwards.
     void set_length(std::int64_t audio_frames);
     /// The next frame that is full and ends at or before `until` audio frames, or, when `until`
     /// is the length set, what is left. Null: there is none.
@@ -104,8 +112,10 @@ class SoundEncoder {
  private:
     [[nodiscard]] std::int64_t kept() const noexcept;
     [[nodiscard]] Expected<FrameHandle> take(std::int64_t audio_frames);
+    void resample(std::span<const float> interleaved);
 
     CodecHandle codec_;
+    ResamplerHandle resampler_;  // null: the rate is the codec's
     std::int64_t channels_ = 0;
     std::int64_t frame_size_ = 0;
     std::int64_t position_ = 0;   // audio frames handed out
@@ -113,5 +123,18 @@ class SoundEncoder {
     std::vector<float> samples_;  // interleaved, from position_ on, behind first_
     std::size_t first_ = 0;
 };
+
+/// An encoder's track in a film.
+struct FilmTrack {
+    const AVCodecContext* codec = nullptr;  ///< open, as it was when the film was written
+    std::int64_t first_dts = 0;             ///< of its first packet, in the codec's time base
+    std::int64_t end = 0;                   ///< of the track, likewise: what is longer is cut
+};
+/// Writes a film in fragments anew as a plain one, without encoding anything again. `tracks`: as
+/// the fragments have them. Errors: `fragments` cannot be read, `plain` cannot be written; then
+/// `plain` may be there in part.
+[[nodiscard]] Expected<void> make_plain_mp4(const std::string& fragments,
+                                            const std::string& plain,
+                                            std::span<const FilmTrack> tracks);
 
 }  // namespace raks::render

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "base/file.hpp"
 #include "render/video/video_writer.hpp"
 
@@ -7,9 +10,23 @@
 namespace raks::render {
 
 /// Container of a film; codecs follow from it.
-enum class FilmForm { mp4, avi };
+enum class FilmForm { mp4, mkv, webm, avi };
 
-/// .mp4 and .avi through FFmpeg's libraries.
+/// The form of an ending in lower case, ".mp4"; nothing for others.
+[[nodiscard]] constexpr std::optional<FilmForm> film_form_of(std::string_view ending) noexcept {
+    if (ending == ".mp4") {
+        return FilmForm::mp4;
+    }
+    if (ending == ".mkv") {
+        return FilmForm::mkv;
+    }
+    if (ending == ".webm") {
+        return FilmForm::webm;
+    }
+    return ending == ".avi" ? std::optional(FilmForm::avi) : std::nullopt;
+}
+
+/// A film through FFmpeg's libraries.
 [[nodiscard]] Expected<std::unique_ptr<VideoWriter>> create_film(const std::filesystem::path& path,
                                                                  FilmForm form,
                                                                  const VideoOptions& options);

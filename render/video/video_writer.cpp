@@ -135,21 +135,23 @@ std::string lower_extension(const std::filesystem::path& path) {
 }
 
 /// No extension means a folder, and so does a folder that exists, whatever its name.
-Expected<std::unique_ptr<VideoWriter>> create_by_extension(const std::filesystem::path& path,
-                                                           const VideoOptions& options) {
-    const std::string extension = lower_extension(path);
+bool is_for_folder(const std::filesystem::path& path) {
     std::error_code ignored;
-    if (extension.empty() || std::filesystem::is_directory(path, ignored)) {
-        return create_picture_folder(path, options);
-    }
-    if (extension != ".mp4" && extension != ".avi") {
+    return path.extension().empty() || std::filesystem::is_directory(path, ignored);
+}
+
+/// The form of a film, which must be one with even sides. Errors: an unknown ending, odd sides.
+Expected<FilmForm> check_film(const std::filesystem::path& path, const VideoOptions& options) {
+    const std::string extension = lower_extension(path);
+    const auto form = film_form_of(extension);
+    if (!form) {
         return fail(path.string() + ": unknown kind of film \"" + extension +
-                    "\"; known: .mp4, .avi, or a folder for numbered .png pictures");
+                    "\"; known: .mp4, .mkv, .webm, .avi, or a folder for numbered .png pictures");
     }
     if (auto even = check_even(options); !even) {
         return fail(std::move(even.error()).in(path.string()));
     }
-    return create_film(path, extension == ".mp4" ? FilmForm::mp4 : FilmForm::avi, options);
+    return *form;
 }
 
 }  // namespace
@@ -164,12 +166,28 @@ Expected<void> check_picture(std::span<const std::uint8_t> rgba, const VideoOpti
     return {};
 }
 
+Expected<void> VideoWriter::check(const std::filesystem::path& path, const VideoOptions& options) {
+    if (auto valid = check_options(options); !valid) {
+        return fail(std::move(valid.error()).in(path.string()));
+    }
+    if (is_for_folder(path)) {
+        const auto folder = PendingFile::create_folder(path);
+        return folder ? Expected<void>() : fail(folder.error());
+    }
+    const auto form = check_film(path, options);
+    return form ? check_output(path, {}) : fail(form.error());
+}
+
 Expected<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::filesystem::path& path,
                                                            const VideoOptions& options) {
     if (auto valid = check_options(options); !valid) {
         return fail(std::move(valid.error()).in(path.string()));
     }
-    return create_by_extension(path, options);
+    if (is_for_folder(path)) {
+        return create_picture_folder(path, options);
+    }
+    const auto form = check_film(path, options);
+    return form ? create_film(path, *form, options) : fail(form.error());
 }
 
 }  // namespace raks::render

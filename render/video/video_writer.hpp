@@ -26,10 +26,10 @@ struct FrameRate {
 };
 
 /// What is traded against encoding time and file size.
-///             .mp4 (x264)          .avi (Motion JPEG)
-///   draft     ultrafast, crf 23    qscale 6
-///   normal    veryfast,  crf 20    qscale 3     (8.5 and 3 CPU-ms a picture at 1280x720)
-///   high      medium,    crf 17    qscale 2
+///             .mp4, .mkv (x264)    .webm (VP9)        .avi (Motion JPEG)
+///   draft     ultrafast, crf 23    speed 8, crf 38    qscale 6
+///   normal    veryfast,  crf 20    speed 6, crf 33    qscale 3
+///   high      medium,    crf 17    speed 4, crf 26    qscale 2
 enum class VideoQuality : std::uint8_t { draft, normal, high };
 
 /// Size, rate and quality of a film; `VideoWriter::create` refuses what is out of range.
@@ -39,13 +39,16 @@ struct VideoOptions {
     FrameRate rate{};  ///< 1 to 240 pictures a second
     /// Of the pictures; PNG files are lossless.
     VideoQuality quality = VideoQuality::normal;
-    int audio_rate = 48'000;  ///< Hz; .mp4: one of AAC's rates (8,000 to 96,000)
-    int audio_channels = 2;   ///< 0 (no sound track), 1 or 2
+    /// Hz, 8,000 to 192,000; resampled to 48,000 where the form's codec does not have it.
+    int audio_rate = 48'000;
+    int audio_channels = 2;  ///< 0 (no sound track), 1 or 2
 };
 
 /// Writes a film with sound. The extension chooses the form:
 ///
 ///   X.mp4   H.264 (BT.709, limited range, 4:2:0) and AAC 160 kb/s
+///   X.mkv   the same pictures and Opus 128 kb/s, in Matroska
+///   X.webm  VP9 (the same colours) and Opus
 ///   X.avi   Motion JPEG and 16 bit PCM: plays everywhere, needs no H.264 encoder
 ///   X, X/   a folder of pictures 000001.png, 000002.png, ...; sound is accepted and dropped
 ///
@@ -57,7 +60,10 @@ struct VideoOptions {
 /// The same input gives the same bytes (fixed thread count, no dates, no library versions).
 /// Everything goes to NAME.part first, which gets its name in finish(): a film that is not finished
 /// leaves nothing behind. A program that is told to stop calls finish() and keeps what was added.
-/// It also ignores SIGXFSZ, so that a file size limit arrives here as an error.
+/// One that is killed leaves NAME.part, which plays up to about two seconds before the end: an .mp4
+/// is written in fragments and made a plain one in finish() (which takes its size on the disk once
+/// more); the other forms are flushed every second. It also ignores SIGXFSZ, so that a file size
+/// limit arrives here as an error.
 ///
 ///     auto film = VideoWriter::create("out.mp4", {.width = 1280, .height = 720});
 ///     (*film)->add_sound(samples);  (*film)->add_picture(rgba);  (*film)->finish();
@@ -70,6 +76,11 @@ class VideoWriter {
     /// folder that already holds files.
     [[nodiscard]] static Expected<std::unique_ptr<VideoWriter>> create(
         const std::filesystem::path& path, const VideoOptions& options);
+
+    /// The errors of create() that show without an encoder, before long work: nothing stays on the
+    /// disk.
+    [[nodiscard]] static Expected<void> check(const std::filesystem::path& path,
+                                              const VideoOptions& options);
 
     /// One file, one writer: not to be copied or moved.
     VideoWriter(const VideoWriter&) = delete;

@@ -81,7 +81,18 @@ TEST_F(BadInput, outputs_that_cannot_be_written_leave_nothing) {
     expect_one_line({"dance", music, "-o", path("none/x.bvh")}, 1, "none");
     expect_one_line({"render", music, "-o", path("x.xyz")}, 1, ".mp4");
     expect_one_line({"render", music, "-o", path("none/x.mp4")}, 1, "none");
+    expect_one_line({"render", music, "-o", path("x.mp4"), "--size", "321x180"}, 1, "even");
+    expect_one_line({"synth", "-o", path("x.wav"), "--beats", path("none/x.beats")}, 1, "none");
     EXPECT_EQ(files(), std::vector<std::string>{"music.wav"});
+}
+
+TEST_F(BadInput, what_render_cannot_write_is_said_before_anything_is_read) {
+    // The music is not there: whoever looked at it first would say so.
+    const std::string music = path("missing.wav");
+    expect_one_line({"render", music, "-o", path("x.mov")}, 1, "unknown kind of film");
+    expect_one_line({"render", music, "-o", path("none/x.mkv")}, 1, "cannot be written");
+    expect_one_line({"render", music, "-o", path("x.webm"), "--size", "99x100"}, 1, "even");
+    EXPECT_EQ(files(), std::vector<std::string>{});
 }
 
 TEST_F(BadInput, a_full_disk_ends_in_one_line_and_leaves_nothing) {
@@ -90,7 +101,7 @@ TEST_F(BadInput, a_full_disk_ends_in_one_line_and_leaves_nothing) {
         const std::string command = std::string(output) == "x.bvh" ? "dance" : "render";
         ProcessPlan full = plan({command, path("music.wav"), "-o", path(output)});
         if (command == "render") {
-            full.command.insert(full.command.end(), {"--size", "320x180"});
+            full.command.insert(full.command.end(), {"--size", "320x180", "--quality", "fast"});
         }
         full.file_size_limit = 20'000;
         const ProcessResult result = run_process(full);

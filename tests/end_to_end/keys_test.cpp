@@ -137,12 +137,13 @@ TEST_F(Keys, p_saves_a_picture_of_the_window_and_no_other_key_does) {
     start_and_pause("--no-overlay");
     const std::vector<std::string> before = files();
     press({"p"});
-    ASSERT_TRUE(raks_->wait_for_output("screenshot saved: "));
-    const std::vector<std::string> after = files();
-    ASSERT_EQ(after.size(), before.size() + 1);
-    const std::string& file = after[1];  // one.wav, raks-....png, two.wav
-    EXPECT_EQ(file.rfind("raks-", 0), 0U) << file;
-    const std::string size = run_program({"identify", "-format", "%m %wx%h", path(file)});
+    ASSERT_TRUE(raks_->wait_for_output("screenshot saved: " + path("pictures")));
+    EXPECT_EQ(files(), before) << "nothing in the folder where it was started";
+    const std::vector<std::string> pictures = screenshots();
+    ASSERT_EQ(pictures.size(), 1U);
+    EXPECT_EQ(pictures[0].rfind("raks-", 0), 0U) << pictures[0];
+    const std::string size =
+        run_program({"identify", "-format", "%m %wx%h", path("pictures/" + pictures[0])});
     EXPECT_EQ(size, "PNG 640x360");
 }
 
@@ -171,19 +172,22 @@ TEST_F(Keys, k_keeps_to_the_figure_and_lets_go) {
     EXPECT_TRUE(raks_->wait_for_output("figures as they come"));
 }
 
+TEST_F(Keys, a_kept_figure_and_a_chosen_dance_go_on_with_the_next_file) {
+    start("--no-overlay");
+    press({"d"});
+    ASSERT_TRUE(raks_->wait_for_output("dancing salsa"));
+    press({"k", "n"});
+    ASSERT_TRUE(raks_->wait_for_output("playing " + path("two.wav")));
+    press({"d"});
+    EXPECT_TRUE(raks_->wait_for_output("dancing belly")) << "the one after that which was chosen";
+    press({"k"});
+    EXPECT_TRUE(raks_->wait_for_output("figures as they come")) << "it was still kept";
+}
+
 TEST_F(Keys, d_goes_through_the_dances) {
     start("--no-overlay");
     press({"d"});
     EXPECT_TRUE(raks_->wait_for_output("dancing salsa"));
-}
-
-/// Times that `text` was said so far.
-int count_of(const std::string& text, const std::string& said) {
-    int count = 0;
-    for (auto at = said.find(text); at != std::string::npos; at = said.find(text, at + 1)) {
-        ++count;
-    }
-    return count;
 }
 
 TEST_F(Keys, b_goes_back_to_the_file_before) {

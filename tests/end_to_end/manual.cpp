@@ -200,6 +200,7 @@ std::vector<std::string> without_window(std::vector<std::string> words) {
     if (command == "render") {
         add_missing(words, "--duration", "1");
         add_missing(words, "--size", "320x180");
+        add_missing(words, "--quality", "fast");
     }
     if (command == "stick") {
         add_missing(words, "-o", "window.png");
@@ -213,6 +214,7 @@ void write_manual_files(const fs::path& folder) {
     fs::rename(folder / "song.wav", folder / "song.mp3");  // told by what it holds
     ASSERT_TRUE(write_file(folder / "song.beats", beats_text(1.0 / 3.0, 24)));
     write_music(folder / "album/1.wav", Style::clicks, 120.0, 1.0);
+    ASSERT_TRUE(write_file(folder / "list.m3u", "#EXTM3U\nsong.mp3\nalbum/1.wav\n"));
     write_music(folder / "excerpts/drums.wav", Style::drums, 120.0, 12.0);
     ASSERT_TRUE(write_file(folder / "excerpts/drums.beats", beats_text(0.5, 24)));
     ASSERT_TRUE(write_file(folder / "excerpts/index.tsv", "name\tclass\ndrums\tdrums\n"));

@@ -26,7 +26,7 @@ TEST_F(OddFiles, a_pipe_is_refused_instead_of_waited_for) {
     }
     const std::string music = path("music.wav");
     const std::string refused = "is not a plain file";
-    expect_one_line({"analyze", path("pipe")}, 1, refused);
+    expect_one_line({"dance", path("pipe"), "-o", path("x.bvh")}, 1, refused);
     expect_one_line({"stick", path("pipe.bvh"), "-o", path("x.png")}, 1, refused);
     expect_one_line({"stick", path("pipe.toml"), "-o", path("x.png")}, 1, refused);
     expect_one_line(

@@ -5,6 +5,7 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
+#include "base/file.hpp"
 #include "tests/support/program.hpp"
 
 namespace raks::test {
@@ -23,12 +24,48 @@ void WindowTest::SetUp() {
     for (const char* name : {"one.wav", "two.wav"}) {
         write_music(name, plan);
     }
+    // The user's folder of pictures, as a desktop says it.
+    std::filesystem::create_directories(folder_ / "pictures");
+    std::filesystem::create_directories(folder_ / "config");
+    ASSERT_TRUE(write_file(path("config/user-dirs.dirs"),
+                           "XDG_PICTURES_DIR=\"" + path("pictures") + "\"\n"));
+}
+
+std::vector<std::string> WindowTest::screenshots() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "pictures")) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void WindowTest::click(int x, int y, int by_x) {
+    const auto place = [&](int at) {
+        return std::vector<std::string>{
+            "mousemove", "--window", "%1", std::to_string(at), std::to_string(y)};
+    };
+    std::vector<std::string> command = {"xdotool", "search", "--sync", "--name", "Raks"};
+    const auto add = [&](const std::vector<std::string>& words) {
+        command.insert(command.end(), words.begin(), words.end());
+    };
+    add(place(x));
+    add({"mousedown", "1"});
+    if (by_x != 0) {
+        add(place(x + by_x / 2));
+        add(place(x + by_x));
+    }
+    add({"mouseup", "1"});
+    run_program(command);
 }
 
 ProcessPlan WindowTest::in_window(std::vector<std::string> arguments) const {
-    arguments.insert(
-        arguments.end(),
-        {"--size", std::to_string(kWindowWidth) + "x" + std::to_string(kWindowHeight)});
+    // Of a quality that is asked for nothing is said, over the picture.
+    arguments.insert(arguments.end(),
+                     {"--size",
+                      std::to_string(kWindowWidth) + "x" + std::to_string(kWindowHeight),
+                      "--quality",
+                      "fast"});
     ProcessPlan result = plan(std::move(arguments));
     std::erase(result.unset, "DISPLAY");
     result.folder = folder_.path();
@@ -83,6 +120,14 @@ std::string WindowTest::still_picture() {
 }
 
 std::string lower(const std::string& picture) { return picture.substr(picture.size() / 9 * 7); }
+
+int count_of(const std::string& text, const std::string& said) {
+    int count = 0;
+    for (auto at = said.find(text); at != std::string::npos; at = said.find(text, at + 1)) {
+        ++count;
+    }
+    return count;
+}
 
 double difference(const std::string& a, const std::string& b) {
     double sum = 0.0;

@@ -21,8 +21,14 @@ class WindowTest : public ProgramTest {
 
     [[nodiscard]] ProcessPlan in_window(std::vector<std::string> arguments) const;
 
+    /// Names of the pictures that were saved, sorted.
+    [[nodiscard]] std::vector<std::string> screenshots() const;
+
     /// Waits for the window, gives it the keyboard and presses the keys, one after the other.
     static void press(const std::vector<std::string>& keys);
+
+    /// Presses the left button at a place of the window, moves by so many pixels, and lets go.
+    static void click(int x, int y, int by_x = 0);
 
     /// The window as it is on the screen: raw RGB, rows from the top.
     static std::string picture();
@@ -39,6 +45,9 @@ class WindowTest : public ProgramTest {
 
 /// What lies below the messages, which come and go by themselves: feet, and the overlay's panels.
 std::string lower(const std::string& picture);
+
+/// Times that `text` stands in what was said so far.
+int count_of(const std::string& text, const std::string& said);
 
 /// Mean absolute difference of the samples, 0 to 255.
 double difference(const std::string& a, const std::string& b);

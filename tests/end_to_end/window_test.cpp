@@ -29,12 +29,61 @@ TEST_F(WindowTest, draws_the_dancer_and_obeys_the_keys) {
     const ProcessResult result = raks.wait();
     EXPECT_FALSE(result.timed_out);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    const auto names = files();
+    const auto names = screenshots();
     EXPECT_EQ(std::count_if(names.begin(),
                             names.end(),
                             [](const std::string& name) { return name.rfind("raks-", 0) == 0; }),
               2)
-        << "screenshots, in the folder where it was started, none overwritten";
+        << "screenshots, in the user's folder of pictures, none overwritten";
+}
+
+/// A piece of two seconds in a window, at the end of which it stays.
+TEST_F(WindowTest, stays_at_the_end_of_the_last_file_and_plays_it_once_more) {
+    write_clicks("short.wav", 2.0);
+    CapturedProcess raks(in_window({"-v", "play", "--no-sound", path("short.wav"), "--overlay"}));
+    const auto ends = [&](int times) {
+        return raks.wait_until([&](const ProcessResult& so_far) {
+            return count_of("at the end of the last file", so_far.err) == times;
+        });
+    };
+    ASSERT_TRUE(ends(1));
+    EXPECT_GT(difference(still_picture(), std::string(3U * kWindowWidth * kWindowHeight, '\0')),
+              10.0)
+        << "the dancer is still there";
+    press({"n"});
+    ASSERT_TRUE(raks.wait_for_output("no file follows (Q quits)"));
+    press({"space"});
+    EXPECT_TRUE(ends(2)) << "it has played once more";
+    press({"q"});
+    const ProcessResult result = raks.wait();
+    EXPECT_FALSE(result.timed_out);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST_F(WindowTest, quits_at_the_end_where_that_is_asked_for) {
+    write_clicks("short.wav", 2.0);
+    const ProcessResult result = run_process(
+        in_window({"play", "--no-sound", path("short.wav"), path("short.wav"), "--quit"}));
+    EXPECT_FALSE(result.timed_out);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST_F(WindowTest, the_position_bar_and_the_play_sign_can_be_clicked) {
+    CapturedProcess raks(in_window({"play", "--no-sound", path("one.wav"), "--overlay"}));
+    ASSERT_TRUE(raks.wait_for_output("one.wav"));
+    press({"space"});
+    const std::string paused = lower(still_picture());
+    // In a window of 640x360 a unit of the overlay is 0.75 pixels: the card begins at 18, 285.
+    constexpr int kBarY = 315;
+    click(180, kBarY);
+    EXPECT_TRUE(shows([&](const auto& now) { return lower(now) != paused; }));
+    const std::string there = lower(still_picture());
+    click(100, kBarY, 80);
+    EXPECT_TRUE(shows([&](const auto& now) { return lower(now) == there; })) << "dragged there";
+    click(32, 315);
+    EXPECT_TRUE(shows([&](const auto& now) { return lower(now) != there; })) << "it plays on";
+    press({"q"});
+    EXPECT_EQ(raks.wait().exit_code, 0);
 }
 
 TEST_F(WindowTest, ends_when_told_by_a_signal) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "audio/music/generator/tempo_curve.hpp"
+#include "base/beats.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
@@ -25,6 +26,28 @@ enum class Style : std::uint8_t {
 /// Bar length of a style.
 [[nodiscard]] constexpr int beats_per_bar(Style style) noexcept {
     return style == Style::oom_pah_pah ? 3 : 4;
+}
+
+/// The tempo at which music of a style is mostly played.
+[[nodiscard]] constexpr Bpm usual_tempo(Style style) noexcept {
+    switch (style) {
+        case Style::montuno:
+            return Bpm(184.0);
+        case Style::maqsum:
+            return Bpm(110.0);
+        case Style::four_on_the_floor:
+            return Bpm(124.0);
+        case Style::backbeat:
+            return Bpm(130.0);
+        case Style::boom_bap:
+            return Bpm(92.0);
+        case Style::oom_pah_pah:
+            return Bpm(140.0);
+        case Style::clicks:
+        case Style::drums:
+            break;
+    }
+    return Bpm(120.0);
 }
 
 /// Names in the order of Style: "clicks", "drums", "four-on-the-floor" and so on.

@@ -38,6 +38,8 @@ OverlayState locked_state() {
     state.duration = 272.0;
     state.latency_ms = 42.0;
     state.fps = 60.0;
+    state.volume = 1.0F;
+    state.has_keys = true;
     return state;
 }
 
@@ -176,6 +178,8 @@ TEST_F(OverlayTest, every_field_is_seen) {
     differs("level", [](auto& s) { s.level_dbfs = -30.0F; });
     differs("loudness", [](auto& s) { s.loudness_lufs = -20.0F; });
     differs("volume", [](auto& s) { s.volume = 0.5F; });
+    differs("no volume", [](auto& s) { s.volume.reset(); });
+    differs("no keys", [](auto& s) { s.has_keys = false; });
     differs("position", [](auto& s) { s.position = 120.0; });
     differs("duration", [](auto& s) { s.duration = 300.0; });
     differs("live", [](auto& s) { s.position.reset(); });
@@ -186,6 +190,47 @@ TEST_F(OverlayTest, every_field_is_seen) {
     differs("xruns", [](auto& s) { s.xruns = 1; });
     differs("late", [](auto& s) { s.late = 1; });
     differs("message", [](auto& s) { s.message = "hello"; });
+}
+
+TEST_F(OverlayTest, silence_takes_the_dance_of_the_music_off) {
+    OverlayState silent = locked_state();
+    silent.is_silent = true;
+    const Pixels picture = draw(silent);
+    silent.genre = "waltz";
+    silent.genre_posterior = 0.1F;
+    EXPECT_EQ(draw(silent), picture);
+}
+
+TEST_F(OverlayTest, a_small_picture_has_the_tempo_alone_and_its_dancer_free) {
+    for (const auto& [width, height] : {std::pair{320, 180}, std::pair{200, 200}}) {
+        const Pixels pixels = draw(locked_state(), OverlayView::shown, width, height);
+        EXPECT_EQ(pixels.drawn(0.35, 0.15, 1.0, 1.0), 0.0) << width;
+        EXPECT_GT(pixels.drawn(0.04, 0.05, 0.15, 0.10), 0.9) << width;
+    }
+}
+
+TEST_F(OverlayTest, says_where_its_controls_are) {
+    auto target = OffscreenTarget::create({.width = 1280, .height = 720});
+    ASSERT_TRUE(target);
+    const OverlayControls controls =
+        overlay_->draw(locked_state(), OverlayView::shown, target->frame());
+    EXPECT_EQ(controls.at(48.0F, 658.0F), OverlayControl::play_sign);
+    EXPECT_EQ(controls.at(200.0F, 660.0F), OverlayControl::position);
+    EXPECT_EQ(controls.at(640.0F, 300.0F), std::nullopt);
+    EXPECT_EQ(controls.share_at(controls.from), 0.0);
+    EXPECT_EQ(controls.share_at(controls.to), 1.0);
+    EXPECT_EQ(controls.share_at(-1e9F), 0.0);
+    EXPECT_NEAR(controls.share_at((controls.from + controls.to) / 2.0F), 0.5, 1e-6);
+    OverlayState live = locked_state();
+    live.position.reset();
+    live.duration.reset();
+    const OverlayControls none = overlay_->draw(live, OverlayView::shown, target->frame());
+    EXPECT_EQ(none.at(48.0F, 658.0F), std::nullopt);
+    EXPECT_EQ(none.at(200.0F, 660.0F), std::nullopt);
+    EXPECT_EQ(none.share_at(300.0F), 0.0);
+    const OverlayControls hidden =
+        overlay_->draw(locked_state(), OverlayView::hidden, target->frame());
+    EXPECT_EQ(hidden.at(48.0F, 658.0F), std::nullopt);
 }
 
 TEST_F(OverlayTest, a_beat_is_brightest_when_it_sounds) {

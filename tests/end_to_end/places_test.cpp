@@ -1,0 +1,163 @@
+// Where the program's own files go, how much it says, and what it does where a place is missing.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "audio/io/audio_file.hpp"
+#include "base/file.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Places : public ProgramTest {
+ protected:
+    /// With other variables, and without some.
+    [[nodiscard]] ProcessPlan plan_with(std::vector<std::string> words,
+                                        const std::vector<std::pair<std::string, std::string>>& set,
+                                        const std::vector<std::string>& unset = {}) const {
+        ProcessPlan changed = plan(std::move(words));
+        changed.environment.insert(changed.environment.end(), set.begin(), set.end());
+        std::erase_if(changed.environment, [&](const auto& pair) {
+            return std::find(unset.begin(), unset.end(), pair.first) != unset.end();
+        });
+        changed.unset.insert(changed.unset.end(), unset.begin(), unset.end());
+        changed.folder = folder_.path().string();
+        return changed;
+    }
+};
+
+TEST_F(Places, without_a_home_no_settings_are_written_anywhere) {
+    for (const char* const action : {"init", "path"}) {
+        const ProcessResult result =
+            run_process(plan_with({"config", action}, {}, {"HOME", "XDG_CONFIG_HOME"}));
+        EXPECT_EQ(result.exit_code, 1);
+        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+        EXPECT_NE(result.err.find("set HOME or XDG_CONFIG_HOME"), std::string::npos);
+    }
+    EXPECT_EQ(files(), std::vector<std::string>{});
+    const ProcessResult shown =
+        run_process(plan_with({"config", "show"}, {}, {"HOME", "XDG_CONFIG_HOME"}));
+    EXPECT_EQ(shown.exit_code, 0) << shown.err;
+}
+
+TEST_F(Places, the_demo_needs_no_cache_that_can_be_written) {
+    ASSERT_TRUE(write_file(path("file"), "x"));
+    fs::create_directory(folder_ / "tmp");
+    const ProcessResult result =
+        run_process(plan_with({"render",
+                               "-o",
+                               path("x.avi"),
+                               "--duration",
+                               "0.2",
+                               "--size",
+                               "64x64",
+                               "--quality",
+                               "fast",
+                               "--dance",
+                               "salsa"},
+                              {{"XDG_CACHE_HOME", path("file") + "/x"}, {"TMPDIR", path("tmp")}}));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(fs::exists(path("x.avi")));
+}
+
+TEST_F(Places, models_that_are_missing_are_said_by_name) {
+    fs::create_directory(folder_ / "bin");
+    fs::copy_file(RAKS_PROGRAM, folder_ / "bin" / "raks");
+    write_clicks("a.wav", 1.0);
+    ProcessPlan alone =
+        plan({"play", path("a.wav"), "--headless", "--no-sound", "--dance", "salsa"});
+    alone.command.front() = path("bin/raks");
+    const ProcessResult result = run_process(alone);
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find("is not installed beside the program"), std::string::npos)
+        << result.err;
+}
+
+TEST_F(Places, a_signal_ends_the_loading_at_once) {
+    write_clicks("a.wav", 1.0);
+    // Nothing is solved yet in a cache of its own: loading takes long.
+    ProcessPlan loading = plan_with({"-v", "dance", path("a.wav"), "-o", path("x.bvh")},
+                                    {{"XDG_CACHE_HOME", path("empty")}});
+    CapturedProcess raks(loading);
+    ASSERT_TRUE(raks.wait_for_output("loading the dances"));
+    raks.send(SIGINT);
+    const ProcessResult result = raks.wait();
+    EXPECT_EQ(result.exit_code, 130) << result.err;
+    EXPECT_FALSE(fs::exists(path("x.bvh"))) << "it did not go on to dance";
+}
+
+TEST_F(Places, music_of_our_own_comes_with_its_beats_and_the_tempo_of_its_style) {
+    for (const auto& [style, seconds_a_beat, bar] :
+         {std::tuple{"waltz", 60.0 / 140.0, 3}, std::tuple{"clicks", 0.5, 4}}) {
+        const ProcessResult result = run(
+            {"synth", style, "-o", path("a.wav"), "--beats", path("a.beats"), "--duration", "10"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        std::istringstream lines(read_file(path("a.beats")).value());
+        double time = 0.0;
+        int position = 0;
+        int count = 0;
+        for (; lines >> time >> position; ++count) {
+            EXPECT_NEAR(time, count * seconds_a_beat, 1e-5) << style;
+            EXPECT_EQ(position, 1 + count % bar) << style;
+        }
+        EXPECT_NEAR(count, 10.0 / seconds_a_beat, 1.0) << style;
+    }
+}
+
+TEST_F(Places, quiet_says_what_went_wrong_alone_and_verbose_more) {
+    write_clicks("a.wav", 0.5);
+    const std::vector<std::string> words = {
+        "play", path("a.wav"), "--headless", "--no-sound", "--dance", "salsa"};
+    const auto with = [&](const std::string& option) {
+        std::vector<std::string> all = words;
+        all.insert(all.begin(), option);
+        return run(all);
+    };
+    EXPECT_EQ(with("-q").err, "");
+    std::vector<std::string> behind = words;
+    behind.emplace_back("--quiet");
+    EXPECT_EQ(run(behind).err, "");
+    EXPECT_NE(with("-v").err.find("loading the dances"), std::string::npos);
+    EXPECT_EQ(run(words).err.find("loading the dances"), std::string::npos);
+    expect_one_line({"-q", "analyze", path("no.wav")}, 1, "no.wav");
+    const ProcessResult version = run({"-V"});
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_EQ(version.out.rfind("raks ", 0), 0U) << version.out;
+}
+
+TEST_F(Places, a_film_has_no_overlay_unless_it_is_asked_for) {
+    write_clicks("a.wav", 1.0);
+    const auto film = [&](const std::string& name, const std::string& option) {
+        std::vector<std::string> words = {"render",
+                                          path("a.wav"),
+                                          "-o",
+                                          path(name),
+                                          "--size",
+                                          "320x320",
+                                          "--fps",
+                                          "2",
+                                          "--quality",
+                                          "fast",
+                                          "--dance",
+                                          "salsa"};
+        if (!option.empty()) {
+            words.push_back(option);
+        }
+        const ProcessResult result = run(words);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return read_file(path(name) + "/000002.png").value_or("");
+    };
+    const std::string usual = film("usual", "");
+    EXPECT_EQ(film("bare", "--no-overlay"), usual);
+    EXPECT_NE(film("covered", "--overlay"), usual);
+}
+
+}  // namespace
+}  // namespace raks::test
