@@ -34,6 +34,14 @@ void add_picture_options(CLI::App& app, engine::Settings& settings) {
                    "milliseconds added to the latency that the device reports");
 }
 
+// Which play and live share.
+void add_sound_options(CLI::App& app, engine::Settings& settings) {
+    add_audio_system_option(app, settings);
+    app.add_option("--buffer",
+                   settings.buffer_ms,
+                   "milliseconds that the device buffers; more with fewer holes");
+}
+
 // --start and --duration, which play and render share.
 void add_section_options(CLI::App& app, Section& section) {
     app.add_option("--start", section.start, "seconds into the file")
@@ -51,6 +59,7 @@ void add_play(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
     app->add_option("files", a->files, "music files and folders; none: music of our own");
     app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
+    add_sound_options(*app, a->settings);
     app->add_option("--volume", a->settings.volume, "1 is the file's own level");
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
@@ -62,6 +71,7 @@ void add_play(RaksCommands& table) {
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
     app->add_option("--device", a->settings.device, "input: name, part of it, or number");
+    add_sound_options(*app, a->settings);
     // The arguments are captured by their pointer: they outlive the parsing.
     app->add_option_function<double>(
            "--duration",

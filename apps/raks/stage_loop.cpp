@@ -152,8 +152,8 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
 
 // With every picture: is the device alive, and is a formation ready?
 void StageLoop::advance(double /*seconds*/) {
-    if (const auto line = graph_->watch(HostClock::now())) {
-        say(*line);
+    for (const std::string& line : graph_->watch(HostClock::now())) {
+        say(line);
     }
     const auto is_formed = formations_.poll();
     if (!is_formed) {
@@ -172,8 +172,7 @@ bool StageLoop::is_finished() const {
     if (options_.seconds && to_seconds(audible) >= *options_.seconds) {
         return true;
     }
-    const engine::Playback* const playback = graph_->playback();
-    return playback != nullptr && playback->is_finished();
+    return graph_->is_played_out(HostClock::now());
 }
 
 // Goes back to the start of the section or, when it is close, to the file before.
