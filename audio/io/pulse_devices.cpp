@@ -127,7 +127,8 @@ Expected<std::vector<AudioDevice>> list_pulse_devices() {
 
 namespace {
 
-constexpr std::chrono::milliseconds kListenFor(250);
+// A sink that plays from a long buffer passes it on in pieces as long as that.
+constexpr std::chrono::milliseconds kListenFor(2000);
 constexpr float kLeastPeak = 1e-3F;  // -60 dBFS
 
 // A stream that asks the server for the peaks of a source alone: 50 a second.
@@ -192,18 +193,16 @@ std::optional<AudioDevice> other_monitor_with_sound(const std::string& except) {
     for (const AudioDevice& device : *devices) {
         meters.emplace_back(connection.context(), device.id);
     }
-    std::vector<float> peaks(meters.size(), 0.0F);
     const auto end = std::chrono::steady_clock::now() + kListenFor;
-    while (connection.is_good() && connection.step(end)) {
-        std::transform(meters.begin(), meters.end(), peaks.begin(), [](PeakMeter& meter) {
-            return meter.highest();
+    while (!meters.empty() && connection.is_good() && connection.step(end)) {
+        const auto loud = std::find_if(meters.begin(), meters.end(), [](PeakMeter& meter) {
+            return meter.highest() >= kLeastPeak;
         });
+        if (loud != meters.end()) {
+            return (*devices)[static_cast<std::size_t>(loud - meters.begin())];
+        }
     }
-    const auto loudest = std::max_element(peaks.begin(), peaks.end());
-    if (loudest == peaks.end() || *loudest < kLeastPeak) {
-        return std::nullopt;
-    }
-    return (*devices)[static_cast<std::size_t>(loudest - peaks.begin())];
+    return std::nullopt;
 }
 
 }  // namespace raks::audio

@@ -14,8 +14,8 @@ namespace raks::audio {
 /// Errors: it accepts but does not answer within 2 s. Threads: any. Real-time: no.
 [[nodiscard]] Expected<std::vector<AudioDevice>> list_pulse_devices();
 
-/// A monitor, other than that with the id `except`, that has sound now: the loudest over a quarter
-/// of a second, above -60 dBFS. Nothing: all are silent, or no server answers. Threads: any.
+/// A monitor, other than that with the id `except`, that has sound above -60 dBFS now. Listens for
+/// 2 s at most. Nothing: all are silent, or no server answers. Threads: any.
 [[nodiscard]] std::optional<AudioDevice> other_monitor_with_sound(const std::string& except);
 
 }  // namespace raks::audio
