@@ -43,6 +43,14 @@ float level_of(std::span<const float> samples) noexcept {
                     static_cast<float>(decibels_of_power(mean_square(samples) + 1e-12)));
 }
 
+Expected<void> check_rate(SampleRate rate) {
+    if (!rate.is_supported()) {
+        return fail("sample rate is " + std::to_string(rate.hertz()) +
+                    " Hz, must be 8000 to 192000");
+    }
+    return {};
+}
+
 // The genre fields without a model: one class, none, with probability 1.
 void leave_genre_unknown(MusicState& state) noexcept {
     state.genre_log_probability.fill(-20.0F);
@@ -278,9 +286,8 @@ MusicAnalyzer::MusicAnalyzer(MusicAnalyzer&&) noexcept = default;
 MusicAnalyzer& MusicAnalyzer::operator=(MusicAnalyzer&&) noexcept = default;
 
 Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
-    if (!config.sample_rate.is_supported()) {
-        return fail("sample rate is " + std::to_string(config.sample_rate.hertz()) +
-                    " Hz, must be 8000 to 192000");
+    if (auto checked = check_rate(config.sample_rate); !checked) {
+        return checked;
     }
     if (auto prepared = state_->resampler.prepare(config.sample_rate, kRhythmRate); !prepared) {
         return prepared;
@@ -316,6 +323,33 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
         state_->lookahead = config.beat_network->lookahead();
     }
     state_->reset();
+    return {};
+}
+
+// Both resamplers start anew, without the samples that were inside them, of which each had another
+// number: the clocks of 32 and 16 kHz are brought together again, and then to `taken`.
+Expected<void> MusicAnalyzer::change_rate(SampleRate rate, StreamTime taken) {
+    if (auto checked = check_rate(rate); !checked) {
+        return checked;
+    }
+    State& state = *state_;
+    if (auto prepared = state.resampler.prepare(rate, kRhythmRate); !prepared) {
+        return prepared;
+    }
+    if (auto prepared = state.mfcc_hops.change_rate(rate); !prepared) {
+        return prepared;
+    }
+    state.onsets.limit_to(kPassBand * 0.5 * rate.hertz());
+    const std::int64_t made = state.next_hop * static_cast<std::int64_t>(OnsetDetector::kHop) +
+                              static_cast<std::int64_t>(state.filled) -
+                              static_cast<std::int64_t>(OnsetDetector::kWindow / 2);
+    const std::int64_t made_16k = state.next_hop * static_cast<std::int64_t>(MfccStream::kHop) +
+                                  static_cast<std::int64_t>(state.mfcc_hops.waiting());
+    state.mfcc_hops.push_lost(static_cast<int>(made / 2 - made_16k));
+    // To an even place, see jump_gap().
+    const std::int64_t place = (kRhythmRate.index_at(taken) + 1) / 2 * 2;
+    state.lost_samples = std::max<std::int64_t>(0, place - made);
+    state.is_discontinuity = true;
     return {};
 }
 

@@ -74,6 +74,12 @@ class MusicAnalyzer {
     /// model that is not valid, or a window outside 0.5 to 10 s.
     [[nodiscard]] Expected<void> prepare(const AnalyzerConfig& config);
 
+    /// The stream goes on with samples of another rate, from stream time `taken` on: what the
+    /// analyzer knows of the music stays, and so do the numbers of the hops. Audio that is lost on
+    /// the way counts as skipped. Allocates; while no other function runs. Errors: a rate outside 8
+    /// to 192 kHz.
+    [[nodiscard]] Expected<void> change_rate(SampleRate rate, StreamTime taken);
+
     /// Takes the next samples, nominally in [-1, 1]; NaN and infinities count as 0, louder samples
     /// than +-16 are clamped. Hands out the states that became complete: none to many.
     /// Cost: about 60 us a hop; nothing grows with the length of the stream.

@@ -58,8 +58,8 @@ Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
     for (HostTime due = start; due < start + nanos_from_seconds(seconds) && !stop_signal();
          due += kPictureTime) {
         sleep_until(due);
-        if (const auto lost = graph.watch(HostClock::now())) {
-            return fail(*lost);
+        if (const auto lines = graph.watch(HostClock::now()); graph.has_lost_device()) {
+            return fail(lines.empty() ? "the device is gone" : lines.front());
         }
         const engine::StageState& stage = graph.stage();
         const HostTime now = HostClock::now();
@@ -295,7 +295,7 @@ Expected<BenchReport> bench_latency(double seconds) {
         return fail(graph.error());
     }
     // After the graph has started, as the loop connects its running output.
-    auto loop = recorder ? (*recorder)->close_loop() : fail(recorder.error());
+    auto loop = recorder ? (*recorder)->close_loop(*(*graph)->stream()) : fail(recorder.error());
     // One figure, whose learnt landings are compared with.
     (*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0);
     auto watched = watch(**graph, kLeadIn + seconds);

@@ -49,6 +49,7 @@ struct LiveArguments {
 
 /// Arguments of `raks devices`.
 struct DevicesArguments {
+    engine::Settings settings;     ///< of the files and the options
     bool as_json = false;          ///< one JSON document instead of text
     bool asks_for_output = false;  ///< only the exit code: is there a loudspeaker?
 };

@@ -41,6 +41,14 @@ void add_as_live_option(CLI::App& app, bool& is_as_live) {
                  "analyze the music as it comes, as live does, and not all of it first");
 }
 
+// Which play and live share.
+void add_sound_options(CLI::App& app, engine::Settings& settings) {
+    add_audio_system_option(app, settings);
+    app.add_option("--buffer",
+                   settings.buffer_ms,
+                   "milliseconds that the device buffers; more with fewer holes");
+}
+
 // --start and --duration, which play and render share.
 void add_section_options(CLI::App& app, Section& section) {
     app.add_option("--start", section.start, "seconds into the file")
@@ -64,6 +72,7 @@ void add_play(RaksCommands& table) {
     app->add_flag("--repeat", a->repeats, "begin anew behind the last file");
     app->add_flag("--quit", a->quits, "close the window behind the last file");
     app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
+    add_sound_options(*app, a->settings);
     app->add_option("--volume", a->settings.volume, "1 is the file's own level");
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
@@ -76,6 +85,7 @@ void add_play(RaksCommands& table) {
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
     app->add_option("--device", a->settings.device, "input: name, part of it, or number");
+    add_sound_options(*app, a->settings);
     // The arguments are captured by their pointer: they outlive the parsing.
     app->add_option_function<double>(
            "--duration",

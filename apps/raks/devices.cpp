@@ -12,18 +12,19 @@ namespace {
 
 // Numbers are those that --device and --output take.
 std::string to_json(const std::vector<audio::AudioDevice>& devices) {
-    nlohmann::ordered_json document = {{"format", "raks-devices"}, {"version", 1}};
+    nlohmann::ordered_json document = {{"format", "raks-devices"}, {"version", 2}};
     auto& list = document["devices"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const audio::AudioDevice& device = devices[i];
         list.push_back({{"number", i},
                         {"name", device.name},
-                        {"description", device.description},
+                        {"id", device.id},
                         {"host_api", device.host_api},
                         {"inputs", device.input_channels},
                         {"outputs", device.output_channels},
                         {"rate", device.default_rate},
-                        {"monitor", device.is_monitor()}});
+                        {"monitor", device.is_monitor},
+                        {"default", device.is_default_input || device.is_default_output}});
     }
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -42,7 +43,7 @@ std::string to_text(const std::vector<audio::AudioDevice>& devices) {
                             device.output_channels,
                             device.default_rate,
                             audio::described(device),
-                            device.is_monitor() ? ": what this computer plays" : "");
+                            device.is_monitor ? ": what this computer plays" : "");
     }
     if (const auto input = audio::choose_input(devices)) {
         text += "live  " + input->reason + "\n";
@@ -56,7 +57,8 @@ std::string to_text(const std::vector<audio::AudioDevice>& devices) {
 }  // namespace
 
 ExitCode devices(const DevicesArguments& arguments) {
-    const auto system = audio::AudioSystem::open();
+    const auto system =
+        audio::AudioSystem::open(audio::audio_system_of(arguments.settings.audio_system));
     if (!system) {
         return fail(system.error());
     }

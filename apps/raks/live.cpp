@@ -15,7 +15,7 @@ namespace raks::apps {
 ExitCode live(const LiveArguments& given) {
     LiveArguments arguments = given;
     // The input first: without one there is nothing to dance to.
-    auto system = audio::AudioSystem::open();
+    auto system = audio::AudioSystem::open(audio::audio_system_of(arguments.settings.audio_system));
     if (!system) {
         return fail(system.error());
     }
@@ -40,6 +40,8 @@ ExitCode live(const LiveArguments& given) {
     engine::LiveGraphConfig config;
     config.models = setup->models;
     config.cast = formations.cast();
+    config.is_device_named = !arguments.settings.device.empty();
+    config.buffer_seconds = arguments.settings.buffer_ms * 1e-3;
     // No latency offset: it belongs to an output.
     config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);

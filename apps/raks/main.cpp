@@ -100,6 +100,10 @@ void add_figures_option(CLI::App& app, engine::Settings& settings) {
     app.add_option("--figures", settings.figures, "learnt as angles or positions of the joints");
 }
 
+void add_audio_system_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option("--audio-system", settings.audio_system, "auto, portaudio, jack or pulse");
+}
+
 void add_generator_option(CLI::App& app, engine::Settings& settings) {
     app.add_option(
         "--generator", settings.generator, "trajectories, or frames: the paper's, for comparison");

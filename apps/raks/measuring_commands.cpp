@@ -29,6 +29,7 @@ void add_beat_option(CLI::App& app, Methods& method) {
 // Each add_ function below adds one command with its options.
 void add_devices(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "devices", "list inputs and loudspeakers", devices);
+    add_audio_system_option(*app, a->settings);
     app->add_flag("--json", a->as_json, "one JSON document");
     app->add_flag("--has-output", a->asks_for_output, "print nothing; fail without one");
 }

@@ -331,6 +331,8 @@ engine::LiveGraphConfig Player::graph_config() const {
     engine::LiveGraphConfig config;
     config.models = models_;
     config.cast = formations_.cast();
+    config.is_device_named = !arguments_.settings.output.empty();
+    config.buffer_seconds = arguments_.settings.buffer_ms * 1e-3;
     config.latency_offset = nanos_from_seconds(arguments_.settings.latency_offset_ms * 1e-3);
     config.pose_lead = nanos_from_seconds(arguments_.settings.pose_lead_ms * 1e-3);
     return config;
@@ -352,7 +354,8 @@ ExitCode play(const PlayArguments& given) {
     // Without sound no audio system is opened, so that none is needed.
     std::optional<audio::AudioSystem> system;
     if (!arguments.is_soundless) {
-        auto opened = audio::AudioSystem::open();
+        auto opened =
+            audio::AudioSystem::open(audio::audio_system_of(arguments.settings.audio_system));
         if (!opened) {
             return fail(opened.error());
         }

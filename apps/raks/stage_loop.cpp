@@ -204,8 +204,8 @@ void StageLoop::note_figure(engine::LiveGraph& graph) {
 
 // With every picture: is the device alive, and is a formation ready?
 void StageLoop::advance(double /*seconds*/) {
-    if (const auto line = graph_->watch(HostClock::now())) {
-        say(*line);
+    for (const std::string& line : graph_->watch(HostClock::now())) {
+        say(line);
     }
     if (source_.each_picture) {
         source_.each_picture();
@@ -231,7 +231,7 @@ bool StageLoop::is_finished() const {
         return true;
     }
     const engine::Playback* const playback = graph_->playback();
-    return playback != nullptr && playback->is_finished() && !has_ended();
+    return playback != nullptr && graph_->is_played_out(HostClock::now()) && !has_ended();
 }
 
 // At the end of the last file a window stays.

@@ -39,6 +39,10 @@ Expected<void> MfccHops::prepare(SampleRate rate, const MfccConfig& config) {
     return {};
 }
 
+Expected<void> MfccHops::change_rate(SampleRate rate) {
+    return resampler_.prepare(rate, SampleRate(MfccStream::kSampleRate));
+}
+
 void MfccHops::reset() noexcept RAKS_NONBLOCKING {
     resampler_.reset();
     stream_.reset();

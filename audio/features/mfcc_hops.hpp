@@ -31,6 +31,11 @@ class MfccHops {
     /// Errors: no resampler can be set up.
     [[nodiscard]] Expected<void> prepare(SampleRate rate, const MfccConfig& config = {});
 
+    /// The stream goes on at another rate; what was resampled stays. Errors: as prepare().
+    [[nodiscard]] Expected<void> change_rate(SampleRate rate);
+    /// Samples at 16 kHz that wait for next().
+    [[nodiscard]] std::size_t waiting() const noexcept { return queued_; }
+
     /// Samples in [-1, 1] at the source's rate. Those that wait for next() must be fewer than 256
     /// ms.
     void push(std::span<const float> mono) noexcept RAKS_NONBLOCKING;

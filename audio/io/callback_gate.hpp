@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "audio/io/device_stream.hpp"
+#include "audio/io/stream_callback.hpp"
 
 namespace raks::audio {
 

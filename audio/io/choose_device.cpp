@@ -19,7 +19,7 @@ bool can(const AudioDevice& device, Direction direction) {
 }
 
 // Word for messages.
-const char* name_of(Direction direction) {
+const char* word_for(Direction direction) {
     return direction == Direction::input ? "input" : "output";
 }
 
@@ -70,38 +70,56 @@ std::optional<std::size_t> number_in(std::string_view text) {
     return is_whole ? std::optional(number) : std::nullopt;
 }
 
+// The first two of several devices that a name fits, by what tells them apart.
+std::string several(const std::vector<const AudioDevice*>& fitting,
+                    const std::string& name,
+                    Direction direction,
+                    Devices devices) {
+    const auto told_apart = [&](const AudioDevice& device) {
+        const bool is_unique =
+            std::count_if(fitting.begin(), fitting.end(), [&](const AudioDevice* other) {
+                return other->name == device.name;
+            }) == 1;
+        return is_unique ? described(device) : described(device) + " " + device.id;
+    };
+    return "'" + name + "' fits several " + word_for(direction) + "s: " + told_apart(*fitting[0]) +
+           ", " + told_apart(*fitting[1]) +
+           "; name one in full or by number: " + list_of(devices, direction);
+}
+
 // The device that the user named: first as a number of the list, then as a full name or
-// description, then as a part that only one device has. A number beyond the list may still be a
+// id, then as a part that only one device has. A number beyond the list may still be a
 // part of a name.
 Expected<DeviceChoice> choose_named(Devices devices, Direction direction, std::string_view wanted) {
     const std::string name(wanted);
     if (const auto number = number_in(wanted); number && *number < devices.size()) {
         if (!can(devices[*number], direction)) {
             return fail("device " + name + " " + described(devices[*number]) + " is no " +
-                        name_of(direction) + "; " + list_of(devices, direction));
+                        word_for(direction) + "; " + list_of(devices, direction));
         }
         return chosen(devices[*number], "number " + name + ", as asked for");
     }
     const std::string low = lower(wanted);
     const auto same = all_that(devices, direction, [&](const AudioDevice& device) {
-        return lower(device.name) == low || lower(device.description) == low;
+        return lower(device.name) == low || lower(device.id) == low;
     });
-    if (!same.empty()) {
+    if (same.size() == 1) {
         return chosen(*same.front(), "as asked for");
+    }
+    if (same.size() > 1) {
+        return fail(several(same, name, direction, devices));
     }
     const auto similar = all_that(devices, direction, [&](const AudioDevice& device) {
         return lower(device.name).find(low) != std::string::npos ||
-               lower(device.description).find(low) != std::string::npos;
+               lower(device.id).find(low) != std::string::npos;
     });
     if (similar.size() == 1) {
         return chosen(*similar.front(), "the only name with '" + name + "'");
     }
     if (similar.size() > 1) {
-        return fail("'" + name + "' fits several " + name_of(direction) +
-                    "s: " + described(*similar[0]) + ", " + described(*similar[1]) +
-                    "; name one in full or by number: " + list_of(devices, direction));
+        return fail(several(similar, name, direction, devices));
     }
-    return fail(std::string("no ") + name_of(direction) + " '" + name + "'; " +
+    return fail(std::string("no ") + word_for(direction) + " '" + name + "'; " +
                 list_of(devices, direction));
 }
 
@@ -122,15 +140,11 @@ Expected<DeviceChoice> choose_best(Devices devices,
         }
     }
     return fail(
-        std::string("no audio ") + name_of(direction) +
+        std::string("no audio ") + word_for(direction) +
         " was found; start a sound server (JACK, PulseAudio, PipeWire) or plug a device in");
 }
 
-bool is_monitor(const AudioDevice& device) {
-    // PipeWire's JACK library shows a sink's monitor as a client of that name.
-    return device.is_monitor() ||
-           (device.host_api == "JACK" && lower(device.name).find("monitor") != std::string::npos);
-}
+bool is_monitor(const AudioDevice& device) { return device.is_monitor; }
 bool is_jack_system(const AudioDevice& device) {
     return device.host_api == "JACK" && device.name == "system";
 }
@@ -139,8 +153,7 @@ bool is_any(const AudioDevice&) { return true; }
 }  // namespace
 
 std::string described(const AudioDevice& device) {
-    const std::string more = device.description.empty() ? "" : ", " + device.description;
-    return "'" + device.name + "' (" + device.host_api + more + ")";
+    return "'" + device.name + "' (" + device.host_api + ")";
 }
 
 Expected<DeviceChoice> choose_input(Devices devices, std::string_view wanted) {

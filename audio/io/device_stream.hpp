@@ -2,82 +2,93 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
+#include <optional>
 #include <string>
 
 #include "audio/io/devices.hpp"
+#include "audio/io/stream_callback.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
 
-/// When a block passed the device, and where in the stream it lies.
-struct BlockTime {
-    std::int64_t first_frame = 0;  ///< frames of this stream before the block
-    HostTime entered{};            ///< CLOCK_MONOTONIC when the callback was entered
-    bool is_xrun = false;          ///< the device lost or repeated audio before this block
-};
-
-/// Code that runs on the device's audio thread, with flush-to-zero set.
-/// Real-time: must be (no allocation, locks or system calls).
-class StreamCallback {
- public:
-    /// Destroyed by its owner, after the stream or abandon(): see connect().
-    virtual ~StreamCallback() = default;
-    /// A block from an input stream, interleaved; any number of frames from 1 up.
-    virtual void on_input(std::span<const float> /*interleaved*/,
-                          int /*channels*/,
-                          const BlockTime& /*time*/) noexcept {}
-    /// A block for an output stream, interleaved, to be filled completely (it is zeroed before).
-    virtual void on_output(std::span<float> /*interleaved*/,
-                           int /*channels*/,
-                           const BlockTime& /*time*/) noexcept {}
-};
+class BlockDesk;  // audio/io/block_desk.hpp
 
 /// Wishes for a stream; the device decides, see rate() and channels().
 struct StreamConfig {
     int channels = 2;              ///< wanted, 1..8; the device may have fewer
     int rate_hz = 0;               ///< wanted; 0, and where it is refused: the device's default
-    double latency_seconds = 0.0;  ///< wanted; 0: the device's low default, 50 ms on PulseAudio
+    double latency_seconds = 0.0;  ///< wanted; 0: the device's own
+    /// The buffer of a PulseAudio output may grow when it runs dry.
+    bool may_grow = true;
+    /// The person named the device: the server must not move the stream to another one.
+    bool stays = false;
 };
 
-/// One running direction of one device, with any block size (PortAudio chooses it) and at the
-/// device's own rate. It survives the device's death.
+/// Something that happened to a device or its server.
+struct DeviceEvent {
+    /// What happened.
+    enum class Kind {
+        devices_changed,  ///< other devices, or another default, than before
+        moved,            ///< the server plays this stream on `id` now
+        buffer_grown,     ///< after running dry; `milliseconds` long now
+        source_gone,      ///< the JACK client that the stream was connected to has left
+        source_back,      ///< it is there again, and connected
+    };
+    Kind kind = Kind::devices_changed;  ///< what happened
+    std::string id = {};                ///< of the device (AudioDevice::id)
+    int milliseconds = 0;               ///< of the buffer
+};
+
+/// One running direction of one device, with any block size and at the device's own rate. It
+/// survives the device's death: poll is_alive(); when it is false, abandon() and destroy the
+/// object, on a thread that may wait for a second.
 ///
-/// When a device is dead (e.g. a killed JACK server), callbacks stop, and stopping or closing its
-/// stream never returns. Therefore: poll is_alive(); when it is false, call abandon() and destroy
-/// the object. The process can still exit, by end_process().
+/// There are three kinds behind it: JACK's own clients, PulseAudio's streams (PipeWire serves both)
+/// and PortAudio for ALSA, OSS and what else it knows. The first two can be opened again in the
+/// same process once their server is back. PortAudio may not return from closing a dead stream: it
+/// is leaked then, and the process must leave by end_process().
 /// Threads: one control thread; callbacks(), is_alive() from any. Real-time: no.
 class DeviceStream {
  public:
-    /// Opens and starts recording; blocks are dropped until connect().
-    /// Errors: the device cannot be opened in this way; one line names it and says what it offers.
+    /// Which way the samples go.
+    enum class Direction { input, output };
+
+    /// Opens and starts; blocks are dropped (an output is silent) until connect(). Takes at most
+    /// 2 s with JACK and PulseAudio.
+    /// Errors: the device cannot be opened in this way; the server does not answer. One line.
+    [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open(Direction direction,
+                                                                      const AudioDevice& device,
+                                                                      const StreamConfig& config);
+    /// open() for recording.
     [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_input(
         const AudioDevice& device, const StreamConfig& config);
-    /// Opens and starts playing; silence until connect(). Errors: as open_input.
+    /// open() for playing.
     [[nodiscard]] static Expected<std::unique_ptr<DeviceStream>> open_output(
         const AudioDevice& device, const StreamConfig& config);
-    /// Stops and closes. A stream that is dead, abandoned or does not stop within a second is
-    /// leaked instead. In either case its callback is not called any more.
-    ~DeviceStream();
+    /// Stops and closes. A stream that does not stop within a second is leaked instead. In either
+    /// case its callback is not called any more.
+    virtual ~DeviceStream();
     /// Not copyable: the device's thread holds its address.
     DeviceStream(const DeviceStream&) = delete;
     /// As above.
     DeviceStream& operator=(const DeviceStream&) = delete;
 
-    /// From here on every block reaches `callback`, which must live until the stream is destroyed
-    /// or abandoned.
+    /// From here on every block reaches `callback`, which must live until disconnect(), or until
+    /// the stream is destroyed or abandoned.
     void connect(StreamCallback& callback) noexcept;
+    /// From its return on the callback is not called; waits for a call that is on its way.
+    void disconnect() noexcept;
 
     /// The rate that the device runs at.
-    [[nodiscard]] SampleRate rate() const noexcept;
+    [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
     /// Channels of each block.
     [[nodiscard]] int channels() const noexcept;
-    /// Latency as PortAudio reports it, clamped to 0..2 s as it may be unset: a hint. On JACK it
-    /// agrees with the measured delay of clicks through a loop of ports to 0.01 ms at periods of
-    /// 64, 256 and 1024 frames (`raks bench latency`), so it is the default; the converters behind
-    /// the server are not included.
-    [[nodiscard]] Nanos reported_latency() const noexcept;
+    /// Time between BlockTime::entered and the moment at which the block's first sample leaves an
+    /// output, or at which the block's last sample passed an input (negative direction: how old it
+    /// is), as the device reports it now; 0 to 2 s, smoothed. JACK counts what its ports are
+    /// connected to; PulseAudio the whole way to the converter.
+    [[nodiscard]] virtual Nanos latency() const noexcept = 0;
 
     /// Number of callbacks since the start.
     [[nodiscard]] std::uint64_t callbacks() const noexcept;
@@ -86,24 +97,33 @@ class DeviceStream {
     /// Scheduling class of the thread that calls back: "SCHED_FIFO", "SCHED_RR", "SCHED_OTHER";
     /// "unknown" before the first block and once the stream is dead.
     [[nodiscard]] std::string scheduling() const;
-    /// Number of blocks flagged as xrun since the start.
+    /// Number of blocks that the device lost since the start, as far as it tells.
     [[nodiscard]] std::uint64_t xruns() const noexcept;
-    /// False when no callback came for 1.5 s (JACK) or 3 s (others) before `now`, none within 2 s
-    /// of the start, or when PortAudio reports the stream as inactive.
-    [[nodiscard]] bool is_alive(HostTime now) const noexcept;
-    /// Gives a dead stream up: it is never stopped, closed or freed, and PortAudio is never
-    /// terminated in this process. Its callback is not called any more.
-    void abandon() noexcept;
+    /// False when the server is gone or has closed the stream; with PortAudio when no callback came
+    /// for 1.5 s (JACK) or 3 s (others) before `now`, or none within 2 s of the start.
+    [[nodiscard]] virtual bool is_alive(HostTime now) const noexcept = 0;
+    /// Gives a dead stream up: its callback is not called any more.
+    virtual void abandon() noexcept { disconnect(); }
+    /// The next thing that happened, oldest first; nothing when there is no more.
+    [[nodiscard]] virtual std::optional<DeviceEvent> poll() { return std::nullopt; }
+    /// The name that the server knows this stream's ports by; empty where there are none.
+    [[nodiscard]] virtual std::string client_name() const { return {}; }
+
+ protected:
+    /// `desk`: where the derived class takes its blocks to; shared, as a thread that cannot be
+    /// stopped may use it longer than the stream lives.
+    DeviceStream(std::shared_ptr<BlockDesk> desk, SampleRate rate);
+    /// The desk, for the derived class.
+    [[nodiscard]] BlockDesk& desk() const noexcept { return *desk_; }
 
  private:
-    struct Impl;
-    explicit DeviceStream(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<BlockDesk> desk_;
+    SampleRate rate_;
 };
 
-/// Ends the process with this code; call it when all output is written. After a stream was
-/// abandoned its threads still run, so then it skips the destructors of libraries, which would free
-/// what these threads use.
+/// Ends the process with this code; call it when all output is written. After a PortAudio stream
+/// was abandoned its threads still run, so then it skips the destructors of libraries, which would
+/// free what these threads use.
 [[noreturn]] void end_process(int exit_code) noexcept;
 
 }  // namespace raks::audio

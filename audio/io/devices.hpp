@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,36 +12,45 @@
 
 namespace raks::audio {
 
+/// By which library a device is opened.
+enum class AudioSystemKind : std::uint8_t {
+    automatic,  ///< for asking only: JACK's and PulseAudio's devices, or PortAudio's where neither
+    portaudio,  ///< ALSA, OSS, and JACK by PortAudio's own way
+    jack,       ///< libjack; PipeWire serves it, too
+    pulse,      ///< libpulse; PipeWire serves it, too
+};
+/// The word of `--audio-system`: "auto", "portaudio", "jack", "pulse".
+[[nodiscard]] std::string_view name_of(AudioSystemKind kind) noexcept;
+/// Inverse of name_of(); automatic for other words.
+[[nodiscard]] AudioSystemKind audio_system_of(std::string_view word) noexcept;
+
 /// A device, or one direction of one, that can be recorded from or played to.
 struct AudioDevice {
-    int portaudio_index = -1;        ///< what PortAudio opens
-    std::string name{};              ///< as the user sees it and may type it
-    std::string description{};       ///< the desktop's name where it differs; may be typed, too
-    std::string host_api{};          ///< "JACK", "ALSA", "OSS", "PulseAudio monitor"
+    AudioSystemKind system = AudioSystemKind::portaudio;  ///< never automatic
+    int portaudio_index = -1;        ///< what PortAudio opens; -1 with the others
+    std::string name{};              ///< as the desktop shows it and the user may type it
+    std::string id{};                ///< the server's own name: "speakers.monitor"; may be typed
+    std::string host_api{};          ///< "JACK", "PulseAudio", "PipeWire", "ALSA", "OSS"
     int input_channels = 0;          ///< 0: no input
     int output_channels = 0;         ///< 0: no output
     double default_rate = 48'000.0;  ///< hertz, 8,000 to 192,000
-    bool is_default_input = false;   ///< PortAudio's default of its host API
+    bool is_default_input = false;   ///< the system's default
     bool is_default_output = false;  ///< the same for output
-    /// Not empty: a monitor, which records what the computer plays; opened through ALSA's `pulse`
-    /// with PULSE_SOURCE set to this value in this process.
-    std::string pulse_source{};
-
-    /// Whether it records what the computer plays.
-    [[nodiscard]] bool is_monitor() const noexcept { return !pulse_source.empty(); }
+    bool is_monitor = false;         ///< it records what the computer plays
 };
 
-/// For messages: "'system' (JACK)", "'x.monitor' (PulseAudio monitor, Monitor of Living Room)".
+/// For messages: "'system' (JACK)", "'Monitor of Living Room' (PulseAudio)".
 [[nodiscard]] std::string described(const AudioDevice& device);
 
-/// Keeps PortAudio initialized while it lives, and PortAudio, ALSA and JACK from printing on
-/// stderr. Once the stream of a dead device was abandoned, PortAudio is not terminated any more:
-/// that call would wait for the dead server and never return.
-/// Threads: one (the main thread). Real-time: no.
+/// Asks which devices there are. PortAudio alone stays initialized while this lives, and only where
+/// it is needed: it takes 77 ms. No library prints.
+/// Threads: one at a time. Real-time: no.
 class AudioSystem {
  public:
-    /// Errors: PortAudio cannot be initialized.
-    [[nodiscard]] static Expected<AudioSystem> open();
+    /// Errors: a server accepts but does not answer within 2 s; the one asked for does not run;
+    /// PortAudio cannot be initialized.
+    [[nodiscard]] static Expected<AudioSystem> open(
+        AudioSystemKind kind = AudioSystemKind::automatic);
     /// Takes over; the other object holds nothing then.
     AudioSystem(AudioSystem&& other) noexcept;
     /// As above; what this object held ends with the other one.
@@ -48,27 +58,29 @@ class AudioSystem {
     /// Terminates PortAudio with the last user, if no stream was abandoned.
     ~AudioSystem();
 
-    /// All devices, as found when PortAudio was initialized (it knows no hot-plug; a new process
-    /// lists them again): JACK's first, then the monitors, then the rest. The index in the list is
-    /// the number that users give.
+    /// All devices: JACK's first, then PulseAudio's monitors, its other devices (the defaults
+    /// first), then PortAudio's. The index in the list is the number that users give.
     [[nodiscard]] const std::vector<AudioDevice>& devices() const noexcept { return devices_; }
 
  private:
     AudioSystem() = default;
-    bool is_open_ = false;
+    Expected<void> add_servers(AudioSystemKind kind);
+    Expected<void> add_portaudio(AudioSystemKind kind);
+
+    bool uses_portaudio_ = false;
     std::vector<AudioDevice> devices_;
 };
 
-/// A device and why it was chosen, such as "'raks.monitor' (PulseAudio monitor): it is what this
+/// A device and why it was chosen, such as "'Monitor of Speakers' (PulseAudio): it is what this
 /// computer plays".
 struct DeviceChoice {
     AudioDevice device;  ///< a copy of the list's entry
     std::string reason;  ///< one line for the user, names the device
 };
 
-/// The device to record from. `wanted`: a number of the list, a name or description, or a part of
-/// one that only one input has (case does not matter); empty: a monitor (the default sink's first),
-/// else JACK's `system`, else the default input, else the first.
+/// The device to record from. `wanted`: a number of the list, a name or id, or a part of one that
+/// only one input has (case does not matter); empty: a monitor (the default sink's first), else
+/// JACK's `system`, else the default input, else the first.
 /// Errors: no such input (the error lists all); several match; no input at all. Pure. Threads: any.
 [[nodiscard]] Expected<DeviceChoice> choose_input(std::span<const AudioDevice> devices,
                                                   std::string_view wanted = {});

@@ -1,65 +1,55 @@
 #include "audio/io/jack_loop.hpp"
 
 #include <jack/jack.h>
-#include <pa_jack.h>
 
-#include <memory>
+#include <algorithm>
 #include <string>
+#include <vector>
+
+#include "audio/io/jack_devices.hpp"
 
 #include <fmt/format.h>
 
 namespace raks::audio {
 namespace {
 
-// Deleters of JACK's objects.
-struct CloseClient {
-    void operator()(jack_client_t* client) const noexcept { jack_client_close(client); }
-};
-struct FreeNames {
-    void operator()(const char** names) const noexcept { jack_free(static_cast<void*>(names)); }
-};
-
-// Removes all connections of an input port: other sources would mix with the loop's signal.
-void disconnect_all(jack_client_t* client, const jack_port_t* input, const std::string& name) {
-    const std::unique_ptr<const char*, FreeNames> sources(
-        jack_port_get_all_connections(client, input));
-    for (const char** source = sources.get(); source != nullptr && *source != nullptr; ++source) {
-        jack_disconnect(client, *source, name.c_str());
+// Other sources would mix with the loop's signal, and other sinks would count as its latency.
+void disconnect_all(jack_client_t* client, const std::vector<std::string>& ports) {
+    for (const std::string& port : ports) {
+        // By name through our own connection: only a port's owner may call jack_port_disconnect().
+        const jack_port_t* const found = jack_port_by_name(client, port.c_str());
+        const char** const others =
+            found == nullptr ? nullptr : jack_port_get_all_connections(client, found);
+        for (const char** other = others; other != nullptr && *other != nullptr; ++other) {
+            jack_disconnect(client, port.c_str(), *other);
+            jack_disconnect(client, *other, port.c_str());
+        }
+        jack_free(static_cast<void*>(others));
     }
 }
 
 }  // namespace
 
-// PortAudio names its ports NAME:out_0, NAME:in_0 and so on; a client of our own connects them.
-Expected<int> connect_own_outputs_to_inputs() {
-    const char* own_name = nullptr;
-    if (PaJack_GetClientName(&own_name) != paNoError || own_name == nullptr) {
-        return fail("JACK: no stream of ours runs there");
+Expected<int> connect_jack_loop(const DeviceStream& output, const DeviceStream& input) {
+    if (output.client_name().empty() || input.client_name().empty()) {
+        return fail("JACK: no two streams of ours run there");
     }
-    const std::unique_ptr<jack_client_t, CloseClient> client(
-        jack_client_open("raks-loop", JackNoStartServer, nullptr));
-    if (!client) {
+    const auto client = open_jack_client("raks-loop");
+    if (!client || !*client) {
         return fail("JACK: the server does not answer");
     }
-    const std::string own(own_name);
-    // Pairs until one side has no further port.
-    int connected = 0;
-    for (;; ++connected) {
-        const std::string from = fmt::format("{}:out_{}", own, connected);
-        const std::string to = fmt::format("{}:in_{}", own, connected);
-        const jack_port_t* input = jack_port_by_name(client.get(), to.c_str());
-        if (input == nullptr || jack_port_by_name(client.get(), from.c_str()) == nullptr) {
-            break;
-        }
-        disconnect_all(client.get(), input, to);
-        if (jack_connect(client.get(), from.c_str(), to.c_str()) != 0) {
-            return fail(fmt::format("JACK: cannot connect {} to {}", from, to));
+    const auto from = jack_ports(client->get(), output.client_name(), true);
+    const auto to = jack_ports(client->get(), input.client_name(), false);
+    disconnect_all(client->get(), from);
+    disconnect_all(client->get(), to);
+    const std::size_t pairs = std::min(from.size(), to.size());
+    for (std::size_t i = 0; i < pairs; ++i) {
+        if (jack_connect(client->get(), from[i].c_str(), to[i].c_str()) != 0) {
+            return fail(fmt::format("JACK: cannot connect {} to {}", from[i], to[i]));
         }
     }
-    if (connected == 0) {
-        return fail("JACK: " + own + " has no output and input that could be connected");
-    }
-    return connected;
+    return pairs > 0 ? Expected<int>(static_cast<int>(pairs))
+                     : fail("JACK: our streams have no ports");
 }
 
 }  // namespace raks::audio

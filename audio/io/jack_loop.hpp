@@ -1,16 +1,18 @@
 #pragma once
 
+#include "audio/io/device_stream.hpp"
 #include "base/expected.hpp"
 
 namespace raks::audio {
 
-/// Connects this process' output port n to its input port n inside the JACK server, and nothing
-/// else to that input: for measuring. Needs an output and an input stream of this process on JACK,
-/// both running. Returns how many pairs were connected, >= 1.
+/// Connects output port n of a stream of ours to input port n of another, inside the JACK server,
+/// and takes all other connections of these ports away: for measuring. Returns how many pairs were
+/// connected, >= 1.
 ///
-/// The loop takes one period: JACK passes the samples written in one cycle to the input in the
-/// next. It contains neither the driver's buffers nor converters.
-/// Errors: no JACK server; no such streams. Threads: main. Real-time: no.
-[[nodiscard]] Expected<int> connect_own_outputs_to_inputs();
+/// JACK passes the samples on in the same cycle, as it calls the client that listens after the one
+/// that plays. The loop contains neither the driver's buffers nor converters.
+/// Errors: the streams are not JACK's; the server does not answer. Threads: main. Real-time: no.
+[[nodiscard]] Expected<int> connect_jack_loop(const DeviceStream& output,
+                                              const DeviceStream& input);
 
 }  // namespace raks::audio

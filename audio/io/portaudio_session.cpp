@@ -7,14 +7,16 @@
 #include <portaudio.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cmath>
 #include <cstdio>
 
 namespace raks::audio {
 namespace {
 
-// Process-wide, as PortAudio is; only the main thread uses them.
+// Process-wide, as PortAudio is; one thread at a time opens devices.
 int g_users = 0;
-bool g_is_leaked = false;
+std::atomic<bool> g_is_leaked{false};
 
 // Message handlers of ALSA and JACK that drop every message.
 void ignore_alsa(const char*, int, const char*, int, const char*, ...) {}
@@ -89,6 +91,54 @@ std::string portaudio_reason(int error) {
         }
     }
     return Pa_GetErrorText(error);
+}
+
+namespace {
+
+// PortAudio's names are longer ("JACK Audio Connection Kit"); users see and type these.
+std::string api_name(PaHostApiIndex index) {
+    const PaHostApiInfo* info = Pa_GetHostApiInfo(index);
+    if (info == nullptr) {
+        return "unknown";
+    }
+    switch (info->type) {
+        case paJACK:
+            return "JACK";
+        case paALSA:
+            return "ALSA";
+        case paOSS:
+            return "OSS";
+        default:
+            return info->name;
+    }
+}
+
+}  // namespace
+
+// A rate that cannot be meant becomes 48 kHz.
+std::vector<AudioDevice> list_portaudio_devices() {
+    const SilentStderr silence;
+    std::vector<AudioDevice> devices;
+    const PaDeviceIndex default_input = Pa_GetDefaultInputDevice();
+    const PaDeviceIndex default_output = Pa_GetDefaultOutputDevice();
+    for (PaDeviceIndex i = 0; i < Pa_GetDeviceCount(); ++i) {
+        const PaDeviceInfo* info = Pa_GetDeviceInfo(i);
+        if (info == nullptr) {
+            continue;
+        }
+        const double rate = info->defaultSampleRate;
+        const bool is_sane = std::isfinite(rate) && rate >= 8'000.0 && rate <= 192'000.0;
+        devices.push_back({.portaudio_index = i,
+                           .name = info->name,
+                           .id = info->name,
+                           .host_api = api_name(info->hostApi),
+                           .input_channels = info->maxInputChannels,
+                           .output_channels = info->maxOutputChannels,
+                           .default_rate = is_sane ? rate : 48'000.0,
+                           .is_default_input = i == default_input,
+                           .is_default_output = i == default_output});
+    }
+    return devices;
 }
 
 }  // namespace raks::audio

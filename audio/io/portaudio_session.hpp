@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "audio/io/devices.hpp"
 #include "base/expected.hpp"
 
 namespace raks::audio {
@@ -35,6 +37,9 @@ class SilentStderr {
  private:
     int saved_;
 };
+
+/// All devices of PortAudio, as found when it was initialized: it knows no hot-plug. Needs a user.
+[[nodiscard]] std::vector<AudioDevice> list_portaudio_devices();
 
 /// Text for a PortAudio error number: "Device unavailable", or what the host API below says.
 [[nodiscard]] std::string portaudio_reason(int error);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "audio/io/device_stream.hpp"
+#include "audio/io/stream_callback.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/channels/event_queue.hpp"
 #include "base/channels/latest_value.hpp"
@@ -45,6 +45,13 @@ class AnalysisStage {
 
     /// *audio* Samples were lost before the next block: stream time skips them. Real-time: yes.
     void skip(std::int64_t frames) noexcept RAKS_NONBLOCKING;
+
+    /// *audio* One hop (10 ms) passes without sound being known: the grid runs on. Real-time: yes.
+    void pass_blind_hop() noexcept RAKS_NONBLOCKING;
+
+    /// Samples have another rate from here on; stream time goes on. Threads: main, while no
+    /// callback runs. Errors: a rate that the analyzer refuses.
+    [[nodiscard]] Expected<void> change_rate(SampleRate rate);
 
     /// *audio* Stream time stands still at `stream` (pause). Real-time: yes.
     void stop_clock(StreamTime stream) noexcept RAKS_NONBLOCKING;
@@ -94,6 +101,7 @@ class AnalysisStage {
     void run_commands() noexcept;
 
     SampleRate rate_;
+    StreamTime blind_until_{};  // of the blind hops so far; audio thread's own
     audio::MusicAnalyzer analyzer_;
     EventQueue<MusicState> states_{kQueuedStates};
     PlannedStates planned_;
@@ -104,37 +112,6 @@ class AnalysisStage {
     TimingHistogram callback_times_;
     std::atomic<std::int64_t> frames_taken_{0};
     std::atomic<float> level_dbfs_{-120.0F};
-};
-
-/// The input callback of `live`: turns a microphone's blocks into analyzed mono samples. Threads:
-/// on_input from the device (or PacedClock after the device died), the rest from main.
-class LiveInput final : public audio::StreamCallback {
- public:
-    /// Errors: a rate that the analyzer refuses.
-    [[nodiscard]] static Expected<std::unique_ptr<LiveInput>> create(SampleRate device_rate,
-                                                                     const AnalyzerModels& models);
-
-    /// *audio* Marks the clock, mixes down and analyzes one block. Real-time: yes (no allocation).
-    void on_input(std::span<const float> interleaved,
-                  int channels,
-                  const audio::BlockTime& time) noexcept override;
-
-    /// The stage that the blocks are analyzed by.
-    [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
-    /// Frames that the device lost so far, estimated from its xrun flags and the clock. Threads:
-    /// any.
-    [[nodiscard]] std::int64_t lost_frames() const noexcept;
-
- private:
-    LiveInput(SampleRate rate, std::unique_ptr<AnalysisStage> analysis);
-    void skip_lost(const audio::BlockTime& time) noexcept;
-
-    SampleRate rate_;
-    std::unique_ptr<AnalysisStage> analysis_;
-    std::vector<float> mono_;
-    HostTime last_entered_{};       // audio thread's own
-    std::int64_t last_frames_ = 0;  // of the block before
-    std::atomic<std::int64_t> lost_frames_{0};
 };
 
 }  // namespace raks::engine

@@ -1,76 +1,47 @@
 #include "engine/live/live_graph.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
-#include <vector>
 
-#include "base/realtime.hpp"
+#include <fmt/format.h>
 
 namespace raks::engine {
 namespace {
 
-// About 5 ms at 48 kHz: as fine as a device's own blocks.
-constexpr std::int64_t kBlockFrames = 256;
-// After a longer stall (a suspended machine) the clock goes on from now instead of racing after.
-constexpr Nanos kMaxBehind = std::chrono::milliseconds(500);
+using Direction = audio::DeviceStream::Direction;
 
-// An absolute time: errors of single sleeps do not add up.
-void sleep_until(HostTime time) noexcept {
-    const std::int64_t ns = time.time_since_epoch().count();
-    timespec until{};
-    until.tv_sec = ns / 1'000'000'000;
-    until.tv_nsec = ns % 1'000'000'000;
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-}
-
-}  // namespace
-
-PacedClock::PacedClock(Direction direction,
-                       SampleRate rate,
-                       int channels,
-                       audio::StreamCallback& callback)
-    : callback_(callback), thread_([=, this] { run(direction, rate, channels); }) {}
-
-PacedClock::~PacedClock() {
-    is_stopping_.store(true, std::memory_order_relaxed);  // relaxed: join() orders the rest
-    thread_.join();
-}
-
-void PacedClock::run(Direction direction, SampleRate rate, int channels) noexcept {
-    const FlushToZeroScope flush_to_zero;
-    std::vector<float> block(static_cast<std::size_t>(kBlockFrames * channels));
-    // Each block is due at the start plus its own frame number: the rate is exact in the long run.
-    HostTime start = HostClock::now();
-    std::int64_t frame = 0;
-    while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
-        const HostTime due = start + rate.time_of(frame).time_since_epoch();
-        sleep_until(due);
-        const HostTime now = HostClock::now();
-        // Moves the start, so that the blocks of the stall are not called one after the other.
-        if (now - due > kMaxBehind) {
-            start += now - due;
-        }
-        // Silence for an input; a zeroed block for an output, as the callback expects.
-        std::fill(block.begin(), block.end(), 0.0F);
-        const audio::BlockTime time{frame, now, false};
-        if (direction == Direction::input) {
-            callback_.on_input(block, channels, time);
-        } else {
-            callback_.on_output(block, channels, time);
-        }
-        frame += kBlockFrames;
-    }
-}
-
-namespace {
-
-// What stands in for a device that is missing or has died: nothing is audible, so any usual rate
-// does.
+// What stands in for a device that was not asked for: nothing is audible, so any usual rate does.
 constexpr SampleRate kOwnClockRate(48'000);
 constexpr int kOwnClockChannels = 2;
+// The latency of what is played does not matter, as the pictures wait for it; holes do.
+constexpr double kPlayBuffer = 0.040;
+// `live` without sound for so long looks around for it, and then again.
+constexpr Nanos kSilentFor = std::chrono::seconds(5);
+constexpr float kSilentDbfs = -70.0F;
 
 }  // namespace
+
+// Opens the device and starts keeping it. Errors: it cannot be opened.
+Expected<void> LiveGraph::open_stream(Direction direction,
+                                      const audio::AudioDevice& device,
+                                      const LiveGraphConfig& config) {
+    audio::StreamConfig wishes;
+    wishes.latency_seconds = config.buffer_seconds;
+    wishes.may_grow = config.buffer_seconds == 0.0;
+    if (direction == Direction::output && config.buffer_seconds == 0.0) {
+        wishes.latency_seconds = kPlayBuffer;
+    }
+    wishes.stays = config.is_device_named;
+    auto stream = audio::DeviceStream::open(direction, device, wishes);
+    if (!stream) {
+        return fail(stream.error());
+    }
+    stream_ = std::move(*stream);
+    device_ = device;
+    keeper_ = std::make_unique<DeviceKeeper>(
+        DeviceKeeper::Plan{direction, config.is_device_named, wishes}, device);
+    return {};
+}
 
 Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     std::unique_ptr<audio::FilePlayer> player,
@@ -91,15 +62,11 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
         graph->analysis_->planned().set_plan(config.plan, PlannedStates::Beginning::now);
     }
     if (output) {
-        auto stream = audio::DeviceStream::open_output(*output, {});
-        if (!stream) {
-            return fail(stream.error());
+        if (auto opened = graph->open_stream(Direction::output, *output, config); !opened) {
+            return fail(opened.error());
         }
-        graph->stream_ = std::move(*stream);
-        graph->device_name_ = output->name;
         // Pictures wait for what the device buffers. Without a device nothing is delayed, and no
         // offset applies.
-        graph->reported_latency_ = graph->stream_->reported_latency();
         graph->latency_offset_ = config.latency_offset;
     }
     // The resampler needs the device's real rate, which is known once the stream is open.
@@ -124,18 +91,16 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
 Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice& input,
                                                        const LiveGraphConfig& config) {
     std::unique_ptr<LiveGraph> graph(new LiveGraph);
-    auto stream = audio::DeviceStream::open_input(input, {});
-    if (!stream) {
-        return fail(stream.error());
+    if (auto opened = graph->open_stream(Direction::input, input, config); !opened) {
+        return fail(opened.error());
     }
-    graph->stream_ = std::move(*stream);
-    graph->device_name_ = input.name;
     auto live_input = LiveInput::create(graph->stream_->rate(), config.models);
     if (!live_input) {
         return fail(input.name + ": " + live_input.error().message);
     }
     graph->live_input_ = std::move(*live_input);
     graph->analysis_ = &graph->live_input_->analysis();
+    graph->heard_last_ = HostClock::now();
     if (auto started = graph->start_motion(config); !started) {
         return fail(started.error());
     }
@@ -165,39 +130,153 @@ audio::StreamCallback& LiveGraph::callback() noexcept {
     return *live_input_;
 }
 
-// A dead device leaves its stream hanging: it is noticed by callbacks that stay away.
-std::optional<std::string> LiveGraph::watch(HostTime now) {
-    if (!stream_ || has_lost_device_ || stream_->is_alive(now)) {
-        return std::nullopt;
-    }
-    has_lost_device_ = true;
-    // Nothing is audible any more, so that the pictures need not wait for a loudspeaker.
-    reported_latency_ = {};
-    latency_offset_ = {};
-    go_on_without_device();
-    return device_name_ + ": the device is gone; " +
-           (playback_ ? "the dance goes on without sound"
-                      : "the dancer settles (start again to listen to another)");
+// "listening to 'Monitor of Speakers' (PulseAudio) again"
+std::string LiveGraph::about(const audio::AudioDevice& device, const char* how) const {
+    return fmt::format(
+        "{} {} {}", playback_ ? "sound goes to" : "listening to", audio::described(device), how);
 }
 
-// Replaces the device by the paced clock, which calls the same callback: music and dance go on. An
-// input goes on with silence, in which the dancer settles.
-void LiveGraph::go_on_without_device() {
-    // Closing a dead stream would hang: it is abandoned first.
-    stream_->abandon();
-    stream_.reset();
-    if (playback_) {
-        // Copying or resampling alike, the only failure is lack of memory: then nothing plays on.
-        if (!playback_->prepare(kOwnClockRate)) {
-            return;
+std::vector<std::string> LiveGraph::watch(HostTime now) {
+    std::vector<std::string> lines;
+    if (!keeper_) {
+        return lines;
+    }
+    if (const auto slept = sleep_watch_.look(); slept && live_input_) {
+        live_input_->note_sleep(*slept);
+    }
+    if (stream_) {
+        hear_events(lines);
+        if (!stream_->is_alive(now)) {
+            lose_device(lines);
         }
     }
-    const SampleRate rate = playback_ ? kOwnClockRate : analysis_->rate();
-    paced_clock_ = std::make_unique<PacedClock>(
-        playback_ ? PacedClock::Direction::output : PacedClock::Direction::input,
-        rate,
-        kOwnClockChannels,
-        callback());
+    take_news(lines);
+    watch_silence(now);
+    return lines;
+}
+
+void LiveGraph::hear_events(std::vector<std::string>& lines) {
+    using Kind = audio::DeviceEvent::Kind;
+    while (const auto event = stream_->poll()) {
+        switch (event->kind) {
+            case Kind::devices_changed:
+                keeper_->look();
+                break;
+            case Kind::moved:
+                keeper_->note_move(event->id);
+                break;
+            case Kind::buffer_grown:
+                if (!has_said_growth_) {
+                    lines.push_back(fmt::format("the sound ran dry: its buffer is {} ms now",
+                                                event->milliseconds));
+                }
+                has_said_growth_ = true;
+                break;
+            case Kind::source_gone:
+                lines.push_back(
+                    fmt::format("{}: it has left JACK; waiting until it is back", event->id));
+                break;
+            case Kind::source_back:
+                lines.push_back(fmt::format("listening to '{}' (JACK) again", event->id));
+                break;
+        }
+    }
+}
+
+// `play` stands still until somebody can hear it; for `live` the music goes on, wherever it is.
+void LiveGraph::lose_device(std::vector<std::string>& lines) {
+    last_latency_ = stream_->latency();
+    stream_->abandon();
+    keeper_->bury(std::move(stream_));
+    keeper_->reopen();
+    has_lost_device_ = true;
+    if (playback_) {
+        playback_->hold();
+    } else {
+        paced_clock_ = std::make_unique<PacedClock>(
+            PacedClock::Direction::input, analysis_->rate(), kOwnClockChannels, live_input_->gap());
+    }
+    lines.push_back(fmt::format("{}: the device is gone; {} until it is back",
+                                device_.name,
+                                playback_ ? "pausing" : "dancing on without sound"));
+}
+
+void LiveGraph::take_news(std::vector<std::string>& lines) {
+    using Kind = DeviceKeeper::News::Kind;
+    while (auto news = keeper_->take()) {
+        switch (news->kind) {
+            case Kind::opened:
+                take_over(*news, lines);
+                break;
+            case Kind::moved:
+                if (news->device.id != device_.id) {
+                    device_ = news->device;
+                    lines.push_back(about(device_, "now"));
+                }
+                break;
+            case Kind::elsewhere:
+                if (!has_said_elsewhere_) {
+                    lines.push_back(
+                        fmt::format("nothing is heard from '{}', but '{}' has sound: "
+                                    "--device \"{}\" listens there",
+                                    device_.name,
+                                    news->device.name,
+                                    news->device.name));
+                }
+                has_said_elsewhere_ = true;
+                break;
+        }
+    }
+}
+
+// The stream before ends before its callback is made ready for the new one's rate.
+void LiveGraph::take_over(DeviceKeeper::News& news, std::vector<std::string>& lines) {
+    if (stream_) {
+        stream_->disconnect();
+        keeper_->bury(std::move(stream_));
+    }
+    paced_clock_.reset();
+    const SampleRate rate = news.stream->rate();
+    const auto ready = playback_ ? playback_->prepare(rate) : live_input_->resume(rate);
+    stream_ = std::move(news.stream);
+    lines.push_back(
+        about(news.device, has_lost_device_ && news.device.id == device_.id ? "again" : "now"));
+    device_ = news.device;
+    has_lost_device_ = !ready;
+    if (!ready) {
+        lines.back() = device_.name + ": " + ready.error().message;
+        return;
+    }
+    stream_->connect(callback());
+}
+
+void LiveGraph::watch_silence(HostTime now) {
+    if (!live_input_ || has_lost_device_ || device_.system != audio::AudioSystemKind::pulse) {
+        return;
+    }
+    if (analysis_->level_dbfs() > kSilentDbfs) {
+        heard_last_ = now;
+        has_said_elsewhere_ = false;
+    } else if (now - heard_last_ >= kSilentFor && !has_said_elsewhere_) {
+        heard_last_ = now;
+        keeper_->listen_around();
+    }
+}
+
+bool LiveGraph::is_played_out(HostTime now) noexcept {
+    if (!playback_ || !playback_->is_finished()) {
+        finished_.reset();
+        return false;
+    }
+    finished_ = finished_.value_or(now);
+    return now - *finished_ >= output_latency();
+}
+
+Nanos LiveGraph::output_latency() const noexcept {
+    if (!playback_ || !keeper_) {
+        return latency_offset_;
+    }
+    return (stream_ ? stream_->latency() : last_latency_) + latency_offset_;
 }
 
 StreamTime LiveGraph::moment_at(HostTime seen_at) noexcept {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "audio/io/device_stream.hpp"
@@ -13,38 +11,18 @@
 #include "base/expected.hpp"
 #include "base/time.hpp"
 #include "engine/live/analysis_stage.hpp"
+#include "engine/live/device_keeper.hpp"
+#include "engine/live/live_input.hpp"
 #include "engine/live/motion_stage.hpp"
+#include "engine/live/paced_clock.hpp"
 #include "engine/live/playback.hpp"
+#include "engine/live/sleep_watch.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "motion/dancer.hpp"
 #include "motion/ensemble.hpp"
 
 namespace raks::engine {
-
-/// Our own clock in place of a device: calls a stream callback every 256 frames' time by
-/// CLOCK_MONOTONIC. Drives `--no-sound`, and the rest of a show whose device has died. An input
-/// gets silence; what an output fills is thrown away. Threads: create and destroy on main; the
-/// callback runs on the clock's own thread.
-class PacedClock {
- public:
-    /// Which of the callback's two functions is called.
-    enum class Direction { input, output };
-
-    /// Starts calling `callback`, which must outlive this, with blocks of `channels` at `rate`.
-    PacedClock(Direction direction, SampleRate rate, int channels, audio::StreamCallback& callback);
-    ~PacedClock();  ///< stops the calls and joins the thread
-    /// Not copied: the thread holds a reference to it.
-    PacedClock(const PacedClock&) = delete;
-    PacedClock& operator=(const PacedClock&) = delete;  ///< likewise
-
- private:
-    void run(Direction direction, SampleRate rate, int channels) noexcept;
-
-    audio::StreamCallback& callback_;
-    std::atomic<bool> is_stopping_{false};
-    std::thread thread_;
-};
 
 /// What `play` and `live` both need to start.
 struct LiveGraphConfig {
@@ -54,8 +32,10 @@ struct LiveGraphConfig {
     std::shared_ptr<const audio::SongPlan> plan = nullptr;
     /// play(): nothing sounds until Playback::let_go(), e.g. as a plan will come soon.
     bool is_held_back = false;
-    Nanos latency_offset{};  ///< the user's, added to what the device reports
-    Nanos pose_lead{};       ///< pictures show the pose this much ahead of the sound
+    Nanos latency_offset{};        ///< the user's, added to what the device reports
+    bool is_device_named = false;  ///< the person chose the device: the default is not followed
+    double buffer_seconds = 0.0;   ///< of the device, as the person wishes; 0: its own, and growing
+    Nanos pose_lead{};             ///< pictures show the pose this much ahead of the sound
     /// Readers of the stage besides the main thread, each on a thread of its own; they must outlive
     /// the graph.
     std::vector<StageChannel*> readers = {};
@@ -91,11 +71,16 @@ class LiveGraph {
     LiveGraph(const LiveGraph&) = delete;
     LiveGraph& operator=(const LiveGraph&) = delete;  ///< likewise
 
-    /// Checks the device; call it with every picture. When the device has died, the graph goes on
-    /// by its own clock, and the one line for the person is returned, once.
-    [[nodiscard]] std::optional<std::string> watch(HostTime now);
-    /// True from the moment that watch() found the device dead.
+    /// Looks after the device; call it with every picture. Returns lines for the person about what
+    /// happened: the default changed and was followed, the server moved the sound, the device went
+    /// or came back. While it is gone `play` pauses where it is, and `live` goes on by our own
+    /// clock.
+    [[nodiscard]] std::vector<std::string> watch(HostTime now);
+    /// True while the device is gone.
     [[nodiscard]] bool has_lost_device() const noexcept { return has_lost_device_; }
+    /// Whether all of the file has left the loudspeaker; false in `live`. Calls after the end tell
+    /// how long ago that was: call it with every picture.
+    [[nodiscard]] bool is_played_out(HostTime now) noexcept;
 
     /// The moment of the music that a picture seen at `seen_at` must show: what leaves the
     /// loudspeaker then, or with an input what sounds then; later by the pose lead.
@@ -104,11 +89,9 @@ class LiveGraph {
     /// The newest stage that the motion thread published. Threads: main only (one reader).
     [[nodiscard]] const StageState& stage() noexcept { return for_main_->read(); }
     /// Latency between our block and the loudspeaker, the user's offset included.
-    [[nodiscard]] Nanos output_latency() const noexcept {
-        return reported_latency_ + latency_offset_;
-    }
+    [[nodiscard]] Nanos output_latency() const noexcept;
     /// The person's part of it; a change moves the pictures at once. At the start it is the
-    /// configuration's where a device plays, else 0; it is 0 again when the device has died.
+    /// configuration's where a device plays, else 0.
     [[nodiscard]] Nanos latency_offset() const noexcept { return latency_offset_; }
     /// Sets it, in either direction; nothing is clamped here.
     void set_latency_offset(Nanos offset) noexcept { latency_offset_ = offset; }
@@ -144,14 +127,27 @@ class LiveGraph {
  private:
     LiveGraph() = default;
     [[nodiscard]] Expected<void> start_motion(const LiveGraphConfig& config);
+    [[nodiscard]] Expected<void> open_stream(audio::DeviceStream::Direction direction,
+                                             const audio::AudioDevice& device,
+                                             const LiveGraphConfig& config);
     [[nodiscard]] audio::StreamCallback& callback() noexcept;
-    void go_on_without_device();
+    [[nodiscard]] std::string about(const audio::AudioDevice& device, const char* how) const;
+    void hear_events(std::vector<std::string>& lines);
+    void lose_device(std::vector<std::string>& lines);
+    void take_news(std::vector<std::string>& lines);
+    void take_over(DeviceKeeper::News& news, std::vector<std::string>& lines);
+    void watch_silence(HostTime now);
 
-    std::string device_name_;
-    Nanos reported_latency_{};
+    audio::AudioDevice device_;  // the one that runs, or ran last
+    Nanos last_latency_{};       // of an output, while it is gone
     Nanos latency_offset_{};
     Nanos pose_lead_{};
     bool has_lost_device_ = false;
+    bool has_said_growth_ = false;
+    bool has_said_elsewhere_ = false;  // since there was sound last
+    HostTime heard_last_{};            // `live`: when there was sound, or a look around
+    std::optional<HostTime> finished_;
+    SleepWatch sleep_watch_;
     // Order matters: what calls is destroyed before what is called.
     std::unique_ptr<Playback> playback_;
     std::unique_ptr<LiveInput> live_input_;
@@ -160,6 +156,7 @@ class LiveGraph {
     std::unique_ptr<MotionThread> motion_;
     std::unique_ptr<PacedClock> paced_clock_;
     std::unique_ptr<audio::DeviceStream> stream_;
+    std::unique_ptr<DeviceKeeper> keeper_;  // may hold a stream that was connected
 };
 
 }  // namespace raks::engine

@@ -43,6 +43,11 @@ Expected<void> Playback::prepare(SampleRate device_rate) {
     return resampler_.prepare(file_rate_, device_rate, 2);
 }
 
+void Playback::hold() noexcept {
+    gain_ = 0.0F;
+    analysis_->stop_clock(device_rate_.time_of(frames_out_));
+}
+
 // Pulls the next frames of the file and analyzes them; returns how many. 0: none are ready, or the
 // file has ended.
 std::size_t Playback::refill() noexcept {

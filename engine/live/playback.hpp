@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "audio/io/device_stream.hpp"
 #include "audio/io/file_player.hpp"
+#include "audio/io/stream_callback.hpp"
 #include "audio/resample/resampler.hpp"
 #include "base/expected.hpp"
 #include "engine/live/analysis_stage.hpp"
@@ -28,6 +28,10 @@ class Playback final : public audio::StreamCallback {
     /// Sets the rate of what will call; before the first callback, and again when the device
     /// changes while no callback runs. Errors: the resampler refuses the rate.
     [[nodiscard]] Expected<void> prepare(SampleRate device_rate);
+
+    /// The device is gone: stream time stands still until another stream calls, and its sound fades
+    /// in. While no callback runs.
+    void hold() noexcept;
 
     /// *audio* Fills one block and marks the clock. Real-time: yes (no allocation).
     void on_output(std::span<float> interleaved,

@@ -44,6 +44,13 @@ struct Key {
 const std::array kKeys = std::to_array<Key>({
     {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
     {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
+    {"audio", "audio_system", &Settings::audio_system, 0, 0, "auto, portaudio, jack or pulse"},
+    {"audio",
+     "buffer_ms",
+     &Settings::buffer_ms,
+     0,
+     2000,
+     "of the device; 0: 40 for a loudspeaker, longer when it runs dry"},
     {"audio",
      "latency_offset_ms",
      &Settings::latency_offset_ms,
@@ -190,6 +197,7 @@ struct Name {
     std::span<const std::string_view> known;
 };
 
+constexpr std::array<std::string_view, 4> kAudioSystems = {"auto", "portaudio", "jack", "pulse"};
 constexpr std::array<std::string_view, 2> kGenerators = {"trajectories", "frames"};
 constexpr std::array<std::string_view, 3> kQualities = {"auto", "fast", "high"};
 constexpr std::array<std::string_view, 3> kViews = {"auto", "skin", "stick"};
@@ -197,6 +205,7 @@ constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
 
 // Themes, cameras, dances and formations are checked where their tables are.
 const std::array kNames = std::to_array<Name>({
+    {"audio.audio_system", &Settings::audio_system, kAudioSystems},
     {"dance.generator", &Settings::generator, kGenerators},
     {"picture.quality", &Settings::quality, kQualities},
     {"picture.view", &Settings::view, kViews},

@@ -15,10 +15,12 @@ namespace raks::engine {
 /// docs/reference/files.md.
 struct Settings {
     // [audio]
-    std::string device;              ///< input for `live`; empty: chosen, and the reason printed
-    std::string output;              ///< output for `play`; empty: the default
-    double latency_offset_ms = 0.0;  ///< added to the reported output latency; [-500, 500]
-    double volume = 1.0;             ///< [0, 2]
+    std::string device;                 ///< input for `live`; empty: chosen, and the reason printed
+    std::string output;                 ///< output for `play`; empty: the default
+    std::string audio_system = "auto";  ///< auto, portaudio, jack or pulse
+    double buffer_ms = 0.0;             ///< of the device; 0: its own choice; [0, 2000]
+    double latency_offset_ms = 0.0;     ///< added to the reported output latency; [-500, 500]
+    double volume = 1.0;                ///< [0, 2]
     // [dance]
     std::string dance = "auto";              ///< a dance's name, or auto: as recognised
     std::string fallback_dance = "first";    ///< when nothing is recognised; or keep, stand

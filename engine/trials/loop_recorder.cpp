@@ -142,9 +142,9 @@ Expected<std::unique_ptr<LoopRecorder>> LoopRecorder::start(
     return recorder;
 }
 
-Expected<void> LoopRecorder::close_loop() {
+Expected<void> LoopRecorder::close_loop(const audio::DeviceStream& output) {
     // Connected first, so that the recording begins with what the loop brings.
-    if (auto connected = audio::connect_own_outputs_to_inputs(); !connected) {
+    if (auto connected = audio::connect_jack_loop(output, *stream_); !connected) {
         return fail(connected.error());
     }
     tape_->run();
@@ -155,7 +155,7 @@ Expected<LoopRecording> LoopRecorder::recording() const {
     if (tape_->is_empty()) {
         return fail("nothing came back");
     }
-    return tape_->copy(stream_->rate(), stream_->reported_latency());
+    return tape_->copy(stream_->rate(), stream_->latency());
 }
 
 namespace {

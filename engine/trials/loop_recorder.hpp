@@ -21,10 +21,10 @@
 ///     entry of the recorder's callback + i / rate - the input's reported latency
 ///
 /// that is, as if a converter at the end of the loop began to play the block when it was handed to
-/// it. The entry is CLOCK_MONOTONIC, taken by ourselves and not by PortAudio; late wake-ups are
-/// taken out by a running median. PortAudio's JACK streams report with the same convention ("one
-/// buffer is not counted as latency"; an input has 0), so the two can be compared. What a loop
-/// of ports cannot see is the driver's own buffers and the converters: that needs a cable.
+/// it. The entry is CLOCK_MONOTONIC, taken by ourselves; late wake-ups are taken out by a running
+/// median. JACK's latencies have the same convention: an output that leads to our input alone is 0
+/// periods late, as its client is called before the recorder in the same cycle. What a loop of
+/// ports cannot see is the driver's own buffers and the converters: that needs a cable.
 namespace raks::engine {
 
 /// One recorded channel, with the host time of every sample.
@@ -73,9 +73,9 @@ class LoopRecorder {
     LoopRecorder(const LoopRecorder&) = delete;
     LoopRecorder& operator=(const LoopRecorder&) = delete;  ///< likewise
 
-    /// Connects our running output to the input and starts keeping what comes. Errors: JACK
-    /// refuses.
-    [[nodiscard]] Expected<void> close_loop();
+    /// Connects the running `output`, and nothing else, to the input and starts keeping what comes.
+    /// Errors: JACK refuses.
+    [[nodiscard]] Expected<void> close_loop(const audio::DeviceStream& output);
 
     /// What came back so far. Errors: nothing did.
     [[nodiscard]] Expected<LoopRecording> recording() const;

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/thread_priority.hpp"
+
 #define GLFW_INCLUDE_NONE
 namespace raks::render {
 
@@ -316,6 +318,8 @@ Expected<Window> Window::create(const WindowOptions& options) {
                     "; update the graphics driver, or use --headless");
     }
     glfwMakeContextCurrent(state->handle);
+    // Drawn in software, a picture takes all cores: sound comes first.
+    put_threads_behind("llvmpipe");
     // Swapping waits for the monitor's refresh.
     glfwSwapInterval(1);
     glfwGetCursorPos(state->handle, &state->mouse_x, &state->mouse_y);

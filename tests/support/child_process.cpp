@@ -50,6 +50,8 @@ void ChildProcess::end(int signal_number) {
     }
 }
 
+void ChildProcess::send(int signal_number) const { kill(pid_, signal_number); }
+
 int exit_code_of(const std::vector<std::string>& arguments) {
     return wait_for_end(start(arguments, "/dev/null"));
 }

@@ -18,6 +18,8 @@ class ChildProcess {
 
     /// Sends a signal that ends it, and waits for the end.
     void end(int signal_number);
+    /// Sends a signal that does not end it: SIGSTOP, SIGCONT.
+    void send(int signal_number) const;
     [[nodiscard]] bool is_running() const noexcept { return pid_ > 0; }
 
  private:

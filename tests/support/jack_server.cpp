@@ -78,6 +78,11 @@ bool JackServer::disconnect(const std::string& from, const std::string& to) cons
     return exit_code_of({"jack_disconnect", "-s", name_, from, to}) == 0;
 }
 
+bool JackServer::restart(int rate, int period) {
+    was_killed_ = false;
+    return start(rate, period);
+}
+
 void JackServer::kill() {
     if (process_) {
         process_->end(SIGKILL);

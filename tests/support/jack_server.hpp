@@ -7,7 +7,7 @@
 
 namespace raks::test {
 
-/// A JACK server of our own with the dummy driver, real-time where that is allowed: real PortAudio
+/// A JACK server of our own with the dummy driver, real-time where that is allowed: real streams
 /// without a sound card. Let its destructor run, also when the server was killed: JACK's registry
 /// has eight places, and a dead server's is given back there. Points this process (and its
 /// children) to it by JACK_DEFAULT_SERVER.
@@ -15,7 +15,7 @@ namespace raks::test {
 ///     JackServer jack;
 ///     ASSERT_EQ(jack.problem(), "");
 ///     ... open streams ...
-///     jack.connect("raks:out_0", "raks:in_0");
+///     jack.connect("raks:out_0", "raks-in:in_0");
 class JackServer {
  public:
     explicit JackServer(int rate = 48'000, int period = 256);
@@ -28,11 +28,13 @@ class JackServer {
     /// "SCHED_FIFO" or "normal": the scheduling class asked for.
     [[nodiscard]] const std::string& scheduling() const noexcept { return scheduling_; }
 
-    /// True when done. Ports: "raks:out_0", "raks:in_0", "system:capture_1", ...
+    /// True when done. Ports: "raks:out_0", "raks-in:in_0", "system:capture_1", ...
     [[nodiscard]] bool connect(const std::string& from, const std::string& to) const;
     [[nodiscard]] bool disconnect(const std::string& from, const std::string& to) const;
     /// Ends the server at once, as a crash would.
     void kill();
+    /// Starts it again after kill(), under the same name. False: it does not start.
+    [[nodiscard]] bool restart(int rate, int period = 256);
 
  private:
     [[nodiscard]] bool start(int rate, int period);

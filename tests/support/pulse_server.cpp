@@ -1,8 +1,14 @@
 #include "tests/support/pulse_server.hpp"
 
+#include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "tests/support/program.hpp"
 
 namespace raks::test {
 namespace {
@@ -11,45 +17,100 @@ void set_variable(const char* name, const std::string& value) {
     setenv(name, value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
 }
 
+// Arguments of module-null-sink.
+std::vector<std::string> sink(const std::string& name, const std::string& description, int rate) {
+    return {"module-null-sink",
+            "sink_name=" + name,
+            "rate=" + std::to_string(rate),
+            "channels=2",
+            "sink_properties=\"device.description='" + description + "'\""};
+}
+
+void nap() {
+    const timespec pause{0, 50'000'000};
+    nanosleep(&pause, nullptr);
+}
+
 }  // namespace
 
-PulseServer::PulseServer(const std::string& description) {
+PulseServer::PulseServer(std::string description, int rate) : description_(std::move(description)) {
     std::ofstream(folder_ / "asound.conf") << "</usr/share/alsa/alsa.conf>\n"
                                               "pcm.!default { type pulse }\n"
                                               "ctl.!default { type pulse }\n"
                                               "pcm.pulse { type pulse }\n";
-    const std::string socket = (folder_ / "native").string();
     set_variable("PULSE_RUNTIME_PATH", folder_.path().string());
     set_variable("XDG_RUNTIME_DIR", folder_.path().string());
     set_variable("HOME", folder_.path().string());
     set_variable("ALSA_CONFIG_PATH", (folder_ / "asound.conf").string());
-    set_variable("PULSE_SERVER", "unix:" + socket);
+    set_variable("PULSE_SERVER", "unix:" + (folder_ / "native").string());
     set_variable("JACK_NO_START_SERVER", "1");
+    start(rate);
+}
+
+void PulseServer::start(int rate) {
+    std::string first_sink;
+    for (const std::string& word : sink("raks_null", description_, rate)) {
+        first_sink += (first_sink.empty() ? "" : " ") + word;
+    }
     process_ = std::make_unique<ChildProcess>(
-        std::vector<std::string>{"pulseaudio",
-                                 "-n",
-                                 "--daemonize=no",
-                                 "--exit-idle-time=-1",
-                                 "--realtime=no",
-                                 "--high-priority=no",
-                                 "--disable-shm=yes",
-                                 "-L",
-                                 "module-native-protocol-unix socket=" + socket,
-                                 "-L",
-                                 "module-null-sink sink_name=raks_null rate=48000 channels=2 "
-                                 "sink_properties=\"device.description='" +
-                                     description + "'\""},
+        std::vector<std::string>{
+            "pulseaudio",
+            "-n",
+            "--daemonize=no",
+            "--exit-idle-time=-1",
+            "--realtime=no",
+            "--high-priority=no",
+            "--disable-shm=yes",
+            "--use-pid-file=no",
+            "-L",
+            "module-native-protocol-unix socket=" + (folder_ / "native").string(),
+            "-L",
+            first_sink},
         (folder_ / "log").string());
     // The server has no "ready" to wait for but its answer.
     for (int i = 0; i < 100; ++i) {
-        if (exit_code_of({"pactl", "info"}) == 0) {
-            exit_code_of({"pactl", "set-default-sink", "raks_null"});
+        if (pactl({"info"})) {
+            set_default_sink("raks_null");
             return;
         }
-        const timespec pause{0, 50'000'000};
-        nanosleep(&pause, nullptr);
+        nap();
     }
     problem_ = "pulseaudio does not start (are pulseaudio and pulseaudio-utils installed?)";
 }
+
+bool PulseServer::pactl(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "pactl");
+    return exit_code_of(arguments) == 0;
+}
+
+void PulseServer::add_sink(const std::string& name, const std::string& description, int rate) {
+    std::vector<std::string> arguments = sink(name, description, rate);
+    arguments.insert(arguments.begin(), "load-module");
+    static_cast<void>(pactl(arguments));
+}
+
+// A module has no name but its arguments: "12\tmodule-null-sink\tsink_name=raks_null ...".
+void PulseServer::remove_sink(const std::string& name) {
+    std::istringstream modules(run_program({"pactl", "list", "short", "modules"}));
+    for (std::string line; std::getline(modules, line);) {
+        if (line.find("sink_name=" + name + " ") != std::string::npos) {
+            static_cast<void>(pactl({"unload-module", line.substr(0, line.find('\t'))}));
+        }
+    }
+}
+
+void PulseServer::set_default_sink(const std::string& name) {
+    static_cast<void>(pactl({"set-default-sink", name}));
+}
+
+void PulseServer::kill() { process_->end(SIGKILL); }
+
+// The socket of a killed server is in the way.
+void PulseServer::restart(int rate) {
+    std::filesystem::remove(folder_ / "native");
+    start(rate);
+}
+
+void PulseServer::freeze(bool is_frozen) const { process_->send(is_frozen ? SIGSTOP : SIGCONT); }
 
 }  // namespace raks::test

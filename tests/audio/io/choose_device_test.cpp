@@ -11,23 +11,24 @@ using ::testing::HasSubstr;
 AudioDevice device(const char* name, const char* api, int in, int out) {
     return {.portaudio_index = 0,
             .name = name,
+            .id = name,
             .host_api = api,
             .input_channels = in,
             .output_channels = out};
 }
 
-AudioDevice monitor(const char* name, const char* description = "") {
-    AudioDevice result = device(name, "PulseAudio monitor", 2, 0);
-    result.description = description;
-    result.pulse_source = name;
+AudioDevice monitor(const char* name, const char* id) {
+    AudioDevice result = device(name, "PulseAudio", 2, 0);
+    result.id = id;
+    result.is_monitor = true;
     return result;
 }
 
 std::vector<AudioDevice> desktop() {
     std::vector<AudioDevice> devices{device("system", "JACK", 2, 2),
                                      device("some player", "JACK", 2, 0),
-                                     monitor("speakers.monitor"),
-                                     monitor("hdmi.monitor", "Monitor of Living Room Screen"),
+                                     monitor("Monitor of Speakers", "speakers.monitor"),
+                                     monitor("Monitor of Living Room Screen", "hdmi.monitor"),
                                      device("USB Mic, Deluxe: Audio (hw:1,0)", "ALSA", 1, 0),
                                      device("HDMI 0", "ALSA", 0, 8),
                                      device("default", "ALSA", 32, 32)};
@@ -39,14 +40,13 @@ std::vector<AudioDevice> desktop() {
 TEST(ChooseDevice, live_listens_to_what_the_computer_plays_when_it_can) {
     const auto choice = choose_input(desktop());
     ASSERT_TRUE(choice);
-    EXPECT_EQ(choice->device.name, "speakers.monitor");
-    EXPECT_EQ(choice->reason,
-              "'speakers.monitor' (PulseAudio monitor): it is what this computer plays");
+    EXPECT_EQ(choice->device.id, "speakers.monitor");
+    EXPECT_EQ(choice->reason, "'Monitor of Speakers' (PulseAudio): it is what this computer plays");
 }
 
 TEST(ChooseDevice, without_monitors_it_is_jack_then_the_default_then_the_first) {
     auto devices = desktop();
-    std::erase_if(devices, [](const AudioDevice& each) { return each.is_monitor(); });
+    std::erase_if(devices, [](const AudioDevice& each) { return each.is_monitor; });
     EXPECT_EQ(choose_input(devices)->device.name, "system");
     EXPECT_EQ(choose_output(devices)->device.name, "system");
     devices.erase(devices.begin(), devices.begin() + 2);
@@ -59,8 +59,9 @@ TEST(ChooseDevice, without_monitors_it_is_jack_then_the_default_then_the_first) 
 
 TEST(ChooseDevice, a_monitor_of_pipewire_through_jack_counts) {
     auto devices = desktop();
-    std::erase_if(devices, [](const AudioDevice& each) { return each.is_monitor(); });
+    std::erase_if(devices, [](const AudioDevice& each) { return each.is_monitor; });
     devices.push_back(device("Built-in Audio Monitor", "JACK", 2, 0));
+    devices.back().is_monitor = true;
     EXPECT_EQ(choose_input(devices)->device.name, "Built-in Audio Monitor");
 }
 
@@ -75,9 +76,10 @@ TEST(ChooseDevice, users_name_a_number_a_name_or_a_part_of_one) {
           Row{"usb mic", "USB Mic, Deluxe: Audio (hw:1,0)"},
           Row{"some player", "some player"},
           Row{"DEFAULT", "default"},
-          Row{"hdmi", "hdmi.monitor"},
-          Row{"monitor of living room screen", "hdmi.monitor"},
-          Row{"Living Room", "hdmi.monitor"}}) {
+          Row{"hdmi", "Monitor of Living Room Screen"},
+          Row{"monitor of living room screen", "Monitor of Living Room Screen"},
+          Row{"hdmi.monitor", "Monitor of Living Room Screen"},
+          Row{"Living Room", "Monitor of Living Room Screen"}}) {
         const auto choice = choose_input(desktop(), row.wanted);
         ASSERT_TRUE(choice) << choice.error().message;
         EXPECT_EQ(choice->device.name, row.name) << row.wanted;
@@ -90,14 +92,32 @@ TEST(ChooseDevice, what_does_not_exist_is_an_error_that_lists_what_does) {
               "no output 'kitchen'; there are 0 'system' (JACK), 5 'HDMI 0' (ALSA), "
               "6 'default' (ALSA)");
     EXPECT_THAT(choose_input(desktop(), "monitor").error().message,
-                HasSubstr("'monitor' fits several inputs: 'speakers.monitor' (PulseAudio monitor), "
-                          "'hdmi.monitor' (PulseAudio monitor, Monitor of Living Room Screen); "
+                HasSubstr("'monitor' fits several inputs: 'Monitor of Speakers' (PulseAudio), "
+                          "'Monitor of Living Room Screen' (PulseAudio); "
                           "name one in full or by number"));
     EXPECT_THAT(choose_input(desktop(), "5").error().message,
                 HasSubstr("device 5 'HDMI 0' (ALSA) is no input; there are 0 "));
     EXPECT_THAT(choose_input(desktop(), "99").error().message, HasSubstr("no input '99'"));
     EXPECT_THAT(choose_input({}).error().message, HasSubstr("no audio input was found"));
     EXPECT_EQ(choose_input({}, "x").error().message, "no input 'x'; there is none");
+}
+
+TEST(ChooseDevice, two_of_the_same_name_are_told_apart_by_their_ids) {
+    auto devices = desktop();
+    devices.push_back(monitor("Monitor of Speakers", "usb.monitor"));
+    EXPECT_THAT(choose_input(devices, "monitor of speakers").error().message,
+                HasSubstr("fits several inputs: 'Monitor of Speakers' (PulseAudio) "
+                          "speakers.monitor, 'Monitor of Speakers' (PulseAudio) usb.monitor; "));
+    EXPECT_EQ(choose_input(devices, "usb.monitor")->device.id, "usb.monitor");
+}
+
+TEST(AudioSystem, every_kind_has_a_word) {
+    for (const auto kind : {AudioSystemKind::automatic,
+                            AudioSystemKind::portaudio,
+                            AudioSystemKind::jack,
+                            AudioSystemKind::pulse}) {
+        EXPECT_EQ(audio_system_of(name_of(kind)), kind);
+    }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "audio/music/generator/music_generator.hpp"
 #include "base/random.hpp"
 #include "engine/live/analysis_stage.hpp"
+#include "engine/live/live_input.hpp"
 #include "engine/live/motion_stage.hpp"
 #include "engine/live/playback.hpp"
 #include "engine/offline/music_source.hpp"

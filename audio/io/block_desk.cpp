@@ -1,0 +1,76 @@
+#include "audio/io/block_desk.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+
+#include "base/realtime.hpp"
+
+namespace raks::audio {
+
+// What both directions do first.
+BlockTime BlockDesk::begin(std::size_t samples, HostTime entered) noexcept {
+    const std::int64_t frames = static_cast<std::int64_t>(samples) / channels_;
+    const BlockTime time{.first_frame = frames_,
+                         .entered = entered,
+                         .is_xrun = has_xrun_.exchange(false, std::memory_order_relaxed)};
+    frames_ += frames;
+    last_block_ns_.store(HostClock::now().time_since_epoch().count(), std::memory_order_relaxed);
+    block_frames_.store(static_cast<int>(frames), std::memory_order_relaxed);
+    thread_.store(pthread_self(), std::memory_order_relaxed);
+    callbacks_.fetch_add(1, std::memory_order_relaxed);
+    return time;
+}
+
+void BlockDesk::take_input(std::span<const float> interleaved, HostTime entered) noexcept {
+    const FlushToZeroScope flush_to_zero;
+    const BlockTime time = begin(interleaved.size(), entered);
+    gate_.on_input(interleaved, channels_, time);
+}
+
+void BlockDesk::take_output(std::span<float> interleaved, HostTime entered) noexcept {
+    const FlushToZeroScope flush_to_zero;
+    const BlockTime time = begin(interleaved.size(), entered);
+    std::fill(interleaved.begin(), interleaved.end(), 0.0F);
+    gate_.on_output(interleaved, channels_, time);
+}
+
+void BlockDesk::note_xrun() noexcept {
+    xruns_.fetch_add(1, std::memory_order_relaxed);
+    has_xrun_.store(true, std::memory_order_relaxed);
+}
+
+std::uint64_t BlockDesk::callbacks() const noexcept {
+    return callbacks_.load(std::memory_order_relaxed);
+}
+
+std::uint64_t BlockDesk::xruns() const noexcept { return xruns_.load(std::memory_order_relaxed); }
+
+int BlockDesk::block_frames() const noexcept {
+    return block_frames_.load(std::memory_order_relaxed);
+}
+
+HostTime BlockDesk::last_block() const noexcept {
+    return HostTime(Nanos(last_block_ns_.load(std::memory_order_relaxed)));
+}
+
+std::string BlockDesk::scheduling() const {
+    int policy = 0;
+    sched_param parameters{};
+    if (callbacks() == 0 ||
+        pthread_getschedparam(thread_.load(std::memory_order_relaxed), &policy, &parameters) != 0) {
+        return "unknown";
+    }
+    // With this flag JACK makes threads that its own start be of the ordinary class; it is not a
+    // part of the class.
+    switch (policy & ~SCHED_RESET_ON_FORK) {
+        case SCHED_FIFO:
+            return "SCHED_FIFO";
+        case SCHED_RR:
+            return "SCHED_RR";
+        default:
+            return "SCHED_OTHER";
+    }
+}
+
+}  // namespace raks::audio

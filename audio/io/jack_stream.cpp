@@ -1,0 +1,201 @@
+#include "audio/io/jack_stream.hpp"
+
+#include <jack/jack.h>
+
+#include <algorithm>
+#include <atomic>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "audio/io/block_desk.hpp"
+#include "audio/io/deadline.hpp"
+#include "audio/io/jack_devices.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::audio {
+namespace {
+
+// JACK's largest period; its callback interleaves into room for that much.
+constexpr std::size_t kMostFrames = 8192;
+
+// What JACK's threads use. It outlives a client that cannot be closed.
+struct JackLine {
+    JackLine(bool input, int channels) : is_input(input), desk(channels) {}
+
+    const bool is_input;
+    BlockDesk desk;
+    std::vector<jack_port_t*> ports;
+    std::vector<float> block;  // interleaved, kMostFrames
+    std::atomic<bool> is_shut_down{false};
+    std::atomic<bool> have_ports_changed{false};
+};
+
+// One period: JACK has a buffer for each port, our callbacks take interleaved samples.
+int on_period(jack_nframes_t frames, void* data) noexcept {
+    JackLine& line = *static_cast<JackLine*>(data);
+    const HostTime entered = HostClock::now();
+    const std::size_t stride = line.ports.size();
+    const std::size_t count = std::min<std::size_t>(frames, kMostFrames);
+    const std::span<float> block = std::span(line.block).first(count * stride);
+    if (!line.is_input) {
+        line.desk.take_output(block, entered);
+    }
+    for (std::size_t channel = 0; channel < stride; ++channel) {
+        float* const samples =
+            static_cast<float*>(jack_port_get_buffer(line.ports[channel], frames));
+        for (std::size_t i = 0; i < count; ++i) {
+            float& own = block[i * stride + channel];
+            (line.is_input ? own : samples[i]) = line.is_input ? samples[i] : own;
+        }
+    }
+    if (line.is_input) {
+        line.desk.take_input(block, entered);
+    }
+    return 0;
+}
+
+int on_xrun(void* line) noexcept {
+    static_cast<JackLine*>(line)->desk.note_xrun();
+    return 0;
+}
+
+void on_shutdown(void* line) noexcept {
+    static_cast<JackLine*>(line)->is_shut_down.store(true, std::memory_order_relaxed);
+}
+
+void on_port(jack_port_id_t, int, void* line) noexcept {
+    static_cast<JackLine*>(line)->have_ports_changed.store(true, std::memory_order_relaxed);
+}
+
+class JackStream final : public DeviceStream {
+ public:
+    JackStream(std::shared_ptr<JackLine> line, JackClient client, std::string device)
+        : DeviceStream(std::shared_ptr<BlockDesk>(line, &line->desk),
+                       SampleRate(static_cast<int>(jack_get_sample_rate(client.get())))),
+          line_(std::move(line)),
+          client_(std::move(client)),
+          name_(jack_get_client_name(client_.get())),
+          device_(std::move(device)) {}
+
+    // Where closing does not return, JACK's thread may still run: it keeps its line.
+    ~JackStream() override {
+        disconnect();
+        static_cast<void>(within(kCloseWithin, [client = client_.release(), line = line_] {
+            return jack_client_close(client);
+        }));
+    }
+    JackStream(const JackStream&) = delete;
+    JackStream& operator=(const JackStream&) = delete;
+
+    [[nodiscard]] Nanos latency() const noexcept override {
+        jack_latency_range_t range{};
+        jack_port_get_latency_range(line_->ports.front(),
+                                    line_->is_input ? JackCaptureLatency : JackPlaybackLatency,
+                                    &range);
+        const Nanos latency = rate().time_of(range.max).time_since_epoch();
+        return std::clamp<Nanos>(latency, Nanos(0), kMostLatency);
+    }
+    [[nodiscard]] bool is_alive(HostTime) const noexcept override {
+        return !line_->is_shut_down.load(std::memory_order_relaxed);
+    }
+    [[nodiscard]] std::string client_name() const override { return name_; }
+
+    // An input follows its client, which may leave and come back. The names of ports are read from
+    // memory that the server shares; only connecting asks the server.
+    [[nodiscard]] std::optional<DeviceEvent> poll() override {
+        if (!line_->is_input ||
+            !line_->have_ports_changed.exchange(false, std::memory_order_relaxed)) {
+            return std::nullopt;
+        }
+        const bool is_there = !jack_ports(client_.get(), device_, true).empty();
+        if (is_there == is_source_there_) {
+            return std::nullopt;
+        }
+        is_source_there_ = is_there;
+        if (is_there) {
+            connect_ports();
+        }
+        return DeviceEvent{
+            .kind = is_there ? DeviceEvent::Kind::source_back : DeviceEvent::Kind::source_gone,
+            .id = device_};
+    }
+
+    // Port n to port n, as far as both sides have them.
+    void connect_ports() {
+        const std::vector<std::string> theirs = jack_ports(client_.get(), device_, line_->is_input);
+        for (std::size_t i = 0; i < std::min(theirs.size(), line_->ports.size()); ++i) {
+            const char* const ours = jack_port_name(line_->ports[i]);
+            jack_connect(client_.get(),
+                         line_->is_input ? theirs[i].c_str() : ours,
+                         line_->is_input ? ours : theirs[i].c_str());
+        }
+    }
+
+ private:
+    std::shared_ptr<JackLine> line_;
+    JackClient client_;
+    std::string name_;
+    std::string device_;  // the other client
+    bool is_source_there_ = true;
+};
+
+// Makes the ports and hands JACK's threads their line. False: the server refuses.
+bool set_up(jack_client_t* client, JackLine& line, int channels) {
+    for (int i = 0; i < channels; ++i) {
+        const std::string name = fmt::format("{}_{}", line.is_input ? "in" : "out", i);
+        line.ports.push_back(jack_port_register(client,
+                                                name.c_str(),
+                                                JACK_DEFAULT_AUDIO_TYPE,
+                                                line.is_input ? JackPortIsInput : JackPortIsOutput,
+                                                0));
+    }
+    line.block.resize(kMostFrames * line.ports.size());
+    jack_on_shutdown(client, on_shutdown, &line);
+    return std::find(line.ports.begin(), line.ports.end(), nullptr) == line.ports.end() &&
+           jack_set_process_callback(client, on_period, &line) == 0 &&
+           jack_set_xrun_callback(client, on_xrun, &line) == 0 &&
+           jack_set_port_registration_callback(client, on_port, &line) == 0 &&
+           jack_activate(client) == 0;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<DeviceStream>> open_jack_stream(DeviceStream::Direction direction,
+                                                         const AudioDevice& device,
+                                                         const StreamConfig& config) {
+    const bool is_input = direction == DeviceStream::Direction::input;
+    const int most = is_input ? device.input_channels : device.output_channels;
+    const auto unusable = [&](const std::string& why) {
+        return fail(fmt::format("device {} cannot be opened as {}: {}",
+                                described(device),
+                                is_input ? "input" : "output",
+                                why));
+    };
+    if (most < 1) {
+        return unusable("it has no such channels");
+    }
+    auto client = open_jack_client(is_input ? "raks-in" : "raks");
+    if (!client) {
+        return unusable(client.error().message);
+    }
+    if (!*client) {
+        return unusable("the JACK server is not running");
+    }
+    const int channels = std::clamp(config.channels, 1, std::min(most, 8));
+    auto line = std::make_shared<JackLine>(is_input, channels);
+    jack_client_t* const connection = client->get();
+    auto stream = std::make_unique<JackStream>(line, std::move(*client), device.id);
+    const auto is_set_up = within(kServerPatience, [connection, line, channels] {
+        return set_up(connection, *line, channels);
+    });
+    if (!is_set_up || !*is_set_up) {
+        return unusable("the JACK server refuses it");
+    }
+    stream->connect_ports();
+    return stream;
+}
+
+}  // namespace raks::audio

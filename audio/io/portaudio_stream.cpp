@@ -1,0 +1,208 @@
+#include "audio/io/portaudio_stream.hpp"
+
+#include <portaudio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <thread>
+#include <utility>
+
+#include "audio/io/block_desk.hpp"
+#include "audio/io/deadline.hpp"
+#include "audio/io/portaudio_session.hpp"
+
+namespace raks::audio {
+namespace {
+
+// Time without a callback after which a device counts as dead. JACK calls every few milliseconds,
+// but may pause on an overloaded machine. A sound server behind ALSA may play out its own buffer
+// first: pauses of 1.6 to 2.2 s were seen after the first callback.
+constexpr Nanos kJackDeadAfter = std::chrono::milliseconds(1500);
+constexpr Nanos kDeadAfter = std::chrono::seconds(3);
+constexpr Nanos kFirstCallbackWithin = std::chrono::seconds(2);  // of the start
+constexpr double kUsualLatency = 0.05;  // seconds; for devices that say nothing sane
+
+// A latency that PortAudio reports, or `otherwise` when it is not plausible: PipeWire's was
+// 89,478 s.
+double sane_latency(double seconds, double otherwise) {
+    return std::isfinite(seconds) && seconds >= 0.0 && seconds <= to_seconds(kMostLatency)
+               ? seconds
+               : otherwise;
+}
+
+// What PortAudio's thread uses, in memory that is leaked with a stream that cannot be stopped.
+struct PortAudioLine {
+    PortAudioLine(bool input, int channels) : is_input(input), desk(channels) {}
+
+    const bool is_input;
+    BlockDesk desk;
+};
+
+// The device's audio thread.
+int on_block(const void* input,
+             void* output,
+             unsigned long frame_count,
+             const PaStreamCallbackTimeInfo*,
+             PaStreamCallbackFlags flags,
+             void* data) noexcept {
+    PortAudioLine& line = *static_cast<PortAudioLine*>(data);
+    const HostTime entered = HostClock::now();
+    constexpr PaStreamCallbackFlags kXrun =
+        paInputOverflow | paInputUnderflow | paOutputUnderflow | paOutputOverflow;
+    if ((flags & kXrun) != 0) {
+        line.desk.note_xrun();
+    }
+    const std::size_t samples = frame_count * static_cast<std::size_t>(line.desk.channels());
+    if (line.is_input && input != nullptr) {
+        line.desk.take_input({static_cast<const float*>(input), samples}, entered);
+    } else if (!line.is_input && output != nullptr) {
+        line.desk.take_output({static_cast<float*>(output), samples}, entered);
+    }
+    return paContinue;
+}
+
+// One attempt at a device: how it is asked for.
+struct Attempt {
+    PaDeviceIndex device = paNoDevice;
+    bool is_input = false;
+    int channels = 2;
+    double hertz = 0.0;
+    double latency = 0.0;
+};
+
+PaError open_stream(const Attempt& attempt, PortAudioLine& line, PaStream** stream) {
+    const PaStreamParameters parameters{.device = attempt.device,
+                                        .channelCount = attempt.channels,
+                                        .sampleFormat = paFloat32,
+                                        .suggestedLatency = attempt.latency,
+                                        .hostApiSpecificStreamInfo = nullptr};
+    // Any block size: PortAudio adds a buffer of delay when one is asked for.
+    return Pa_OpenStream(stream,
+                         attempt.is_input ? &parameters : nullptr,
+                         attempt.is_input ? nullptr : &parameters,
+                         attempt.hertz,
+                         paFramesPerBufferUnspecified,
+                         paNoFlag,
+                         on_block,
+                         &line);
+}
+
+class PortAudioStream final : public DeviceStream {
+ public:
+    PortAudioStream(std::shared_ptr<PortAudioLine> line,
+                    PaStream* stream,
+                    SampleRate rate,
+                    Nanos latency,
+                    Nanos dead_after)
+        : DeviceStream(std::shared_ptr<BlockDesk>(line, &line->desk), rate),
+          line_(std::move(line)),
+          stream_(stream),
+          latency_(latency),
+          dead_after_(dead_after),
+          started_(HostClock::now()) {}
+
+    // The gate first: whatever becomes of the stream, its callback is not called any more. Stopping
+    // and closing never return when the device dies meanwhile; then the thread and the stream are
+    // left behind.
+    ~PortAudioStream() override {
+        disconnect();
+        const auto closed = within(kCloseWithin, [stream = stream_, line = line_] {
+            Pa_StopStream(stream);
+            return Pa_CloseStream(stream);
+        });
+        if (!closed) {
+            leak_portaudio();
+        }
+        release_portaudio();
+    }
+    PortAudioStream(const PortAudioStream&) = delete;
+    PortAudioStream& operator=(const PortAudioStream&) = delete;
+
+    [[nodiscard]] Nanos latency() const noexcept override { return latency_; }
+
+    // Before the first callback the time since the start counts.
+    [[nodiscard]] bool is_alive(HostTime now) const noexcept override {
+        const bool is_calling_back = callbacks() == 0 ? now - started_ <= kFirstCallbackWithin
+                                                      : now - desk().last_block() <= dead_after_;
+        return is_calling_back && Pa_IsStreamActive(stream_) == 1;
+    }
+
+ private:
+    std::shared_ptr<PortAudioLine> line_;
+    PaStream* stream_;
+    Nanos latency_;
+    Nanos dead_after_;
+    HostTime started_;
+};
+
+// Tries the wanted rate and channels, then fewer or more channels, then the device's own rate: each
+// device refuses something else.
+Expected<std::unique_ptr<DeviceStream>> open_any(bool is_input,
+                                                 const AudioDevice& device,
+                                                 const StreamConfig& config) {
+    const int most = std::min(8, is_input ? device.input_channels : device.output_channels);
+    const PaDeviceInfo* const device_info = Pa_GetDeviceInfo(device.portaudio_index);
+    if (most < 1 || device_info == nullptr) {
+        return fail(most < 1 ? "it has no such channels" : "it is gone");
+    }
+    const double low =
+        is_input ? device_info->defaultLowInputLatency : device_info->defaultLowOutputLatency;
+    Attempt attempt{.device = device.portaudio_index,
+                    .is_input = is_input,
+                    .latency = config.latency_seconds > 0.0
+                                   ? std::min(config.latency_seconds, to_seconds(kMostLatency))
+                                   : sane_latency(low, kUsualLatency)};
+    PaError error = paInvalidSampleRate;
+    for (const double hertz :
+         {config.rate_hz > 0 ? config.rate_hz : device.default_rate, device.default_rate}) {
+        for (const int channels :
+             {std::clamp(config.channels, 1, most), std::min(2, most), 1, most}) {
+            attempt.hertz = hertz;
+            attempt.channels = channels;
+            auto line = std::make_shared<PortAudioLine>(is_input, channels);
+            PaStream* stream = nullptr;
+            error = open_stream(attempt, *line, &stream);
+            if (error == paNoError) {
+                error = Pa_StartStream(stream);
+                // The device may run at another rate than asked for.
+                const PaStreamInfo* const info = Pa_GetStreamInfo(stream);
+                if (error == paNoError && info != nullptr) {
+                    const double said = is_input ? info->inputLatency : info->outputLatency;
+                    return std::make_unique<PortAudioStream>(
+                        std::move(line),
+                        stream,
+                        SampleRate(static_cast<int>(std::lround(info->sampleRate))),
+                        nanos_from_seconds(sane_latency(said, attempt.latency)),
+                        device.host_api == "JACK" ? kJackDeadAfter : kDeadAfter);
+                }
+                Pa_CloseStream(stream);
+            }
+        }
+    }
+    return fail(portaudio_reason(error));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<DeviceStream>> open_portaudio_stream(DeviceStream::Direction direction,
+                                                              const AudioDevice& device,
+                                                              const StreamConfig& config) {
+    if (auto acquired = acquire_portaudio(); !acquired) {
+        return fail(acquired.error());
+    }
+    const bool is_input = direction == DeviceStream::Direction::input;
+    const SilentStderr silence;
+    auto stream = open_any(is_input, device, config);
+    if (!stream) {
+        release_portaudio();
+        return fail("device '" + device.name + "' (" + device.host_api + ", " +
+                    std::to_string(device.input_channels) + " in, " +
+                    std::to_string(device.output_channels) + " out, " +
+                    std::to_string(std::lround(device.default_rate)) + " Hz) cannot be opened as " +
+                    (is_input ? "input: " : "output: ") + stream.error().message);
+    }
+    return stream;
+}
+
+}  // namespace raks::audio

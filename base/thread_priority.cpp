@@ -1,0 +1,54 @@
+#include "base/thread_priority.hpp"
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace raks {
+namespace {
+
+// Below JACK's own threads (70 and more) and above everything that is ordinary.
+constexpr int kCallbackPriority = 55;
+constexpr int kTransportPriority = 58;
+// PulseAudio's own choice where real time is refused.
+constexpr int kPreferredNice = -11;
+constexpr int kBehindNice = 10;
+
+}  // namespace
+
+bool prefer_this_thread(SoundThread kind) noexcept {
+    sched_param parameters{};
+    parameters.sched_priority =
+        kind == SoundThread::transport ? kTransportPriority : kCallbackPriority;
+    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0 ||
+           setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kPreferredNice) == 0;
+}
+
+// Linux keeps a nice value for each thread, under the thread's number.
+int put_threads_behind(std::string_view prefix) noexcept {
+    int found = 0;
+    std::error_code error;
+    for (std::filesystem::directory_iterator task("/proc/self/task", error), end;
+         !error && task != end;
+         task.increment(error)) {
+        const std::string number = task->path().filename().string();
+        std::string name;
+        std::getline(std::ifstream(task->path() / "comm"), name);
+        id_t thread = 0;
+        const auto parsed = std::from_chars(number.data(), number.data() + number.size(), thread);
+        if (name.starts_with(prefix) && parsed.ec == std::errc() &&
+            setpriority(PRIO_PROCESS, thread, kBehindNice) == 0) {
+            ++found;
+        }
+    }
+    return found;
+}
+
+}  // namespace raks
