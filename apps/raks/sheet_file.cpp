@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "apps/terminal/say.hpp"
 #include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
 #include "render/overlay/picture_text.hpp"
@@ -31,13 +30,12 @@ Expected<Studio> open_studio(const engine::Look& look) {
     if (!context) {
         return fail(context.error());
     }
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
+    // Sheets and films are not in a hurry: shadows and smooth edges, unless somebody wants it fast.
+    const render::Quality quality =
+        look.quality == render::Quality::fast ? look.quality : render::Quality::high;
+    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = quality});
     if (!renderer) {
         return fail(renderer.error());
-    }
-    // The quality that the renderer chose by itself.
-    if (const std::string notice(renderer->notice()); !notice.empty()) {
-        say(notice);
     }
     return Studio{std::move(*context), std::move(*renderer)};
 }

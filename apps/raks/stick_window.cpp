@@ -30,6 +30,10 @@ Expected<void> show_in_window(render::Window window,
     if (!loop) {
         return fail(loop.error());
     }
+    // The quality that the renderer chose by itself.
+    if (const std::string notice(loop->notice()); !notice.empty()) {
+        loop->say(notice);
+    }
     engine::ActionDispatcher actions([&](const std::string& line) { loop->say(line); });
     static_cast<void>(loop->run(content, actions));
     return {};
