@@ -40,6 +40,7 @@ class Film final : public engine::OfflineDriver::Sink {
           lead_(nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3)),
           source_(arguments.input.filename().string()),
           total_(total),
+          is_draft_(arguments.settings.quality == "fast"),
           rgba_(static_cast<std::size_t>(target.width()) *
                 static_cast<std::size_t>(target.height()) * 4) {}
 
@@ -114,9 +115,10 @@ class Film final : public engine::OfflineDriver::Sink {
         const double pictures = *total_ * rate_.fps();
         const double expected = gone * pictures / static_cast<double>(next_ - 1);
         if (expected > kWorthSaying) {
-            say(fmt::format("about {} for {:.0f} pictures (--quality fast: a quick draft)",
+            say(fmt::format("about {} for {:.0f} pictures{}",
                             time_in_words(expected),
-                            pictures));
+                            pictures,
+                            is_draft_ ? "" : " (--quality fast: a quick draft)"));
         }
     }
 
@@ -128,6 +130,7 @@ class Film final : public engine::OfflineDriver::Sink {
     Nanos lead_;
     std::string source_;
     std::optional<double> total_;  // seconds of the film, where the music says it
+    bool is_draft_;
     HostTime begun_{};
     bool has_told_time_ = false;
     std::vector<std::uint8_t> rgba_;

@@ -52,7 +52,7 @@ constexpr double kLeastShare = 0.02;
 constexpr double kLeastSeconds = 2.0;
 }  // namespace
 
-ProgressLine::ProgressLine(std::string what)
+ProgressLine::ProgressLine(std::string_view what)
     : what_(printable(what, 60)),
       is_terminal_(isatty(STDERR_FILENO) == 1 && talk() != Talk::quiet),
       start_seconds_(seconds_now()) {}

@@ -24,7 +24,7 @@ void complain(std::string_view line);
 class ProgressLine {
  public:
     /// `what`: stands before the progress, cut to 60 characters.
-    explicit ProgressLine(std::string what);
+    explicit ProgressLine(std::string_view what);
     ~ProgressLine();  ///< clears the line
     /// Not copied: two would write to the same line.
     ProgressLine(const ProgressLine&) = delete;

@@ -271,8 +271,12 @@ Expected<ListEntries> parse_xspf(std::string_view text) {
     }
     ListEntries list;
     for (const pugi::xml_node& track : tracks.children()) {
-        ListEntry places = local_name(track) == "track" ? places_of(track) : ListEntry();
-        if (!places.empty() && !add_entry(list, std::move(places))) {
+        if (local_name(track) != "track") {
+            continue;
+        }
+        ListEntry places = places_of(track);
+        const bool has_room = places.empty() || add_entry(list, std::move(places));
+        if (!has_room) {
             break;
         }
     }

@@ -60,7 +60,7 @@ fs::path pictures_folder() {
     if (!settings.empty()) {
         const fs::path file = settings.parent_path().parent_path() / "user-dirs.dirs";
         const auto text = read_file(file, kMostBytes);
-        const fs::path folder = user_folder_in(text.value_or(""), "XDG_PICTURES_DIR", home);
+        fs::path folder = user_folder_in(text.value_or(""), "XDG_PICTURES_DIR", home);
         if (!folder.empty() && fs::is_directory(folder, ignored)) {
             return folder;
         }

@@ -81,7 +81,8 @@ void PictureText::Font::draw(
              ++column) {
             const unsigned alpha = coverage[(from_y + row) * width + from_x + column];
             const auto pixel =
-                static_cast<std::size_t>((top + row) * picture.width + left + column);
+                static_cast<std::size_t>(top + row) * static_cast<std::size_t>(picture.width) +
+                static_cast<std::size_t>(left + column);
             blend(picture.rgba[4 * pixel], rgb >> 16U & 0xFFU, alpha);
             blend(picture.rgba[4 * pixel + 1], rgb >> 8U & 0xFFU, alpha);
             blend(picture.rgba[4 * pixel + 2], rgb & 0xFFU, alpha);
