@@ -386,6 +386,8 @@ void Dancer::reset() noexcept RAKS_NONBLOCKING {
     }
 }
 
+const Pose& Dancer::shown() const noexcept { return state_->shown; }
+
 DancerStatus Dancer::status() const noexcept {
     DancerStatus status;
     const State& state = *state_;

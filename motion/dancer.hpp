@@ -97,6 +97,10 @@ class Dancer {
     /// Returns to the state after prepare(). Threads: the owner. Real-time: yes.
     void reset() noexcept RAKS_NONBLOCKING;
 
+    /// The pose of the last hop; before the first one how the dancer stands ready. A T-pose before
+    /// prepare(). Threads: the owner. Real-time: yes.
+    [[nodiscard]] const Pose& shown() const noexcept;
+
     /// What the dancer is doing at the last hop. Threads: the owner. Real-time: yes.
     [[nodiscard]] DancerStatus status() const noexcept;
 

@@ -46,6 +46,13 @@ void Ensemble::advance(const MusicState& state,
     }
 }
 
+void Ensemble::stand_ready(std::span<PoseTrack> tracks) const noexcept {
+    for (std::size_t i = 0; i < dancers_.size(); ++i) {
+        tracks[i].clear();
+        tracks[i].append_final(0, dancers_[i].shown());
+    }
+}
+
 void Ensemble::command(const DancerCommand& command) noexcept RAKS_NONBLOCKING {
     for (Dancer& dancer : dancers_) {
         dancer.command(command);

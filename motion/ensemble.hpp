@@ -42,6 +42,10 @@ class Ensemble {
     /// Resets all members. Real-time: yes.
     void reset() noexcept RAKS_NONBLOCKING;
 
+    /// How all stand ready before the first hop: hop 0 of each track, which is emptied first. To be
+    /// shown only: advance() begins on empty tracks. Real-time: yes.
+    void stand_ready(std::span<PoseTrack> tracks) const noexcept;
+
     /// Number of members.
     [[nodiscard]] std::size_t size() const noexcept { return dancers_.size(); }
     /// The first member's status; an empty one without members.

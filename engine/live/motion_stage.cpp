@@ -13,6 +13,18 @@ MotionStage::MotionStage(motion::Ensemble dancers, Wiring wiring)
       wiring_(std::move(wiring)),
       stage_(std::make_unique<StageState>()) {
     stage_->dancers = dancers_->size();
+    // What is seen until the music begins.
+    dancers_->stand_ready(stage_->tracks);
+    publish();
+    for (motion::PoseTrack& track : stage_->tracks) {
+        track.clear();
+    }
+}
+
+void MotionStage::publish() noexcept {
+    for (StageChannel* const reader : wiring_.readers) {
+        reader->write(*stage_);
+    }
 }
 
 MotionStage::~MotionStage() {
@@ -82,9 +94,7 @@ void MotionStage::tick() noexcept {
     // One copy a reader and wake-up, however many hops were danced.
     if (has_danced) {
         stage_->published_at_ns = HostClock::now().time_since_epoch().count();
-        for (StageChannel* const reader : wiring_.readers) {
-            reader->write(*stage_);
-        }
+        publish();
     }
 }
 

@@ -88,6 +88,7 @@ class MotionStage {
     static constexpr std::size_t kQueuedOrders = 64;
 
     void obey(const Order& order) noexcept;
+    void publish() noexcept;
 
     std::unique_ptr<motion::Ensemble> dancers_;
     Wiring wiring_;

@@ -47,6 +47,21 @@ TEST(MotionStage, publishes_the_newest_stage_to_every_reader) {
     EXPECT_FALSE(is_new);
 }
 
+TEST(MotionStage, shows_how_the_dancer_stands_before_the_music_begins) {
+    EventQueue<MusicState> states(8);
+    const auto channel = std::make_unique<StageChannel>();
+    motion::Ensemble dancers;
+    const Cast cast = installed::solo("salsa");
+    ASSERT_TRUE(dancers.prepare(cast.members, cast.skeleton));
+    MotionStage motion(std::move(dancers), {states, {channel.get()}});
+    const motion::Pose before = channel->read().track().at(StreamTime{});
+    ASSERT_TRUE(states.push(state_of(0)));
+    motion.tick();
+    const motion::Pose first = channel->read().track().at(StreamTime{});
+    EXPECT_GT(before.hips_position.y, 0.5F) << "not in the floor";
+    EXPECT_LT(glm::distance(before.hips_position, first.hips_position), 0.01F);
+}
+
 /// Reads until the stage of hop `last` has come.
 class ReadingThread {
  public:
