@@ -13,6 +13,9 @@ using audio::AudioDevice;
 using Direction = audio::DeviceStream::Direction;
 
 constexpr std::chrono::milliseconds kTryAgain(200);
+// PipeWire tells of another default before it says which: it is asked again, at this distance.
+constexpr int kLooks = 3;
+constexpr std::chrono::milliseconds kLookAgain(150);
 // A server moves an output by itself when the default changes; it gets so long to do it.
 constexpr std::chrono::milliseconds kServerMoves(150);
 
@@ -40,7 +43,7 @@ DeviceKeeper::~DeviceKeeper() {
 
 void DeviceKeeper::look() {
     const std::lock_guard lock(mutex_);
-    jobs_.looks = true;
+    jobs_.looks = kLooks;
     wake_.notify_one();
 }
 
@@ -92,13 +95,22 @@ std::string DeviceKeeper::current_id() {
     return current_;
 }
 
+// Under the mutex.
+bool DeviceKeeper::is_urgent() const noexcept {
+    return is_stopping_ || jobs_.reopens || jobs_.listens || jobs_.moved || !jobs_.buried.empty();
+}
+
+// After a pause, unless something more urgent comes.
+void DeviceKeeper::look_again(int times) {
+    std::unique_lock lock(mutex_);
+    wake_.wait_for(lock, kLookAgain, [this] { return is_urgent(); });
+    jobs_.looks = std::max(jobs_.looks, times);
+}
+
 // Waits for work; nothing at the end. The jobs are taken out, so that new ones can come meanwhile.
 std::optional<DeviceKeeper::Jobs> DeviceKeeper::next_jobs() {
     std::unique_lock lock(mutex_);
-    wake_.wait(lock, [this] {
-        return is_stopping_ || jobs_.looks || jobs_.reopens || jobs_.listens || jobs_.moved ||
-               !jobs_.buried.empty();
-    });
+    wake_.wait(lock, [this] { return is_urgent() || jobs_.looks > 0; });
     if (is_stopping_) {
         return std::nullopt;
     }
@@ -118,13 +130,16 @@ void DeviceKeeper::run() {
                 jobs_.reopens = true;
                 wake_.wait_for(lock, kTryAgain, [this] { return is_stopping_; });
             }
-        } else if (jobs->looks) {
+        } else if (jobs->looks > 0) {
             follow();
         }
         if (jobs->listens) {
             if (auto device = audio::other_monitor_with_sound(current_id())) {
                 tell({.kind = News::Kind::elsewhere, .device = std::move(*device), .stream = {}});
             }
+        }
+        if (jobs->looks > 1) {
+            look_again(jobs->looks - 1);
         }
     }
 }
@@ -177,13 +192,13 @@ void DeviceKeeper::follow() {
     if (!device || device->id == chosen_) {
         return;
     }
-    chosen_ = device->id;
     if (plan_.direction == Direction::output) {
         std::unique_lock lock(mutex_);
         wake_.wait_for(lock, kServerMoves, [&] { return is_stopping_ || current_ == device->id; });
     }
-    if (current_id() != device->id) {
-        static_cast<void>(open(*device));
+    // A stream that could not be opened now may be at the next look.
+    if (current_id() == device->id || open(*device)) {
+        chosen_ = device->id;
     }
 }
 

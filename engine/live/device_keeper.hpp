@@ -67,7 +67,7 @@ class DeviceKeeper {
 
  private:
     struct Jobs {
-        bool looks = false;
+        int looks = 0;  // how often still
         bool reopens = false;
         bool listens = false;
         std::optional<std::string> moved = {};
@@ -76,6 +76,8 @@ class DeviceKeeper {
 
     void run();
     [[nodiscard]] std::optional<Jobs> next_jobs();
+    [[nodiscard]] bool is_urgent() const noexcept;
+    void look_again(int times);
     [[nodiscard]] std::string current_id();
     void follow();
     void name_moved(const std::string& id);

@@ -54,7 +54,7 @@ void LiveInput::note_sleep(Nanos span) noexcept {
 // The analyzer and the stream time skip as many frames as the gap lasted, so that beats keep their
 // place.
 void LiveInput::skip_lost(Nanos gap) noexcept {
-    if (gap > kLeastLoss) {
+    if (gap > Nanos(0)) {
         const std::int64_t frames = rate_.index_at(StreamTime(std::min(gap, kMostLoss)));
         analysis_->skip(frames);
         lost_frames_.fetch_add(frames, std::memory_order_relaxed);  // relaxed: a statistic
@@ -79,7 +79,10 @@ void LiveInput::on_input(std::span<const float> interleaved,
     const Nanos gap = time.entered - last_entered_ - block;
     if (has_begun_ && (time.is_xrun || is_resuming_ || gap > kStall)) {
         analysis_->loosen_clock();
-        skip_lost(gap);
+        // Between two streams every bit counts: they would add up.
+        if (is_resuming_ || gap > kLeastLoss) {
+            skip_lost(gap);
+        }
         if (time.entered - last_sound_ - block > kLongestBlindGap) {
             analysis_->skip(0);
         }

@@ -153,6 +153,19 @@ TEST_F(PlaybackTest, a_seek_behind_the_end_that_was_set_finishes) {
     EXPECT_LT(play_out(), kPulled);
 }
 
+TEST_F(PlaybackTest, another_device_goes_on_where_the_one_before_was_lost) {
+    call();
+    const StreamTime before = playback_->analysis().taken_until();
+    playback_->hold();
+    EXPECT_FALSE(playback_->analysis().clock().is_running);
+    ASSERT_TRUE(playback_->prepare(SampleRate(96'000)));
+    const std::vector<float> first = call(2 * kBlock);
+    EXPECT_LT(first.front(), 0.01F) << "fades in";
+    EXPECT_NEAR(first.back(), 0.1F, 0.01F);
+    EXPECT_TRUE(playback_->analysis().clock().is_running);
+    EXPECT_NEAR(to_seconds(playback_->analysis().taken_until() - before), 1000.0 / 48'000, 0.008);
+}
+
 TEST_F(PlaybackTest, an_end_behind_the_file_changes_nothing) {
     playback_->set_end(1000.0);
     EXPECT_EQ(play_out(), kFileSeconds * kHertz);
