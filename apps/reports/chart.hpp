@@ -8,7 +8,8 @@
 namespace raks::apps {
 
 /// One small chart with two linear axes, written as an SVG element for a page. Lengths in CSS
-/// pixels; texts use the page's classes `frame`, `grid`, `label` and `mark`. Threads: one. Real-time: no.
+/// pixels; texts use the page's classes `frame`, `grid`, `label` and `mark`. Threads: one.
+/// Real-time: no.
 class Chart {
  public:
     /// The values that an axis spans.

@@ -164,7 +164,8 @@ TEST(BeatPath, is_the_best_of_all_paths) {
 
 TEST(SmoothBeats, takes_the_raster_out_of_a_steady_tempo) {
     std::vector<PathBeat> beats;
-    std::vector<double> places = steady(3.3, 43.7, 40.0 * kSecond);
+    const std::vector<double> places = steady(3.3, 43.7, 40.0 * kSecond);
+    beats.reserve(places.size());
     for (const double place : places) {
         beats.push_back({std::round(place), false});
     }
