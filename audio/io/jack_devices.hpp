@@ -7,7 +7,7 @@
 #include "audio/io/devices.hpp"
 #include "base/expected.hpp"
 
-struct _jack_client;  // libjack's jack_client_t
+struct _jack_client;  // NOLINT(bugprone-reserved-identifier): libjack's jack_client_t
 
 namespace raks::audio {
 

@@ -136,6 +136,30 @@ class PortAudioStream final : public DeviceStream {
     HostTime started_;
 };
 
+// Opens and starts a stream in one way. Errors: PortAudio's number; the device stays closed.
+tl::expected<std::unique_ptr<DeviceStream>, PaError> try_stream(const Attempt& attempt,
+                                                                Nanos dead_after) {
+    auto line = std::make_shared<PortAudioLine>(attempt.is_input, attempt.channels);
+    PaStream* stream = nullptr;
+    if (const PaError error = open_stream(attempt, *line, &stream); error != paNoError) {
+        return tl::unexpected(error);
+    }
+    const PaError error = Pa_StartStream(stream);
+    // The device may run at another rate than asked for.
+    const PaStreamInfo* const info = Pa_GetStreamInfo(stream);
+    if (error != paNoError || info == nullptr) {
+        Pa_CloseStream(stream);
+        return tl::unexpected(error);
+    }
+    const double said = attempt.is_input ? info->inputLatency : info->outputLatency;
+    return std::make_unique<PortAudioStream>(
+        std::move(line),
+        stream,
+        SampleRate(static_cast<int>(std::lround(info->sampleRate))),
+        nanos_from_seconds(sane_latency(said, attempt.latency)),
+        dead_after);
+}
+
 // Tries the wanted rate and channels, then fewer or more channels, then the device's own rate: each
 // device refuses something else.
 Expected<std::unique_ptr<DeviceStream>> open_any(bool is_input,
@@ -160,24 +184,12 @@ Expected<std::unique_ptr<DeviceStream>> open_any(bool is_input,
              {std::clamp(config.channels, 1, most), std::min(2, most), 1, most}) {
             attempt.hertz = hertz;
             attempt.channels = channels;
-            auto line = std::make_shared<PortAudioLine>(is_input, channels);
-            PaStream* stream = nullptr;
-            error = open_stream(attempt, *line, &stream);
-            if (error == paNoError) {
-                error = Pa_StartStream(stream);
-                // The device may run at another rate than asked for.
-                const PaStreamInfo* const info = Pa_GetStreamInfo(stream);
-                if (error == paNoError && info != nullptr) {
-                    const double said = is_input ? info->inputLatency : info->outputLatency;
-                    return std::make_unique<PortAudioStream>(
-                        std::move(line),
-                        stream,
-                        SampleRate(static_cast<int>(std::lround(info->sampleRate))),
-                        nanos_from_seconds(sane_latency(said, attempt.latency)),
-                        device.host_api == "JACK" ? kJackDeadAfter : kDeadAfter);
-                }
-                Pa_CloseStream(stream);
+            auto stream =
+                try_stream(attempt, device.host_api == "JACK" ? kJackDeadAfter : kDeadAfter);
+            if (stream) {
+                return std::move(*stream);
             }
+            error = stream.error();
         }
     }
     return fail(portaudio_reason(error));
