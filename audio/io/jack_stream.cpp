@@ -20,6 +20,7 @@ namespace {
 
 // JACK's largest period; its callback interleaves into room for that much.
 constexpr std::size_t kMostFrames = 8192;
+constexpr Nanos kSettles = std::chrono::seconds(1);  // names of ports, after a change
 
 // What JACK's threads use. It outlives a client that cannot be closed.
 struct JackLine {
@@ -106,8 +107,12 @@ class JackStream final : public DeviceStream {
     // An input follows its client, which may leave and come back. The names of ports are read from
     // memory that the server shares; only connecting asks the server.
     [[nodiscard]] std::optional<DeviceEvent> poll() override {
-        if (!line_->is_input ||
-            !line_->have_ports_changed.exchange(false, std::memory_order_relaxed)) {
+        // JACK tells of a port that goes while its name may still be read: looked at for a while.
+        const HostTime now = HostClock::now();
+        if (line_->have_ports_changed.exchange(false, std::memory_order_relaxed)) {
+            looks_until_ = now + kSettles;
+        }
+        if (!line_->is_input || now >= looks_until_) {
             return std::nullopt;
         }
         const bool is_there = !jack_ports(client_.get(), device_, true).empty();
@@ -140,6 +145,7 @@ class JackStream final : public DeviceStream {
     std::string name_;
     std::string device_;  // the other client
     bool is_source_there_ = true;
+    HostTime looks_until_{};  // at the ports, after a change
 };
 
 // Makes the ports and hands JACK's threads their line. False: the server refuses.
