@@ -17,6 +17,9 @@ namespace raks {
 ///
 /// A trivially copyable value; every method is real-time safe from any thread.
 struct BeatGrid {
+    /// Confidence from which on music can be danced to.
+    static constexpr float kDanceable = 0.35F;
+
     StreamTime anchor_time{};  ///< stream time of `anchor_beat`
     Beats anchor_beat{};       ///< any position, mostly a whole beat
     Bpm tempo{120.0};          ///< slope of the line, > 0

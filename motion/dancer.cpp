@@ -18,9 +18,9 @@
 namespace raks::motion {
 namespace {
 
-// Confidence of the beat grid from which on the music can be danced to.
-constexpr float kStartConfidence = 0.35F;
-constexpr float kStopConfidence = 0.10F;    // lower, so that a dip does not end the dance
+// Confidence of the beat grid below which the dance may end; lower than that from which it
+// begins, so that a dip does not end it.
+constexpr float kStopConfidence = 0.10F;
 constexpr int kHopsToStart = 60;            // of sure music before the first step (0.6 s)
 constexpr double kLeastDance = 2.0;         // bars that a known song must still have for a start
 constexpr int kHopsToStop = 150;            // of unsure music or silence before settling (1.5 s)
@@ -94,7 +94,7 @@ struct Dancer::State {
     bool is_dancing = false;
     bool is_held = false;       // by command, until release
     bool was_downbeat = false;  // at the last hop that might have begun
-    int hops_sure = 0;          // consecutive hops above kStartConfidence
+    int hops_sure = 0;          // consecutive hops above BeatGrid::kDanceable
     int hops_unsure = 0;        // consecutive hops of silence or below kStopConfidence
     DancePhase phase;
     double pace = 1.0;  // danced tempo / learnt tempo, smoothed over about a second
@@ -264,7 +264,7 @@ void Dancer::State::settle(StreamTime now) noexcept {
 
 /// The state machine of one hop: starts on a downbeat, dances on, or settles.
 void Dancer::State::decide(const MusicState& music) noexcept {
-    const bool is_sure = !music.is_silent && music.grid.confidence >= kStartConfidence;
+    const bool is_sure = !music.is_silent && music.grid.confidence >= BeatGrid::kDanceable;
     const bool is_unsure = music.is_silent || music.grid.confidence < kStopConfidence;
     hops_sure = is_sure ? hops_sure + 1 : 0;
     hops_unsure = is_unsure ? hops_unsure + 1 : 0;

@@ -8,6 +8,7 @@
 #include "apps/terminal/program.hpp"
 #include "audio/io/devices.hpp"
 #include "audio/music/generator/music_generator.hpp"
+#include "base/sleep_until.hpp"
 #include "engine/live/live_graph.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/trials/loop_recorder.hpp"
@@ -28,14 +29,6 @@ constexpr double kBpm = 180.0;
 constexpr double kLeadIn = 2.0;
 // PacedClock's block, where no device says its own.
 constexpr int kOwnClockBlock = 256;
-
-// An absolute time: pictures that are late do not shift those after them.
-void sleep_until(HostTime time) {
-    timespec until{};
-    until.tv_sec = time.time_since_epoch().count() / 1'000'000'000;
-    until.tv_nsec = time.time_since_epoch().count() % 1'000'000'000;
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-}
 
 // What every picture would have shown, and the ages that belong to it.
 struct Watched {

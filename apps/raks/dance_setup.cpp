@@ -109,6 +109,9 @@ Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const Off
         if (!plan) {
             return fail(std::move(plan.error()));
         }
+        if (stop_signal()) {
+            return fail("stopped while the music was analyzed");
+        }
         if (*plan) {
             // At a whole frame, as it is decoded from there on.
             const StreamTime start =

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "audio/beat/beat_limits.hpp"
+
 namespace raks::audio {
 namespace {
-
-// The onset strength is greatest in the window whose middle lies this much after the onset;
-// measured on clicks.
-constexpr double kOnsetLagHops = -0.05;
 
 // Gains of the filter that follows the estimated phase: critically damped, time constant about 0.17
 // s. With a phase gain of 0.07, one beat in 77 moved by 5 ms between two sample rates.
@@ -28,19 +26,10 @@ constexpr double kSteadyBeats = 12.0;    // over which the tempo to run on with 
 constexpr double kFirstSteady = 1.0;     // beats, after a grid was set anew
 constexpr double kSteadyReach = 0.05;    // ratio: beyond it the tempo was changing
 
-constexpr float kAnnounceConfidence = 0.02F;  // below it no beat is announced
-// Evidence on beats: at the first value as much as noise has, at the second certain; of the onset
-// strength and of a network.
-constexpr float kLeastStrength = 0.15F;
-constexpr float kFullStrength = 0.9F;
-constexpr float kLeastEvidence = 0.08F;
-constexpr float kFullEvidence = 0.35F;
 constexpr float kMassShare = 0.02F;     // of a hop in the smoothed mass
 constexpr float kSilentDecay = 0.985F;  // a hop: confidence is gone after 2 s
 
-constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 constexpr Nanos kAnnounceLead = kHop;
-constexpr double kLeastGap = 0.45;  // of a beat, between two announcements
 
 // Difference of phases, in [-0.5, 0.5].
 double wrapped(double phase) { return phase - std::round(phase); }

@@ -10,6 +10,8 @@
 #include "audio/io/portaudio_stream.hpp"
 #include "audio/io/pulse_stream.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::audio {
 
 DeviceStream::DeviceStream(std::shared_ptr<BlockDesk> desk, SampleRate rate)
@@ -17,9 +19,11 @@ DeviceStream::DeviceStream(std::shared_ptr<BlockDesk> desk, SampleRate rate)
 
 DeviceStream::~DeviceStream() = default;
 
-Expected<std::unique_ptr<DeviceStream>> DeviceStream::open(Direction direction,
-                                                           const AudioDevice& device,
-                                                           const StreamConfig& config) {
+namespace {
+
+Expected<std::unique_ptr<DeviceStream>> open_by_kind(DeviceStream::Direction direction,
+                                                     const AudioDevice& device,
+                                                     const StreamConfig& config) {
     switch (device.system) {
         case AudioSystemKind::jack:
             return open_jack_stream(direction, device, config);
@@ -28,6 +32,24 @@ Expected<std::unique_ptr<DeviceStream>> DeviceStream::open(Direction direction,
         default:
             return open_portaudio_stream(direction, device, config);
     }
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<DeviceStream>> DeviceStream::open(Direction direction,
+                                                           const AudioDevice& device,
+                                                           const StreamConfig& config) {
+    const bool is_input = direction == Direction::input;
+    const bool has_channels = (is_input ? device.input_channels : device.output_channels) > 0;
+    auto stream =
+        has_channels ? open_by_kind(direction, device, config) : fail("it has no such channels");
+    if (!stream) {
+        return fail(fmt::format("device {} cannot be opened as {}: {}",
+                                described(device),
+                                is_input ? "input" : "output",
+                                stream.error().message));
+    }
+    return stream;
 }
 
 Expected<std::unique_ptr<DeviceStream>> DeviceStream::open_input(const AudioDevice& device,

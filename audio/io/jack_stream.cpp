@@ -174,21 +174,12 @@ Expected<std::unique_ptr<DeviceStream>> open_jack_stream(DeviceStream::Direction
                                                          const StreamConfig& config) {
     const bool is_input = direction == DeviceStream::Direction::input;
     const int most = is_input ? device.input_channels : device.output_channels;
-    const auto unusable = [&](const std::string& why) {
-        return fail(fmt::format("device {} cannot be opened as {}: {}",
-                                described(device),
-                                is_input ? "input" : "output",
-                                why));
-    };
-    if (most < 1) {
-        return unusable("it has no such channels");
-    }
     auto client = open_jack_client(is_input ? "raks-in" : "raks");
     if (!client) {
-        return unusable(client.error().message);
+        return fail(client.error());
     }
     if (!*client) {
-        return unusable("the JACK server is not running");
+        return fail("the JACK server is not running");
     }
     const int channels = std::clamp(config.channels, 1, std::min(most, 8));
     auto line = std::make_shared<JackLine>(is_input, channels);
@@ -198,7 +189,7 @@ Expected<std::unique_ptr<DeviceStream>> open_jack_stream(DeviceStream::Direction
         return set_up(connection, *line, channels);
     });
     if (!is_set_up || !*is_set_up) {
-        return unusable("the JACK server refuses it");
+        return fail("the JACK server refuses it");
     }
     stream->connect_ports();
     return stream;

@@ -167,8 +167,8 @@ Expected<std::unique_ptr<DeviceStream>> open_any(bool is_input,
                                                  const StreamConfig& config) {
     const int most = std::min(8, is_input ? device.input_channels : device.output_channels);
     const PaDeviceInfo* const device_info = Pa_GetDeviceInfo(device.portaudio_index);
-    if (most < 1 || device_info == nullptr) {
-        return fail(most < 1 ? "it has no such channels" : "it is gone");
+    if (device_info == nullptr) {
+        return fail("it is gone");
     }
     const double low =
         is_input ? device_info->defaultLowInputLatency : device_info->defaultLowOutputLatency;
@@ -208,11 +208,7 @@ Expected<std::unique_ptr<DeviceStream>> open_portaudio_stream(DeviceStream::Dire
     auto stream = open_any(is_input, device, config);
     if (!stream) {
         release_portaudio();
-        return fail("device '" + device.name + "' (" + device.host_api + ", " +
-                    std::to_string(device.input_channels) + " in, " +
-                    std::to_string(device.output_channels) + " out, " +
-                    std::to_string(std::lround(device.default_rate)) + " Hz) cannot be opened as " +
-                    (is_input ? "input: " : "output: ") + stream.error().message);
+        return fail(stream.error());
     }
     return stream;
 }

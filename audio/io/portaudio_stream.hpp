@@ -7,7 +7,7 @@
 namespace raks::audio {
 
 /// A stream of PortAudio, for ALSA, OSS and what else it knows. PortAudio chooses the block size.
-/// Errors: as DeviceStream::open().
+/// `device` has channels in that direction. Errors: why not, as the end of a line.
 [[nodiscard]] Expected<std::unique_ptr<DeviceStream>> open_portaudio_stream(
     DeviceStream::Direction direction, const AudioDevice& device, const StreamConfig& config);
 

@@ -1,18 +1,16 @@
 #include "audio/io/pulse_stream.hpp"
 
-#include <semaphore.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <deque>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "audio/io/bell.hpp"
 #include "audio/io/block_desk.hpp"
 #include "audio/io/deadline.hpp"
 #include "audio/io/pulse_connection.hpp"
@@ -36,7 +34,6 @@ constexpr double kSmoothing = 0.005;     // of the latency, a block: 1 s
 // so long was stopped itself.
 constexpr Nanos kStarvedAfter = std::chrono::milliseconds(250);
 constexpr Nanos kStoppedAfter = std::chrono::milliseconds(800);
-constexpr std::int64_t kNapNanos = 100'000'000;
 
 // How far the server had played when libpulse's thread looked last.
 struct Played {
@@ -44,31 +41,6 @@ struct Played {
     Nanos latency{};           // from then to the moment at which frame `written` will be heard
     std::int64_t written = 0;  // frames handed to the server by then
     bool is_known = false;
-};
-
-// A semaphore that a thread can wait for with a limit; posting never blocks.
-class Bell {
- public:
-    Bell() { sem_init(&semaphore_, 0, 0); }
-    ~Bell() { sem_destroy(&semaphore_); }
-    Bell(const Bell&) = delete;
-    Bell& operator=(const Bell&) = delete;
-
-    void ring() noexcept { sem_post(&semaphore_); }
-    // Until it rings, at most 100 ms.
-    void wait() noexcept {
-        timespec until{};
-        clock_gettime(CLOCK_MONOTONIC, &until);
-        until.tv_nsec += kNapNanos;
-        if (until.tv_nsec >= 1'000'000'000) {
-            until.tv_nsec -= 1'000'000'000;
-            ++until.tv_sec;
-        }
-        sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &until);
-    }
-
- private:
-    sem_t semaphore_{};
 };
 
 struct FreeStream {
@@ -441,21 +413,12 @@ Expected<std::unique_ptr<DeviceStream>> open_pulse_stream(DeviceStream::Directio
                                                           const StreamConfig& config) {
     const bool is_input = direction == DeviceStream::Direction::input;
     const int most = is_input ? device.input_channels : device.output_channels;
-    const auto unusable = [&](const std::string& why) {
-        return fail(fmt::format("device {} cannot be opened as {}: {}",
-                                described(device),
-                                is_input ? "input" : "output",
-                                why));
-    };
-    if (most < 1) {
-        return unusable("it has no such channels");
-    }
     const int rate =
         config.rate_hz > 0 ? config.rate_hz : static_cast<int>(std::lround(device.default_rate));
     auto stream = std::make_unique<PulseStream>(
         direction, SampleRate(rate), std::clamp(config.channels, 1, std::min(most, 8)), config);
     if (auto opened = stream->open(device, config.stays); !opened) {
-        return unusable(opened.error().message);
+        return fail(opened.error());
     }
     stream->start();
     return stream;

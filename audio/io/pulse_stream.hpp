@@ -13,7 +13,7 @@ namespace raks::audio {
 /// runs dry (StreamConfig::may_grow). Unless it `stays`, the server may move an output, and it goes
 /// where the person or the desktop sends it. An input is never moved: a monitor that disappears
 /// must not become a microphone; it dies instead.
-/// Errors: as DeviceStream::open().
+/// `device` has channels in that direction. Errors: why not, as the end of a line.
 [[nodiscard]] Expected<std::unique_ptr<DeviceStream>> open_pulse_stream(
     DeviceStream::Direction direction, const AudioDevice& device, const StreamConfig& config);
 

@@ -5,18 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "audio/beat/beat_limits.hpp"
+
 namespace raks::audio {
 namespace {
 
-// The onset strength is greatest in the window whose middle lies this much after the onset, as in
-// BeatTracker.
-constexpr double kOnsetLagHops = -0.05;
-// Evidence on beats: at the first value as much as noise has, at the second certain; of a network
-// and of the onset strength.
-constexpr float kLeastEvidence = 0.08F;
-constexpr float kFullEvidence = 0.35F;
-constexpr float kLeastStrength = 0.15F;
-constexpr float kFullStrength = 0.9F;
 constexpr std::size_t kRatedBeats = 4;  // over which the evidence is averaged, on either side
 
 // Evidence around a beat: of two hops on either side.

@@ -6,18 +6,12 @@
 #include <optional>
 #include <utility>
 
+#include "audio/beat/beat_limits.hpp"
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_model.hpp"
 
 namespace raks::audio {
 namespace {
-
-// Confidence from which on the music can be danced to, as the dancer has it.
-constexpr float kDanceable = 0.35F;
-constexpr float kAnnounced = 0.02F;  // below it no beat is announced
-// Shortest time between two beats that are announced, as a share of the beat.
-constexpr double kLeastGap = 0.45;
-constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 
 // Energy: loudness of the next two bars or so against the whole song's.
 constexpr std::size_t kAheadHops = 250;
@@ -44,7 +38,7 @@ void write_beats(const std::vector<SongBeat>& beats, std::vector<MusicState>& st
     for (const SongBeat& beat : beats) {
         const std::size_t hop = hop_at(beat.time, states.size());
         const double gap = kLeastGap * states[hop].grid.tempo.seconds_per_beat();
-        if (beat.confidence <= kAnnounced || states[hop].is_silent ||
+        if (beat.confidence <= kAnnounceConfidence || states[hop].is_silent ||
             to_seconds(beat.time - last) < gap) {
             continue;
         }
@@ -60,7 +54,9 @@ void write_beats(const std::vector<SongBeat>& beats, std::vector<MusicState>& st
 // When the dance may begin and must end. Without any danceable beat: at the end.
 void write_foresight(const std::vector<SongBeat>& beats, std::vector<MusicState>& states) {
     const StreamTime end = states.back().time;
-    const auto is_danceable = [](const SongBeat& beat) { return beat.confidence >= kDanceable; };
+    const auto is_danceable = [](const SongBeat& beat) {
+        return beat.confidence >= BeatGrid::kDanceable;
+    };
     const auto first = std::find_if(beats.begin(), beats.end(), [&](const SongBeat& beat) {
         return is_danceable(beat) && beat.place.position == 0;
     });

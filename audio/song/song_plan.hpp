@@ -24,9 +24,9 @@ struct SongPlan {
     /// bar 5, then of every eighth bar. They follow from the song alone.
     std::vector<StreamTime> joins;
 
-    /// The state at a place of the song, for stream time `now`: grid and times are shifted, the
-    /// number of the hop is `hop`. Places outside the song have the state of its first or last hop.
-    /// Real-time: yes.
+    /// The state at a place of the song for hop `hop` of a stream: grid and times are shifted to
+    /// that hop's time. Places outside the song have the state of its first or last hop. Real-time:
+    /// yes.
     [[nodiscard]] MusicState at(StreamTime place, HopIndex hop) const noexcept RAKS_NONBLOCKING;
 };
 

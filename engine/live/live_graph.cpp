@@ -58,9 +58,6 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     if (config.is_held_back) {
         graph->playback_->hold_back();
     }
-    if (config.plan) {
-        graph->analysis_->planned().set_plan(config.plan, PlannedStates::Beginning::now);
-    }
     if (output) {
         if (auto opened = graph->open_stream(Direction::output, *output, config); !opened) {
             return fail(opened.error());
@@ -191,7 +188,7 @@ void LiveGraph::lose_device(std::vector<std::string>& lines) {
     keeper_->reopen();
     has_lost_device_ = true;
     if (playback_) {
-        playback_->hold();
+        playback_->stop_clock();
     } else {
         paced_clock_ = std::make_unique<PacedClock>(
             PacedClock::Direction::input, analysis_->rate(), kOwnClockChannels, live_input_->gap());

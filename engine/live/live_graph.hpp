@@ -28,8 +28,6 @@ namespace raks::engine {
 struct LiveGraphConfig {
     AnalyzerModels models;  ///< beat network, genre model and list of dances
     Cast cast;              ///< the dancers, their repertoires and skeleton
-    /// The song that play() plays, where it is known already; null: it is analyzed as it comes.
-    std::shared_ptr<const audio::SongPlan> plan = nullptr;
     /// play(): nothing sounds until Playback::let_go(), e.g. as a plan will come soon.
     bool is_held_back = false;
     Nanos latency_offset{};        ///< the user's, added to what the device reports
@@ -114,8 +112,7 @@ class LiveGraph {
     bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
 
     /// The plan of the song that plays came to hand: it is followed from now on, where nothing has
-    /// sounded yet, or from a bar line on, see PlannedStates. At most once, and not where play()
-    /// was given one.
+    /// sounded yet, or from a bar line on, see PlannedStates. At most once.
     void follow(std::shared_ptr<const audio::SongPlan> plan, PlannedStates::Beginning beginning) {
         analysis_->planned().set_plan(std::move(plan), beginning);
     }

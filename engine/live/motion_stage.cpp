@@ -1,10 +1,10 @@
 #include "engine/live/motion_stage.hpp"
 
-#include <ctime>
 #include <utility>
 
 #include "base/assert.hpp"
 #include "base/realtime.hpp"
+#include "base/sleep_until.hpp"
 
 namespace raks::engine {
 
@@ -102,19 +102,7 @@ namespace {
 
 // Well under a hop (10 ms): a state waits at most this long. Between ticks the thread sleeps, 98 %
 // of the time.
-constexpr std::int64_t kNapNanos = 2'000'000;
-
-// Sleeps until an absolute time, so that an interrupted call cannot lengthen the nap.
-void nap() noexcept {
-    timespec until{};
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += kNapNanos;
-    if (until.tv_nsec >= 1'000'000'000) {
-        until.tv_nsec -= 1'000'000'000;
-        ++until.tv_sec;
-    }
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-}
+constexpr Nanos kNap = std::chrono::milliseconds(2);
 
 }  // namespace
 
@@ -130,7 +118,7 @@ MotionThread::~MotionThread() {
 void MotionThread::run() noexcept {
     while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
         stage_.tick();
-        nap();
+        sleep_until(HostClock::now() + kNap);
     }
 }
 

@@ -1,10 +1,10 @@
 #include "engine/live/paced_clock.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
 #include "base/realtime.hpp"
+#include "base/sleep_until.hpp"
 #include "base/thread_priority.hpp"
 
 namespace raks::engine {
@@ -14,15 +14,6 @@ namespace {
 constexpr std::int64_t kBlockFrames = 256;
 // After a longer stall (a suspended machine) the clock goes on from now instead of racing after.
 constexpr Nanos kMaxBehind = std::chrono::milliseconds(500);
-
-// An absolute time: errors of single sleeps do not add up.
-void sleep_until(HostTime time) noexcept {
-    const std::int64_t ns = time.time_since_epoch().count();
-    timespec until{};
-    until.tv_sec = ns / 1'000'000'000;
-    until.tv_nsec = ns % 1'000'000'000;
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-}
 
 }  // namespace
 

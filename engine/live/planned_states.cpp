@@ -23,13 +23,7 @@ void PlannedStates::set_place(StreamTime stream, StreamTime place) noexcept RAKS
     if (std::chrono::abs(shift - shift_) >= kLeastSeek) {
         shift_before_ = std::exchange(shift_, shift);
         shifted_at_ = stream;
-        has_joined_ = false;
     }
-}
-
-void PlannedStates::let_person_lead(bool leads) noexcept RAKS_NONBLOCKING {
-    is_led_ = leads;
-    has_joined_ = has_joined_ && !leads;
 }
 
 // Whether the song has come to a bar line at which the plan may begin, since it was there.
@@ -48,7 +42,6 @@ bool PlannedStates::begins(const audio::SongPlan& plan, StreamTime place) noexce
 // Numbers the plan's beats so that they go on from the last grid's, and that one of its downbeats
 // stays one.
 void PlannedStates::join(const BeatGrid& next, StreamTime time) noexcept {
-    has_joined_ = true;
     const double apart = (last_.beats_at(time) - next.beats_at(time)).count();
     const double bars_apart = (last_.bar_origin - next.bar_origin).count();
     // The number that is nearest to `apart` of those that lead downbeat to downbeat.
@@ -58,7 +51,11 @@ void PlannedStates::join(const BeatGrid& next, StreamTime time) noexcept {
 
 MusicState PlannedStates::at(const MusicState& found) noexcept RAKS_NONBLOCKING {
     const audio::SongPlan* const plan = active_.load(std::memory_order_acquire);
-    const StreamTime place = found.time + (found.time < shifted_at_ ? shift_before_ : shift_);
+    // Hops come out some time after their samples went in: the last ones before a seek, too.
+    const Nanos shift = found.time < shifted_at_ ? shift_before_ : shift_;
+    const StreamTime place = found.time + shift;
+    const bool goes_on = is_following() && shift == last_shift_;
+    last_shift_ = shift;
     const bool follows = plan != nullptr && !is_led_ && (is_following() || begins(*plan, place));
     is_following_.store(follows, std::memory_order_relaxed);
     if (!follows) {
@@ -66,10 +63,9 @@ MusicState PlannedStates::at(const MusicState& found) noexcept RAKS_NONBLOCKING 
         return found;
     }
     MusicState state = plan->at(place, found.hop);
-    if (!has_joined_ && found.hop > 0) {
+    if (!goes_on && found.hop > 0) {
         join(state.grid, state.time);
     }
-    has_joined_ = true;
     state.grid.anchor_beat = state.grid.anchor_beat + renumbered_;
     state.grid.bar_origin = state.grid.bar_origin + renumbered_;
     state.is_discontinuity = found.is_discontinuity;

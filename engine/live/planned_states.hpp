@@ -36,7 +36,7 @@ class PlannedStates {
 
     /// *audio* A person leads the beats: the analysis is followed, which has heard the command;
     /// false: the plan again. Real-time: yes.
-    void let_person_lead(bool leads) noexcept RAKS_NONBLOCKING;
+    void let_person_lead(bool leads) noexcept RAKS_NONBLOCKING { is_led_ = leads; }
 
     /// Whether the last state was the plan's. Threads: any.
     [[nodiscard]] bool is_following() const noexcept {
@@ -56,9 +56,9 @@ class PlannedStates {
     Nanos shift_before_{};      // the same before the last seek
     StreamTime shifted_at_{};   // stream time of the last seek
     bool is_led_ = false;       // by a person
-    bool has_joined_ = false;   // beat numbers are set
     bool was_waiting_ = false;  // for a bar line
     StreamTime waits_from_{};   // place at which that began
+    Nanos last_shift_{};        // at the last hop
     Beats renumbered_{};        // added to the plan's beat numbers
     BeatGrid last_;             // the grid of the last hop
     std::atomic<bool> is_following_{false};

@@ -43,7 +43,7 @@ Expected<void> Playback::prepare(SampleRate device_rate) {
     return resampler_.prepare(file_rate_, device_rate, 2);
 }
 
-void Playback::hold() noexcept {
+void Playback::stop_clock() noexcept {
     gain_ = 0.0F;
     analysis_->stop_clock(device_rate_.time_of(frames_out_));
 }

@@ -31,7 +31,7 @@ class Playback final : public audio::StreamCallback {
 
     /// The device is gone: stream time stands still until another stream calls, and its sound fades
     /// in. While no callback runs.
-    void hold() noexcept;
+    void stop_clock() noexcept;
 
     /// *audio* Fills one block and marks the clock. Real-time: yes (no allocation).
     void on_output(std::span<float> interleaved,

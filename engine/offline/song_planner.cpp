@@ -36,10 +36,7 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
         if (const auto share = source->progress(); share && progress) {
             progress(*share);
         }
-        if (is_stopped && is_stopped()) {
-            break;
-        }
-        if (source->given() > kLongest) {
+        if (source->given() > kLongest || (is_stopped && is_stopped())) {
             return PlanOfSong();
         }
     }

@@ -156,7 +156,7 @@ TEST_F(PlaybackTest, a_seek_behind_the_end_that_was_set_finishes) {
 TEST_F(PlaybackTest, another_device_goes_on_where_the_one_before_was_lost) {
     call();
     const StreamTime before = playback_->analysis().taken_until();
-    playback_->hold();
+    playback_->stop_clock();
     EXPECT_FALSE(playback_->analysis().clock().is_running);
     ASSERT_TRUE(playback_->prepare(SampleRate(96'000)));
     const std::vector<float> first = call(2 * kBlock);

@@ -58,7 +58,7 @@ TEST_F(SongPlannerTest, a_file_that_cannot_be_read_has_no_plan) {
 TEST_F(SongPlannerTest, ends_early_when_told) {
     const auto plan = plan_song(song("a.wav", 12.0), installed::models(), {}, [] { return true; });
     ASSERT_TRUE(plan);
-    EXPECT_LT((*plan)->states.size(), 10U);
+    EXPECT_EQ(*plan, nullptr);
 }
 
 // When the first dancer dances, and how.
