@@ -104,9 +104,10 @@ class ChainedReader final : public AudioFileReader {
             add_note(warning_,
                      path_,
                      fmt::format("its streams differ in rate or channels; all are brought to the "
-                                 "first's {} Hz and {}",
+                                 "first's {} Hz and {} channel{}",
                                  info_.rate.hertz(),
-                                 info_.channels));
+                                 info_.channels,
+                                 info_.channels == 1 ? "" : "s"));
         }
         if (lost_links_ > 0) {
             add_note(warning_,
