@@ -184,9 +184,7 @@ FlacLength read_flac_length(const FileWindow& file) {
     }
     length.claimed = static_cast<std::int64_t>(info->total);
     length.found = last_end(file, *info);
-    if (length.found != length.claimed || length.found == 0) {
-        find_starts(file, length.starts);
-    }
+    find_starts(file, length.starts);
     const bool is_one = length.starts.size() == 1;
     if (is_one && length.found > length.claimed && length.found < std::int64_t{1} << 36U) {
         length.window = with_total(file, length.found);

@@ -15,12 +15,13 @@ struct FlacLength {
     /// (not FLAC, or damaged at its end).
     std::int64_t found = 0;
     /// Starts of FLAC files that lie one behind the other in this one (`cat a.flac b.flac`), the
-    /// first of them 0. Looked for only where the last frame does not fit the first head.
+    /// first of them 0.
     std::vector<std::int64_t> starts{0};
     FileWindow window;  ///< with a head that says `found` where the head said less, or nothing
 };
 
-/// Reads head and last frame. Never fails. Threads: any. Real-time: no.
+/// Reads head and last frame, and the file once for further starts. Never fails. Threads: any.
+/// Real-time: no.
 [[nodiscard]] FlacLength read_flac_length(const FileWindow& file);
 
 }  // namespace raks::audio

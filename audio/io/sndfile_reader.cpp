@@ -130,7 +130,9 @@ class SndfileReader final : public AudioFileReader {
     // file that grows.
     void note_end() {
         const double rate = info_.rate.hertz();
-        const bool is_short = info_.claimed_frames && position_ < claimed_frames_;
+        // With all its bytes there, a codec's estimate of the length was too long.
+        const bool is_short =
+            info_.claimed_frames && position_ < claimed_frames_ && !input_.is_complete;
         const double missing =
             input_.missing_seconds +
             (is_short ? static_cast<double>(claimed_frames_ - position_) / rate : 0.0);

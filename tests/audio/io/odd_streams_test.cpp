@@ -139,6 +139,38 @@ TEST_F(OddStreamsTest, ogg_streams_of_one_form_need_no_word) {
     EXPECT_EQ(mono->warning, "");
 }
 
+TEST_F(OddStreamsTest, flacs_that_lie_one_behind_the_other_follow_each_other) {
+    const auto wav = make_wav("a.wav", 1.0, 16'000);
+    const auto other = make_wav("b.wav", 1.5, 16'000);
+    const auto a = read_all_mono(wav).value().samples;
+    const std::string first = read_file(encode(wav, "a.flac")).value();
+    const std::string second = read_file(encode(other, "b.flac")).value();
+    // A copy of the same ends with a frame that fits the first head, too.
+    for (const std::string& next : {first, second}) {
+        auto expected = a;
+        const auto b = read_all_mono(make_file("next.flac", next)).value().samples;
+        expected.insert(expected.end(), b.begin(), b.end());
+        const auto mono = read_all_mono(make_file("joined.flac", first + next));
+        ASSERT_TRUE(mono) << mono.error().message;
+        EXPECT_EQ(mono->samples, expected);
+        EXPECT_EQ(mono->warning, "");
+    }
+}
+
+TEST_F(OddStreamsTest, mp3_in_a_wav_is_called_damaged_only_when_it_is) {
+    const auto path =
+        encode(make_wav("a.wav", 4.0, 44'100), "mp3.wav", "-c:a libmp3lame -b:a 128k");
+    const auto whole = read_all_mono(path);
+    ASSERT_TRUE(whole) << whole.error().message;
+    EXPECT_NEAR(static_cast<double>(whole->samples.size()) / 44'100, 4.0, 0.1);
+    EXPECT_EQ(whole->warning, "");
+    const std::string bytes = read_file(path).value();
+    const auto cut =
+        read_all_mono(make_file("cut.wav", std::string_view(bytes).substr(0, bytes.size() / 2)));
+    ASSERT_TRUE(cut) << cut.error().message;
+    EXPECT_THAT(cut->warning, HasSubstr("s are missing"));
+}
+
 TEST_F(OddStreamsTest, a_flac_is_read_past_a_total_that_is_too_small) {
     const auto wav = make_wav("a.wav", 2.0, 16'000);
     const auto whole = read_all_mono(wav).value();
