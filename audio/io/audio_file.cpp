@@ -1,5 +1,6 @@
 #include "audio/io/audio_file.hpp"
 
+#include <fmt/format.h>
 #include <sndfile.h>
 
 #include <algorithm>
@@ -8,7 +9,12 @@
 #include <system_error>
 
 #include "audio/io/audio_file_backends.hpp"
-#include "audio/io/downmix.hpp"
+#include "audio/io/chained_reader.hpp"
+#include "audio/io/flac_length.hpp"
+#include "audio/io/hearing_survey.hpp"
+#include "audio/io/mended_head.hpp"
+#include "audio/io/ogg_links.hpp"
+#include "audio/io/resampled_reader.hpp"
 #include "base/assert.hpp"
 #include "base/file.hpp"
 
@@ -19,6 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kHeadBytes = 12;        // enough to tell the formats apart
 constexpr std::size_t kChunkFrames = 16'384;  // decoded at once
+constexpr int kLeastHertz = 1'000;            // of a file; brought into Raks' range
+constexpr int kMostHertz = 3'000'000;         // DSD of the highest rate, as FFmpeg decodes it
 
 // Whether libsndfile is asked first, by the file's first bytes. MP3 is not among them although
 // libsndfile reads it: its mpg123 prints on stderr and its seeks are off by 58 samples.
@@ -29,9 +37,10 @@ bool is_for_sndfile(std::string_view head) {
         std::string_view kind = "";  // of such files, behind their size
     };
     // RIFF files of other kinds go to FFmpeg: named .mp3, libsndfile would take them for MP3.
-    constexpr std::array<Magic, 11> kMagic{{{"RIFF", "WAVE"},
+    constexpr std::array<Magic, 12> kMagic{{{"RIFF", "WAVE"},
                                             {"RIFX", "WAVE"},
                                             {"RF64", "WAVE"},
+                                            {"BW64", "WAVE"},
                                             {"riff"},
                                             {"FORM"},
                                             {"fLaC"},
@@ -50,9 +59,12 @@ bool is_for_sndfile(std::string_view head) {
 }  // namespace
 
 Expected<void> check_head(const fs::path& path, int hertz, int channels) {
-    if (!SampleRate(hertz).is_supported()) {
-        return fail(path.string() + ": has a sample rate of " + std::to_string(hertz) +
-                    " Hz, must be 8000 to 192000");
+    if (hertz < kLeastHertz || hertz > kMostHertz) {
+        return fail(fmt::format("{}: has a sample rate of {} Hz, must be {} to {}",
+                                path.string(),
+                                hertz,
+                                kLeastHertz,
+                                kMostHertz));
     }
     if (channels < 1 || channels > kMaxFileChannels) {
         return fail(path.string() + ": has " + std::to_string(channels) +
@@ -61,8 +73,122 @@ Expected<void> check_head(const fs::path& path, int hertz, int channels) {
     return {};
 }
 
+void add_note(std::string& warning, const fs::path& path, std::string_view note) {
+    if (!note.empty()) {
+        warning += (warning.empty() ? path.string() + ": " : "; ") + std::string(note);
+    }
+}
+
+std::string cut_off_note(double at_seconds, double missing_seconds) {
+    std::string note = fmt::format("is damaged or cut off at {:.2f} s", at_seconds);
+    return missing_seconds < 0.005 ? note
+                                   : note + fmt::format("; {:.2f} s are missing", missing_seconds);
+}
+
+namespace {
+
+// A file that libsndfile refuses may still be a video (AVI is RIFF, Theora is Ogg). If both refuse
+// it, libsndfile's reason is given.
+Expected<AudioFileReaderPtr> open_by_either(const DecoderInput& input) {
+    auto reader = open_by_sndfile(input);
+    if (reader) {
+        return reader;
+    }
+    auto second = open_by_ffmpeg(input);
+    return second ? std::move(second) : std::move(reader);
+}
+
+// FFmpeg knows the time of each page, so that it can tell where some are missing.
+Expected<AudioFileReaderPtr> open_ogg_link(const DecoderInput& input, const OggLink& link) {
+    if (!link.has_hole) {
+        return open_by_either(input);
+    }
+    auto reader = open_by_ffmpeg(input);
+    return reader ? std::move(reader) : open_by_sndfile(input);
+}
+
+Expected<AudioFileReaderPtr> open_ogg(const fs::path& path, const FileWindow& window) {
+    const OggPages pages = read_ogg_pages(window);
+    if (pages.links.empty()) {
+        return open_by_either({path, window});
+    }
+    std::vector<DecoderInput> inputs;
+    for (const OggLink& link : pages.links) {
+        inputs.push_back({path, window.part(link.begin, link.end)});
+    }
+    inputs.back().is_cut = pages.is_cut;
+    if (inputs.size() == 1) {
+        return open_ogg_link(inputs.front(), pages.links.front());
+    }
+    return open_chain(inputs, [pages](const DecoderInput& input, std::size_t index) {
+        return open_ogg_link(input, pages.links[index]);
+    });
+}
+
+Expected<AudioFileReaderPtr> open_flac(const fs::path& path, const FileWindow& window) {
+    const FlacLength length = read_flac_length(window);
+    if (length.starts.size() == 1) {
+        DecoderInput input{path, length.window};
+        if (length.claimed > 0 && length.found > length.claimed) {
+            input.note = "holds more sound than its head says; it is read to its end";
+        }
+        return open_by_either(input);
+    }
+    std::vector<DecoderInput> inputs;
+    for (std::size_t i = 0; i < length.starts.size(); ++i) {
+        const bool is_last = i + 1 == length.starts.size();
+        const std::int64_t end = is_last ? window.size() : length.starts[i + 1];
+        inputs.push_back({path, read_flac_length(window.part(length.starts[i], end)).window});
+    }
+    return open_chain(inputs,
+                      [](const DecoderInput& input, std::size_t) { return open_by_either(input); });
+}
+
+// A file of one of the kinds whose heads are mended.
+Expected<AudioFileReaderPtr> open_mended(const fs::path& path, const FileWindow& window) {
+    const MendedHead head = mend_head(window);
+    DecoderInput input{path, head.window};
+    input.missing_seconds = head.missing_seconds;
+    input.is_complete = head.is_complete;
+    if (head.has_no_length) {
+        input.note = "its head gives no length; it is read to the end of the file";
+    }
+    return open_by_either(input);
+}
+
+// Chooses the decoder by content.
+Expected<AudioFileReaderPtr> open_decoder(const fs::path& path, std::string_view head) {
+    const auto window = FileWindow::open(path);
+    if (!window) {
+        return fail(window.error());
+    }
+    if (head.starts_with("OggS")) {
+        return open_ogg(path, *window);
+    }
+    if (head.starts_with("fLaC")) {
+        return open_flac(path, *window);
+    }
+    return is_for_sndfile(head) ? open_mended(path, *window) : open_by_ffmpeg({path, *window});
+}
+
+// Brings rates outside Raks' range into it.
+Expected<AudioFileReaderPtr> open_at_known_rate(const fs::path& path, std::string_view head) {
+    auto reader = open_decoder(path, head);
+    if (!reader || (*reader)->info().rate.is_supported()) {
+        return reader;
+    }
+    const AudioFileInfo& info = (*reader)->info();
+    const SoundForm form{nearest_supported(info.rate), info.channels};
+    std::string note = fmt::format("has {} Hz; resampled to {} Hz, as Raks works at 8000 to 192000",
+                                   info.rate.hertz(),
+                                   form.rate.hertz());
+    return resample_reader(std::move(*reader), form, path, std::move(note));
+}
+
+}  // namespace
+
 // Reads the head once, to choose the decoder by content.
-Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const fs::path& path) {
+Expected<AudioFileReaderPtr> open_audio_file(const fs::path& path) {
     const auto head = read_file_start(path, kHeadBytes);
     if (!head) {
         return fail(head.error());
@@ -70,17 +196,12 @@ Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const fs::path& path)
     if (head->empty()) {
         return fail(path.string() + ": is empty");
     }
-    if (is_for_sndfile(*head)) {
-        // A file that libsndfile refuses may still be a video (AVI is RIFF, Theora is Ogg). If both
-        // refuse it, libsndfile's reason is given.
-        auto reader = open_by_sndfile(path);
-        if (reader) {
-            return reader;
-        }
-        auto second = open_by_ffmpeg(path);
-        return second ? std::move(second) : std::move(reader);
+    const auto open = [&path, &head] { return open_at_known_rate(path, *head); };
+    auto reader = open();
+    if (!reader) {
+        return reader;
     }
-    return open_by_ffmpeg(path);
+    return survey_reader(std::move(*reader), path, open);
 }
 
 // Decodes chunk by chunk and checks the limit as it goes: the claimed length may be wrong.
@@ -102,9 +223,10 @@ Expected<MonoAudio> read_all_mono(const fs::path& path, double max_seconds) {
                         " s, the limit for reading a whole file");
         }
         audio.samples.resize(before + frames);
-        downmix_to_mono(std::span(chunk).first(frames * channels),
-                        channels,
-                        std::span(audio.samples).subspan(before));
+        hear_mono(std::span(chunk).first(frames * channels),
+                  channels,
+                  info.hearing,
+                  std::span(audio.samples).subspan(before));
     }
     audio.warning = (*reader)->warning();
     return audio;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "audio/io/hearing.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 
@@ -21,14 +22,22 @@ struct AudioFileInfo {
     /// Length that the file claims, in seconds; often wrong (truncated file, no header). Fit for a
     /// progress bar, never for the size of a buffer or as the end. Empty when it claims none.
     std::optional<double> claimed_seconds{};
+    /// The same in frames, where the file counts them; empty for formats that tell a time only.
+    std::optional<std::int64_t> claimed_frames{};
     std::string format{};  ///< for display: "WAV", "MP3", "aac in mov,mp4"
+    Hearing hearing{};     ///< how the analyzer should hear it: hear_mono(), hear_stereo()
 };
 
 inline constexpr int kMaxFileChannels = 64;  ///< of a file that is opened
 
 /// Decodes one audio file, or the first sound track of a video, as a stream: memory is bounded for
 /// any length. The format is found by content, never by name. Samples are passed on as the file has
-/// them, NaN and values beyond [-1, 1] included.
+/// them, NaN and values beyond [-1, 1] included; info().hearing says what an analyzer should do
+/// with them where they are far out of the usual.
+///
+/// The time line is the file's own: the sound of a film begins where the film has it, gaps between
+/// time stamps are silent, streams that lie one behind the other follow each other, and what a
+/// recorder appends after the file was opened is not read.
 /// Threads: one at a time. Real-time: no.
 class AudioFileReader {
  public:
@@ -46,8 +55,9 @@ class AudioFileReader {
     /// returns 0. Errors: the file cannot be sought.
     [[nodiscard]] virtual Expected<void> seek(std::int64_t frame) = 0;
 
-    /// What is wrong with a file that plays nevertheless, such as "x.mp3: is damaged or cut off at
-    /// 12.3 s"; empty when nothing is. Complete at the end of the file only.
+    /// What is wrong with a file that plays nevertheless, or out of the usual and was mended, in
+    /// one line, such as "x.mp3: is damaged or cut off at 12.30 s; 3.40 s are missing"; empty when
+    /// nothing is. Complete at the end of the file only.
     [[nodiscard]] const std::string& warning() const noexcept { return warning_; }
 
  protected:
@@ -56,13 +66,15 @@ class AudioFileReader {
 };
 
 /// Opens by libsndfile (WAV, AIFF, FLAC, Ogg Vorbis, Opus and its other formats) or FFmpeg (MP3,
-/// M4A, AAC, WebM, WMA, the sound of videos). Errors, one line each: missing, empty, a folder, not
-/// audio, no sound track, a rate outside 8-192 kHz (0 Hz too), too many channels.
+/// M4A, AAC, WebM, WMA, the sound of videos). Rates below 8 and above 192 kHz are resampled to the
+/// nearest whole multiple or part within. Errors, one line each: missing, empty, a folder, not
+/// audio, no sound track, cut off before its index, a rate outside 1 kHz to 3 MHz (0 Hz too), too
+/// many channels.
 [[nodiscard]] Expected<std::unique_ptr<AudioFileReader>> open_audio_file(
     const std::filesystem::path& path);
 
 /// A whole file as mono at its own rate: the average of the left and right channel; more than two
-/// channels are mixed down first (downmix.hpp).
+/// channels are mixed down first (downmix.hpp); then as its Hearing says.
 struct MonoAudio {
     SampleRate rate{48'000};     ///< of the file
     std::vector<float> samples;  ///< one a frame

@@ -14,6 +14,11 @@ namespace raks::audio {
 struct FfmpegCloser {
     /// A container that was opened for reading.
     void operator()(AVFormatContext* context) const noexcept { avformat_close_input(&context); }
+    /// Functions through which a container is read.
+    void operator()(AVIOContext* context) const noexcept {
+        av_freep(&context->buffer);
+        avio_context_free(&context);
+    }
     /// An encoder or decoder.
     void operator()(AVCodecContext* context) const noexcept { avcodec_free_context(&context); }
     /// A packet and its reference to data.

@@ -1,7 +1,6 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
-#include <libavutil/log.h>
 #include <libavutil/opt.h>
 #include <libswresample/swresample.h>
 }
@@ -10,9 +9,6 @@ extern "C" {
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <memory>
-#include <string_view>
 
 #include "audio/io/audio_file_backends.hpp"
 #include "audio/io/ffmpeg_reader.hpp"
@@ -20,141 +16,89 @@ extern "C" {
 namespace raks::audio {
 namespace {
 
-// Containers of sound and video only: FFmpeg would also open pictures, subtitles, plain text and
-// play-lists (which name other files) as media.
-constexpr const char* kFormats =
-    "mp3,aac,mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,ogg,asf,avi,flv,flac,wav,w64,aiff,au,caf,ac3,"
-    "eac3,dts,amr,amrnb,amrwb,ape,wv,tta,tak,mpc,mpc8,mpeg,mpegts,mpegvideo,rm,xwma,dsf,oma,loas,"
-    "gxf,mxf,nut,swf,voc,aa,aax,adts,latm";
-
 constexpr int kMaxFaultsInARow = 2000;         // of packets: passes a damaged stretch, ends at last
 constexpr int kMaxPacketsToFirstFrame = 5000;  // then the decoder is taken to give nothing
-constexpr double kShortBySeconds = 1.0;        // seconds: less below the claimed length is rounding
-
-// Whether FFmpeg recognised the container by content and not by its name alone: a program or a font
-// that is named .mp3 also holds bytes that decode. MP3 behind a foreign tag has a low score and is
-// still music.
-bool is_known(const AVFormatContext& container) {
-    const bool is_mp3 = container.iformat->name == std::string_view("mp3");
-    return container.probe_score > (is_mp3 ? 1 : AVPROBE_SCORE_RETRY);
-}
+// Seconds below the claimed length that are rounding: MP3 counts its frames, others round up.
+constexpr double kShortByRounding = 1.0;
+constexpr double kShortByMp3Frames = 0.1;
 
 }  // namespace
 
-std::string ffmpeg_reason(int error_number) {
-    char text[AV_ERROR_MAX_STRING_SIZE] = {};
-    av_strerror(error_number, text, sizeof text);
-    return text;
-}
-
-Expected<void> FfmpegReader::open() {
-    // FFmpeg would print; its errors are returned from here instead.
-    av_log_set_level(AV_LOG_QUIET);
-    if (auto opened = open_container(); !opened) {
-        return opened;
-    }
-    if (auto opened = open_decoder(); !opened) {
-        return opened;
-    }
-    return describe();
-}
-
-// Opens the file and finds its streams.
-Expected<void> FfmpegReader::open_container() {
-    AVFormatContext* context = nullptr;
-    AVDictionary* options = nullptr;
-    // Files alone: a play-list or a container must not make FFmpeg open network addresses.
-    av_dict_set(&options, "protocol_whitelist", "file", 0);
-    av_dict_set(&options, "format_whitelist", kFormats, 0);
-    // A path with a colon would be read as a protocol.
-    const std::string url = "file:" + path_.string();
-    const int error = avformat_open_input(&context, url.c_str(), nullptr, &options);
-    av_dict_free(&options);
-    container_.reset(context);
-    if (error < 0 || !is_known(*context)) {
-        return fail(path_.string() + ": is not audio that can be read");
-    }
-    if (const int found = avformat_find_stream_info(context, nullptr); found < 0) {
-        return fail(path_.string() + ": is not audio that can be read: " + ffmpeg_reason(found));
-    }
-    return {};
-}
-
-// Chooses the best sound track and opens its decoder.
-Expected<void> FfmpegReader::open_decoder() {
-    const AVCodec* codec = nullptr;
-    const int index = av_find_best_stream(container_.get(), AVMEDIA_TYPE_AUDIO, -1, -1, &codec, 0);
-    if (index < 0) {
-        return fail(path_.string() + ": has no sound track");
-    }
-    // Packets of pictures and other tracks are dropped by the container's reader.
-    for (unsigned i = 0; i < container_->nb_streams; ++i) {
-        if (static_cast<int>(i) != index) {
-            container_->streams[i]->discard = AVDISCARD_ALL;
-        }
-    }
-    stream_ = container_->streams[index];
-    const AVCodecParameters& head = *stream_->codecpar;
-    if (auto checked = check_head(path_, head.sample_rate, head.ch_layout.nb_channels); !checked) {
-        return checked;
-    }
-    decoder_.reset(avcodec_alloc_context3(codec));
-    if (!decoder_ || avcodec_parameters_to_context(decoder_.get(), stream_->codecpar) < 0) {
-        return fail(path_.string() + ": its sound track cannot be decoded");
-    }
-    // FFmpeg needs the time base to correct time stamps where it trims samples.
-    decoder_->pkt_timebase = stream_->time_base;
-    // One thread is enough for sound.
-    decoder_->thread_count = 1;
-    if (const int error = avcodec_open2(decoder_.get(), codec, nullptr); error < 0) {
-        return fail(path_.string() +
-                    ": its sound track cannot be decoded: " + ffmpeg_reason(error));
-    }
-    return {};
-}
-
-// Takes rate and channels from the first decoded frame: they may differ from the head's (AAC may
-// double the rate).
-Expected<void> FfmpegReader::describe() {
-    info_.channels = 0;  // until the first frame says it
-    while (buffer_.empty() && head_fault_.empty() && decode_next()) {
-    }
-    if (!head_fault_.empty()) {
-        return fail(head_fault_);
-    }
-    if (buffer_.empty()) {
-        return fail(path_.string() + ": holds no sound that can be decoded");
-    }
-    first_frames_ = static_cast<std::int64_t>(buffered_frames());
-    const std::string_view codec = decoder_->codec->name;
-    info_.format = codec == "mp3float" || codec == "mp3"
-                       ? "MP3"
-                       : fmt::format("{} in {}", codec, container_->iformat->name);
-    if (container_->duration > 0) {
-        info_.claimed_seconds = static_cast<double>(container_->duration) / AV_TIME_BASE;
-    }
-    return {};
-}
-
 // Keeps the first damage for warning(); before the first frame open() reports the failure.
 void FfmpegReader::note_damage() {
-    if (warning_.empty() && info_.channels > 0) {
-        warning_ = fmt::format("{}: is damaged at {:.2f} s",
-                               path_.string(),
-                               static_cast<double>(decoded_until_) / info_.rate.hertz());
+    if (damage_.empty() && info_.channels > 0) {
+        damage_ = fmt::format("is damaged at {:.2f} s",
+                              static_cast<double>(decoded_until_) / info_.rate.hertz());
+        tell_notes();
     }
 }
 
-// At the end: notes a file that is shorter than it claims. A length that FFmpeg estimated from the
-// bit rate is no claim, and after a seek the position must be known.
+// Remembers a gap or an overlap, once although a seek may bring it again.
+void FfmpegReader::note_jump(TimeLine::Step step, std::int64_t at, std::int64_t frames) {
+    if (at <= last_jump_) {
+        return;
+    }
+    last_jump_ = at;
+    Jumps& jumps = step == TimeLine::Step::gap ? gaps_ : overlaps_;
+    jumps.first = jumps.count == 0 ? at : jumps.first;
+    jumps.count += 1;
+    jumps.frames += frames;
+    tell_notes();
+}
+
+// Puts the warning together from all that was noted.
+void FfmpegReader::tell_notes() {
+    const double rate = info_.rate.hertz();
+    const auto seconds = [rate](std::int64_t frames) { return static_cast<double>(frames) / rate; };
+    warning_.clear();
+    add_note(warning_, input_.path, input_.note);
+    if (gaps_.count == 1) {
+        add_note(warning_,
+                 input_.path,
+                 fmt::format("has a gap of {:.2f} s at {:.2f} s, which is silent",
+                             seconds(gaps_.frames),
+                             seconds(gaps_.first)));
+    } else if (gaps_.count > 1) {
+        add_note(
+            warning_,
+            input_.path,
+            fmt::format("has {} gaps, together {:.2f} s, the first at {:.2f} s; they are silent",
+                        gaps_.count,
+                        seconds(gaps_.frames),
+                        seconds(gaps_.first)));
+    }
+    if (overlaps_.count > 0) {
+        add_note(
+            warning_,
+            input_.path,
+            fmt::format("its time stamps go back at {:.2f} s; {:.2f} s that overlap are left out",
+                        seconds(overlaps_.first),
+                        seconds(overlaps_.frames)));
+    }
+    add_note(warning_, input_.path, damage_);
+}
+
+// At the end: notes a file that is shorter than it claims. Where the container tells how many bytes
+// it has, these decide; else the length that it claims. After a seek the position must be known.
 void FfmpegReader::note_end() {
     is_ended_ = true;
-    const bool is_claim_sure =
-        container_->duration_estimation_method != AVFMT_DURATION_FROM_BITRATE;
-    const double seconds = static_cast<double>(decoded_until_) / info_.rate.hertz();
-    if (warning_.empty() && is_claim_sure && info_.claimed_seconds && is_placed_ &&
-        seconds < *info_.claimed_seconds - kShortBySeconds) {
-        warning_ = fmt::format("{}: is damaged or cut off at {:.2f} s", path_.string(), seconds);
+    if (!is_placed_) {
+        return;
+    }
+    const double rate = info_.rate.hertz();
+    const double short_by = static_cast<double>(claimed_end_ - decoded_until_) / rate;
+    const bool is_cut = extent_.missing_bytes > 0 || input_.missing_seconds > 0.0 || input_.is_cut;
+    const bool is_told = extent_.is_known || input_.is_complete;
+    const double tolerance = info_.format == "MP3" ? kShortByMp3Frames : kShortByRounding;
+    const bool is_short = !is_told && claimed_end_ > 0 && short_by > tolerance;
+    if (is_cut || is_short) {
+        // It stands for damage at the cut.
+        damage_ = cut_off_note(static_cast<double>(decoded_until_) / rate,
+                               std::max(short_by, input_.missing_seconds));
+    }
+    tell_notes();
+    if (input_.window.has_grown()) {
+        add_note(warning_, input_.path, kHasGrown);
     }
 }
 
@@ -237,6 +181,7 @@ bool FfmpegReader::prepare_converter() {
     } else {
         av_channel_layout_default(&to, info_.channels);
     }
+    drain_converter();
     SwrContext* context = nullptr;
     const int set = swr_alloc_set_opts2(&context,
                                         &to,
@@ -260,60 +205,97 @@ bool FfmpegReader::prepare_converter() {
     return true;
 }
 
-// Position of the current frame: after the last one or, after a seek, by its time stamp.
-void FfmpegReader::place_frame() {
-    const std::int64_t timestamp = frame_->best_effort_timestamp;
-    if (first_timestamp_ == AV_NOPTS_VALUE) {
-        first_timestamp_ = timestamp != AV_NOPTS_VALUE ? timestamp : 0;
+// What the converter holds of frames of another kind comes before the current frame.
+void FfmpegReader::drain_converter() {
+    if (converter_ && converter_rate_ != info_.rate.hertz()) {
+        append_converted(nullptr, 0);
     }
-    if (is_placed_ || timestamp == AV_NOPTS_VALUE) {
-        return;
-    }
-    // FFmpeg's time stamps need not start at 0.
-    decoded_until_ = on_frame_grid(frames_of(timestamp - first_timestamp_));
-    is_placed_ = true;
 }
 
-// Converts the current frame into the buffer.
+// Converts `count` audio frames, or with none brings out what the converter holds.
+void FfmpegReader::append_converted(const std::uint8_t** in, int count) {
+    const auto width = static_cast<std::size_t>(info_.channels);
+    const std::size_t before = buffer_.size();
+    const int room = std::max(swr_get_out_samples(converter_.get(), count), 0);
+    buffer_.resize(before + static_cast<std::size_t>(room) * width);
+    auto* out = reinterpret_cast<std::uint8_t*>(buffer_.data() + before);
+    const int made = std::max(swr_convert(converter_.get(), &out, room, in, count), 0);
+    buffer_.resize(before + static_cast<std::size_t>(made) * width);
+    // The converter may keep samples back; what came out counts.
+    decoded_until_ += made;
+}
+
+// Place of the current frame: after the last one or, at the start, after a seek and after a jump of
+// the time stamps, where its own stamp puts it. A gap before it becomes silence.
+void FfmpegReader::place_frame() {
+    const std::int64_t stamp = frame_->best_effort_timestamp;
+    const std::int64_t frames =
+        av_rescale(frame_->nb_samples, info_.rate.hertz(), frame_->sample_rate);
+    typical_frames_ = std::max(typical_frames_, frames);
+    if (!has_origin_) {
+        has_origin_ = true;
+        prepare_time_line(stamp != AV_NOPTS_VALUE ? stamp : 0);
+    }
+    if (stamp == AV_NOPTS_VALUE) {
+        line_.pass(frames);
+        return;
+    }
+    const bool is_first = is_placed_ && decoded_until_ == 0;
+    const TimeLine::Place place = line_.place(stamp, frames);
+    if (is_first) {
+        lead_ = std::max<std::int64_t>(place.position, 0);
+        silence_ = lead_;
+        decoded_until_ = lead_;
+    } else if (!is_placed_) {
+        decoded_until_ = place.position;
+        is_placed_ = true;
+    } else if (place.step == TimeLine::Step::gap && place.position > decoded_until_) {
+        note_jump(place.step, decoded_until_, place.position - decoded_until_);
+        silence_ = place.position - decoded_until_;
+        decoded_until_ = place.position;
+    } else if (place.step == TimeLine::Step::overlap && place.position < decoded_until_) {
+        note_jump(place.step, decoded_until_, decoded_until_ - place.position);
+        target_ = std::max(target_, decoded_until_);
+        decoded_until_ = place.position;
+    }
+}
+
+// Converts the current frame into the buffer, which is empty.
 void FfmpegReader::take_frame() {
     const int channels = frame_->ch_layout.nb_channels;
     if (info_.channels == 0) {
-        if (const auto head = check_head(path_, frame_->sample_rate, channels); !head) {
+        if (const auto head = check_head(input_.path, frame_->sample_rate, channels); !head) {
             head_fault_ = head.error().message;
             return;
         }
         info_.rate = SampleRate(frame_->sample_rate);
         info_.channels = channels;
     }
-    if (frame_->sample_rate <= 0 || channels < 1 || channels > kMaxFileChannels ||
-        !prepare_converter()) {
+    buffer_.clear();
+    buffer_at_ = 0;
+    if (frame_->sample_rate <= 0 || channels < 1 || channels > kMaxFileChannels) {
         note_damage();
         return;
     }
     place_frame();
-    // Removes what was read, so that the buffer holds about one frame at most.
-    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(buffer_at_));
-    buffer_at_ = 0;
-    const std::size_t before = buffer_.size();
-    const auto width = static_cast<std::size_t>(info_.channels);
-    const int room = swr_get_out_samples(converter_.get(), frame_->nb_samples);
-    buffer_.resize(before + static_cast<std::size_t>(std::max(room, 0)) * width);
-    auto* out = reinterpret_cast<std::uint8_t*>(buffer_.data() + before);
-    const auto** in = const_cast<const std::uint8_t**>(frame_->extended_data);
-    const int made = swr_convert(converter_.get(), &out, room, in, frame_->nb_samples);
-    buffer_.resize(before + static_cast<std::size_t>(std::max(made, 0)) * width);
-    // The converter may keep samples back; what came out counts.
-    decoded_until_ += std::max(made, 0);
+    if (!prepare_converter()) {
+        note_damage();
+        return;
+    }
+    append_converted(const_cast<const std::uint8_t**>(frame_->extended_data), frame_->nb_samples);
     drop_until_target();
 }
 
-// After a seek the decoder starts before the target; frames before it are skipped.
+// After a seek the decoder starts before the target, and where sound overlaps before what was
+// given; frames before it are skipped.
 void FfmpegReader::drop_until_target() {
     const auto width = static_cast<std::size_t>(info_.channels);
-    const std::int64_t start = decoded_until_ - static_cast<std::int64_t>(buffered_frames());
+    const std::int64_t start = decoded_until_ - buffered_frames();
     if (start < target_) {
-        const auto surplus = static_cast<std::size_t>(target_ - start);
-        buffer_at_ += std::min(surplus, buffered_frames()) * width;
+        const std::int64_t silent = std::min(target_ - start, silence_);
+        silence_ -= silent;
+        const std::int64_t surplus = std::min(target_ - start - silent, buffered_frames());
+        buffer_at_ += static_cast<std::size_t>(surplus) * width;
     }
 }
 
@@ -323,7 +305,11 @@ std::size_t FfmpegReader::read(std::span<float> interleaved) {
     const std::size_t wanted = interleaved.size() / width;
     std::size_t done = 0;
     while (done < wanted) {
-        const std::size_t count = std::min(wanted - done, buffered_frames());
+        const std::size_t silent = std::min(wanted - done, static_cast<std::size_t>(silence_));
+        std::fill_n(interleaved.data() + done * width, silent * width, 0.0F);
+        silence_ -= static_cast<std::int64_t>(silent);
+        done += silent;
+        const std::size_t count = std::min(wanted - done, (buffer_.size() - buffer_at_) / width);
         std::copy_n(buffer_.data() + buffer_at_, count * width, interleaved.data() + done * width);
         buffer_at_ += count * width;
         done += count;
@@ -332,14 +318,6 @@ std::size_t FfmpegReader::read(std::span<float> interleaved) {
         }
     }
     return done;
-}
-
-Expected<AudioFileReaderPtr> open_by_ffmpeg(const std::filesystem::path& path) {
-    auto reader = std::make_unique<FfmpegReader>(path);
-    if (auto opened = reader->open(); !opened) {
-        return fail(opened.error());
-    }
-    return reader;
 }
 
 }  // namespace raks::audio

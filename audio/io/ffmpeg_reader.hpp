@@ -2,24 +2,25 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/audio_file_backends.hpp"
+#include "audio/io/container_extent.hpp"
 #include "audio/io/ffmpeg_handles.hpp"
+#include "audio/io/time_line.hpp"
 #include "base/expected.hpp"
 
 namespace raks::audio {
 
-/// AudioFileReader by FFmpeg. Opening, decoding and warnings are in ffmpeg_reader.cpp, seeking in
-/// ffmpeg_seek.cpp. Only audio_file.cpp and these use it.
+/// AudioFileReader by FFmpeg. Opening is in ffmpeg_open.cpp, decoding and warnings in
+/// ffmpeg_reader.cpp, seeking in ffmpeg_seek.cpp. Only these use it.
 class FfmpegReader final : public AudioFileReader {
  public:
     /// Opens nothing yet: see open().
-    explicit FfmpegReader(std::filesystem::path path) : path_(std::move(path)) {}
+    explicit FfmpegReader(DecoderInput input) : input_(std::move(input)), cursor_{input_.window} {}
 
     /// Opens container and decoder and decodes the first frame. Errors: as open_by_ffmpeg.
     Expected<void> open();
@@ -29,31 +30,45 @@ class FfmpegReader final : public AudioFileReader {
     Expected<void> seek(std::int64_t frame) override;
 
  private:
+    [[nodiscard]] bool open_window();
     Expected<void> open_container();
     Expected<void> open_decoder();
     Expected<void> describe();
+    void prepare_time_line(std::int64_t first_stamp);
+    void claim_length();
     [[nodiscard]] bool decode_next();
     [[nodiscard]] int feed_decoder();
     void take_frame();
     [[nodiscard]] bool prepare_converter();
+    void drain_converter();
+    void append_converted(const std::uint8_t** in, int count);
     void place_frame();
     void drop_until_target();
-    [[nodiscard]] bool skip_packets_before(std::int64_t timestamp);
-    [[nodiscard]] std::int64_t frames_of(std::int64_t timestamp) const;
-    [[nodiscard]] std::int64_t timestamp_of(std::int64_t frame) const;
+    [[nodiscard]] bool walk_to(std::int64_t frame);
     enum class SeekMethod { index, reading, decoding };
     [[nodiscard]] SeekMethod seek_method() const;
-    [[nodiscard]] std::int64_t on_frame_grid(std::int64_t position) const;
     [[nodiscard]] Expected<void> reopen();
     void forget_decoded();
     [[nodiscard]] Expected<void> seek_container(std::int64_t timestamp, std::int64_t frame);
     void note_damage();
+    void note_jump(TimeLine::Step step, std::int64_t at, std::int64_t frames);
     void note_end();
-    [[nodiscard]] std::size_t buffered_frames() const {
-        return (buffer_.size() - buffer_at_) / static_cast<std::size_t>(info_.channels);
+    void tell_notes();
+    [[nodiscard]] std::int64_t buffered_frames() const {
+        return silence_ + static_cast<std::int64_t>(buffer_.size() - buffer_at_) / info_.channels;
     }
 
-    std::filesystem::path path_;
+    // Gaps or overlaps of the time stamps that were met so far.
+    struct Jumps {
+        int count = 0;
+        std::int64_t first = 0;   // position
+        std::int64_t frames = 0;  // of all
+    };
+
+    DecoderInput input_;
+    ContainerExtent extent_;
+    WindowCursor cursor_;
+    FfmpegHandle<AVIOContext> window_;  // reads by cursor_; outlives container_
     FfmpegHandle<AVFormatContext> container_;
     FfmpegHandle<AVCodecContext> decoder_;
     FfmpegHandle<AVPacket> packet_{av_packet_alloc()};
@@ -64,16 +79,26 @@ class FfmpegReader final : public AudioFileReader {
     int converter_channels_ = 0;
     int converter_format_ = -1;
 
+    TimeLine line_;
+    bool has_origin_ = false;          // of line_
+    std::int64_t lead_ = 0;            // silence before the first sound
+    std::int64_t first_frames_ = 0;    // length of the first decoded frame
+    std::int64_t typical_frames_ = 0;  // of a frame of the codec: of the longest so far
+    std::int64_t claimed_end_ = 0;     // of the sound, in frames; 0: the file does not say
+
+    std::int64_t silence_ = 0;        // frames of silence before the buffer
     std::vector<float> buffer_;       // decoded, interleaved; from buffer_at_ on not yet read
     std::size_t buffer_at_ = 0;       // place of the next sample to read
     std::int64_t decoded_until_ = 0;  // frame number of the end of the buffer
-    std::int64_t first_timestamp_ = AV_NOPTS_VALUE;  // of the file's start
-    std::int64_t target_ = 0;                        // after a seek: frames before it are dropped
-    bool is_placed_ = true;    // whether decoded_until_ is known: not right after a seek
-    bool is_flushed_ = false;  // the decoder got all packets
+    std::int64_t target_ = 0;         // frames before it are dropped, after a seek or an overlap
+    bool is_placed_ = true;           // whether decoded_until_ is known: not right after a seek
+    bool is_flushed_ = false;         // the decoder got all packets
     bool is_ended_ = false;
-    std::int64_t first_frames_ = 0;  // length of the first decoded frame
-    std::string head_fault_;         // error of the first frame's rate or channels
+    std::string head_fault_;  // error of the first frame's rate or channels
+    std::string damage_;      // the first, as warning() says it
+    Jumps gaps_;
+    Jumps overlaps_;
+    std::int64_t last_jump_ = -1;  // position of the last of them
 };
 
 /// FFmpeg's text for this error number.

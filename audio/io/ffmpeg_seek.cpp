@@ -17,57 +17,48 @@ namespace raks::audio {
 namespace {
 
 constexpr double kPrerollSeconds = 0.30;  // an MP3 frame depends on up to nine frames before it
+constexpr std::int64_t kMostToRead = 256 << 20U;  // bytes of a file that is read for a seek
 
 }  // namespace
-
-// Time stamp of the stream to frames, and back, rounded to the nearest.
-std::int64_t FfmpegReader::frames_of(std::int64_t timestamp) const {
-    return av_rescale_q(timestamp, stream_->time_base, AVRational{1, info_.rate.hertz()});
-}
-
-std::int64_t FfmpegReader::timestamp_of(std::int64_t frame) const {
-    return av_rescale_q(frame, AVRational{1, info_.rate.hertz()}, stream_->time_base);
-}
-
-// Matroska's time stamps are whole milliseconds. Moves a position from such a coarse time stamp to
-// the nearest place where a codec frame of this length can start, if it is within the stamp's
-// resolution.
-std::int64_t FfmpegReader::on_frame_grid(std::int64_t position) const {
-    const std::int64_t size = frame_->nb_samples;
-    const double resolution = av_q2d(stream_->time_base) * info_.rate.hertz();  // in frames
-    if (resolution <= 1.0 || size <= 0 || position <= 0) {
-        return position;
-    }
-    const double steps = static_cast<double>(position - first_frames_) / static_cast<double>(size);
-    const std::int64_t near = first_frames_ + std::llround(steps) * size;
-    return static_cast<double>(std::abs(near - position)) <= resolution ? near : position;
-}
 
 // Chooses the way to a frame. Formats without an index make FFmpeg guess from the bit rate, so
 // their small packets are read up to it without decoding (about 1 ms a minute of sound). Where time
 // stamps are coarse and frames differ in length, as in Vorbis, only decoding from the start counts
-// exactly.
+// exactly. Behind a gap coarse stamps are exact only when the gap was met, so files that are not
+// very large are read as well.
 FfmpegReader::SeekMethod FfmpegReader::seek_method() const {
     const std::string_view name = container_->iformat->name;
     if (name == "mp3" || name == "aac" || name == "ac3" || name == "mpegts" || name == "mpeg") {
         return SeekMethod::reading;
     }
-    const bool is_coarse = av_q2d(stream_->time_base) * info_.rate.hertz() > 1.0;
-    return is_coarse && decoder_->codec_id == AV_CODEC_ID_VORBIS ? SeekMethod::decoding
-                                                                 : SeekMethod::index;
+    if (!line_.is_coarse()) {
+        return SeekMethod::index;
+    }
+    if (decoder_->codec_id == AV_CODEC_ID_VORBIS) {
+        return SeekMethod::decoding;
+    }
+    return input_.window.size() <= kMostToRead ? SeekMethod::reading : SeekMethod::index;
 }
 
-// Reads on to the packet that contains `timestamp`, or starts after it, and gives it to the
-// decoder.
-bool FfmpegReader::skip_packets_before(std::int64_t timestamp) {
+// Reads on to the packet that contains this frame of the file, or starts after it, and gives it to
+// the decoder.
+bool FfmpegReader::walk_to(std::int64_t frame) {
     while (av_read_frame(container_.get(), packet_.get()) >= 0) {
-        const bool is_ours = packet_->stream_index == stream_->index;
-        const std::int64_t end = packet_->pts + packet_->duration;
-        const bool is_enough = is_ours && (packet_->pts == AV_NOPTS_VALUE || end > timestamp);
-        if (is_enough) {
-            const int sent = avcodec_send_packet(decoder_.get(), packet_.get());
-            av_packet_unref(packet_.get());
-            return sent >= 0;
+        bool is_enough = false;
+        if (packet_->stream_index == stream_->index) {
+            const std::int64_t frames = line_.is_coarse() && typical_frames_ > 0
+                                            ? typical_frames_
+                                            : line_.frames_of(packet_->duration);
+            // The first decoded frame is placed once more, as following the packet before.
+            const TimeLine before = line_;
+            is_enough = packet_->pts == AV_NOPTS_VALUE ||
+                        line_.place(packet_->pts, frames).position + frames > frame;
+            if (is_enough) {
+                line_ = before;
+                const int sent = avcodec_send_packet(decoder_.get(), packet_.get());
+                av_packet_unref(packet_.get());
+                return sent >= 0;
+            }
         }
         av_packet_unref(packet_.get());
     }
@@ -82,7 +73,7 @@ Expected<void> FfmpegReader::seek_container(std::int64_t timestamp, std::int64_t
     }
     if (error < 0) {
         return fail(fmt::format("{}: cannot go to {:.2f} s: {}",
-                                path_.string(),
+                                input_.path.string(),
                                 static_cast<double>(frame) / info_.rate.hertz(),
                                 ffmpeg_reason(error)));
     }
@@ -102,6 +93,7 @@ Expected<void> FfmpegReader::reopen() {
     }
     forget_decoded();
     is_placed_ = true;
+    line_.rewind();
     return {};
 }
 
@@ -110,6 +102,7 @@ void FfmpegReader::forget_decoded() {
     converter_.reset();
     buffer_.clear();
     buffer_at_ = 0;
+    silence_ = 0;
     decoded_until_ = 0;
     is_flushed_ = false;
     is_ended_ = false;
@@ -125,15 +118,17 @@ Expected<void> FfmpegReader::seek(std::int64_t frame) {
     }
     // Preroll: the decoder needs the frames before the target to give the same samples as without a
     // seek. What it decodes before target_ is dropped.
-    const std::int64_t from = first_timestamp_ + timestamp_of(frame - preroll);
-    const std::int64_t start = std::min<std::int64_t>(first_timestamp_, 0);
+    const std::int64_t from = line_.stamp_of(frame - preroll);
+    const std::int64_t start = std::min<std::int64_t>(line_.stamp_of(0), 0);
+    line_.set_grid(lead_ + first_frames_, typical_frames_);
+    line_.rewind();
     auto sought = seek_container(method == SeekMethod::index ? from : start, frame);
     if (!sought) {
         return sought;
     }
     avcodec_flush_buffers(decoder_.get());
     forget_decoded();
-    if (method == SeekMethod::reading && !skip_packets_before(from)) {
+    if (method == SeekMethod::reading && !walk_to(frame - preroll)) {
         note_damage();
     }
     return {};

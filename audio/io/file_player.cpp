@@ -9,7 +9,6 @@
 #include <thread>
 #include <utility>
 
-#include "audio/io/downmix.hpp"
 #include "base/channels/audio_ring.hpp"
 #include "base/channels/event_queue.hpp"
 
@@ -33,6 +32,7 @@ struct Segment {
     int track = 0;
     int rate = 48'000;
     bool is_end = false;  ///< nothing comes after the last file
+    Hearing hearing{};    ///< of what is in the ring
 };
 
 // A seek that the decoder has yet to carry out; a newer one replaces it.
@@ -154,6 +154,7 @@ void FilePlayer::Impl::push_segment(std::int64_t position, bool is_end) {
                     .is_end = is_end};
     if (reader) {
         segment.rate = reader->info().rate.hertz();
+        segment.hearing = after_stereo(reader->info().hearing);
     }
     segments.push(segment);
 }
@@ -217,7 +218,8 @@ void FilePlayer::Impl::decode_chunk() {
         open_next_or_end(track + 1);
         return;
     }
-    downmix_to_stereo(std::span(interleaved).first(frames * channels), channels, stereo);
+    hear_stereo(
+        std::span(interleaved).first(frames * channels), channels, reader->info().hearing, stereo);
     ring.write(std::span(stereo).first(2 * frames));
     frames_written += frames;
 }
@@ -309,7 +311,8 @@ PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
                        .rate = SampleRate(me.current.rate),
                        .position = me.current.position,
                        .is_jump = me.is_jump && frames > 0,
-                       .is_ended = !is_stale && me.current.is_end};
+                       .is_ended = !is_stale && me.current.is_end,
+                       .hearing = me.current.hearing};
     me.ring.read(stereo.first(2 * frames));
     std::fill(stereo.begin() + static_cast<std::ptrdiff_t>(2 * frames), stereo.end(), 0.0F);
     me.frames_read += frames;

@@ -31,11 +31,12 @@ struct PulledAudio {
     std::int64_t position = 0;  ///< frame number of the first of them in its file
     bool is_jump = false;       ///< not the continuation: first, seek, next file
     bool is_ended = false;      ///< frames == 0: all files have been played to their end
+    Hearing hearing{};          ///< how an analyzer should hear them: hear_mono()
 };
 
 /// Decodes files one after the other, ahead of time on a thread of its own, as stereo at each
-/// file's own rate (mono doubled, more channels mixed down: downmix.hpp). A file that cannot be
-/// opened is skipped with a message.
+/// file's own rate (mono doubled, more channels mixed down: downmix.hpp; softer where the file is
+/// far above full scale: hearing.hpp). A file that cannot be opened is skipped with a message.
 ///
 /// Threads: pull from the audio thread alone; the control methods from one other thread.
 /// Real-time: pull yes (wait-free, bounded), the rest no.

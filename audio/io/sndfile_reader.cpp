@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 // in the last page (a page holds up to about a second). So seeks go this far before the target and
 // read on to it.
 constexpr double kVorbisPrerollSeconds = 2.0;
+constexpr double kLeastMissing = 0.01;  // seconds: less is padding
 
 struct CloseSndfile {
     void operator()(SNDFILE* file) const noexcept { sf_close(file); }
@@ -39,10 +40,34 @@ std::string why_not_opened() {
     return is_of_head ? "its head is damaged (rate, channels or kind of samples)" : reason;
 }
 
+// libsndfile reads through these, so that it sees the window only.
+WindowCursor& cursor_of(void* user_data) { return *static_cast<WindowCursor*>(user_data); }
+
+SF_VIRTUAL_IO window_functions() {
+    return {.get_filelen = [](void* data) -> sf_count_t { return cursor_of(data).window.size(); },
+            .seek = [](sf_count_t offset, int whence, void* data) -> sf_count_t {
+                return cursor_of(data).seek(offset, whence);
+            },
+            .read = [](void* bytes, sf_count_t count, void* data) -> sf_count_t {
+                const auto size = static_cast<std::size_t>(std::max<sf_count_t>(count, 0));
+                return static_cast<sf_count_t>(
+                    cursor_of(data).read(std::span(static_cast<char*>(bytes), size)));
+            },
+            .write = nullptr,
+            .tell = [](void* data) -> sf_count_t { return cursor_of(data).at; }};
+}
+
 class SndfileReader final : public AudioFileReader {
  public:
-    SndfileReader(fs::path path, SndfileHandle file, const SF_INFO& head)
-        : path_(std::move(path)), file_(std::move(file)), claimed_frames_(head.frames) {
+    SndfileReader(DecoderInput input,
+                  std::unique_ptr<WindowCursor> cursor,
+                  SndfileHandle file,
+                  const SF_INFO& head)
+        : input_(std::move(input)),
+          cursor_(std::move(cursor)),
+          file_(std::move(file)),
+          claimed_frames_(head.frames) {
+        add_note(warning_, input_.path, input_.note);
         info_.rate = SampleRate(head.samplerate);
         info_.channels = head.channels;
         info_.format = format_name(head.format);
@@ -52,6 +77,7 @@ class SndfileReader final : public AudioFileReader {
         // Without a length in the head libsndfile gives SF_COUNT_MAX.
         if (head.frames > 0 && head.frames < SF_COUNT_MAX) {
             info_.claimed_seconds = static_cast<double>(head.frames) / head.samplerate;
+            info_.claimed_frames = head.frames;
         }
     }
 
@@ -60,7 +86,8 @@ class SndfileReader final : public AudioFileReader {
         const sf_count_t got =
             is_behind_end_ ? 0 : sf_readf_float(file_.get(), interleaved.data(), wanted);
         position_ += got;
-        if (got <= 0 && !is_behind_end_) {
+        if (got <= 0 && !is_behind_end_ && !has_noted_end_) {
+            has_noted_end_ = true;
             note_end();
         }
         return got > 0 ? static_cast<std::size_t>(got) : 0;
@@ -76,7 +103,7 @@ class SndfileReader final : public AudioFileReader {
         }
         if (sf_seek(file_.get(), from, SEEK_SET) != from) {
             return fail(fmt::format("{}: cannot go to {:.2f} s: {}",
-                                    path_.string(),
+                                    input_.path.string(),
                                     static_cast<double>(frame) / info_.rate.hertz(),
                                     sf_strerror(file_.get())));
         }
@@ -99,36 +126,51 @@ class SndfileReader final : public AudioFileReader {
         }
     }
 
-    // At the end: notes a file that is shorter than its head says, or an error of the decoder.
+    // At the end: notes a file that is shorter than its head says, an error of the decoder, and a
+    // file that grows.
     void note_end() {
-        const bool is_short = info_.claimed_seconds && position_ < claimed_frames_;
-        if (is_short || sf_error(file_.get()) != SF_ERR_NO_ERROR) {
-            warning_ = fmt::format("{}: is damaged or cut off at {:.2f} s",
-                                   path_.string(),
-                                   static_cast<double>(position_) / info_.rate.hertz());
+        const double rate = info_.rate.hertz();
+        // With all its bytes there, a codec's estimate of the length was too long.
+        const bool is_short =
+            info_.claimed_frames && position_ < claimed_frames_ && !input_.is_complete;
+        const double missing =
+            input_.missing_seconds +
+            (is_short ? static_cast<double>(claimed_frames_ - position_) / rate : 0.0);
+        if (is_short || missing >= kLeastMissing || input_.is_cut ||
+            sf_error(file_.get()) != SF_ERR_NO_ERROR) {
+            add_note(warning_,
+                     input_.path,
+                     cut_off_note(static_cast<double>(position_) / rate, missing));
+        }
+        if (input_.window.has_grown()) {
+            add_note(warning_, input_.path, kHasGrown);
         }
     }
 
-    fs::path path_;
+    DecoderInput input_;
+    std::unique_ptr<WindowCursor> cursor_;  // what file_ reads: outlives it
     SndfileHandle file_;
     sf_count_t claimed_frames_;
     sf_count_t preroll_ = 0;  // frames before a seek's target that are read past
     std::int64_t position_ = 0;
     bool is_behind_end_ = false;
+    bool has_noted_end_ = false;
 };
 
 }  // namespace
 
-Expected<AudioFileReaderPtr> open_by_sndfile(const fs::path& path) {
+Expected<AudioFileReaderPtr> open_by_sndfile(const DecoderInput& input) {
+    auto cursor = std::make_unique<WindowCursor>(WindowCursor{input.window});
+    SF_VIRTUAL_IO functions = window_functions();
     SF_INFO head{};
-    SndfileHandle file(sf_open(path.c_str(), SFM_READ, &head));
+    SndfileHandle file(sf_open_virtual(&functions, SFM_READ, &head, cursor.get()));
     if (!file) {
-        return fail(path.string() + ": is not audio that can be read: " + why_not_opened());
+        return fail(input.path.string() + ": is not audio that can be read: " + why_not_opened());
     }
-    if (auto checked = check_head(path, head.samplerate, head.channels); !checked) {
+    if (auto checked = check_head(input.path, head.samplerate, head.channels); !checked) {
         return fail(checked.error());
     }
-    return std::make_unique<SndfileReader>(path, std::move(file), head);
+    return std::make_unique<SndfileReader>(input, std::move(cursor), std::move(file), head);
 }
 
 }  // namespace raks::audio

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "audio/io/downmix.hpp"
+#include "audio/io/hearing.hpp"
 
 namespace raks::engine {
 namespace {
@@ -79,7 +79,7 @@ std::size_t Playback::refill() noexcept {
     }
     analysis_->planned().set_place(analysis_->taken_until(), file_rate_.time_of(got.position));
     const std::span<float> mono = std::span(mono_).first(frames);
-    audio::downmix_to_mono(std::span(pulled_).first(2 * frames), 2, mono);
+    audio::hear_mono(std::span(pulled_).first(2 * frames), 2, got.hearing, mono);
     analysis_->analyze(mono);
     return frames;
 }

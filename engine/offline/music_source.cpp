@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "audio/io/downmix.hpp"
+#include "audio/io/hearing.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "engine/setup/settings.hpp"
@@ -46,14 +46,19 @@ Expected<MusicSource> MusicSource::open(const fs::path& path,
     // At least one frame: a duration below half a sample would be the same as none.
     source.frames_left_ = duration ? std::max<std::int64_t>(1, std::llround(*duration * rate))
                                    : std::numeric_limits<std::int64_t>::max();
-    // The file's head may not say how long it is: then only the seek can tell.
     if (start > 0.0) {
-        const auto claimed = source.reader_->info().claimed_seconds;
-        if (claimed && start >= *claimed) {
-            return fail(starts_behind_end(path, *claimed, start));
-        }
         if (auto sought = source.reader_->seek(std::llround(start * rate)); !sought) {
             return fail(sought.error());
+        }
+        // The file's head may be wrong about its length: only reading can tell.
+        source.read_ahead_ = source.read_block();
+        if (*source.read_ahead_ == 0) {
+            const auto claimed = source.reader_->info().claimed_seconds;
+            return fail(claimed && start >= *claimed
+                            ? starts_behind_end(path, *claimed, start)
+                            : fmt::format("{}: ends before {} s, where it should start",
+                                          path.string(),
+                                          start));
         }
     }
     return source;
@@ -65,21 +70,28 @@ MusicSource MusicSource::of(std::unique_ptr<audio::AudioFileReader> reader) {
     return source;
 }
 
-MusicSource::Block MusicSource::next() {
-    const std::size_t channels = static_cast<std::size_t>(reader_->info().channels);
-    const std::size_t wanted = static_cast<std::size_t>(
+// Decodes the next block of the section; returns its frames. The section may end before the file
+// does: then the file is not read any more.
+std::size_t MusicSource::read_block() {
+    const auto channels = static_cast<std::size_t>(reader_->info().channels);
+    const auto wanted = static_cast<std::size_t>(
         std::min<std::int64_t>(frames_left_, static_cast<std::int64_t>(kBlockFrames)));
-    // The section may end before the file does: then the file is not read any more.
-    const std::size_t got =
-        wanted == 0 ? 0 : reader_->read(std::span(interleaved_).first(wanted * channels));
+    return wanted == 0 ? 0 : reader_->read(std::span(interleaved_).first(wanted * channels));
+}
+
+MusicSource::Block MusicSource::next() {
+    const auto channels = static_cast<std::size_t>(reader_->info().channels);
+    const std::size_t got = read_ahead_ ? *read_ahead_ : read_block();
+    read_ahead_.reset();
     frames_left_ -= static_cast<std::int64_t>(got);
     frames_given_ += static_cast<std::int64_t>(got);
     const std::span<const float> frames = std::span(interleaved_).first(got * channels);
     const std::span<float> mono = std::span(mono_).first(got);
     const std::span<float> stereo = std::span(stereo_).first(2 * got);
-    // The analyzer gets mono, a film's sound track stereo: both of the same frames.
-    audio::downmix_to_mono(frames, channels, mono);
-    audio::downmix_to_stereo(frames, channels, stereo);
+    // The analyzer gets mono, a film's sound track stereo: both of the same frames, as in playback.
+    const audio::Hearing& hearing = reader_->info().hearing;
+    audio::hear_stereo(frames, channels, hearing, stereo);
+    audio::hear_mono(stereo, 2, audio::after_stereo(hearing), mono);
     return {mono, stereo};
 }
 

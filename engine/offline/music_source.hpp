@@ -31,7 +31,8 @@ class MusicSource {
     /// The file's own sample rate.
     [[nodiscard]] SampleRate rate() const noexcept { return reader_->info().rate; }
 
-    /// One block: the same frames as mono for the analyzer and as stereo for a sound track. Both
+    /// One block: the same frames as mono for the analyzer and as stereo for a sound track, both as
+    /// the file's Hearing says (audio/io/hearing.hpp). Both
     /// empty at the end. Valid until the next call.
     struct Block {
         std::span<const float> mono;    ///< one value a frame
@@ -52,7 +53,10 @@ class MusicSource {
  private:
     explicit MusicSource(std::unique_ptr<audio::AudioFileReader> reader);
 
+    [[nodiscard]] std::size_t read_block();
+
     std::unique_ptr<audio::AudioFileReader> reader_;
+    std::optional<std::size_t> read_ahead_;  // frames of the first block, where it is read already
     std::int64_t frames_left_ = 0;
     std::int64_t frames_given_ = 0;
     double start_seconds_ = 0.0;

@@ -29,7 +29,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"models", {"base"}},
 
     {"audio/resample", {"base"}},
-    {"audio/io", {"base", "base/channels"}},
+    {"audio/io", {"base", "base/channels", "audio/resample"}},
     {"audio/features", {"base", "models", "audio/resample"}},
     {"audio/beat/network", {"base", "models", "audio/features"}},
     {"audio/beat", {"base", "models", "audio/features", "audio/beat/network"}},

@@ -169,7 +169,7 @@ TEST_F(AudioFileTest, each_bad_file_gets_one_clear_line) {
 TEST_F(AudioFileTest, a_head_with_an_impossible_rate_is_refused) {
     const auto music = drums(0.1, 48'000, 1);
     ASSERT_TRUE(write_wav(folder_ / "in.wav", music.samples, 1, music.rate));
-    for (const std::uint32_t rate : {0U, 4'000U, 200'000U, 0xFFFFFFFFU}) {
+    for (const std::uint32_t rate : {0U, 500U, 10'000'000U, 0xFFFFFFFFU}) {
         std::string bytes = read_file(folder_ / "in.wav").value();
         std::memcpy(bytes.data() + 24, &rate, 4);
         ASSERT_TRUE(write_file(folder_ / "bad.wav", bytes));
@@ -177,9 +177,9 @@ TEST_F(AudioFileTest, a_head_with_an_impossible_rate_is_refused) {
         ASSERT_FALSE(reader) << rate;
         EXPECT_THAT(reader.error().message, HasSubstr("bad.wav: "));
         EXPECT_THAT(reader.error().message, ::testing::Not(HasSubstr("nternal error")));
-        if (rate == 4'000U) {
+        if (rate == 500U) {
             EXPECT_THAT(reader.error().message,
-                        HasSubstr("has a sample rate of 4000 Hz, must be 8000 to 192000"));
+                        HasSubstr("has a sample rate of 500 Hz, must be 1000 to 3000000"));
         }
     }
 }
