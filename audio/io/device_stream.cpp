@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "audio/io/block_desk.hpp"
+#include "audio/io/counted_blocks.hpp"
 #include "audio/io/jack_stream.hpp"
 #include "audio/io/portaudio_session.hpp"
 #include "audio/io/portaudio_stream.hpp"
@@ -14,8 +14,8 @@
 
 namespace raks::audio {
 
-DeviceStream::DeviceStream(std::shared_ptr<BlockDesk> desk, SampleRate rate)
-    : desk_(std::move(desk)), rate_(rate) {}
+DeviceStream::DeviceStream(std::shared_ptr<CountedBlocks> blocks, SampleRate rate)
+    : blocks_(std::move(blocks)), rate_(rate) {}
 
 DeviceStream::~DeviceStream() = default;
 
@@ -62,16 +62,16 @@ Expected<std::unique_ptr<DeviceStream>> DeviceStream::open_output(const AudioDev
     return open(Direction::output, device, config);
 }
 
-void DeviceStream::connect(StreamCallback& callback) noexcept { desk_->gate().open(callback); }
-void DeviceStream::disconnect() noexcept { desk_->gate().close(); }
-int DeviceStream::channels() const noexcept { return desk_->channels(); }
-std::uint64_t DeviceStream::callbacks() const noexcept { return desk_->callbacks(); }
-int DeviceStream::block_frames() const noexcept { return desk_->block_frames(); }
-std::uint64_t DeviceStream::xruns() const noexcept { return desk_->xruns(); }
+void DeviceStream::connect(StreamCallback& callback) noexcept { blocks_->gate().open(callback); }
+void DeviceStream::disconnect() noexcept { blocks_->gate().close(); }
+int DeviceStream::channels() const noexcept { return blocks_->channels(); }
+std::uint64_t DeviceStream::callbacks() const noexcept { return blocks_->callbacks(); }
+int DeviceStream::block_frames() const noexcept { return blocks_->block_frames(); }
+std::uint64_t DeviceStream::xruns() const noexcept { return blocks_->xruns(); }
 
 std::string DeviceStream::scheduling() const {
     const auto now = std::chrono::time_point_cast<Nanos>(HostClock::now());
-    return is_alive(now) ? desk_->scheduling() : "unknown";
+    return is_alive(now) ? blocks_->scheduling() : "unknown";
 }
 
 // Without leaked streams an ordinary exit runs all destructors; with them only open files are

@@ -12,7 +12,7 @@
 
 namespace raks::audio {
 
-class BlockDesk;  // audio/io/block_desk.hpp
+class CountedBlocks;  // audio/io/counted_blocks.hpp
 
 /// Wishes for a stream; the device decides, see rate() and channels().
 struct StreamConfig {
@@ -110,14 +110,14 @@ class DeviceStream {
     [[nodiscard]] virtual std::string client_name() const { return {}; }
 
  protected:
-    /// `desk`: where the derived class takes its blocks to; shared, as a thread that cannot be
+    /// `blocks`: where the derived class takes them to; shared, as a thread that cannot be
     /// stopped may use it longer than the stream lives.
-    DeviceStream(std::shared_ptr<BlockDesk> desk, SampleRate rate);
-    /// The desk, for the derived class.
-    [[nodiscard]] BlockDesk& desk() const noexcept { return *desk_; }
+    DeviceStream(std::shared_ptr<CountedBlocks> blocks, SampleRate rate);
+    /// The blocks, for the derived class.
+    [[nodiscard]] CountedBlocks& blocks() const noexcept { return *blocks_; }
 
  private:
-    std::shared_ptr<BlockDesk> desk_;
+    std::shared_ptr<CountedBlocks> blocks_;
     SampleRate rate_;
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "audio/io/block_desk.hpp"
+#include "audio/io/counted_blocks.hpp"
 #include "audio/io/deadline.hpp"
 #include "audio/io/jack_devices.hpp"
 
@@ -24,10 +24,10 @@ constexpr Nanos kSettles = std::chrono::seconds(1);  // names of ports, after a 
 
 // What JACK's threads use. It outlives a client that cannot be closed.
 struct JackLine {
-    JackLine(bool input, int channels) : is_input(input), desk(channels) {}
+    JackLine(bool input, int channels) : is_input(input), blocks(channels) {}
 
     const bool is_input;
-    BlockDesk desk;
+    CountedBlocks blocks;
     std::vector<jack_port_t*> ports;
     std::vector<float> block;  // interleaved, kMostFrames
     std::atomic<bool> is_shut_down{false};
@@ -42,7 +42,7 @@ int on_period(jack_nframes_t frames, void* data) noexcept {
     const std::size_t count = std::min<std::size_t>(frames, kMostFrames);
     const std::span<float> block = std::span(line.block).first(count * stride);
     if (!line.is_input) {
-        line.desk.take_output(block, entered);
+        line.blocks.take_output(block, entered);
     }
     for (std::size_t channel = 0; channel < stride; ++channel) {
         float* const samples =
@@ -53,13 +53,13 @@ int on_period(jack_nframes_t frames, void* data) noexcept {
         }
     }
     if (line.is_input) {
-        line.desk.take_input(block, entered);
+        line.blocks.take_input(block, entered);
     }
     return 0;
 }
 
 int on_xrun(void* line) noexcept {
-    static_cast<JackLine*>(line)->desk.note_xrun();
+    static_cast<JackLine*>(line)->blocks.note_xrun();
     return 0;
 }
 
@@ -74,7 +74,7 @@ void on_port(jack_port_id_t, int, void* line) noexcept {
 class JackStream final : public DeviceStream {
  public:
     JackStream(std::shared_ptr<JackLine> line, JackClient client, std::string device)
-        : DeviceStream(std::shared_ptr<BlockDesk>(line, &line->desk),
+        : DeviceStream(std::shared_ptr<CountedBlocks>(line, &line->blocks),
                        SampleRate(static_cast<int>(jack_get_sample_rate(client.get())))),
           line_(std::move(line)),
           client_(std::move(client)),

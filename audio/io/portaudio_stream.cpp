@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "audio/io/block_desk.hpp"
+#include "audio/io/counted_blocks.hpp"
 #include "audio/io/deadline.hpp"
 #include "audio/io/portaudio_session.hpp"
 
@@ -33,10 +33,10 @@ double sane_latency(double seconds, double otherwise) {
 
 // What PortAudio's thread uses, in memory that is leaked with a stream that cannot be stopped.
 struct PortAudioLine {
-    PortAudioLine(bool input, int channels) : is_input(input), desk(channels) {}
+    PortAudioLine(bool input, int channels) : is_input(input), blocks(channels) {}
 
     const bool is_input;
-    BlockDesk desk;
+    CountedBlocks blocks;
 };
 
 // The device's audio thread.
@@ -51,13 +51,13 @@ int on_block(const void* input,
     constexpr PaStreamCallbackFlags kXrun =
         paInputOverflow | paInputUnderflow | paOutputUnderflow | paOutputOverflow;
     if ((flags & kXrun) != 0) {
-        line.desk.note_xrun();
+        line.blocks.note_xrun();
     }
-    const std::size_t samples = frame_count * static_cast<std::size_t>(line.desk.channels());
+    const std::size_t samples = frame_count * static_cast<std::size_t>(line.blocks.channels());
     if (line.is_input && input != nullptr) {
-        line.desk.take_input({static_cast<const float*>(input), samples}, entered);
+        line.blocks.take_input({static_cast<const float*>(input), samples}, entered);
     } else if (!line.is_input && output != nullptr) {
-        line.desk.take_output({static_cast<float*>(output), samples}, entered);
+        line.blocks.take_output({static_cast<float*>(output), samples}, entered);
     }
     return paContinue;
 }
@@ -95,7 +95,7 @@ class PortAudioStream final : public DeviceStream {
                     SampleRate rate,
                     Nanos latency,
                     Nanos dead_after)
-        : DeviceStream(std::shared_ptr<BlockDesk>(line, &line->desk), rate),
+        : DeviceStream(std::shared_ptr<CountedBlocks>(line, &line->blocks), rate),
           line_(std::move(line)),
           stream_(stream),
           latency_(latency),
@@ -124,7 +124,7 @@ class PortAudioStream final : public DeviceStream {
     // Before the first callback the time since the start counts.
     [[nodiscard]] bool is_alive(HostTime now) const noexcept override {
         const bool is_calling_back = callbacks() == 0 ? now - started_ <= kFirstCallbackWithin
-                                                      : now - desk().last_block() <= dead_after_;
+                                                      : now - blocks().last_block() <= dead_after_;
         return is_calling_back && Pa_IsStreamActive(stream_) == 1;
     }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "audio/io/bell.hpp"
-#include "audio/io/block_desk.hpp"
+#include "audio/io/counted_blocks.hpp"
 #include "audio/io/deadline.hpp"
 #include "audio/io/pulse_connection.hpp"
 #include "base/channels/audio_ring.hpp"
@@ -50,7 +50,7 @@ struct FreeStream {
 class PulseStream final : public DeviceStream {
  public:
     PulseStream(Direction direction, SampleRate rate, int channel_count, const StreamConfig& config)
-        : DeviceStream(std::make_shared<BlockDesk>(channel_count), rate),
+        : DeviceStream(std::make_shared<CountedBlocks>(channel_count), rate),
           direction_(direction),
           frame_bytes_(sizeof(float) * static_cast<std::size_t>(channel_count)),
           block_(static_cast<std::size_t>(rate.hertz() / kBlocksPerSecond * channel_count)),
@@ -264,7 +264,7 @@ std::optional<DeviceEvent> PulseStream::poll() {
 
 // The output ran dry: a longer buffer from now on.
 void PulseStream::grow() {
-    desk().note_xrun();
+    blocks().note_xrun();
     const double longer = std::min(2.0 * buffer_seconds_, kMostBuffer);
     if (!may_grow_ || longer <= buffer_seconds_) {
         return;
@@ -320,7 +320,7 @@ void PulseStream::read_samples() {
         // A hole of that length has no data; it was lost.
         const std::size_t samples = data == nullptr ? 0 : bytes / sizeof(float);
         if (samples == 0 || ring_.write({static_cast<const float*>(data), samples}) < samples) {
-            desk().note_xrun();
+            blocks().note_xrun();
         }
         pa_stream_drop(stream_.get());
         bell_.ring();
@@ -347,7 +347,7 @@ HostTime PulseStream::handed_over_at() noexcept {
     if (!played.is_known) {
         return now;
     }
-    const std::int64_t ahead = desk().frames() - played.written;
+    const std::int64_t ahead = blocks().frames() - played.written;
     const Nanos waiting = ahead >= 0 ? rate().time_of(ahead).time_since_epoch() : Nanos(0);
     const HostTime heard = played.at + played.latency + waiting;
     const double error = to_seconds(heard - now) - to_seconds(smooth);
@@ -362,7 +362,7 @@ void PulseStream::play_blocks() {
     while (!is_stopping_.load(std::memory_order_relaxed)) {
         bool is_fresh = false;
         while (ring_.readable() < ahead) {
-            desk().take_output(block_, handed_over_at());
+            blocks().take_output(block_, handed_over_at());
             ring_.write(block_);
             is_fresh = true;
         }
@@ -389,7 +389,7 @@ void PulseStream::record_blocks() {
             // The newest sample has just come; those before it came before.
             const auto behind = static_cast<std::int64_t>(ring_.readable()) / channels();
             fed_until = now - rate().time_of(behind).time_since_epoch();
-            desk().take_input(std::span(block_).first(got), fed_until);
+            blocks().take_input(std::span(block_).first(got), fed_until);
             is_starved = false;
         }
         // From then on up to now; the next wake-up adds what has passed by then.
@@ -399,7 +399,7 @@ void PulseStream::record_blocks() {
         while (is_starved && now - fed_until >= kBlock) {
             std::fill(block_.begin(), block_.end(), 0.0F);
             fed_until += kBlock;
-            desk().take_input(block_, fed_until);
+            blocks().take_input(block_, fed_until);
         }
         const Played played = played_.read();
         latency_ns_.store(played.latency.count(), std::memory_order_relaxed);

@@ -66,9 +66,9 @@ void DeviceKeeper::listen_around() {
     wake_.notify_one();
 }
 
-void DeviceKeeper::bury(std::unique_ptr<audio::DeviceStream> stream) {
+void DeviceKeeper::close_later(std::unique_ptr<audio::DeviceStream> stream) {
     const std::lock_guard lock(mutex_);
-    jobs_.buried.push_back(std::move(stream));
+    jobs_.to_close.push_back(std::move(stream));
     wake_.notify_one();
 }
 
@@ -97,7 +97,7 @@ std::string DeviceKeeper::current_id() {
 
 // Under the mutex.
 bool DeviceKeeper::is_urgent() const noexcept {
-    return is_stopping_ || jobs_.reopens || jobs_.listens || jobs_.moved || !jobs_.buried.empty();
+    return is_stopping_ || jobs_.reopens || jobs_.listens || jobs_.moved || !jobs_.to_close.empty();
 }
 
 // After a pause, unless something more urgent comes.
@@ -120,7 +120,7 @@ std::optional<DeviceKeeper::Jobs> DeviceKeeper::next_jobs() {
 void DeviceKeeper::run() {
     while (auto jobs = next_jobs()) {
         // First: a device may refuse a second stream.
-        jobs->buried.clear();
+        jobs->to_close.clear();
         if (jobs->moved) {
             name_moved(*jobs->moved);
         }

@@ -59,7 +59,7 @@ class DeviceKeeper {
     /// Looks for another monitor that has sound.
     void listen_around();
     /// Closes a stream, which may take a second.
-    void bury(std::unique_ptr<audio::DeviceStream> stream);
+    void close_later(std::unique_ptr<audio::DeviceStream> stream);
 
     /// What was found, oldest first; nothing when there is no more. `opened` makes its device the
     /// current one.
@@ -71,7 +71,7 @@ class DeviceKeeper {
         bool reopens = false;
         bool listens = false;
         std::optional<std::string> moved = {};
-        std::vector<std::unique_ptr<audio::DeviceStream>> buried = {};
+        std::vector<std::unique_ptr<audio::DeviceStream>> to_close = {};
     };
 
     void run();

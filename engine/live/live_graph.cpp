@@ -142,7 +142,7 @@ std::vector<std::string> LiveGraph::watch(HostTime now) {
         live_input_->note_sleep(*slept);
     }
     if (stream_) {
-        hear_events(lines);
+        take_events(lines);
         if (!stream_->is_alive(now)) {
             lose_device(lines);
         }
@@ -152,7 +152,7 @@ std::vector<std::string> LiveGraph::watch(HostTime now) {
     return lines;
 }
 
-void LiveGraph::hear_events(std::vector<std::string>& lines) {
+void LiveGraph::take_events(std::vector<std::string>& lines) {
     using Kind = audio::DeviceEvent::Kind;
     while (const auto event = stream_->poll()) {
         switch (event->kind) {
@@ -184,7 +184,7 @@ void LiveGraph::hear_events(std::vector<std::string>& lines) {
 void LiveGraph::lose_device(std::vector<std::string>& lines) {
     last_latency_ = stream_->latency();
     stream_->abandon();
-    keeper_->bury(std::move(stream_));
+    keeper_->close_later(std::move(stream_));
     keeper_->reopen();
     has_lost_device_ = true;
     if (playback_) {
@@ -230,7 +230,7 @@ void LiveGraph::take_news(std::vector<std::string>& lines) {
 void LiveGraph::take_over(DeviceKeeper::News& news, std::vector<std::string>& lines) {
     if (stream_) {
         stream_->disconnect();
-        keeper_->bury(std::move(stream_));
+        keeper_->close_later(std::move(stream_));
     }
     paced_clock_.reset();
     const SampleRate rate = news.stream->rate();

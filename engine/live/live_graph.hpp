@@ -129,7 +129,7 @@ class LiveGraph {
                                              const LiveGraphConfig& config);
     [[nodiscard]] audio::StreamCallback& callback() noexcept;
     [[nodiscard]] std::string about(const audio::AudioDevice& device, const char* how) const;
-    void hear_events(std::vector<std::string>& lines);
+    void take_events(std::vector<std::string>& lines);
     void lose_device(std::vector<std::string>& lines);
     void take_news(std::vector<std::string>& lines);
     void take_over(DeviceKeeper::News& news, std::vector<std::string>& lines);

@@ -13,15 +13,15 @@
 
 namespace raks::audio {
 
-/// Where the blocks of one stream pass on their way to its callback: counts them and keeps signs of
-/// life. Every kind of stream has one, on the heap: a device's thread that cannot be stopped keeps
-/// using it after its stream is gone.
+/// The blocks of one stream on their way to its callback: counts them and keeps signs of life.
+/// Every kind of stream has one, on the heap: a device's thread that cannot be stopped keeps using
+/// it after its stream is gone.
 ///
 /// Threads: take_* on the device's one thread, the rest on any. Real-time: take_* yes.
-class BlockDesk {
+class CountedBlocks {
  public:
     /// `channels` of each block.
-    explicit BlockDesk(int channels) : channels_(channels) {}
+    explicit CountedBlocks(int channels) : channels_(channels) {}
 
     /// A recorded block, interleaved, that was handed over at `entered`.
     void take_input(std::span<const float> interleaved, HostTime entered) noexcept;

@@ -1,4 +1,4 @@
-#include "audio/io/block_desk.hpp"
+#include "audio/io/counted_blocks.hpp"
 
 #include <sched.h>
 
@@ -9,7 +9,7 @@
 namespace raks::audio {
 
 // What both directions do first.
-BlockTime BlockDesk::begin(std::size_t samples, HostTime entered) noexcept {
+BlockTime CountedBlocks::begin(std::size_t samples, HostTime entered) noexcept {
     const std::int64_t frames = static_cast<std::int64_t>(samples) / channels_;
     const BlockTime time{.first_frame = frames_,
                          .entered = entered,
@@ -22,39 +22,41 @@ BlockTime BlockDesk::begin(std::size_t samples, HostTime entered) noexcept {
     return time;
 }
 
-void BlockDesk::take_input(std::span<const float> interleaved, HostTime entered) noexcept {
+void CountedBlocks::take_input(std::span<const float> interleaved, HostTime entered) noexcept {
     const FlushToZeroScope flush_to_zero;
     const BlockTime time = begin(interleaved.size(), entered);
     gate_.on_input(interleaved, channels_, time);
 }
 
-void BlockDesk::take_output(std::span<float> interleaved, HostTime entered) noexcept {
+void CountedBlocks::take_output(std::span<float> interleaved, HostTime entered) noexcept {
     const FlushToZeroScope flush_to_zero;
     const BlockTime time = begin(interleaved.size(), entered);
     std::fill(interleaved.begin(), interleaved.end(), 0.0F);
     gate_.on_output(interleaved, channels_, time);
 }
 
-void BlockDesk::note_xrun() noexcept {
+void CountedBlocks::note_xrun() noexcept {
     xruns_.fetch_add(1, std::memory_order_relaxed);
     has_xrun_.store(true, std::memory_order_relaxed);
 }
 
-std::uint64_t BlockDesk::callbacks() const noexcept {
+std::uint64_t CountedBlocks::callbacks() const noexcept {
     return callbacks_.load(std::memory_order_relaxed);
 }
 
-std::uint64_t BlockDesk::xruns() const noexcept { return xruns_.load(std::memory_order_relaxed); }
+std::uint64_t CountedBlocks::xruns() const noexcept {
+    return xruns_.load(std::memory_order_relaxed);
+}
 
-int BlockDesk::block_frames() const noexcept {
+int CountedBlocks::block_frames() const noexcept {
     return block_frames_.load(std::memory_order_relaxed);
 }
 
-HostTime BlockDesk::last_block() const noexcept {
+HostTime CountedBlocks::last_block() const noexcept {
     return HostTime(Nanos(last_block_ns_.load(std::memory_order_relaxed)));
 }
 
-std::string BlockDesk::scheduling() const {
+std::string CountedBlocks::scheduling() const {
     int policy = 0;
     sched_param parameters{};
     if (callbacks() == 0 ||

@@ -1,4 +1,4 @@
-#include "audio/io/block_desk.hpp"
+#include "audio/io/counted_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,47 +25,47 @@ class Listener final : public StreamCallback {
     bool was_silent = false;
 };
 
-TEST(BlockDesk, counts_what_passes_without_breaking_the_real_time_rules) {
-    BlockDesk desk(2);
+TEST(CountedBlocks, counts_what_passes_without_breaking_the_real_time_rules) {
+    CountedBlocks blocks(2);
     Listener listener;
-    desk.gate().open(listener);
-    EXPECT_EQ(desk.scheduling(), "unknown");
+    blocks.gate().open(listener);
+    EXPECT_EQ(blocks.scheduling(), "unknown");
     std::array<float, 8> block{};
     block.fill(0.5F);
     raks::test::RealtimeScope scope;
-    desk.take_input(block, HostTime(Nanos(7)));
-    desk.note_xrun();
-    desk.take_output(block, HostTime(Nanos(9)));
+    blocks.take_input(block, HostTime(Nanos(7)));
+    blocks.note_xrun();
+    blocks.take_output(block, HostTime(Nanos(9)));
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
     EXPECT_EQ(listener.last.first_frame, 4);
     EXPECT_EQ(listener.last.entered, HostTime(Nanos(9)));
     EXPECT_TRUE(listener.last.is_xrun);
     EXPECT_TRUE(listener.was_silent) << "zeroed before it is filled";
     EXPECT_EQ(block.front(), 1.0F);
-    EXPECT_EQ(desk.callbacks(), 2U);
-    EXPECT_EQ(desk.xruns(), 1U);
-    EXPECT_EQ(desk.frames(), 8);
-    EXPECT_EQ(desk.block_frames(), 4);
-    EXPECT_NE(desk.scheduling(), "unknown");
+    EXPECT_EQ(blocks.callbacks(), 2U);
+    EXPECT_EQ(blocks.xruns(), 1U);
+    EXPECT_EQ(blocks.frames(), 8);
+    EXPECT_EQ(blocks.block_frames(), 4);
+    EXPECT_NE(blocks.scheduling(), "unknown");
 }
 
-TEST(BlockDesk, an_xrun_is_told_once) {
-    BlockDesk desk(1);
+TEST(CountedBlocks, an_xrun_is_told_once) {
+    CountedBlocks blocks(1);
     Listener listener;
-    desk.gate().open(listener);
-    desk.note_xrun();
+    blocks.gate().open(listener);
+    blocks.note_xrun();
     const std::array<float, 4> block{};
-    desk.take_input(block, {});
+    blocks.take_input(block, {});
     EXPECT_TRUE(listener.last.is_xrun);
-    desk.take_input(block, {});
+    blocks.take_input(block, {});
     EXPECT_FALSE(listener.last.is_xrun);
 }
 
-TEST(BlockDesk, without_a_callback_an_output_is_silent) {
-    BlockDesk desk(2);
+TEST(CountedBlocks, without_a_callback_an_output_is_silent) {
+    CountedBlocks blocks(2);
     std::array<float, 8> block{};
     block.fill(0.5F);
-    desk.take_output(block, {});
+    blocks.take_output(block, {});
     EXPECT_EQ(block.front(), 0.0F);
 }
 
