@@ -123,4 +123,19 @@ std::size_t line_of_nameless_header(std::string_view toml) noexcept {
     return HeaderSearch(toml).line();
 }
 
+std::string toml_quoted(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char letter : text) {
+        if (static_cast<unsigned char>(letter) < 0x20U || letter == 0x7f) {
+            quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(letter));
+            continue;
+        }
+        if (letter == '"' || letter == '\\') {
+            quoted += '\\';
+        }
+        quoted += letter;
+    }
+    return quoted + '"';
+}
+
 }  // namespace raks

@@ -174,4 +174,7 @@ class TomlComplaints {
 /// when there is none before the first other fault.
 [[nodiscard]] std::size_t line_of_nameless_header(std::string_view toml) noexcept;
 
+/// A text as a value of a TOML document, in quotes. `text`: UTF-8.
+[[nodiscard]] std::string toml_quoted(std::string_view text);
+
 }  // namespace raks

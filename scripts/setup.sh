@@ -19,7 +19,7 @@ packages=(
     libfluidsynth-dev libopenblas-dev
     # what the program and its tests run on
     libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils
-    libasound2-plugins xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core
+    libasound2-plugins dbus sox flac lame opus-tools xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core
     # checks
     clang-format clang-tidy
 )

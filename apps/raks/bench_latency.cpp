@@ -234,7 +234,7 @@ Expected<std::unique_ptr<engine::LoopRecorder>> recorder_for(
     if (!output) {
         return fail("no loudspeaker");
     }
-    return engine::LoopRecorder::start(system->devices(), *output, seconds);
+    return engine::LoopRecorder::start_beside(system->devices(), *output, seconds);
 }
 
 // None where no audio system runs: the bench then measures what needs no sound.
@@ -303,11 +303,11 @@ Expected<BenchReport> bench_latency(double seconds) {
     add_callback(**graph, report);
     add_ages(*watched, *music, report);
     report.values.emplace_back("reported_output_latency_ms",
-                               1e3 * to_seconds((*graph)->output_latency()));
+                               1e3 * to_seconds((*graph)->heard_after()));
     add_loop(*watched,
              loop ? (*recorder)->recording() : fail(loop.error()),
              *music,
-             (*graph)->output_latency(),
+             (*graph)->heard_after(),
              report);
     add_counters((*graph)->counters(), report);
     return report;

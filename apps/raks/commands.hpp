@@ -56,6 +56,17 @@ struct DevicesArguments {
 /// Lists the audio devices and which of them are chosen.
 [[nodiscard]] ExitCode devices(const DevicesArguments& arguments);
 
+/// Arguments of `raks calibrate`.
+struct CalibrateArguments {
+    engine::Settings settings;  ///< of the files and the options
+    bool by_loop = false;       ///< an input hears the clicks
+    bool by_taps = false;       ///< a person taps to the clicks
+    bool forgets = false;       ///< nothing is measured: what is kept of the loudspeaker goes
+};
+/// Measures how much later a loudspeaker is heard than it reports, and keeps it. Errors: those of
+/// the devices; what was measured is not sure enough; the file cannot be read or written.
+[[nodiscard]] ExitCode calibrate(const CalibrateArguments& arguments);
+
 /// Arguments of `raks render`.
 struct RenderArguments {
     engine::Settings settings;  ///< of the files and the options

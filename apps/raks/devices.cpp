@@ -1,8 +1,11 @@
 #include "apps/raks/commands.hpp"
 
 #include <cstdio>
+#include <optional>
 
+#include "apps/terminal/say.hpp"
 #include "audio/io/devices.hpp"
+#include "engine/setup/device_offsets.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,8 +13,17 @@
 namespace raks::apps {
 namespace {
 
+// A device and how much later it is heard than it reports, where that was measured.
+std::optional<double> offset_ms(const audio::AudioDevice& device,
+                                const engine::DeviceOffsets& offsets) {
+    const auto own = offsets.of(device.name);
+    const auto offset = own ? own : offsets.of(device.monitor_of);
+    return offset ? std::optional(1e3 * to_seconds(*offset)) : std::nullopt;
+}
+
 // Numbers are those that --device and --output take.
-std::string to_json(const std::vector<audio::AudioDevice>& devices) {
+std::string to_json(const std::vector<audio::AudioDevice>& devices,
+                    const engine::DeviceOffsets& offsets) {
     nlohmann::ordered_json document = {{"format", "raks-devices"}, {"version", 2}};
     auto& list = document["devices"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -24,26 +36,30 @@ std::string to_json(const std::vector<audio::AudioDevice>& devices) {
                         {"outputs", device.output_channels},
                         {"rate", device.default_rate},
                         {"monitor", device.is_monitor},
-                        {"default", device.is_default_input || device.is_default_output}});
+                        {"default", device.is_default_input || device.is_default_output},
+                        {"offset_ms", offset_ms(device, offsets).value_or(0.0)}});
     }
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 // A table, and the devices that live and play would choose, with the reasons.
-std::string to_text(const std::vector<audio::AudioDevice>& devices) {
+std::string to_text(const std::vector<audio::AudioDevice>& devices,
+                    const engine::DeviceOffsets& offsets) {
     if (devices.empty()) {
         return "no audio devices: no sound card, JACK or PulseAudio server was found\n";
     }
     std::string text = "   #  in out   rate  name\n";
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const audio::AudioDevice& device = devices[i];
-        text += fmt::format("{:4} {:3} {:3} {:6.0f}  {}{}\n",
+        const auto offset = offset_ms(device, offsets);
+        text += fmt::format("{:4} {:3} {:3} {:6.0f}  {}{}{}\n",
                             i,
                             device.input_channels,
                             device.output_channels,
                             device.default_rate,
                             audio::described(device),
-                            device.is_monitor ? ": what this computer plays" : "");
+                            device.is_monitor ? ": what this computer plays" : "",
+                            offset ? fmt::format(" [heard {:+.1f} ms]", *offset) : "");
     }
     if (const auto input = audio::choose_input(devices)) {
         text += "live  " + input->reason + "\n";
@@ -66,8 +82,13 @@ ExitCode devices(const DevicesArguments& arguments) {
     if (arguments.asks_for_output) {
         return audio::choose_output(system->devices()) ? kExitDone : kExitFailed;
     }
-    const std::string text =
-        arguments.as_json ? to_json(system->devices()) : to_text(system->devices());
+    auto offsets = engine::DeviceOffsets::load();
+    if (!offsets) {
+        complain(offsets.error().message + "; no device's offset is shown");
+        offsets = engine::DeviceOffsets();
+    }
+    const std::string text = arguments.as_json ? to_json(system->devices(), *offsets)
+                                               : to_text(system->devices(), *offsets);
     std::fputs(text.c_str(), stdout);
     return kExitDone;
 }

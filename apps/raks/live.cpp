@@ -37,13 +37,10 @@ ExitCode live(const LiveArguments& given) {
     if (!loop) {
         return fail(loop.error());
     }
-    engine::LiveGraphConfig config;
+    engine::LiveGraphConfig config = sound_config(arguments.settings);
     config.models = setup->models;
     config.cast = formations.cast();
     config.is_device_named = !arguments.settings.device.empty();
-    config.buffer_seconds = arguments.settings.buffer_ms * 1e-3;
-    // No latency offset: it belongs to an output.
-    config.pose_lead = nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3);
     auto graph = engine::LiveGraph::listen(choice->device, config);
     if (!graph) {
         return fail(graph.error());

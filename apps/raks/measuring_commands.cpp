@@ -34,6 +34,21 @@ void add_devices(RaksCommands& table) {
     app->add_flag("--has-output", a->asks_for_output, "print nothing; fail without one");
 }
 
+void add_calibrate(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(),
+                              "calibrate",
+                              "measure how late a loudspeaker is heard, and keep it",
+                              calibrate);
+    auto* const way = app->add_option_group("way");
+    way->add_flag("--loop", a->by_loop, "clicks, heard by a microphone or through a cable");
+    way->add_flag("--tap", a->by_taps, "clicks, to which you tap a key");
+    way->add_flag("--forget", a->forgets, "measure nothing: forget what is kept");
+    way->require_option(1);
+    app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
+    app->add_option("--device", a->settings.device, "microphone: name, part of it, or number");
+    add_audio_system_option(*app, a->settings);
+}
+
 void add_analyze(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "analyze", "tell beats, tempo and dance of files", analyze);
@@ -122,6 +137,7 @@ void add_bench(RaksCommands& table) {
 
 void add_measuring_commands(RaksCommands& table) {
     add_devices(table);
+    add_calibrate(table);
     add_analyze(table);
     add_eval(table);
     add_bench(table);

@@ -198,6 +198,7 @@ class Player {
           models_(models),
           formations_(formations),
           loop_(loop),
+          sound_(sound_config(arguments.settings)),
           planner_(models) {}
 
     // Files that cannot be played are skipped and noted in `files`.
@@ -221,6 +222,7 @@ class Player {
     const engine::AnalyzerModels& models_;
     const engine::Formations& formations_;
     StageLoop& loop_;
+    engine::LiveGraphConfig sound_;  // of every song
     engine::SongPlanner planner_;
     bool is_first_ = true;  // the next song to play
     bool has_failed_ = false;
@@ -328,13 +330,10 @@ Expected<StageEnd> Player::play(const Path& file,
 
 // The formation may have changed since the last file: its present cast dances on.
 engine::LiveGraphConfig Player::graph_config() const {
-    engine::LiveGraphConfig config;
+    engine::LiveGraphConfig config = sound_;
     config.models = models_;
     config.cast = formations_.cast();
     config.is_device_named = !arguments_.settings.output.empty();
-    config.buffer_seconds = arguments_.settings.buffer_ms * 1e-3;
-    config.latency_offset = nanos_from_seconds(arguments_.settings.latency_offset_ms * 1e-3);
-    config.pose_lead = nanos_from_seconds(arguments_.settings.pose_lead_ms * 1e-3);
     return config;
 }
 

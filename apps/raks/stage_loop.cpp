@@ -374,7 +374,7 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
         overlay.position = playback->position_seconds();
         overlay.is_paused = playback->is_paused() || has_ended();
         overlay.volume = live_actions_.volume();
-        overlay.latency_ms = to_seconds(graph_->output_latency()) * 1e3;
+        overlay.latency_ms = to_seconds(graph_->heard_after()) * 1e3;
         // With an input the latency is that of the analysis: nothing is played.
     } else {
         overlay.latency_ms = to_seconds(graph_->analysis().taken_until() - stage.music.time) * 1e3;
@@ -383,6 +383,19 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
     overlay.drops = counters.dropped_states;
     overlay.xruns = counters.xruns;
     overlay.late = counters.underruns;
+}
+
+engine::LiveGraphConfig sound_config(const engine::Settings& settings) {
+    engine::LiveGraphConfig config;
+    config.buffer_seconds = settings.buffer_ms * 1e-3;
+    config.latency_offset = nanos_from_seconds(settings.latency_offset_ms * 1e-3);
+    config.pose_lead = nanos_from_seconds(settings.pose_lead_ms * 1e-3);
+    if (auto offsets = engine::DeviceOffsets::load()) {
+        config.offsets = std::move(*offsets);
+    } else {
+        complain(offsets.error().message + "; no device's offset is used");
+    }
+    return config;
 }
 
 }  // namespace raks::apps

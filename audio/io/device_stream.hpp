@@ -84,11 +84,12 @@ class DeviceStream {
     [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
     /// Channels of each block.
     [[nodiscard]] int channels() const noexcept;
-    /// Time between BlockTime::entered and the moment at which the block's first sample leaves an
-    /// output, or at which the block's last sample passed an input (negative direction: how old it
-    /// is), as the device reports it now; 0 to 2 s, smoothed. JACK counts what its ports are
+    /// How long after BlockTime::entered it is heard, as the device reports it now; -2 to 2 s,
+    /// smoothed. Of an output: the block's first sample. Of an input: the moment behind the block's
+    /// last sample, which is past (negative) where a microphone took it, and to come where a
+    /// monitor records what its loudspeaker has not played yet. JACK counts what its ports are
     /// connected to; PulseAudio the whole way to the converter.
-    [[nodiscard]] virtual Nanos latency() const noexcept = 0;
+    [[nodiscard]] virtual Nanos heard_after() const noexcept = 0;
 
     /// Number of callbacks since the start.
     [[nodiscard]] std::uint64_t callbacks() const noexcept;

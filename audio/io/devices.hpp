@@ -37,6 +37,7 @@ struct AudioDevice {
     bool is_default_input = false;   ///< the system's default
     bool is_default_output = false;  ///< the same for output
     bool is_monitor = false;         ///< it records what the computer plays
+    std::string monitor_of{};        ///< of a monitor: the name of its loudspeaker
 };
 
 /// For messages: "'system' (JACK)", "'Monitor of Living Room' (PulseAudio)".

@@ -91,13 +91,16 @@ class JackStream final : public DeviceStream {
     JackStream(const JackStream&) = delete;
     JackStream& operator=(const JackStream&) = delete;
 
-    [[nodiscard]] Nanos latency() const noexcept override {
+    // JACK counts to or from the block's first sample.
+    [[nodiscard]] Nanos heard_after() const noexcept override {
         jack_latency_range_t range{};
         jack_port_get_latency_range(line_->ports.front(),
                                     line_->is_input ? JackCaptureLatency : JackPlaybackLatency,
                                     &range);
-        const Nanos latency = rate().time_of(range.max).time_since_epoch();
-        return std::clamp<Nanos>(latency, Nanos(0), kMostLatency);
+        const Nanos latency =
+            std::min<Nanos>(rate().time_of(range.max).time_since_epoch(), kMostLatency);
+        const Nanos block = rate().time_of(blocks().block_frames()).time_since_epoch();
+        return line_->is_input ? block - latency : latency;
     }
     [[nodiscard]] bool is_alive(HostTime) const noexcept override {
         return !line_->is_shut_down.load(std::memory_order_relaxed);

@@ -93,12 +93,12 @@ class PortAudioStream final : public DeviceStream {
     PortAudioStream(std::shared_ptr<PortAudioLine> line,
                     PaStream* stream,
                     SampleRate rate,
-                    Nanos latency,
+                    Nanos heard_after,
                     Nanos dead_after)
         : DeviceStream(std::shared_ptr<CountedBlocks>(line, &line->blocks), rate),
           line_(std::move(line)),
           stream_(stream),
-          latency_(latency),
+          heard_after_(heard_after),
           dead_after_(dead_after),
           started_(HostClock::now()) {}
 
@@ -119,7 +119,7 @@ class PortAudioStream final : public DeviceStream {
     PortAudioStream(const PortAudioStream&) = delete;
     PortAudioStream& operator=(const PortAudioStream&) = delete;
 
-    [[nodiscard]] Nanos latency() const noexcept override { return latency_; }
+    [[nodiscard]] Nanos heard_after() const noexcept override { return heard_after_; }
 
     // Before the first callback the time since the start counts.
     [[nodiscard]] bool is_alive(HostTime now) const noexcept override {
@@ -131,7 +131,7 @@ class PortAudioStream final : public DeviceStream {
  private:
     std::shared_ptr<PortAudioLine> line_;
     PaStream* stream_;
-    Nanos latency_;
+    Nanos heard_after_;
     Nanos dead_after_;
     HostTime started_;
 };
@@ -151,12 +151,14 @@ tl::expected<std::unique_ptr<DeviceStream>, PaError> try_stream(const Attempt& a
         Pa_CloseStream(stream);
         return tl::unexpected(error);
     }
-    const double said = attempt.is_input ? info->inputLatency : info->outputLatency;
+    // What PortAudio says of an input is the length of its buffer, not how old a block is.
+    const double heard_after =
+        attempt.is_input ? 0.0 : sane_latency(info->outputLatency, attempt.latency);
     return std::make_unique<PortAudioStream>(
         std::move(line),
         stream,
         SampleRate(static_cast<int>(std::lround(info->sampleRate))),
-        nanos_from_seconds(sane_latency(said, attempt.latency)),
+        nanos_from_seconds(heard_after),
         dead_after);
 }
 

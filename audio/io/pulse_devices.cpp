@@ -59,10 +59,10 @@ void take_source(pa_context*, const pa_source_info* info, int, void* devices) {
         AudioDevice device = device_of(*info);
         device.input_channels = info->sample_spec.channels;
         device.is_monitor = info->monitor_of_sink != PA_INVALID_INDEX;
-        // For finish_list(): which sink's monitor it is.
-        device.host_api = device.is_monitor && info->monitor_of_sink_name != nullptr
-                              ? info->monitor_of_sink_name
-                              : "";
+        // The sink's id; finish_list() puts its name there.
+        if (device.is_monitor && info->monitor_of_sink_name != nullptr) {
+            device.monitor_of = info->monitor_of_sink_name;
+        }
         static_cast<std::vector<AudioDevice>*>(devices)->push_back(device);
     }
 }
@@ -73,9 +73,13 @@ void finish_list(const Server& server, std::vector<AudioDevice>& devices) {
         const bool is_input = device.input_channels > 0;
         device.is_default_output = !is_input && device.id == server.default_sink;
         device.is_default_input = device.is_monitor
-                                      ? device.host_api == server.default_sink
+                                      ? device.monitor_of == server.default_sink
                                       : is_input && device.id == server.default_source;
         device.host_api = server.software;
+        const auto sink = std::find_if(devices.begin(), devices.end(), [&](const AudioDevice& d) {
+            return d.output_channels > 0 && d.id == device.monitor_of;
+        });
+        device.monitor_of = device.is_monitor && sink != devices.end() ? sink->name : "";
     }
     // Stable: the others keep the server's order.
     const auto rank = [](const AudioDevice& device) {

@@ -68,8 +68,8 @@ class PulseStream final : public DeviceStream {
     // After open().
     void start();
 
-    [[nodiscard]] Nanos latency() const noexcept override {
-        return Nanos(latency_ns_.load(std::memory_order_relaxed));
+    [[nodiscard]] Nanos heard_after() const noexcept override {
+        return Nanos(heard_after_ns_.load(std::memory_order_relaxed));
     }
     [[nodiscard]] bool is_alive(HostTime) const noexcept override {
         return !is_dead_.load(std::memory_order_relaxed);
@@ -86,6 +86,7 @@ class PulseStream final : public DeviceStream {
     void write_samples();
     void read_samples();
     void look_at_clock();
+    void note_heard_after(Nanos now) noexcept;
     // Our own.
     void play_blocks();
     void record_blocks();
@@ -101,11 +102,12 @@ class PulseStream final : public DeviceStream {
     PulseConnection connection_{"Raks"};
     std::unique_ptr<pa_stream, FreeStream> stream_;
 
-    std::string opened_;        // id of the device
-    std::int64_t written_ = 0;  // frames; libpulse's thread
+    std::string opened_;                 // id of the device
+    std::int64_t written_ = 0;           // frames; libpulse's thread
+    bool is_heard_after_known_ = false;  // of an input; likewise
     LatestValue<Played> played_;
     // Relaxed: each is a value by itself.
-    std::atomic<std::int64_t> latency_ns_{0};
+    std::atomic<std::int64_t> heard_after_ns_{0};
     std::atomic<bool> is_stopping_{false};
     std::atomic<bool> is_dead_{false};
     std::mutex events_mutex_;
@@ -231,7 +233,8 @@ void PulseStream::start() {
         if (name != nullptr && name != opened_) {
             add_event({.kind = DeviceEvent::Kind::moved, .id = name});
         }
-        latency_ns_.store(nanos_from_seconds(buffer_seconds_).count(), std::memory_order_relaxed);
+        heard_after_ns_.store(nanos_from_seconds(buffer_seconds_).count(),
+                              std::memory_order_relaxed);
     }
     callback_thread_ = std::thread([this] {
         prefer_this_thread(SoundThread::callback);
@@ -333,9 +336,27 @@ void PulseStream::look_at_clock() {
     if (pa_stream_get_latency(stream_.get(), &latency, &is_negative) < 0) {
         return;
     }
-    const Nanos ahead = is_negative != 0 ? Nanos(0) : Nanos(std::chrono::microseconds(latency));
-    played_.write(
-        {HostTime(HostClock::now()), std::min<Nanos>(ahead, kMostLatency), written_, true});
+    const Nanos reported = std::min<Nanos>(std::chrono::microseconds(latency), kMostLatency);
+    if (direction_ == Direction::output) {
+        const Nanos ahead = is_negative != 0 ? Nanos(0) : reported;
+        played_.write({HostTime(HostClock::now()), ahead, written_, true});
+        return;
+    }
+    // libpulse reports the age of what is read next. Of a monitor it takes off what its sink still
+    // holds: a negative age is the time until it is heard.
+    note_heard_after(is_negative != 0 ? reported : -reported);
+}
+
+// Smooths: an input's value swings by the fragments in which the server hands it over.
+void PulseStream::note_heard_after(Nanos now) noexcept {
+    if (!std::exchange(is_heard_after_known_, true)) {
+        heard_after_ns_.store(now.count(), std::memory_order_relaxed);
+        return;
+    }
+    const Nanos smooth = heard_after();
+    const double error = to_seconds(now - smooth);
+    heard_after_ns_.store((smooth + nanos_from_seconds(kSmoothing * error)).count(),
+                          std::memory_order_relaxed);
 }
 
 // When the next block was handed over: the moment at which it will be heard, as the server's clock
@@ -343,7 +364,7 @@ void PulseStream::look_at_clock() {
 HostTime PulseStream::handed_over_at() noexcept {
     const Played played = played_.read();
     const HostTime now = HostClock::now();
-    const Nanos smooth = latency();
+    const Nanos smooth = heard_after();
     if (!played.is_known) {
         return now;
     }
@@ -353,7 +374,7 @@ HostTime PulseStream::handed_over_at() noexcept {
     const double error = to_seconds(heard - now) - to_seconds(smooth);
     const Nanos next =
         std::clamp<Nanos>(smooth + nanos_from_seconds(kSmoothing * error), Nanos(0), kMostLatency);
-    latency_ns_.store(next.count(), std::memory_order_relaxed);
+    heard_after_ns_.store(next.count(), std::memory_order_relaxed);
     return heard - next;
 }
 
@@ -401,8 +422,6 @@ void PulseStream::record_blocks() {
             fed_until += kBlock;
             blocks().take_input(block_, fed_until);
         }
-        const Played played = played_.read();
-        latency_ns_.store(played.latency.count(), std::memory_order_relaxed);
     }
 }
 

@@ -18,6 +18,8 @@ constexpr double kPlayBuffer = 0.040;
 // `live` without sound for so long looks around for it, and then again.
 constexpr Nanos kSilentFor = std::chrono::seconds(5);
 constexpr float kSilentDbfs = -70.0F;
+// Tracks keep 0.6 s of poses: a dance that is seen later than this waits.
+constexpr Nanos kLongestAhead = std::chrono::milliseconds(300);
 
 }  // namespace
 
@@ -37,7 +39,10 @@ Expected<void> LiveGraph::open_stream(Direction direction,
         return fail(stream.error());
     }
     stream_ = std::move(*stream);
-    device_ = device;
+    // Without a device nothing is delayed, and no offset applies.
+    latency_offset_ = config.latency_offset;
+    offsets_ = config.offsets;
+    set_device(device);
     keeper_ = std::make_unique<DeviceKeeper>(
         DeviceKeeper::Plan{direction, config.is_device_named, wishes}, device);
     return {};
@@ -62,9 +67,6 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
         if (auto opened = graph->open_stream(Direction::output, *output, config); !opened) {
             return fail(opened.error());
         }
-        // Pictures wait for what the device buffers. Without a device nothing is delayed, and no
-        // offset applies.
-        graph->latency_offset_ = config.latency_offset;
     }
     // The resampler needs the device's real rate, which is known once the stream is open.
     const SampleRate rate = output ? graph->stream_->rate() : kOwnClockRate;
@@ -84,7 +86,6 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     return graph;
 }
 
-// With an input nothing is delayed on the way out: latencies stay 0.
 Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice& input,
                                                        const LiveGraphConfig& config) {
     std::unique_ptr<LiveGraph> graph(new LiveGraph);
@@ -133,8 +134,16 @@ std::string LiveGraph::about(const audio::AudioDevice& device, const char* how) 
         "{} {} {}", playback_ ? "sound goes to" : "listening to", audio::described(device), how);
 }
 
+// A monitor without an offset of its own is as late as its loudspeaker.
+void LiveGraph::set_device(const audio::AudioDevice& device) {
+    device_ = device;
+    device_offset_ =
+        offsets_.of(device.name).value_or(offsets_.of(device.monitor_of).value_or(Nanos(0)));
+}
+
 std::vector<std::string> LiveGraph::watch(HostTime now) {
     std::vector<std::string> lines;
+    hold_back_dance();
     if (!keeper_) {
         return lines;
     }
@@ -182,7 +191,7 @@ void LiveGraph::take_events(std::vector<std::string>& lines) {
 
 // `play` stands still until somebody can hear it; for `live` the music goes on, wherever it is.
 void LiveGraph::lose_device(std::vector<std::string>& lines) {
-    last_latency_ = stream_->latency();
+    last_heard_after_ = stream_->heard_after();
     stream_->abandon();
     keeper_->close_later(std::move(stream_));
     keeper_->reopen();
@@ -207,7 +216,7 @@ void LiveGraph::take_news(std::vector<std::string>& lines) {
                 break;
             case Kind::moved:
                 if (news->device.id != device_.id) {
-                    device_ = news->device;
+                    set_device(news->device);
                     lines.push_back(about(device_, "now"));
                 }
                 break;
@@ -238,7 +247,7 @@ void LiveGraph::take_over(DeviceKeeper::News& news, std::vector<std::string>& li
     stream_ = std::move(news.stream);
     lines.push_back(
         about(news.device, has_lost_device_ && news.device.id == device_.id ? "again" : "now"));
-    device_ = news.device;
+    set_device(news.device);
     has_lost_device_ = !ready;
     if (!ready) {
         lines.back() = device_.name + ": " + ready.error().message;
@@ -266,20 +275,27 @@ bool LiveGraph::is_played_out(HostTime now) noexcept {
         return false;
     }
     finished_ = finished_.value_or(now);
-    return now - *finished_ >= output_latency();
+    return now - *finished_ >= heard_after();
 }
 
-Nanos LiveGraph::output_latency() const noexcept {
-    if (!playback_ || !keeper_) {
-        return latency_offset_;
-    }
-    return (stream_ ? stream_->latency() : last_latency_) + latency_offset_;
+Nanos LiveGraph::heard_after() const noexcept {
+    const Nanos reported = stream_ ? stream_->heard_after() : last_heard_after_;
+    return reported + device_offset_ + latency_offset_;
+}
+
+HostTime LiveGraph::heard_at(StreamTime t) noexcept {
+    return analysis_->clock().host_at(t) + heard_after();
 }
 
 StreamTime LiveGraph::moment_at(HostTime seen_at) noexcept {
-    // Stream time that is handed over at seen_at, minus what the output still buffers, plus the
-    // lead.
-    return analysis_->clock().stream_at(seen_at) + pose_lead_ - output_latency();
+    return analysis_->clock().stream_at(seen_at) + pose_lead_ - heard_after();
+}
+
+// What is analyzed long before it is heard is danced only when it is nearly due: tracks keep poses
+// for a while only, and what a person asks for must not come after what was danced ahead.
+void LiveGraph::hold_back_dance() noexcept {
+    const Nanos ahead = heard_after() - pose_lead_ - kLongestAhead;
+    motion_->hold_back(ahead > Nanos(0) ? static_cast<std::size_t>(ahead / kHop) : 0);
 }
 
 LiveCounters LiveGraph::counters() const noexcept {

@@ -19,6 +19,7 @@
 #include "engine/live/sleep_watch.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/device_offsets.hpp"
 #include "motion/dancer.hpp"
 #include "motion/ensemble.hpp"
 
@@ -31,6 +32,7 @@ struct LiveGraphConfig {
     /// play(): nothing sounds until Playback::let_go(), e.g. as a plan will come soon.
     bool is_held_back = false;
     Nanos latency_offset{};        ///< the user's, added to what the device reports
+    DeviceOffsets offsets = {};    ///< the same of each device, as calibrated
     bool is_device_named = false;  ///< the person chose the device: the default is not followed
     double buffer_seconds = 0.0;   ///< of the device, as the person wishes; 0: its own, and growing
     Nanos pose_lead{};             ///< pictures show the pose this much ahead of the sound
@@ -80,16 +82,21 @@ class LiveGraph {
     /// how long ago that was: call it with every picture.
     [[nodiscard]] bool is_played_out(HostTime now) noexcept;
 
-    /// The moment of the music that a picture seen at `seen_at` must show: what leaves the
-    /// loudspeaker then, or with an input what sounds then; later by the pose lead.
+    /// The host time at which stream time `t` is heard: in `play` when it leaves the loudspeaker;
+    /// with a microphone or line-in when it was captured; with a monitor when the loudspeaker that
+    /// it belongs to plays it, as the server reports. All of it corrected by heard_after().
+    [[nodiscard]] HostTime heard_at(StreamTime t) noexcept;
+    /// The moment of the music that a picture seen at `seen_at` must show: what is heard then (the
+    /// inverse of heard_at()), later by the pose lead.
     [[nodiscard]] StreamTime moment_at(HostTime seen_at) noexcept;
 
     /// The newest stage that the motion thread published. Threads: main only (one reader).
     [[nodiscard]] const StageState& stage() noexcept { return for_main_->read(); }
-    /// Latency between our block and the loudspeaker, the user's offset included.
-    [[nodiscard]] Nanos output_latency() const noexcept;
+    /// How long after its block is handed over, or came in, the sound is heard: as the device
+    /// reports it (DeviceStream::heard_after), the offset calibrated for it and the person's.
+    [[nodiscard]] Nanos heard_after() const noexcept;
     /// The person's part of it; a change moves the pictures at once. At the start it is the
-    /// configuration's where a device plays, else 0.
+    /// configuration's where there is a device, else 0.
     [[nodiscard]] Nanos latency_offset() const noexcept { return latency_offset_; }
     /// Sets it, in either direction; nothing is clamped here.
     void set_latency_offset(Nanos offset) noexcept { latency_offset_ = offset; }
@@ -129,14 +136,18 @@ class LiveGraph {
                                              const LiveGraphConfig& config);
     [[nodiscard]] audio::StreamCallback& callback() noexcept;
     [[nodiscard]] std::string about(const audio::AudioDevice& device, const char* how) const;
+    void set_device(const audio::AudioDevice& device);
     void take_events(std::vector<std::string>& lines);
     void lose_device(std::vector<std::string>& lines);
     void take_news(std::vector<std::string>& lines);
     void take_over(DeviceKeeper::News& news, std::vector<std::string>& lines);
     void watch_silence(HostTime now);
+    void hold_back_dance() noexcept;
 
     audio::AudioDevice device_;  // the one that runs, or ran last
-    Nanos last_latency_{};       // of an output, while it is gone
+    Nanos last_heard_after_{};   // while the device is gone
+    DeviceOffsets offsets_;
+    Nanos device_offset_{};  // of device_
     Nanos latency_offset_{};
     Nanos pose_lead_{};
     bool has_lost_device_ = false;

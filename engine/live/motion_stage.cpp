@@ -81,7 +81,8 @@ void MotionStage::tick() noexcept {
     bool has_danced = false;
     // Usually one state; after a late wake-up several, danced in order so that the result does not
     // depend on timing.
-    while (wiring_.states.pop(stage_->music)) {
+    const std::size_t held_back = held_back_.load(std::memory_order_relaxed);
+    while (wiring_.states.size() > held_back && wiring_.states.pop(stage_->music)) {
         dancers_->advance(stage_->music, stage_->tracks);
         stage_->dancer = dancers_->status();
         if (wiring_.record != nullptr) {

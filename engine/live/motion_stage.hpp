@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -74,6 +75,14 @@ class MotionStage {
     /// full.
     bool replace(motion::Ensemble dancers);
 
+    /// From the next tick on so many of the newest states, at most kMostHeldBack, wait: for sound
+    /// that is heard much later than it is analyzed. The dance itself stays the same. Threads: any.
+    void hold_back(std::size_t states) noexcept {
+        held_back_.store(std::min(states, kMostHeldBack), std::memory_order_relaxed);
+    }
+    /// 4 s: the queue of states has room for more.
+    static constexpr std::size_t kMostHeldBack = 400;
+
     /// Hops danced so far. Threads: any.
     [[nodiscard]] std::int64_t danced_hops() const noexcept {
         return danced_hops_.load(std::memory_order_acquire);  // pairs with the release in tick()
@@ -97,6 +106,7 @@ class MotionStage {
     RetireQueue<motion::Ensemble> left_{kQueuedOrders};
     std::unique_ptr<StageState> stage_;  // the ticking thread's own working copy
     std::atomic<std::int64_t> danced_hops_{0};
+    std::atomic<std::size_t> held_back_{0};  // relaxed: a wish by itself
 };
 
 /// The motion thread: a MotionStage that ticks by itself every 2 ms.
@@ -115,6 +125,9 @@ class MotionThread {
     bool command(const motion::DancerCommand& command) noexcept { return stage_.command(command); }
     /// Queues other dancers; see MotionStage::replace. Threads: main. False when the queue is full.
     bool replace(motion::Ensemble dancers) { return stage_.replace(std::move(dancers)); }
+
+    /// See MotionStage::hold_back. Threads: any.
+    void hold_back(std::size_t states) noexcept { stage_.hold_back(states); }
 
     /// Hops danced so far. Threads: any.
     [[nodiscard]] std::int64_t danced_hops() const noexcept { return stage_.danced_hops(); }

@@ -11,6 +11,7 @@
 #include "base/file.hpp"
 #include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
+#include "engine/setup/user_folders.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -290,8 +291,7 @@ std::string to_toml(const Settings& settings) {
             [&](auto member) -> std::string {
                 using T = std::decay_t<decltype(settings.*member)>;
                 if constexpr (std::is_same_v<T, std::string>) {
-                    // {:?} escapes quotes and control characters.
-                    return fmt::format("{:?}", fmt::string_view(settings.*member));
+                    return toml_quoted(settings.*member);
                 } else if constexpr (std::is_same_v<T, double>) {
                     const std::string number = fmt::format("{}", settings.*member);
                     // A decimal point, so that TOML reads the number back as a decimal.
@@ -307,28 +307,11 @@ std::string to_toml(const Settings& settings) {
 }
 
 fs::path user_settings_path() {
-    // Read at start-up, before any thread exists: nothing calls setenv at the same time.
-    // A path that is not absolute is no setting (XDG Base Directory Specification).
-    const char* xdg = std::getenv("XDG_CONFIG_HOME");  // NOLINT(concurrency-mt-unsafe)
-    if (xdg != nullptr && *xdg == '/') {
-        return fs::path(xdg) / "raks" / "config.toml";
-    }
-    const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe)
-    return home != nullptr && *home == '/' ? fs::path(home) / ".config" / "raks" / "config.toml"
-                                           : fs::path();
+    const fs::path folder = xdg_folder("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "config.toml";
 }
 
-fs::path user_cache_path() {
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): see above
-    if (const char* const xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') {
-        return fs::path(xdg) / "raks";
-    }
-    // NOLINTNEXTLINE(concurrency-mt-unsafe)
-    if (const char* const home = std::getenv("HOME"); home != nullptr && *home == '/') {
-        return fs::path(home) / ".cache" / "raks";
-    }
-    return {};
-}
+fs::path user_cache_path() { return xdg_folder("XDG_CACHE_HOME", ".cache"); }
 
 Expected<Settings> load_settings() {
     Settings settings;

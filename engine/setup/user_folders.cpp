@@ -50,6 +50,18 @@ fs::path user_folder_in(std::string_view user_dirs, std::string_view name, const
     return folder;
 }
 
+fs::path xdg_folder(const char* variable, const fs::path& below_home) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): see the header
+    if (const char* const folder = std::getenv(variable); folder != nullptr && *folder == '/') {
+        return fs::path(folder) / "raks";
+    }
+    // NOLINTNEXTLINE(concurrency-mt-unsafe)
+    if (const char* const home = std::getenv("HOME"); home != nullptr && *home == '/') {
+        return home / below_home / "raks";
+    }
+    return {};
+}
+
 fs::path pictures_folder() {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing calls setenv
     const char* const variable = std::getenv("HOME");

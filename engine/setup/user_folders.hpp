@@ -5,6 +5,13 @@
 
 namespace raks::engine {
 
+/// Raks's own folder among those of one kind that the XDG Base Directory Specification names:
+/// `variable` / raks where it holds an absolute path (another is no setting), else below the
+/// person's home. Empty: neither is known. `variable`: "XDG_STATE_HOME"; `below_home`:
+/// ".local/state". Threads: main, before others could set variables.
+[[nodiscard]] std::filesystem::path xdg_folder(const char* variable,
+                                               const std::filesystem::path& below_home);
+
 /// Where a person's pictures are kept: as `xdg-user-dir PICTURES` says it; else ~/Pictures where
 /// that is there; else the current folder, as an empty path. The folder exists. Threads: main.
 [[nodiscard]] std::filesystem::path pictures_folder();

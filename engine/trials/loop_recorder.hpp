@@ -10,19 +10,20 @@
 #include "audio/io/devices.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/expected.hpp"
+#include "engine/trials/block_clock.hpp"
 
 /// Records what leaves by the loudspeaker's ports, through a loop of JACK ports: the reference for
 /// latency.
 ///
-/// When is a sample "out"? Under JACK all samples of a cycle move at once, and neither an output
-/// nor an input has a converter of its own; the cycle's start is the only moment there is. We date
-/// sample i of a recorded block at
+/// When is a sample "out"? When the input says that it was heard, see DeviceStream::heard_after.
+/// Under JACK all samples of a cycle move at once, and neither an output nor an input has a
+/// converter of its own; the cycle's start is the only moment there is. There sample i of a block
+/// is out at
 ///
-///     entry of the recorder's callback + i / rate - the input's reported latency
+///     entry of the recorder's callback + i / rate - JACK's capture latency
 ///
 /// that is, as if a converter at the end of the loop began to play the block when it was handed to
-/// it. The entry is CLOCK_MONOTONIC, taken by ourselves; late wake-ups are taken out by a running
-/// median. JACK's latencies have the same convention: an output that leads to our input alone is 0
+/// it. JACK's latencies have the same convention: an output that leads to our input alone is 0
 /// periods late, as its client is called before the recorder in the same cycle. What a loop of
 /// ports cannot see is the driver's own buffers and the converters: that needs a cable.
 namespace raks::engine {
@@ -30,41 +31,32 @@ namespace raks::engine {
 /// One recorded channel, with the host time of every sample.
 class LoopRecording {
  public:
-    /// One block as the callback received it.
-    struct Block {
-        std::int64_t first_frame = 0;  ///< index of its first sample in the recording
-        HostTime entered{};            ///< when the callback was entered
-    };
-
-    /// `samples`: one channel. `blocks`: ascending by first_frame. `input_latency`: as the input
-    /// reports it.
-    LoopRecording(SampleRate rate,
-                  Nanos input_latency,
-                  std::vector<float> samples,
-                  std::vector<Block> blocks);
+    /// `clock`: marked with the frame behind each block. `samples`: one channel, from frame 0 on.
+    LoopRecording(BlockClock clock, std::vector<float> samples)
+        : clock_(std::move(clock)), samples_(std::move(samples)) {}
 
     /// Of the samples.
-    [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
+    [[nodiscard]] SampleRate rate() const noexcept { return clock_.rate(); }
     /// All samples from the start of the recording.
     [[nodiscard]] std::span<const float> samples() const noexcept { return samples_; }
-    /// Host time at which this sample was out, as defined above: the median over the blocks within
-    /// half a second. Needs at least one block.
-    [[nodiscard]] HostTime heard_at(std::int64_t frame) const;
+    /// When this sample was out, as defined above. Needs at least one block.
+    [[nodiscard]] HostTime heard_at(std::int64_t frame) const { return clock_.heard_at(frame); }
 
  private:
-    SampleRate rate_;
-    Nanos input_latency_;
+    BlockClock clock_;
     std::vector<float> samples_;
-    std::vector<Block> blocks_;
 };
 
-/// Records our own output through JACK.
+/// Records an input; through JACK our own output.
 /// Threads: main. Real-time: no (its callback is).
 class LoopRecorder {
  public:
-    /// Opens the input of the JACK device that `output` plays on. `seconds`: room for that much.
-    /// Errors: `output` is not JACK's, or has no input; it cannot be opened.
+    /// Opens `input`. `seconds`: room for that much. Errors: it cannot be opened.
     [[nodiscard]] static Expected<std::unique_ptr<LoopRecorder>> start(
+        const audio::AudioDevice& input, double seconds);
+    /// Opens the input of the JACK device that `output` plays on. Errors: `output` is not JACK's,
+    /// or has no input; it cannot be opened.
+    [[nodiscard]] static Expected<std::unique_ptr<LoopRecorder>> start_beside(
         std::span<const audio::AudioDevice> devices,
         const audio::AudioDevice& output,
         double seconds);
@@ -73,6 +65,8 @@ class LoopRecorder {
     LoopRecorder(const LoopRecorder&) = delete;
     LoopRecorder& operator=(const LoopRecorder&) = delete;  ///< likewise
 
+    /// Starts keeping what comes.
+    void keep() noexcept;
     /// Connects the running `output`, and nothing else, to the input and starts keeping what comes.
     /// Errors: JACK refuses.
     [[nodiscard]] Expected<void> close_loop(const audio::DeviceStream& output);

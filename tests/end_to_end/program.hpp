@@ -27,6 +27,7 @@ class ProgramTest : public ::testing::Test {
         plan.environment = {{"XDG_CONFIG_HOME", (folder_ / "config").string()},
                             {"XDG_CACHE_HOME", (folder_ / "cache").string()},
                             {"XDG_DATA_HOME", (folder_ / "share").string()},
+                            {"XDG_STATE_HOME", (folder_ / "state").string()},
                             {"JACK_NO_START_SERVER", "1"},
                             {"JACK_DEFAULT_SERVER", "raks_none"},
                             {"PULSE_SERVER", "unix:" + (folder_ / "no_pulse").string()},

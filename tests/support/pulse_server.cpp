@@ -1,21 +1,16 @@
 #include "tests/support/pulse_server.hpp"
 
 #include <csignal>
-#include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
 #include "tests/support/program.hpp"
+#include "tests/support/server_start.hpp"
 
 namespace raks::test {
 namespace {
-
-void set_variable(const char* name, const std::string& value) {
-    setenv(name, value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
-}
 
 // Arguments of module-null-sink.
 std::vector<std::string> sink(const std::string& name, const std::string& description, int rate) {
@@ -24,11 +19,6 @@ std::vector<std::string> sink(const std::string& name, const std::string& descri
             "rate=" + std::to_string(rate),
             "channels=2",
             "sink_properties=\"device.description='" + description + "'\""};
-}
-
-void nap() {
-    const timespec pause{0, 50'000'000};
-    nanosleep(&pause, nullptr);
 }
 
 }  // namespace
@@ -67,15 +57,11 @@ void PulseServer::start(int rate) {
             "-L",
             first_sink},
         (folder_ / "log").string());
-    // The server has no "ready" to wait for but its answer.
-    for (int i = 0; i < 100; ++i) {
-        if (pactl({"info"})) {
-            set_default_sink("raks_null");
-            return;
-        }
-        nap();
+    if (!wait_for_answer([] { return pactl({"info"}); })) {
+        problem_ = "pulseaudio does not start (are pulseaudio and pulseaudio-utils installed?)";
+        return;
     }
-    problem_ = "pulseaudio does not start (are pulseaudio and pulseaudio-utils installed?)";
+    set_default_sink("raks_null");
 }
 
 bool PulseServer::pactl(std::vector<std::string> arguments) {

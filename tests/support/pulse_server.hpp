@@ -21,11 +21,13 @@ class PulseServer {
     [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
     /// One more null sink: what programs call it, and what people do.
-    void add_sink(const std::string& name, const std::string& description, int rate = 48'000);
+    static void add_sink(const std::string& name,
+                         const std::string& description,
+                         int rate = 48'000);
     /// Takes a sink away, as if it were unplugged.
-    void remove_sink(const std::string& name);
+    static void remove_sink(const std::string& name);
     /// What the desktop's sound settings do.
-    void set_default_sink(const std::string& name);
+    static void set_default_sink(const std::string& name);
     /// Runs `pactl` with these arguments; false when it fails.
     [[nodiscard]] static bool pactl(std::vector<std::string> arguments);
     /// Ends the server at once, as a crash would.

@@ -81,9 +81,32 @@ TEST_F(GraphOnItsOwnClock, the_latency_offset_shifts_what_is_shown_at_once) {
     const StreamTime before = graph_->moment_at(seen);
     graph_->set_latency_offset(milliseconds(25));
     EXPECT_EQ(graph_->moment_at(seen), before - milliseconds(25));
-    EXPECT_EQ(graph_->output_latency(), milliseconds(25));
+    EXPECT_EQ(graph_->heard_after(), milliseconds(25));
     graph_->set_latency_offset(milliseconds(-5));
     EXPECT_EQ(graph_->moment_at(seen), before + milliseconds(5));
+}
+
+TEST_F(GraphOnItsOwnClock, the_moment_seen_is_the_one_that_is_heard) {
+    wait_until([&] { return graph_->analysis().clock().is_running; });
+    graph_->set_latency_offset(std::chrono::milliseconds(300));
+    const HostTime seen = HostClock::now();
+    const StreamTime moment = graph_->moment_at(seen);
+    // The clock is corrected with every block.
+    EXPECT_NEAR(to_seconds(graph_->heard_at(moment) - seen), 0.0, 2e-3);
+}
+
+TEST_F(GraphOnItsOwnClock, a_dance_that_is_heard_a_second_later_is_danced_only_when_it_is_due) {
+    graph_->set_latency_offset(std::chrono::seconds(1));
+    wait_until([&] {
+        static_cast<void>(graph_->watch(HostClock::now()));
+        return graph_->stage().music.hop >= 30;
+    });
+    const StageState& stage = graph_->stage();
+    const StreamTime moment = graph_->moment_at(HostClock::now());
+    // 0.3 s ahead of what is heard, and never further back than a track reaches.
+    EXPECT_LT(to_seconds(stage.music.time - moment), 0.45);
+    EXPECT_GT(to_seconds(graph_->analysis().taken_until() - stage.music.time), 0.5);
+    EXPECT_LE(time_of_hop(stage.track().oldest_final()), std::max(moment, StreamTime{}));
 }
 
 }  // namespace

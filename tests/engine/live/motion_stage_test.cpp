@@ -62,6 +62,22 @@ TEST(MotionStage, shows_how_the_dancer_stands_before_the_music_begins) {
     EXPECT_LT(glm::distance(before.hips_position, first.hips_position), 0.01F);
 }
 
+TEST(MotionStage, holds_back_the_newest_states_until_they_are_due) {
+    EventQueue<MusicState> states(16);
+    const auto reader = std::make_unique<StageChannel>();
+    MotionStage motion(motion::Ensemble(), {states, {reader.get()}});
+    for (HopIndex hop = 0; hop < 8; ++hop) {
+        ASSERT_TRUE(states.push(state_of(hop)));
+    }
+    motion.hold_back(5);
+    motion.tick();
+    EXPECT_EQ(reader->read().music.hop, 2);
+    motion.hold_back(1);
+    motion.tick();
+    EXPECT_EQ(reader->read().music.hop, 6) << "none is skipped: each was danced in order";
+    EXPECT_EQ(motion.danced_hops(), 7);
+}
+
 /// Reads until the stage of hop `last` has come.
 class ReadingThread {
  public:

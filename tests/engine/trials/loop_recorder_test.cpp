@@ -15,6 +15,8 @@ constexpr SampleRate kRate(48'000);
 constexpr std::int64_t kBlock = 256;
 constexpr HostTime kStart{std::chrono::seconds(100)};
 constexpr Nanos kInputLatency = std::chrono::milliseconds(2);
+// As JACK's inputs say it: the block's length less the latency of its first sample.
+constexpr Nanos kHeardAfter = kRate.time_of(kBlock).time_since_epoch() - kInputLatency;
 
 audio::GeneratedMusic music() {
     audio::MusicPlan plan;
@@ -37,16 +39,17 @@ LoopRecording looped(const audio::GeneratedMusic& piece,
         samples.push_back(gain * piece.samples[i]);
     }
     constexpr CounterRandom kLateness(3);
-    std::vector<LoopRecording::Block> blocks;
+    std::vector<BlockClock::Mark> blocks;
     for (std::int64_t frame = 0; frame < std::ssize(samples); frame += kBlock) {
         const auto number = static_cast<std::uint64_t>(frame / kBlock);
         const Nanos late = number % 10 == 0 ? std::chrono::milliseconds(5)
                                             : nanos_from_seconds(5e-5 * kLateness.uniform(number));
-        blocks.push_back({frame,
-                          kStart + kRate.time_of(frame).time_since_epoch() + late +
+        // Behind the block's last sample, which came a block after its first.
+        blocks.push_back({frame + kBlock,
+                          kStart + kHeardAfter + kRate.time_of(frame).time_since_epoch() + late +
                               (frame >= lost_from ? lost : Nanos{})});
     }
-    return {kRate, kInputLatency, std::move(samples), std::move(blocks)};
+    return {BlockClock(kRate, std::move(blocks)), std::move(samples)};
 }
 
 HostTime truth(const audio::GeneratedMusic& piece, std::size_t beat, std::int64_t delay) {
@@ -85,9 +88,11 @@ TEST(ExcerptBeats, are_none_in_silence_in_noise_and_at_another_rate) {
     for (std::size_t i = 0; i < noise.size(); ++i) {
         noise[i] = static_cast<float>(kNoise.uniform(i) - 0.5);
     }
-    EXPECT_TRUE(audible_beats(LoopRecording(kRate, {}, noise, {{0, kStart}}), piece).empty());
     EXPECT_TRUE(
-        audible_beats(LoopRecording(SampleRate(44'100), {}, noise, {{0, kStart}}), piece).empty());
+        audible_beats(LoopRecording(BlockClock(kRate, {{0, kStart}}), noise), piece).empty());
+    EXPECT_TRUE(
+        audible_beats(LoopRecording(BlockClock(SampleRate(44'100), {{0, kStart}}), noise), piece)
+            .empty());
 }
 
 TEST(SoundLine, turns_host_time_into_music_and_back) {

@@ -1,0 +1,134 @@
+// What Raks reads of sound files is what ffmpeg decodes: over the zoo of scripts/sound_zoo.sh. With
+// RAKS_SOUND_ZOO=whole in the environment over all of it, else over its short form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "audio/io/audio_file.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSameLength = 0.020;  // seconds
+constexpr double kLeastCorrelation = 0.999;
+constexpr double kLargestShift = 0.030;  // seconds, for the alignment
+
+/// The first channel at a rate.
+struct Sound {
+    int rate = 0;
+    std::vector<float> samples;
+    std::string warning;
+};
+
+Sound read_by_raks(const fs::path& path) {
+    const auto reader = open_audio_file(path);
+    if (!reader) {
+        ADD_FAILURE() << reader.error().message;
+        return {};
+    }
+    const auto channels = static_cast<std::size_t>((*reader)->info().channels);
+    Sound sound{static_cast<int>((*reader)->info().rate.hertz()), {}, {}};
+    std::vector<float> block(4096 * channels);
+    while (const std::size_t frames = (*reader)->read(block)) {
+        for (std::size_t i = 0; i < frames; ++i) {
+            sound.samples.push_back(block[i * channels]);
+        }
+    }
+    sound.warning = (*reader)->warning();
+    return sound;
+}
+
+/// On the file's own time line: silence before what begins late, and in gaps.
+Sound read_by_ffmpeg(const fs::path& path, int rate) {
+    const std::string name = path.filename().string();
+    const bool has_silence = name.starts_with("late-") || name.starts_with("gap-");
+    const std::string bytes = test::run_program(
+        {"ffmpeg", "-v", "quiet", "-i", path.string(), "-map", "0:a:0", "-af",
+         std::string(has_silence ? "aresample=async=1:first_pts=0," : "") + "pan=mono|c0=c0",
+         "-ar", std::to_string(rate), "-f", "f32le", "-c:a", "pcm_f32le", "-"});
+    Sound sound{rate, std::vector<float>(bytes.size() / sizeof(float)), {}};
+    std::memcpy(sound.samples.data(), bytes.data(), sound.samples.size() * sizeof(float));
+    return sound;
+}
+
+/// Normalized correlation of `a` with `b` moved by `shift` samples, over `length` samples at most.
+double correlation(const std::vector<float>& a,
+                   const std::vector<float>& b,
+                   std::int64_t shift,
+                   std::int64_t length) {
+    double ab = 0.0;
+    double aa = 0.0;
+    double bb = 0.0;
+    const std::int64_t first = std::max<std::int64_t>(0, -shift);
+    const std::int64_t last =
+        std::min({std::ssize(a), std::ssize(b) - shift, first + length});
+    for (std::int64_t i = first; i < last; ++i) {
+        const double x = a[static_cast<std::size_t>(i)];
+        const double y = b[static_cast<std::size_t>(i + shift)];
+        ab += x * y;
+        aa += x * x;
+        bb += y * y;
+    }
+    return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
+}
+
+/// The best over small shifts: found on the first 2.5 s, taken of all.
+double aligned_correlation(const Sound& ours, const Sound& theirs) {
+    const auto reach = static_cast<std::int64_t>(kLargestShift * ours.rate);
+    const auto part = static_cast<std::int64_t>(2.5 * ours.rate);
+    double best = -1.0;
+    std::int64_t best_shift = 0;
+    for (std::int64_t shift = -reach; shift <= reach; ++shift) {
+        const double value = correlation(ours.samples, theirs.samples, shift, part);
+        if (value > best) {
+            best = value;
+            best_shift = shift;
+        }
+    }
+    return correlation(ours.samples, theirs.samples, best_shift, std::ssize(ours.samples));
+}
+
+void compare(const fs::path& path) {
+    SCOPED_TRACE(path.filename().string());
+    const Sound ours = read_by_raks(path);
+    if (ours.rate == 0) {
+        return;
+    }
+    const Sound theirs = read_by_ffmpeg(path, ours.rate);
+    const double seconds = static_cast<double>(ours.samples.size()) / ours.rate;
+    EXPECT_NEAR(seconds, static_cast<double>(theirs.samples.size()) / ours.rate, kSameLength)
+        << ours.warning;
+    EXPECT_GE(aligned_correlation(ours, theirs), kLeastCorrelation) << ours.warning;
+    const bool is_cut = path.filename().string().starts_with("cut-");
+    EXPECT_TRUE(is_cut || ours.warning.find("damaged") == std::string::npos)
+        << "nothing is lost: " << ours.warning;
+}
+
+TEST(SoundZoo, is_read_as_ffmpeg_decodes_it) {
+    const char* const wish = std::getenv("RAKS_SOUND_ZOO");  // NOLINT(concurrency-mt-unsafe)
+    const bool is_whole = wish != nullptr && std::string(wish) == "whole";
+    const test::TemporaryFolder folder;
+    static_cast<void>(test::run_program({"bash",
+                                         std::string(RAKS_SOURCE_DIR) + "/scripts/sound_zoo.sh",
+                                         folder.path().string(),
+                                         is_whole ? "whole" : "short"}));
+    std::size_t count = 0;
+    for (const auto& file : fs::directory_iterator(folder.path())) {
+        compare(file.path());
+        ++count;
+    }
+    EXPECT_GE(count, is_whole ? 120U : 20U);
+}
+
+}  // namespace
+}  // namespace raks::audio
