@@ -123,6 +123,13 @@ for name in "mkv libopus" "mp4 aac" "mkv libvorbis" "mkv pcm_s16le"; do
     keep && ffmpeg -v error -y -i "$work/film.mp4" -itsoffset 1.7 -i "$work/48000-2.wav" -map 0:v -map 1:a \
         -c:v copy -c:a "$codec" "$folder/late-$codec.$ending"
 done
+# A film that was cut in time: 1.5 s of packets are not there.
+for name in "mkv libopus" "mkv pcm_s16le" "mp4 aac"; do
+    read -r ending codec <<<"$name"
+    ffmpeg -v error -y -i "$work/48000-2.wav" -c:a "$codec" "$work/whole.$ending"
+    keep && ffmpeg -v error -y -i "$work/whole.$ending" -c copy \
+        -bsf:a "noise=drop='between(pts*tb\,2\,3.5)'" "$folder/gap-$codec.$ending"
+done
 # By other programs.
 keep && lame --quiet -V 2 "$work/44100-2.wav" "$folder/lame-v2.mp3"
 keep && lame --quiet --preset insane --tt Rita --ti "$work/cover.png" "$work/48000-2.wav" "$folder/lame-cover.mp3"
@@ -154,6 +161,7 @@ ends() {  # NAME SOURCE OPTIONS...: joined, cut and with something behind it
         wav | mp3 | flac)
             keep && { cat "$work/$name"; head -c 128 /dev/zero; } >"$folder/zeros-$name" ;;
     esac
+    return 0  # also where none is kept
 }
 ends pcm.wav 44100-2 -c:a pcm_s16le
 ends cbr.mp3 44100-2 -c:a libmp3lame -b:a 128k
@@ -165,4 +173,3 @@ ends adts.aac 44100-2 -c:a aac
 ends opus.mkv 48000-2 -c:a libopus
 ends wma.wma 44100-2 -c:a wmav2
 ends fragmented.mp4 48000-2 -c:a aac -movflags frag_keyframe+empty_moov -frag_duration 500000
-true

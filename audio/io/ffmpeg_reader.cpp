@@ -18,9 +18,10 @@ namespace {
 
 constexpr int kMaxFaultsInARow = 2000;         // of packets: passes a damaged stretch, ends at last
 constexpr int kMaxPacketsToFirstFrame = 5000;  // then the decoder is taken to give nothing
-// Seconds below the claimed length that are rounding: MP3 counts its frames, others round up.
+// Seconds below the claimed length that are rounding: others than MP3 round up.
 constexpr double kShortByRounding = 1.0;
-constexpr double kShortByMp3Frames = 0.1;
+// MP3 counts its frames, of which what encoder and decoder add at both ends is no sound.
+constexpr double kAddedToMp3 = 2.0 * 1152 + 1105;  // samples
 
 }  // namespace
 
@@ -89,7 +90,7 @@ void FfmpegReader::note_end() {
     const double short_by = static_cast<double>(claimed_end_ - decoded_until_) / rate;
     const bool is_cut = extent_.missing_bytes > 0 || input_.missing_seconds > 0.0 || input_.is_cut;
     const bool is_told = extent_.is_known || input_.is_complete;
-    const double tolerance = info_.format == "MP3" ? kShortByMp3Frames : kShortByRounding;
+    const double tolerance = info_.format == "MP3" ? kAddedToMp3 / rate : kShortByRounding;
     const bool is_short = !is_told && claimed_end_ > 0 && short_by > tolerance;
     if (is_cut || is_short) {
         // It stands for damage at the cut.
@@ -118,9 +119,12 @@ int FfmpegReader::feed_decoder() {
         }
         const bool is_ours = packet_->stream_index == stream_->index;
         const int sent = is_ours ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;
-        av_packet_unref(packet_.get());
-        if (sent < 0 && sent != AVERROR(EAGAIN)) {
+        const bool is_refused = sent < 0 && sent != AVERROR(EAGAIN);
+        if (is_refused && !tags_.is_tag({packet_->data, static_cast<std::size_t>(packet_->size)})) {
             note_damage();
+        }
+        av_packet_unref(packet_.get());
+        if (is_refused) {
             continue;
         }
         if (is_ours) {

@@ -10,6 +10,7 @@
 #include "audio/io/audio_file_backends.hpp"
 #include "audio/io/container_extent.hpp"
 #include "audio/io/ffmpeg_handles.hpp"
+#include "audio/io/tag_packets.hpp"
 #include "audio/io/time_line.hpp"
 #include "base/expected.hpp"
 
@@ -74,6 +75,7 @@ class FfmpegReader final : public AudioFileReader {
     FfmpegHandle<AVPacket> packet_{av_packet_alloc()};
     FfmpegHandle<AVFrame> frame_{av_frame_alloc()};
     FfmpegHandle<SwrContext> converter_;
+    TagPackets tags_;
     AVStream* stream_ = nullptr;
     int converter_rate_ = 0;  // format of the frames that the converter is set up for
     int converter_channels_ = 0;

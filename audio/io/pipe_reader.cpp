@@ -17,6 +17,7 @@ extern "C" {
 
 #include "audio/io/audio_file_backends.hpp"
 #include "audio/io/ffmpeg_handles.hpp"
+#include "audio/io/tag_packets.hpp"
 
 #include <fmt/format.h>
 
@@ -164,6 +165,7 @@ struct PipeReader::Decoder {
     // Form of the frames that the converter is made for.
     std::array<int, 3> converted_form{};
     bool is_damaged = false;
+    TagPackets tags;
     bool is_flushed = false;
 
  private:
@@ -236,8 +238,11 @@ bool PipeReader::Decoder::send_next_packet() {
         }
         const bool is_ours = packet->stream_index == stream;
         const int sent = is_ours ? avcodec_send_packet(decoder.get(), packet.get()) : 0;
+        const bool is_refused = sent < 0 && sent != AVERROR(EAGAIN);
+        is_damaged =
+            is_damaged ||
+            (is_refused && !tags.is_tag({packet->data, static_cast<std::size_t>(packet->size)}));
         av_packet_unref(packet.get());
-        is_damaged = is_damaged || (sent < 0 && sent != AVERROR(EAGAIN));
         if (is_ours && sent >= 0) {
             return true;
         }

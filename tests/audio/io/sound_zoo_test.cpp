@@ -53,28 +53,41 @@ Sound read_by_ffmpeg(const fs::path& path, int rate) {
     const std::string name = path.filename().string();
     const bool has_silence = name.starts_with("late-") || name.starts_with("gap-");
     const std::string bytes = test::run_program(
-        {"ffmpeg", "-v", "quiet", "-i", path.string(), "-map", "0:a:0", "-af",
+        {"ffmpeg",
+         "-v",
+         "quiet",
+         "-i",
+         path.string(),
+         "-map",
+         "0:a:0",
+         "-af",
          std::string(has_silence ? "aresample=async=1:first_pts=0," : "") + "pan=mono|c0=c0",
-         "-ar", std::to_string(rate), "-f", "f32le", "-c:a", "pcm_f32le", "-"});
+         "-ar",
+         std::to_string(rate),
+         "-f",
+         "f32le",
+         "-c:a",
+         "pcm_f32le",
+         "-"});
     Sound sound{rate, std::vector<float>(bytes.size() / sizeof(float)), {}};
     std::memcpy(sound.samples.data(), bytes.data(), sound.samples.size() * sizeof(float));
     return sound;
 }
 
-/// Normalized correlation of `a` with `b` moved by `shift` samples, over `length` samples at most.
-double correlation(const std::vector<float>& a,
-                   const std::vector<float>& b,
+/// Samples [from, to) of ours and theirs, theirs moved by `shift`: normalized correlation.
+double correlation(const Sound& ours,
+                   const Sound& theirs,
                    std::int64_t shift,
-                   std::int64_t length) {
+                   std::int64_t from,
+                   std::int64_t to) {
     double ab = 0.0;
     double aa = 0.0;
     double bb = 0.0;
-    const std::int64_t first = std::max<std::int64_t>(0, -shift);
-    const std::int64_t last =
-        std::min({std::ssize(a), std::ssize(b) - shift, first + length});
-    for (std::int64_t i = first; i < last; ++i) {
-        const double x = a[static_cast<std::size_t>(i)];
-        const double y = b[static_cast<std::size_t>(i + shift)];
+    from = std::max(from, -shift);
+    to = std::min({to, std::ssize(ours.samples), std::ssize(theirs.samples) - shift});
+    for (std::int64_t i = from; i < to; ++i) {
+        const double x = ours.samples[static_cast<std::size_t>(i)];
+        const double y = theirs.samples[static_cast<std::size_t>(i + shift)];
         ab += x * y;
         aa += x * x;
         bb += y * y;
@@ -82,20 +95,43 @@ double correlation(const std::vector<float>& a,
     return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-/// The best over small shifts: found on the first 2.5 s, taken of all.
-double aligned_correlation(const Sound& ours, const Sound& theirs) {
+/// Of a stretch, over the best small shift, which is found on its first 2.5 s.
+double aligned_correlation(const Sound& ours,
+                           const Sound& theirs,
+                           std::int64_t from,
+                           std::int64_t to) {
     const auto reach = static_cast<std::int64_t>(kLargestShift * ours.rate);
-    const auto part = static_cast<std::int64_t>(2.5 * ours.rate);
+    const auto part = from + static_cast<std::int64_t>(2.5 * ours.rate);
     double best = -1.0;
     std::int64_t best_shift = 0;
     for (std::int64_t shift = -reach; shift <= reach; ++shift) {
-        const double value = correlation(ours.samples, theirs.samples, shift, part);
+        const double value = correlation(ours, theirs, shift, from, std::min(part, to));
         if (value > best) {
             best = value;
             best_shift = shift;
         }
     }
-    return correlation(ours.samples, theirs.samples, best_shift, std::ssize(ours.samples));
+    return correlation(ours, theirs, best_shift, from, to);
+}
+
+/// Of all; the lower one of two parts where ffmpeg may place the second a little elsewhere. Of
+/// joined files it leaves a codec's delay in, and behind a gap the time stamps are rounded.
+double least_correlation(const fs::path& path, const Sound& ours, const Sound& theirs) {
+    const std::int64_t all = std::ssize(ours.samples);
+    const std::string name = path.filename().string();
+    std::int64_t first_ends = all;
+    std::int64_t second_begins = all;
+    if (name.starts_with("joined-")) {
+        first_ends = all / 2 - ours.rate / 10;
+        second_begins = all / 2 + ours.rate / 10;
+    } else if (name.starts_with("gap-")) {
+        first_ends = 2 * ours.rate - ours.rate / 10;  // the gap is from 2 to 3.5 s
+        second_begins = 37 * ours.rate / 10;
+    }
+    const double first = aligned_correlation(ours, theirs, 0, first_ends);
+    return second_begins == all
+               ? first
+               : std::min(first, aligned_correlation(ours, theirs, second_begins, all));
 }
 
 void compare(const fs::path& path) {
@@ -108,7 +144,7 @@ void compare(const fs::path& path) {
     const double seconds = static_cast<double>(ours.samples.size()) / ours.rate;
     EXPECT_NEAR(seconds, static_cast<double>(theirs.samples.size()) / ours.rate, kSameLength)
         << ours.warning;
-    EXPECT_GE(aligned_correlation(ours, theirs), kLeastCorrelation) << ours.warning;
+    EXPECT_GE(least_correlation(path, ours, theirs), kLeastCorrelation) << ours.warning;
     const bool is_cut = path.filename().string().starts_with("cut-");
     EXPECT_TRUE(is_cut || ours.warning.find("damaged") == std::string::npos)
         << "nothing is lost: " << ours.warning;
