@@ -54,7 +54,7 @@ for ((i = 0; i < loops; ++i)); do
 done
 paplay --device=paplay --latency-msec="$buffer" "$folder/piece.wav" &
 pids+=($!)
-"$raks" play "$folder/piece.wav" --size 1280x720 --duration "$seconds" --buffer "$buffer" \
+"$raks" play "$folder/piece.wav" --size 1280x720 --quit --duration "$seconds" --buffer "$buffer" \
     >"$folder/raks.log" 2>&1 || cat "$folder/raks.log"
 grep -v "playing\|sound goes to" "$folder/raks.log" || true
 

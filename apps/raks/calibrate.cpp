@@ -195,10 +195,12 @@ ExitCode calibrate(const CalibrateArguments& arguments) {
     if (auto saved = offsets->save(); !saved) {
         return fail(saved.error());
     }
-    std::fputs(fmt::format("{} is heard {:+.1f} ms later than it reports ({} {}, quartiles {:.1f} "
-                           "ms apart)\n",
+    const double offset_ms = 1e3 * to_seconds((*measured)->offset);
+    std::fputs(fmt::format("{} is heard {:.1f} ms {} than it reports ({} {}, quartiles {:.1f} ms "
+                           "apart)\n",
                            audio::described(output->device),
-                           1e3 * to_seconds((*measured)->offset),
+                           std::abs(offset_ms),
+                           offset_ms < 0.0 ? "earlier" : "later",
                            (*measured)->count,
                            arguments.by_taps ? "taps" : "clicks",
                            1e3 * to_seconds((*measured)->quartiles))

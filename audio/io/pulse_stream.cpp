@@ -29,7 +29,9 @@ constexpr double kMostBuffer = 0.320;  // to which an output's buffer grows
 constexpr int kBlocksPerSecond = 200;  // blocks of the callback: 5 ms
 constexpr Nanos kBlock = std::chrono::milliseconds(1000 / kBlocksPerSecond);
 constexpr std::size_t kBlocksAhead = 2;  // that wait in the ring for libpulse's thread
-constexpr double kSmoothing = 0.005;     // of the latency, a block: 1 s
+constexpr double kSmoothing = 0.005;     // of an output's latency, a block: 1 s
+constexpr int kAnswers = 5;              // of the server, that an input's latency is the mean of
+constexpr Nanos kOtherLatency = std::chrono::milliseconds(50);  // further off: it has changed
 // An input without data for so long is silent: its sink is suspended. A thread that did not run for
 // so long was stopped itself.
 constexpr Nanos kStarvedAfter = std::chrono::milliseconds(250);
@@ -86,6 +88,7 @@ class PulseStream final : public DeviceStream {
     void write_samples();
     void read_samples();
     void look_at_clock();
+    void look_at_capture();
     void note_heard_after(Nanos now) noexcept;
     // Our own.
     void play_blocks();
@@ -102,9 +105,13 @@ class PulseStream final : public DeviceStream {
     PulseConnection connection_{"Raks"};
     std::unique_ptr<pa_stream, FreeStream> stream_;
 
-    std::string opened_;                 // id of the device
-    std::int64_t written_ = 0;           // frames; libpulse's thread
-    bool is_heard_after_known_ = false;  // of an input; likewise
+    std::string opened_;        // id of the device
+    std::int64_t written_ = 0;  // frames; libpulse's thread
+    // Of an input; likewise.
+    HostTime read_at_{};   // when the newest samples were read
+    timeval looked_at_{};  // time stamp of the server's newest answer
+    int answers_ = 0;      // that the latency is the mean of
+    bool was_far_ = true;
     LatestValue<Played> played_;
     // Relaxed: each is a value by itself.
     std::atomic<std::int64_t> heard_after_ns_{0};
@@ -326,37 +333,55 @@ void PulseStream::read_samples() {
             blocks().note_xrun();
         }
         pa_stream_drop(stream_.get());
+        read_at_ = HostClock::now();
         bell_.ring();
     }
 }
 
 void PulseStream::look_at_clock() {
+    if (direction_ == Direction::input) {
+        look_at_capture();
+        return;
+    }
     pa_usec_t latency = 0;
     int is_negative = 0;
-    if (pa_stream_get_latency(stream_.get(), &latency, &is_negative) < 0) {
-        return;
+    if (pa_stream_get_latency(stream_.get(), &latency, &is_negative) >= 0) {
+        const Nanos ahead = is_negative != 0 ? Nanos(0) : Nanos(std::chrono::microseconds(latency));
+        played_.write(
+            {HostTime(HostClock::now()), std::min<Nanos>(ahead, kMostLatency), written_, true});
     }
-    const Nanos reported = std::min<Nanos>(std::chrono::microseconds(latency), kMostLatency);
-    if (direction_ == Direction::output) {
-        const Nanos ahead = is_negative != 0 ? Nanos(0) : reported;
-        played_.write({HostTime(HostClock::now()), ahead, written_, true});
-        return;
-    }
-    // libpulse reports the age of what is read next. Of a monitor it takes off what its sink still
-    // holds: a negative age is the time until it is heard.
-    note_heard_after(is_negative != 0 ? reported : -reported);
 }
 
-// Smooths: an input's value swings by the fragments in which the server hands it over.
-void PulseStream::note_heard_after(Nanos now) noexcept {
-    if (!std::exchange(is_heard_after_known_, true)) {
-        heard_after_ns_.store(now.count(), std::memory_order_relaxed);
+// What the server said last, about once a second: how old the newest sample was that it had handed
+// over, and, of a monitor, how much its sink still held. Samples come in bursts; the newest one was
+// read at read_at_. (libpulse's own interpolation takes half a minute to follow a sink that
+// starts.)
+void PulseStream::look_at_capture() {
+    const pa_timing_info* const info = pa_stream_get_timing_info(stream_.get());
+    if (info == nullptr || read_at_ == HostTime{} ||
+        pa_timeval_cmp(&info->timestamp, &looked_at_) == 0) {
         return;
     }
-    const Nanos smooth = heard_after();
-    const double error = to_seconds(now - smooth);
-    heard_after_ns_.store((smooth + nanos_from_seconds(kSmoothing * error)).count(),
-                          std::memory_order_relaxed);
+    looked_at_ = info->timestamp;
+    const auto usec = [](pa_usec_t span) { return Nanos(std::chrono::microseconds(span)); };
+    const HostTime said = HostClock::now() - usec(pa_timeval_age(&info->timestamp));
+    // An answer that is older than the newest sample tells of one before it.
+    if (said >= read_at_) {
+        note_heard_after(said + usec(info->sink_usec) - usec(info->source_usec) - read_at_);
+    }
+}
+
+// The mean of the last few answers; two far off in a row stand for another latency.
+void PulseStream::note_heard_after(Nanos now) noexcept {
+    const Nanos next = std::clamp<Nanos>(now, -kMostLatency, kMostLatency);
+    const Nanos error = next - heard_after();
+    const bool is_far = std::chrono::abs(error) > kOtherLatency;
+    if (is_far && was_far_) {
+        answers_ = 0;
+    }
+    was_far_ = is_far;
+    answers_ = std::min(answers_ + 1, kAnswers);
+    heard_after_ns_.store((heard_after() + error / answers_).count(), std::memory_order_relaxed);
 }
 
 // When the next block was handed over: the moment at which it will be heard, as the server's clock

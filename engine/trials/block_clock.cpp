@@ -30,4 +30,13 @@ HostTime BlockClock::heard_at(std::int64_t frame) const {
     return HostTime(upper_median(std::move(origins)) + rate_.time_of(frame).time_since_epoch());
 }
 
+std::int64_t BlockClock::frame_near(HostTime host) const {
+    const auto after = std::upper_bound(
+        marks_.begin() + 1, marks_.end(), host, [](HostTime time, const Mark& mark) {
+            return time < mark.heard;
+        });
+    const Mark& before = *(after - 1);
+    return before.frame + std::llround(to_seconds(host - before.heard) * rate_.hertz());
+}
+
 }  // namespace raks::engine

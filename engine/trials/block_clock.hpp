@@ -32,6 +32,9 @@ class BlockClock {
     /// Host time at which this frame is heard: the median over the blocks within half a second.
     /// Needs at least one mark.
     [[nodiscard]] HostTime heard_at(std::int64_t frame) const;
+    /// About which frame is heard at a host time, by the last block before it alone: off by what
+    /// that one was late. Needs at least one mark.
+    [[nodiscard]] std::int64_t frame_near(HostTime host) const;
 
  private:
     SampleRate rate_;

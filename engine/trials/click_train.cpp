@@ -124,12 +124,12 @@ Expected<MeasuredOffset> loop_offset(const ClickTrain& train,
                                      const BlockClock& sent,
                                      const LoopRecording& heard) {
     const SampleRate rate = heard.rate();
-    const HostTime begin = heard.heard_at(0);
     std::vector<HostTime> due;
     std::vector<double> expected;  // milliseconds into the recording
     for (const double click : train.clicks) {
         due.push_back(sent.heard_at(std::llround(click * sent.rate().hertz())));
-        expected.push_back(ms(due.back() - begin));
+        expected.push_back(1e3 * static_cast<double>(heard.clock().frame_near(due.back())) /
+                           rate.hertz());
     }
     const int coarse = coarse_offset(expected, strengths(heard.samples(), rate));
     const std::vector<float> click = click_sound(rate);

@@ -41,6 +41,8 @@ class LoopRecording {
     [[nodiscard]] std::span<const float> samples() const noexcept { return samples_; }
     /// When this sample was out, as defined above. Needs at least one block.
     [[nodiscard]] HostTime heard_at(std::int64_t frame) const { return clock_.heard_at(frame); }
+    /// When all samples were out. Needs at least one block.
+    [[nodiscard]] const BlockClock& clock() const noexcept { return clock_; }
 
  private:
     BlockClock clock_;

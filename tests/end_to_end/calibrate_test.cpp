@@ -15,6 +15,7 @@
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/jack_delay.hpp"
 #include "tests/support/jack_server.hpp"
+#include "tests/support/pulse_server.hpp"
 #include "tests/support/stall_watch.hpp"
 
 namespace raks::test {
@@ -63,7 +64,7 @@ TEST_F(Calibrate, a_loop_of_known_length_is_measured_kept_shown_and_forgotten) {
         }
     }
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.out.find("'delay' (JACK) is heard +300"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("'delay' (JACK) is heard 300"), std::string::npos) << result.out;
     const auto kept = read_file(offsets_file());
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_NEAR(offset_in(*kept), 300.0, 1.0) << *kept;
@@ -100,13 +101,6 @@ TEST_F(Calibrate, taps_that_nobody_makes_are_missed_in_one_line) {
     EXPECT_FALSE(is_there(offsets_file())) << "nothing was measured";
 }
 
-TEST_F(Calibrate, a_loop_that_brings_nothing_back_is_said) {
-    const ProcessResult result =
-        run_with_jack({"calibrate", "--loop", "--output", "system", "--device", "system"});
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_NE(result.err.find("only 0 of 32 clicks came back"), std::string::npos) << result.err;
-}
-
 TEST_F(Calibrate, what_is_kept_and_cannot_be_read_is_said_and_not_written_over) {
     const std::string mangled = "format = \"raks-devices\"\nversion = 7\n";
     std::filesystem::create_directories(path("state/raks"));
@@ -128,6 +122,32 @@ TEST_F(Calibrate, what_is_kept_and_cannot_be_read_is_said_and_not_written_over) 
 TEST_F(Calibrate, needs_one_way_to_measure) {
     expect_one_line({"calibrate"}, 2, "--loop");
     expect_one_line({"calibrate", "--loop", "--tap"}, 2, "--tap");
+}
+
+class CalibrateOnPulse : public ProgramTest {
+ protected:
+    /// What is measured by the monitor, in milliseconds: the difference of two reports of the same
+    /// server. In one of three goes, as a machine that stands still loses sound.
+    [[nodiscard]] double offset_of(const std::string& output) const {
+        ProcessPlan calibrate = plan({"calibrate", "--loop", "--output", output});
+        std::erase_if(calibrate.environment,
+                      [](const auto& pair) { return pair.first == "PULSE_SERVER"; });
+        ProcessResult result;
+        for (int go = 0; go < 3 && result.exit_code != 0; ++go) {
+            result = run_process(calibrate);
+        }
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return offset_in(read_file(path("state/raks/devices.toml")).value_or(""));
+    }
+
+    PulseServer pulse_{"Speakers"};
+};
+
+TEST_F(CalibrateOnPulse, a_monitor_is_heard_when_its_slow_loudspeaker_plays) {
+    pulse_.add_slow_sink();
+    ASSERT_EQ(pulse_.problem(), "");
+    // Without the sink's 300 ms it would be that much earlier.
+    EXPECT_NEAR(offset_of("Far"), 0.0, 80.0);
 }
 
 }  // namespace

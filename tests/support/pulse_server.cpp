@@ -37,12 +37,13 @@ PulseServer::PulseServer(std::string description, int rate) : description_(std::
     start(rate);
 }
 
-void PulseServer::start(int rate) {
-    std::string first_sink;
-    for (const std::string& word : sink("raks_null", description_, rate)) {
-        first_sink += (first_sink.empty() ? "" : " ") + word;
+std::unique_ptr<ChildProcess> PulseServer::server(
+    const std::string& socket, const std::vector<std::string>& first_sink) const {
+    std::string module;
+    for (const std::string& word : first_sink) {
+        module += (module.empty() ? "" : " ") + word;
     }
-    process_ = std::make_unique<ChildProcess>(
+    return std::make_unique<ChildProcess>(
         std::vector<std::string>{
             "pulseaudio",
             "-n",
@@ -53,15 +54,34 @@ void PulseServer::start(int rate) {
             "--disable-shm=yes",
             "--use-pid-file=no",
             "-L",
-            "module-native-protocol-unix socket=" + (folder_ / "native").string(),
+            "module-native-protocol-unix auth-anonymous=1 socket=" + (folder_ / socket).string(),
             "-L",
-            first_sink},
-        (folder_ / "log").string());
+            module},
+        (folder_ / (socket + ".log")).string());
+}
+
+void PulseServer::start(int rate) {
+    process_ = server("native", sink("raks_null", description_, rate));
     if (!wait_for_answer([] { return pactl({"info"}); })) {
         problem_ = "pulseaudio does not start (are pulseaudio and pulseaudio-utils installed?)";
         return;
     }
     set_default_sink("raks_null");
+}
+
+void PulseServer::add_slow_sink() {
+    far_ = server("far", sink("far", "Far", 48'000));
+    const std::string address = "unix:" + (folder_ / "far").string();
+    if (!wait_for_answer([&] {
+            return pactl({"--server=" + address, "info"});
+        }) ||
+        !pactl({"load-module",
+                "module-tunnel-sink",
+                "server=" + address,
+                "sink=far",
+                "latency_msec=300"})) {
+        problem_ = "the second server does not start";
+    }
 }
 
 bool PulseServer::pactl(std::vector<std::string> arguments) {

@@ -24,6 +24,9 @@ class PulseServer {
     static void add_sink(const std::string& name,
                          const std::string& description,
                          int rate = 48'000);
+    /// A sink that is heard about 0.3 s after it was given sound, and says so: a second server
+    /// plays it. Its name and description are of that server's making.
+    void add_slow_sink();
     /// Takes a sink away, as if it were unplugged.
     static void remove_sink(const std::string& name);
     /// What the desktop's sound settings do.
@@ -39,11 +42,14 @@ class PulseServer {
 
  private:
     void start(int rate);
+    [[nodiscard]] std::unique_ptr<ChildProcess> server(
+        const std::string& socket, const std::vector<std::string>& first_sink) const;
 
     TemporaryFolder folder_;
     std::string description_;
     std::string problem_;
     std::unique_ptr<ChildProcess> process_;
+    std::unique_ptr<ChildProcess> far_;  // the server of the slow sink
 };
 
 }  // namespace raks::test
