@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "apps/terminal/say.hpp"
+
 namespace raks::apps {
 
 SongStart::SongStart(engine::SongPlanner& planner,
@@ -29,6 +31,8 @@ void SongStart::look(engine::LiveGraph& graph) {
     if (progress.plan) {
         using Beginning = engine::PlannedStates::Beginning;
         graph.follow(progress.plan, has_begun_ ? Beginning::on_bar_line : Beginning::now);
+        say_detail(has_begun_ ? "the song is known now: its plan is danced from a bar line on"
+                              : "the song is known before it sounds");
     }
     is_planned_ = !progress.is_working;
     if (!comes_soon) {
@@ -40,6 +44,9 @@ void SongStart::look(engine::LiveGraph& graph) {
 void SongStart::let_go(engine::LiveGraph& graph) {
     if (!std::exchange(has_begun_, true)) {
         graph.playback()->let_go();
+        if (!is_planned_) {
+            say_detail("the song begins before it is known, as live");
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include "audio/io/head_bytes.hpp"
@@ -86,6 +87,17 @@ TEST_F(OddStreamsTest, a_wav_without_a_length_is_read_to_its_end) {
                           ": its head gives no length; it is read to the end of the file");
         }
     }
+}
+
+TEST_F(OddStreamsTest, what_is_written_to_a_file_while_it_is_read_is_left_out_and_said) {
+    const auto path = make_wav("growing.wav", 2.0, 16'000);
+    const auto whole = read_all_mono(path).value();
+    const auto reader = open_audio_file(path);
+    ASSERT_TRUE(reader) << reader.error().message;
+    std::ofstream(path, std::ios::binary | std::ios::app) << std::string(100'000, 'x');
+    const std::vector<float> read = read_rest(**reader);
+    EXPECT_EQ(read, whole.samples);
+    EXPECT_THAT((*reader)->warning(), HasSubstr("while it was read"));
 }
 
 TEST_F(OddStreamsTest, a_wav_that_is_cut_off_says_how_much_is_missing) {

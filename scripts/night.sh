@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# A night in short: `raks live` and `raks play` run on a PulseAudio server of their own while every
+# minute something goes wrong: the server is killed and comes back, the default changes, a sink is
+# removed, the programs are stopped for 5 s, the processor is busy. At the end both must be there,
+# with no thread or descriptor more than at the start, no growing memory, and the tempo of the music.
+#   scripts/night.sh [MINUTES]     30 when not given; 6 at least
+# Needs the packages of scripts/setup.sh. Prints a line a minute; exit code 1 when something is wrong.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+minutes=${1:-30}
+raks=$PWD/build/release/bin/raks
+folder=$(mktemp -d)
+pids=()
+stop() {
+    for pid in "${pids[@]}" ${server:-}; do kill "$pid" 2>/dev/null || true; done
+    wait 2>/dev/null || true
+    rm -rf "$folder"
+}
+trap stop EXIT
+
+"$raks" synth drums -o "$folder/drums.wav" --bpm 128 --duration 600
+export PULSE_RUNTIME_PATH=$folder XDG_RUNTIME_DIR=$folder PULSE_SERVER=unix:$folder/native
+export JACK_NO_START_SERVER=1
+unset DISPLAY
+add_sink() {  # NAME DESCRIPTION RATE
+    pactl load-module module-null-sink sink_name="$1" rate="$3" \
+        sink_properties="device.description='$2'" >/dev/null
+}
+start_server() {
+    rm -f "$folder/native"
+    pulseaudio -n --daemonize=no --exit-idle-time=-1 --realtime=no --high-priority=no \
+        --disable-shm=yes --use-pid-file=no -L "module-native-protocol-unix socket=$folder/native" \
+        -L "module-null-sink sink_name=speakers rate=$1 sink_properties=device.description=Speakers" \
+        >>"$folder/server.log" 2>&1 &
+    server=$!
+    until pactl info >/dev/null 2>&1; do sleep 0.1; done
+    add_sink headphones Headphones 44100
+    pactl set-default-sink speakers
+}
+# Another program's music, on the default sink, whatever happens to the server.
+music() { while :; do paplay "$folder/drums.wav" 2>/dev/null || sleep 0.2; done; }
+
+start_server 48000
+music &
+pids+=($!)
+"$raks" live --headless 2>"$folder/live.err" &
+live=$!
+"$raks" play "$folder/drums.wav" --headless --repeat --volume 0 2>"$folder/play.err" &
+play=$!
+pids+=($live $play)
+
+kilobytes() { awk '/^VmRSS/ { print $2 }' "/proc/$1/status"; }
+count() { find "/proc/$1/$2" -mindepth 1 -maxdepth 1 | wc -l; }
+state() { echo "$(count "$1" task) threads, $(count "$1" fd) files, $(kilobytes "$1") kB"; }
+faults=(kill switch remove stop busy)
+wreck() {
+    case $1 in
+        kill)
+            kill -KILL "$server"
+            wait "$server" 2>/dev/null || true
+            sleep 3
+            start_server $((RANDOM % 2 ? 44100 : 48000)) ;;
+        switch)
+            pactl set-default-sink headphones
+            sleep 20
+            pactl set-default-sink speakers ;;
+        remove)
+            pactl unload-module "$(pactl list short modules | awk '/sink_name=speakers/ { print $1 }')"
+            sleep 10
+            add_sink speakers Speakers 96000
+            pactl set-default-sink speakers ;;
+        stop)
+            kill -STOP $live $play
+            sleep 5
+            kill -CONT $live $play ;;
+        busy)
+            for i in 1 2 3 4; do timeout 15 sh -c 'while :; do :; done' & done
+            sleep 15 ;;
+    esac
+}
+
+sleep 30  # until all is loaded
+first_live=$(state $live) first_play=$(state $play)
+echo "start: live $first_live; play $first_play"
+for ((minute = 1; minute <= minutes; ++minute)); do
+    next=$((SECONDS + 60))
+    fault=${faults[$(((minute - 1) % ${#faults[@]}))]}
+    wreck "$fault"
+    sleep $((next > SECONDS ? next - SECONDS : 0))
+    for pid in $live $play; do
+        kill -0 $pid 2>/dev/null || { echo "a program is gone after '$fault'"; cat "$folder"/*.err; exit 1; }
+    done
+    echo "$minute ($fault): live $(state $live); play $(state $play)"
+    echo "$minute $(kilobytes $live) $(kilobytes $play)" >>"$folder/memory"
+done
+
+last_live=$(state $live) last_play=$(state $play)
+kill -INT $live $play
+live_code=0 play_code=0
+wait $live || live_code=$?
+wait $play || play_code=$?
+fault=0
+wrong() { echo "WRONG: $*"; fault=1; }
+[ $live_code -eq 130 ] && [ $play_code -eq 130 ] || wrong "exit codes $live_code and $play_code, not 130"
+[ "${last_live%,*}" = "${first_live%,*}" ] || wrong "live had $first_live, has $last_live"
+[ "${last_play%,*}" = "${first_play%,*}" ] || wrong "play had $first_play, has $last_play"
+# Memory: the slope of a straight line through the second half, where caches are filled.
+awk -v from=$((minutes / 2)) '$1 > from { ++n; x += $1; xx += $1 * $1; for (i = 2; i <= 3; ++i) { y[i] += $i; xy[i] += $1 * $i } }
+    END { for (i = 2; i <= 3; ++i) printf "%s: %+.0f kB an hour\n", i == 2 ? "live" : "play",
+              60 * (n * xy[i] - x * y[i]) / (n * xx - x * x) }' "$folder/memory" | tee "$folder/slope"
+awk '$2 > 1024 { exit 1 }' "$folder/slope" || wrong "memory grows by more than 1 MB an hour"
+grep "tempo" "$folder/live.err"
+grep -q "tempo 12[78]" "$folder/live.err" || wrong "live has lost the tempo, 128 BPM"
+grep -v "device\|sound goes to\|listening to\|playing\|tempo\|gone" "$folder/live.err" "$folder/play.err" || true
+exit $fault
