@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Closes on every way out of a function; write_file closes itself, to see the error.
+// Closes on every way out of a function.
 struct CloseFile {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
 };
@@ -49,19 +49,6 @@ Expected<FileHandle> open_plain(const fs::path& path) {
         return fail(path.string() + ": cannot be opened: " + reason(error_number));
     }
     return file;
-}
-
-/// Fails where something exists that must not be replaced by a file: anything but a plain file.
-Expected<void> check_replaceable(const fs::path& path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (fs::is_directory(status)) {
-        return fail(path.string() + ": is a folder; name a file to write");
-    }
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        return fail(path.string() + ": is not a plain file; name a file to write");
-    }
-    return {};
 }
 
 }  // namespace
@@ -115,27 +102,6 @@ Expected<std::string> read_file_start(const fs::path& path, std::size_t count) {
     return bytes;
 }
 
-Expected<void> check_is_no_input(const fs::path& output, const std::vector<fs::path>& inputs) {
-    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
-        // Same file by device and inode, so links and other spellings count.
-        std::error_code ignored;
-        return fs::equivalent(output, input, ignored);
-    });
-    if (is_input) {
-        return fail(output.string() + ": is what is to be read; write to another name");
-    }
-    return {};
-}
-
-Expected<void> check_output(const fs::path& output, const std::vector<fs::path>& inputs) {
-    if (auto checked = check_is_no_input(output, inputs); !checked) {
-        return checked;
-    }
-    // Tries to create the part; the destructor removes it again.
-    const auto probe = PendingFile::create(output);
-    return probe ? Expected<void>() : fail(probe.error());
-}
-
 fs::path temporary_folder() {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
@@ -162,104 +128,6 @@ Expected<std::vector<fs::path>> list_folder(const fs::path& folder, ListingDepth
     // The system's order is arbitrary.
     std::sort(paths.begin(), paths.end());
     return paths;
-}
-
-PendingFile::PendingFile(fs::path path, fs::path part)
-    : path_(std::move(path)), part_(std::move(part)) {}
-
-// An empty part_ marks a file that has nothing to remove.
-PendingFile::PendingFile(PendingFile&& other) noexcept
-    : path_(std::move(other.path_)), part_(std::exchange(other.part_, {})) {}
-
-PendingFile& PendingFile::operator=(PendingFile&& other) noexcept {
-    if (this != &other) {
-        remove_part();
-        path_ = std::move(other.path_);
-        part_ = std::exchange(other.part_, {});
-    }
-    return *this;
-}
-
-PendingFile::~PendingFile() { remove_part(); }
-
-void PendingFile::remove_part() noexcept {
-    if (!part_.empty()) {
-        std::error_code ignored;
-        fs::remove_all(part_, ignored);
-        part_.clear();
-    }
-}
-
-Expected<PendingFile> PendingFile::create(const fs::path& path) {
-    if (path.empty()) {
-        return fail("a file name is empty; name a file to write");
-    }
-    fs::path part = path;
-    part += ".part";
-    // Both names, because commit() replaces one and opening truncates the other.
-    for (const fs::path& name : {path, part}) {
-        if (auto checked = check_replaceable(name); !checked) {
-            return fail(std::move(checked.error()));
-        }
-    }
-    // Creates the part at once: an error shows before the long work.
-    const FileHandle probe(std::fopen(part.c_str(), "wb"));
-    if (!probe) {
-        return fail(path.string() + ": cannot be written: " + reason(errno));
-    }
-    return PendingFile(path, std::move(part));
-}
-
-Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
-    if (path.empty()) {
-        return fail("a folder name is empty; name a folder to write");
-    }
-    // "folder/" has no file name: ".part" must not be appended behind the slash.
-    const fs::path folder = path.has_filename() ? path : path.parent_path();
-    std::error_code error;
-    if (fs::exists(folder, error) &&
-        !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
-        return fail(folder.string() + ": exists already and is not an empty folder; name another");
-    }
-    fs::path part = folder;
-    part += ".part";
-    // A leftover of a killed run.
-    fs::remove_all(part, error);
-    fs::create_directory(part, error);
-    if (error || !fs::is_directory(part, error)) {
-        return fail(folder.string() + ": cannot be written: " + error.message());
-    }
-    return PendingFile(folder, std::move(part));
-}
-
-Expected<void> PendingFile::commit() {
-    std::error_code error;
-    // Within one folder, so the rename is atomic.
-    fs::rename(part_, path_, error);
-    if (error) {
-        return fail(path_.string() + ": cannot be written: " + error.message());
-    }
-    part_.clear();
-    return {};
-}
-
-Expected<void> write_file(const fs::path& path, std::string_view bytes) {
-    auto pending = PendingFile::create(path);
-    if (!pending) {
-        return fail(pending.error());
-    }
-    FileHandle file(std::fopen(pending->part().c_str(), "wb"));
-    // fflush reports errors that buffered writes have hidden.
-    const bool wrote = file &&
-                       std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
-                       std::fflush(file.get()) == 0;
-    if (!wrote) {
-        return fail(path.string() + ": cannot be written: " + reason(errno));
-    }
-    if (std::fclose(file.release()) != 0) {  // some disks report only here that they are full
-        return fail(path.string() + ": cannot be written: " + reason(errno));
-    }
-    return pending->commit();
 }
 
 namespace {

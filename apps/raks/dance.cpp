@@ -65,6 +65,7 @@ ExitCode dance(const DanceArguments& given) {
     if (!source->warning().empty()) {
         say(source->warning());
     }
+    say_if_stopped(arguments.output, source->given());
     // No hop was danced.
     if (collect.dancers.empty()) {
         collect.dancers.emplace_back();  // of no length: write_bvh says that there are no poses

@@ -10,6 +10,8 @@
 #include "apps/terminal/say.hpp"
 #include "engine/offline/song_planner.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::apps {
 namespace {
 
@@ -125,6 +127,13 @@ Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const Off
         return fail(std::move(driver.error()).in(music.file.string()));
     }
     return driver;
+}
+
+void say_if_stopped(const std::filesystem::path& output, Nanos danced) {
+    if (stop_signal()) {
+        say(fmt::format(
+            "stopped: {} holds the first {:.1f} s", output.string(), to_seconds(danced)));
+    }
 }
 
 }  // namespace raks::apps

@@ -47,6 +47,9 @@ struct OfflineMusic {
 [[nodiscard]] Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music,
                                                           const OfflineSetup& setup);
 
+/// Where a signal came: says how much of the music `output` holds.
+void say_if_stopped(const std::filesystem::path& output, Nanos danced);
+
 /// What a command that dances live begins with.
 struct StageSetup : DanceSetup {
     engine::Formations formations;

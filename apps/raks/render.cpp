@@ -249,6 +249,7 @@ ExitCode render(const RenderArguments& given) {
     if (auto ran = run(*source, *driver, **writer, film); !ran) {
         return fail(ran.error());
     }
+    say_if_stopped(arguments.output, source->given());
     if (!source->warning().empty()) {
         say(source->warning());
     }

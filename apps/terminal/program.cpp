@@ -10,11 +10,15 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
+#include <semaphore.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "apps/terminal/say.hpp"
+#include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 
@@ -148,12 +152,40 @@ std::atomic<int> g_signal{0};
 std::atomic<int> g_ends_at_once{0};
 static_assert(std::atomic<int>::is_always_lock_free, "used inside a signal handler");
 
+// Posted by each signal; never destroyed, as a handler may run until the last moment.
+sem_t g_signals;
+
+// Only what a handler may do. A second signal, or one while nothing is kept, does not wait.
 extern "C" void note_signal(int number) {
-    if (g_ends_at_once.load(std::memory_order_relaxed) > 0) {  // relaxed: as below
-        _exit(128 + number);
-    }
     g_signal.store(number, std::memory_order_relaxed);  // relaxed: a flag that orders nothing
-    std::signal(number, SIG_DFL);                       // the next one ends the process
+    sem_post(&g_signals);
+    if (g_ends_at_once.load(std::memory_order_relaxed) > 0) {  // relaxed: likewise
+        sem_post(&g_signals);
+    }
+}
+
+void wait_for_signal(const timespec* until) {
+    while ((until != nullptr ? sem_timedwait(&g_signals, until) : sem_wait(&g_signals)) != 0 &&
+           errno == EINTR) {
+    }
+}
+
+// A command has so long to end by itself after a signal; then the process ends, and leaves nothing
+// half-written. Runs on a thread of its own.
+void end_in_time() {
+    wait_for_signal(nullptr);
+    timespec until{};
+    clock_gettime(CLOCK_REALTIME, &until);
+    constexpr long kSecond = 1'000'000'000;
+    constexpr long kPatience = 700'000'000;
+    until.tv_sec += (until.tv_nsec + kPatience) / kSecond;
+    until.tv_nsec = (until.tv_nsec + kPatience) % kSecond;
+    wait_for_signal(&until);
+    const EndOfWriting end = remove_pending_files();
+    for (const std::filesystem::path& part : end.kept) {
+        complain("stopped before it was finished: what was written lies in " + part.string());
+    }
+    _exit(exit_code_after_signals(kExitFailed));
 }
 
 }  // namespace
@@ -161,10 +193,14 @@ extern "C" void note_signal(int number) {
 // SIGXFSZ and SIGPIPE are ignored, so that the write that caused them fails with an error that is
 // reported.
 void catch_signals() noexcept {
-    std::signal(SIGINT, note_signal);
-    std::signal(SIGTERM, note_signal);
+    sem_init(&g_signals, 0, 0);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        std::signal(number, note_signal);
+    }
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
+    // Its end is the process's.
+    std::thread(end_in_time).detach();
 }
 
 EndAtOnceOnSignals::EndAtOnceOnSignals() noexcept {

@@ -43,12 +43,14 @@ struct ParsedCommand {
 /// failed. Returns the process' exit code. Threads: main.
 [[nodiscard]] int run_program(const std::function<ParsedCommand()>& parse);
 
-/// From here on SIGINT and SIGTERM are noted instead of ending the process, SIGXFSZ (a file grew
-/// over its limit) and SIGPIPE become errors of the write. A second SIGINT ends at once.
+/// From here on SIGINT, SIGTERM and SIGHUP (the terminal was closed) are noted instead of ending the
+/// process, SIGXFSZ (a file grew over its limit) and SIGPIPE become errors of the write. A command
+/// looks at stop_signal() and ends by itself; where it has not within 0.7 s, or at a second signal,
+/// the process ends and what is half-written is removed (base/pending_file.hpp). Starts a thread.
 /// Threads: main, once.
 void catch_signals() noexcept;
 
-/// While one lives, SIGINT and SIGTERM end the process at once, with the exit code that they always
+/// While one lives, these signals end the process at once, with the exit code that they always
 /// have: for long work of which nothing is kept, such as loading. (Without one they are noted, and
 /// work that is under way is finished first.) Threads: main. Nests.
 class EndAtOnceOnSignals {

@@ -1,6 +1,7 @@
 #include "engine/trials/click_player.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace raks::engine {
@@ -23,7 +24,12 @@ class ClickPlayer::Tape final : public audio::StreamCallback {
         if (frames == 0) {
             return;
         }
-        marks_.push({static_cast<std::int64_t>(at), time.entered + stream_.heard_after()});
+        const std::size_t block = blocks_.load(std::memory_order_relaxed);  // likewise
+        if (block < marks_.size()) {
+            marks_[block] = {static_cast<std::int64_t>(at), time.entered + stream_.heard_after()};
+            // release: pairs with the acquire in marks().
+            blocks_.store(block + 1, std::memory_order_release);
+        }
         for (std::size_t i = 0; i < frames; ++i) {
             std::fill_n(interleaved.begin() + static_cast<std::ptrdiff_t>(i * stride),
                         stride,
@@ -36,13 +42,18 @@ class ClickPlayer::Tape final : public audio::StreamCallback {
         return static_cast<double>(frames_.load(std::memory_order_relaxed)) /
                static_cast<double>(sound_.size());
     }
-    [[nodiscard]] EventQueue<BlockClock::Mark>& marks() noexcept { return marks_; }
+    // Of the blocks so far.
+    [[nodiscard]] std::vector<BlockClock::Mark> marks() const {
+        const std::size_t blocks = blocks_.load(std::memory_order_acquire);
+        return {marks_.begin(), marks_.begin() + static_cast<std::ptrdiff_t>(blocks)};
+    }
 
  private:
     const audio::DeviceStream& stream_;
     std::vector<float> sound_;
     std::atomic<std::size_t> frames_{0};
-    EventQueue<BlockClock::Mark> marks_;
+    std::atomic<std::size_t> blocks_{0};
+    std::vector<BlockClock::Mark> marks_;
 };
 
 ClickPlayer::ClickPlayer() = default;
@@ -65,15 +76,12 @@ Expected<std::unique_ptr<ClickPlayer>> ClickPlayer::start(const audio::AudioDevi
 
 double ClickPlayer::progress() const noexcept { return tape_->progress(); }
 
-Expected<BlockClock> ClickPlayer::clock() {
-    BlockClock::Mark mark;
-    while (tape_->marks().pop(mark)) {
-        marks_.push_back(mark);
-    }
-    if (marks_.empty()) {
+Expected<BlockClock> ClickPlayer::clock() const {
+    auto marks = tape_->marks();
+    if (marks.empty()) {
         return fail("the loudspeaker takes no sound");
     }
-    return BlockClock(stream_->rate(), marks_);
+    return BlockClock(stream_->rate(), std::move(marks));
 }
 
 }  // namespace raks::engine

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <memory>
-#include <vector>
 
 #include "audio/io/device_stream.hpp"
 #include "audio/io/devices.hpp"
-#include "base/channels/event_queue.hpp"
 #include "base/expected.hpp"
 #include "engine/trials/block_clock.hpp"
 #include "engine/trials/click_train.hpp"
@@ -30,7 +27,7 @@ class ClickPlayer {
     /// False once the device is gone.
     [[nodiscard]] bool is_alive() const noexcept { return stream_->is_alive(HostClock::now()); }
     /// When the frames so far should have been heard. Errors: nothing was played.
-    [[nodiscard]] Expected<BlockClock> clock();
+    [[nodiscard]] Expected<BlockClock> clock() const;
 
  private:
     class Tape;
@@ -38,7 +35,6 @@ class ClickPlayer {
 
     std::unique_ptr<Tape> tape_;  // before the stream, which calls it
     std::unique_ptr<audio::DeviceStream> stream_;
-    std::vector<BlockClock::Mark> marks_;
 };
 
 }  // namespace raks::engine

@@ -308,7 +308,8 @@ Expected<std::unique_ptr<VideoWriter>> create_film(const std::filesystem::path& 
                                                    FilmForm form,
                                                    const VideoOptions& options) {
     av_log_set_level(AV_LOG_QUIET);  // what matters comes back as an error
-    auto file = PendingFile::create(path);
+    // A film plays up to where its writer was ended.
+    auto file = PendingFile::create(path, PendingFile::AtEnd::kept);
     if (!file) {
         return fail(file.error());
     }

@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,11 @@ namespace fs = std::filesystem;
 
 class FileTest : public ::testing::Test {
  protected:
+    /// How many files and folders lie in the folder itself.
+    [[nodiscard]] std::ptrdiff_t count() const {
+        return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
+    }
+
     test::TemporaryFolder folder_;
 };
 
@@ -24,7 +31,7 @@ TEST_F(FileTest, what_was_written_is_read) {
     const std::string bytes("a\0b\n", 4);
     ASSERT_TRUE(write_file(folder_ / "x", bytes));
     EXPECT_EQ(read_file(folder_ / "x").value(), bytes);
-    EXPECT_FALSE(fs::exists(folder_ / "x.part"));
+    EXPECT_EQ(count(), 1) << "no part is left";
 }
 
 TEST_F(FileTest, an_uncommitted_file_leaves_what_was_there) {
@@ -35,7 +42,7 @@ TEST_F(FileTest, an_uncommitted_file_leaves_what_was_there) {
         ASSERT_TRUE(fs::exists(pending->part()));
     }
     EXPECT_EQ(read_file(folder_ / "x").value(), "old");
-    EXPECT_FALSE(fs::exists(folder_ / "x.part"));
+    EXPECT_EQ(count(), 1) << "no part is left";
 }
 
 TEST_F(FileTest, a_new_folder_appears_whole_or_not_at_all) {
@@ -46,13 +53,15 @@ TEST_F(FileTest, a_new_folder_appears_whole_or_not_at_all) {
         ASSERT_TRUE(write_file(given_up->part() / "x", "lost"));
     }
     EXPECT_TRUE(folder_.is_empty());
-    fs::create_directories(folder_ / "new.part" / "left by a killed run");
+    // What has such a name is somebody else's.
+    fs::create_directories(folder_ / "new.part" / "of a person");
     auto pending = PendingFile::create_folder(folder / "");  // as a shell completes it
     ASSERT_TRUE(pending) << pending.error().message;
     EXPECT_TRUE(fs::is_empty(pending->part()));
     ASSERT_TRUE(write_file(pending->part() / "x", "kept"));
     ASSERT_TRUE(pending->commit());
     EXPECT_EQ(read_file(folder / "x").value(), "kept");
+    EXPECT_TRUE(fs::exists(folder_ / "new.part" / "of a person"));
     const auto refused = PendingFile::create_folder(folder);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message,
@@ -105,13 +114,11 @@ TEST_F(FileTest, what_is_no_plain_file_is_refused_without_waiting) {
 TEST_F(FileTest, only_plain_files_are_replaced) {
     const fs::path pipe = folder_ / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    ASSERT_EQ(mkfifo((folder_ / "x.part").c_str(), 0600), 0);
-    for (const fs::path& path : {pipe, folder_ / "x", fs::path("/dev/full"), fs::path()}) {
+    for (const fs::path& path : {pipe, fs::path("/dev/full"), folder_.path(), fs::path()}) {
         EXPECT_FALSE(write_file(path, "text")) << path;
     }
     EXPECT_TRUE(fs::is_fifo(pipe));
-    EXPECT_FALSE(fs::exists(folder_ / "x"));
-    EXPECT_FALSE(fs::exists("/dev/full.part"));
+    EXPECT_EQ(count(), 1);
 }
 
 TEST_F(FileTest, a_full_disk_leaves_the_old_file_and_no_part) {
@@ -127,7 +134,66 @@ TEST_F(FileTest, a_full_disk_leaves_the_old_file_and_no_part) {
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().message.find("File too large"), std::string::npos);
     EXPECT_EQ(read_file(folder_ / "x").value(), "old");
-    EXPECT_FALSE(fs::exists(folder_ / "x.part"));
+    EXPECT_EQ(count(), 1) << "no part is left";
+}
+
+TEST_F(FileTest, what_others_have_beside_it_is_not_touched) {
+    ASSERT_TRUE(write_file(folder_ / "victim", "precious"));
+    fs::create_symlink(folder_ / "victim", folder_ / "x.part");
+    ASSERT_TRUE(write_file(folder_ / "y.part", "of a person"));
+    ASSERT_TRUE(write_file(folder_ / "x", "text"));
+    ASSERT_TRUE(write_file(folder_ / "y", "text"));
+    EXPECT_EQ(read_file(folder_ / "victim").value(), "precious");
+    EXPECT_EQ(read_file(folder_ / "y.part").value(), "of a person");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "x.part"));
+}
+
+TEST_F(FileTest, a_link_stays_and_what_it_leads_to_is_replaced) {
+    fs::create_directory(folder_ / "far");
+    ASSERT_TRUE(write_file(folder_ / "far" / "x", "old"));
+    fs::permissions(folder_ / "far" / "x", fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("far/x", folder_ / "link");
+    fs::create_symlink("far/none", folder_ / "dangling");
+    ASSERT_TRUE(write_file(folder_ / "link", "new"));
+    ASSERT_TRUE(write_file(folder_ / "dangling", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(read_file(folder_ / "far" / "x").value(), "new");
+    EXPECT_EQ(fs::status(folder_ / "far" / "x").permissions(),
+              fs::perms::owner_read | fs::perms::owner_write)
+        << "it has the rights of what it replaces";
+    EXPECT_EQ(read_file(folder_ / "far" / "none").value(), "new");
+}
+
+TEST_F(FileTest, two_that_write_one_name_do_not_meet) {
+    auto first = PendingFile::create(folder_ / "x");
+    auto second = PendingFile::create(folder_ / "x");
+    ASSERT_TRUE(first && second);
+    EXPECT_NE(first->part(), second->part());
+    std::ofstream(first->part()) << "first";
+    std::ofstream(second->part()) << "second";
+    ASSERT_TRUE(second->commit());
+    ASSERT_TRUE(first->commit());
+    EXPECT_EQ(read_file(folder_ / "x").value(), "first") << "the last one that was finished";
+    EXPECT_EQ(count(), 1);
+}
+
+TEST_F(FileTest, a_process_that_must_end_removes_what_is_not_complete) {
+    auto lost = PendingFile::create(folder_ / "lost");
+    auto folder = PendingFile::create_folder(folder_ / "folder");
+    auto film = PendingFile::create(folder_ / "film", PendingFile::AtEnd::kept);
+    ASSERT_TRUE(lost && folder && film);
+    std::ofstream(folder->part() / "inside") << "x";
+    {
+        const auto lock = remove_pending_files();
+        EXPECT_EQ(count(), 1) << "the film alone";
+    }
+    EXPECT_FALSE(lost->commit());
+}
+
+TEST_F(FileTest, names_as_long_as_a_system_allows_are_written) {
+    const std::string longest(255, 'x');
+    ASSERT_TRUE(write_file(folder_ / longest, "text"));
+    EXPECT_EQ(read_file(folder_ / longest).value(), "text");
 }
 
 class TextFile : public ::testing::Test {

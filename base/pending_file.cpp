@@ -1,0 +1,304 @@
+#include "base/pending_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <random>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace raks {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLetters = 6;
+// Names of files may have 255 bytes; of longer ones the part's name keeps this much.
+constexpr std::size_t kLongestStem = 200;
+// Each try finds a name that nobody has, but for one in 57 thousand millions.
+constexpr int kTries = 100;
+
+// The system's words for an errno.
+std::string system_reason(int error_number) { return std::generic_category().message(error_number); }
+
+Error cannot_write(const fs::path& path, int error_number) {
+    return Error{path.string() + ": cannot be written: " + system_reason(error_number)};
+}
+
+// A descriptor that is closed on every way out.
+class Descriptor {
+ public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) {
+            ::close(number_);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int get() const noexcept { return number_; }
+    // True when closing tells of no fault: some disks say only here that they are full.
+    [[nodiscard]] bool close() noexcept { return ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+    int number_;
+};
+
+// "x.bvh" -> "x.bvh.k3Zq0a.part", in the same folder.
+fs::path part_of(const fs::path& path) {
+    constexpr std::string_view kAll =
+        "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    std::random_device chance;
+    std::string name = path.filename().string().substr(0, kLongestStem) + ".";
+    for (std::size_t i = 0; i < kLetters; ++i) {
+        name += kAll[chance() % kAll.size()];
+    }
+    return path.parent_path() / (name + ".part");
+}
+
+// Makes a new file or folder by `make`, which returns false and sets errno, under a part's name.
+template <typename Make>
+Expected<fs::path> make_part(const fs::path& path, Make make) {
+    for (int i = 0; i < kTries; ++i) {
+        fs::path part = part_of(path);
+        if (make(part.c_str())) {
+            return part;
+        }
+        if (errno != EEXIST) {
+            break;
+        }
+    }
+    return fail(cannot_write(path, errno));
+}
+
+// Fails where something exists that must not be replaced by a file: anything but a plain file.
+Expected<void> check_replaceable(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::is_directory(status)) {
+        return fail(path.string() + ": is a folder; name a file to write");
+    }
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        return fail(path.string() + ": is not a plain file; name a file to write");
+    }
+    return {};
+}
+
+// The file that is to be replaced: at the end of a link, which stays; also of one that leads to
+// nothing yet.
+fs::path end_of_links(fs::path path) {
+    constexpr int kMostLinks = 40;  // as the system follows
+    std::error_code error;
+    for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+        const fs::path target = fs::read_symlink(path, error);
+        if (error) {
+            break;
+        }
+        path = target.is_absolute() ? target : path.parent_path() / target;
+    }
+    return path;
+}
+
+// Waits until the disk has a file, or which names a folder holds. Systems without it say EINVAL.
+bool sync(const fs::path& path, int flags) {
+    const Descriptor file(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW));
+    return file.get() >= 0 && (::fsync(file.get()) == 0 || errno == EINVAL);
+}
+
+bool sync_folder_of(const fs::path& path) {
+    const fs::path folder = path.parent_path();
+    return sync(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
+}
+
+// All files of a new folder, and itself; a plain file itself.
+bool sync_all(const fs::path& part) {
+    std::error_code error;
+    if (!fs::is_directory(part, error)) {
+        return sync(part, O_RDONLY);
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(part, error)) {
+        const bool is_folder = entry.is_directory(error);
+        if (!sync(entry.path(), O_RDONLY | (is_folder ? O_DIRECTORY : 0))) {
+            return false;
+        }
+    }
+    return !error && sync(part, O_RDONLY | O_DIRECTORY);
+}
+
+// The parts that are not committed, for a process that is told to end.
+struct Parts {
+    std::mutex mutex;
+    std::vector<fs::path> to_remove;
+    std::vector<fs::path> to_keep;
+
+    void forget(const fs::path& part) {
+        std::erase(to_remove, part);
+        std::erase(to_keep, part);
+    }
+};
+
+Parts& parts() {
+    static Parts all;
+    return all;
+}
+
+}  // namespace
+
+EndOfWriting remove_pending_files() {
+    std::unique_lock lock(parts().mutex);
+    for (const fs::path& part : parts().to_remove) {
+        std::error_code ignored;
+        fs::remove_all(part, ignored);
+    }
+    parts().to_remove.clear();
+    return {std::move(lock), parts().to_keep};
+}
+
+PendingFile::PendingFile(fs::path path, fs::path part)
+    : path_(std::move(path)), part_(std::move(part)) {}
+
+// An empty part_ marks a file that has nothing to remove.
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : path_(std::move(other.path_)), part_(std::exchange(other.part_, {})) {}
+
+PendingFile& PendingFile::operator=(PendingFile&& other) noexcept {
+    if (this != &other) {
+        remove_part();
+        path_ = std::move(other.path_);
+        part_ = std::exchange(other.part_, {});
+    }
+    return *this;
+}
+
+PendingFile::~PendingFile() { remove_part(); }
+
+void PendingFile::remove_part() noexcept {
+    if (part_.empty()) {
+        return;
+    }
+    const std::lock_guard lock(parts().mutex);
+    std::error_code ignored;
+    fs::remove_all(part_, ignored);
+    parts().forget(part_);
+    part_.clear();
+}
+
+// The part is made at once: an error shows before the long work. It has the rights of the file that
+// it will replace.
+Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
+    if (path.empty()) {
+        return fail("a file name is empty; name a file to write");
+    }
+    const fs::path target = end_of_links(path);
+    if (auto checked = check_replaceable(target); !checked) {
+        return fail(std::move(checked.error()));
+    }
+    struct stat old {};
+    const bool is_old = ::stat(target.c_str(), &old) == 0;
+    const std::lock_guard lock(parts().mutex);
+    auto part = make_part(target, [&](const char* name) {
+        const Descriptor file(
+            ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+        if (file.get() >= 0 && is_old) {
+            static_cast<void>(::fchmod(file.get(), old.st_mode & 0777U));
+        }
+        return file.get() >= 0;
+    });
+    if (!part) {
+        return fail(std::move(part.error()));
+    }
+    (at_end == AtEnd::removed ? parts().to_remove : parts().to_keep).push_back(*part);
+    return PendingFile(target, std::move(*part));
+}
+
+Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
+    if (path.empty()) {
+        return fail("a folder name is empty; name a folder to write");
+    }
+    // "folder/" has no file name: ".part" must not be appended behind the slash.
+    const fs::path folder = path.has_filename() ? path : path.parent_path();
+    std::error_code error;
+    if (fs::exists(folder, error) &&
+        !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
+        return fail(folder.string() + ": exists already and is not an empty folder; name another");
+    }
+    const std::lock_guard lock(parts().mutex);
+    auto part = make_part(folder, [](const char* name) { return ::mkdir(name, 0777) == 0; });
+    if (!part) {
+        return fail(std::move(part.error()));
+    }
+    parts().to_remove.push_back(*part);
+    return PendingFile(folder, std::move(*part));
+}
+
+// Within one folder, so the rename is atomic. Once it is done the new file is there, whatever the
+// folder's disk says then.
+Expected<void> PendingFile::commit() {
+    if (!sync_all(part_)) {
+        return fail(cannot_write(path_, errno));
+    }
+    const std::lock_guard lock(parts().mutex);
+    if (::rename(part_.c_str(), path_.c_str()) != 0) {
+        return fail(cannot_write(path_, errno));
+    }
+    parts().forget(part_);
+    part_.clear();
+    static_cast<void>(sync_folder_of(path_));
+    return {};
+}
+
+Expected<void> check_is_no_input(const fs::path& output, const std::vector<fs::path>& inputs) {
+    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
+        // Same file by device and inode, so links and other spellings count.
+        std::error_code ignored;
+        return fs::equivalent(output, input, ignored);
+    });
+    if (is_input) {
+        return fail(output.string() + ": is what is to be read; write to another name");
+    }
+    return {};
+}
+
+Expected<void> check_output(const fs::path& output, const std::vector<fs::path>& inputs) {
+    if (auto checked = check_is_no_input(output, inputs); !checked) {
+        return checked;
+    }
+    // Tries to create the part; the destructor removes it again.
+    const auto probe = PendingFile::create(output);
+    return probe ? Expected<void>() : fail(probe.error());
+}
+
+namespace {
+
+// All of it, whatever pieces the system takes.
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t wrote = ::write(descriptor, bytes.data(), bytes.size());
+        if (wrote < 0 && errno != EINTR) {
+            return false;
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(wrote, 0)));
+    }
+    return true;
+}
+
+}  // namespace
+
+Expected<void> write_file(const fs::path& path, std::string_view bytes) {
+    auto pending = PendingFile::create(path);
+    if (!pending) {
+        return fail(pending.error());
+    }
+    Descriptor file(::open(pending->part().c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (file.get() < 0 || !write_all(file.get(), bytes) || !file.close()) {
+        return fail(cannot_write(path, errno));
+    }
+    return pending->commit();
+}
+
+}  // namespace raks

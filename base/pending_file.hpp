@@ -1,0 +1,70 @@
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <string_view>
+#include <vector>
+
+#include "base/expected.hpp"
+
+/// Writing files and folders whole or not at all.
+namespace raks {
+
+/// A file that appears under its name only when it is complete: written as `NAME.XXXXXX.part` (six
+/// letters of our own choice) in the same folder and renamed by commit(). Without commit() the
+/// destructor removes the part. Nothing else is ever touched: the part is a new file, two that
+/// write the same name do not meet, and where the name is a link the file that it leads to is
+/// replaced. Threads: one. Real-time: no.
+class PendingFile {
+ public:
+    /// What becomes of the part where the process is told to end before it is committed.
+    enum class AtEnd { removed, kept };
+
+    /// `at_end`: kept where the part is of use by itself, such as a film that plays up to there.
+    /// Errors: no name, the folder does not exist, the part cannot be made there; what has the name
+    /// is not a plain file (a device is never replaced by a file).
+    [[nodiscard]] static Expected<PendingFile> create(const std::filesystem::path& path,
+                                                      AtEnd at_end = AtEnd::removed);
+    /// The same for a folder: part() is an empty one. Errors: the folder exists and is not empty,
+    /// or cannot be made.
+    [[nodiscard]] static Expected<PendingFile> create_folder(const std::filesystem::path& path);
+    PendingFile(PendingFile&& other) noexcept;             ///< the source then owns nothing
+    PendingFile& operator=(PendingFile&& other) noexcept;  ///< removes its own part first
+    ~PendingFile();                                        ///< removes the part, unless committed
+
+    /// Where to write until commit().
+    [[nodiscard]] const std::filesystem::path& part() const noexcept { return part_; }
+    /// Waits until the disk has all of it and renames the part to its final name, replacing what
+    /// was there. After a failure the old file is there, whole. Errors: the system's.
+    [[nodiscard]] Expected<void> commit();
+
+ private:
+    PendingFile(std::filesystem::path path, std::filesystem::path part);
+    void remove_part() noexcept;
+
+    std::filesystem::path path_;
+    std::filesystem::path part_;  // empty once committed or moved from
+};
+
+/// As long as one lives, nothing can be committed.
+struct EndOfWriting {
+    std::unique_lock<std::mutex> lock;        ///< held until the process ends
+    std::vector<std::filesystem::path> kept;  ///< parts that are of use by themselves
+};
+/// Removes every part that is not committed, but those that are kept: for a process that must end
+/// now. Threads: any.
+[[nodiscard]] EndOfWriting remove_pending_files();
+
+/// Checks before long work that its output can be written at the end. Errors: as
+/// PendingFile::create; `output` is one of the `inputs` (by whatever name), which it would replace.
+[[nodiscard]] Expected<void> check_output(const std::filesystem::path& output,
+                                          const std::vector<std::filesystem::path>& inputs);
+/// The second of these checks alone, for outputs that may be folders.
+[[nodiscard]] Expected<void> check_is_no_input(const std::filesystem::path& output,
+                                               const std::vector<std::filesystem::path>& inputs);
+
+/// Writes all of `bytes` to `path`, or leaves what was there. Errors: as PendingFile, and a full
+/// disk.
+[[nodiscard]] Expected<void> write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace raks

@@ -1,0 +1,97 @@
+// A person, a closed terminal or the system tells the program to end.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+/// What a process has computed so far.
+double cpu_seconds(pid_t pid) {
+    std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    // Behind the name, which may hold anything, user and system time are the 12th and 13th.
+    std::istringstream words(text.substr(std::min(text.rfind(')') + 1, text.size())));
+    std::vector<std::string> all((std::istream_iterator<std::string>(words)), {});
+    return all.size() < 13 ? 0.0
+                           : (std::stod(all[11]) + std::stod(all[12])) /
+                                 static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+class Signals : public ProgramTest {
+ protected:
+    /// Commands that would run for many seconds.
+    [[nodiscard]] std::vector<std::vector<std::string>> long_commands() const {
+        return {{"synth", "salsa", "-o", path("x.wav"), "--duration", "3600"},
+                {"stick", path("tango.toml"), "-o", path("x.png")},
+                {"eval", "dance"},
+                {"bench", "train"},
+                {"play", path("song.wav"), "--headless", "--no-sound"}};
+    }
+    void SetUp() override {
+        audio::MusicPlan plan;
+        plan.style = audio::Style::drums;
+        plan.seconds = 60.0;
+        write_music("song.wav", plan);
+        std::filesystem::copy_file(
+            std::filesystem::path(RAKS_SOURCE_DIR) / "config" / "choreographies" / "waltz.toml",
+            path("tango.toml"));
+    }
+};
+
+TEST_F(Signals, end_every_command_with_their_code_and_leave_nothing_half_written) {
+    const std::vector<std::string> before = files();
+    for (const int signal : {SIGTERM, SIGHUP}) {
+        for (const std::vector<std::string>& command : long_commands()) {
+            SCOPED_TRACE(command.front());
+            CapturedProcess raks(plan(command));
+            // Some say nothing while they work.
+            ASSERT_TRUE(raks.wait_until(
+                [&](const ProcessResult&) { return cpu_seconds(raks.pid()) > 0.3; }));
+            raks.send(signal);
+            const ProcessResult result = raks.wait();
+            EXPECT_EQ(result.exit_code, 128 + signal) << result.err;
+            EXPECT_FALSE(result.timed_out);
+        }
+    }
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Signals, a_film_that_was_stopped_says_how_much_it_holds) {
+    CapturedProcess raks(plan({"render",
+                               path("song.wav"),
+                               "-o",
+                               path("x.mp4"),
+                               "--quality",
+                               "fast",
+                               "--size",
+                               "128x72",
+                               "--as-live",
+                               "-v"}));
+    ASSERT_TRUE(raks.wait_until([&](const ProcessResult&) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+            if (entry.path().extension() == ".part" && entry.file_size() > 20'000) {
+                return true;
+            }
+        }
+        return false;
+    }));
+    raks.send(SIGTERM);
+    const ProcessResult result = raks.wait();
+    EXPECT_EQ(result.exit_code, 143);
+    EXPECT_NE(result.err.find("x.mp4 holds the first "), std::string::npos) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(path("x.mp4")));
+}
+
+}  // namespace
+}  // namespace raks::test
