@@ -24,7 +24,9 @@ constexpr std::size_t kLongestStem = 200;
 constexpr int kTries = 100;
 
 // The system's words for an errno.
-std::string system_reason(int error_number) { return std::generic_category().message(error_number); }
+std::string system_reason(int error_number) {
+    return std::generic_category().message(error_number);
+}
 
 Error cannot_write(const fs::path& path, int error_number) {
     return Error{path.string() + ": cannot be written: " + system_reason(error_number)};
