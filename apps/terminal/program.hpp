@@ -43,11 +43,11 @@ struct ParsedCommand {
 /// failed. Returns the process' exit code. Threads: main.
 [[nodiscard]] int run_program(const std::function<ParsedCommand()>& parse);
 
-/// From here on SIGINT, SIGTERM and SIGHUP (the terminal was closed) are noted instead of ending the
-/// process, SIGXFSZ (a file grew over its limit) and SIGPIPE become errors of the write. A command
-/// looks at stop_signal() and ends by itself; where it has not within 0.7 s, or at a second signal,
-/// the process ends and what is half-written is removed (base/pending_file.hpp). Starts a thread.
-/// Threads: main, once.
+/// From here on SIGINT, SIGTERM and SIGHUP (the terminal was closed) are noted instead of ending
+/// the process, SIGXFSZ (a file grew over its limit) and SIGPIPE become errors of the write. A
+/// command looks at stop_signal() and ends by itself; where it has not within 0.7 s, or at a second
+/// signal, the process ends and what is half-written is removed (base/pending_file.hpp). Starts a
+/// thread. Threads: main, once.
 void catch_signals() noexcept;
 
 /// While one lives, these signals end the process at once, with the exit code that they always
