@@ -106,10 +106,20 @@ fs::path end_of_links(fs::path path) {
     return path;
 }
 
+// Of the file that has this name, where there is one.
+void take_rights_of(const fs::path& old, int file) {
+    struct stat status {};
+    if (file >= 0 && ::stat(old.c_str(), &status) == 0) {
+        static_cast<void>(::fchmod(file, status.st_mode & 0777U));
+    }
+}
+
 // Waits until the disk has a file, or which names a folder holds. Systems without it say EINVAL.
+bool is_on_disk(int descriptor) { return ::fsync(descriptor) == 0 || errno == EINVAL; }
+
 bool sync(const fs::path& path, int flags) {
     const Descriptor file(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW));
-    return file.get() >= 0 && (::fsync(file.get()) == 0 || errno == EINVAL);
+    return file.get() >= 0 && is_on_disk(file.get());
 }
 
 bool sync_folder_of(const fs::path& path) {
@@ -161,18 +171,21 @@ EndOfWriting remove_pending_files() {
     return {std::move(lock), parts().to_keep};
 }
 
-PendingFile::PendingFile(fs::path path, fs::path part)
-    : path_(std::move(path)), part_(std::move(part)) {}
+PendingFile::PendingFile(fs::path path, fs::path part, int unnamed)
+    : path_(std::move(path)), part_(std::move(part)), unnamed_(unnamed) {}
 
 // An empty part_ marks a file that has nothing to remove.
 PendingFile::PendingFile(PendingFile&& other) noexcept
-    : path_(std::move(other.path_)), part_(std::exchange(other.part_, {})) {}
+    : path_(std::move(other.path_)),
+      part_(std::exchange(other.part_, {})),
+      unnamed_(std::exchange(other.unnamed_, -1)) {}
 
 PendingFile& PendingFile::operator=(PendingFile&& other) noexcept {
     if (this != &other) {
         remove_part();
         path_ = std::move(other.path_);
         part_ = std::exchange(other.part_, {});
+        unnamed_ = std::exchange(other.unnamed_, -1);
     }
     return *this;
 }
@@ -180,6 +193,10 @@ PendingFile& PendingFile::operator=(PendingFile&& other) noexcept {
 PendingFile::~PendingFile() { remove_part(); }
 
 void PendingFile::remove_part() noexcept {
+    if (unnamed_ >= 0) {
+        ::close(std::exchange(unnamed_, -1));
+        part_.clear();
+    }
     if (part_.empty()) {
         return;
     }
@@ -190,7 +207,7 @@ void PendingFile::remove_part() noexcept {
     part_.clear();
 }
 
-// The part is made at once: an error shows before the long work. It has the rights of the file that
+// The file is made at once: an error shows before the long work. It has the rights of the file that
 // it will replace.
 Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
     if (path.empty()) {
@@ -200,15 +217,19 @@ Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
     if (auto checked = check_replaceable(target); !checked) {
         return fail(std::move(checked.error()));
     }
-    struct stat old {};
-    const bool is_old = ::stat(target.c_str(), &old) == 0;
+    if (at_end == AtEnd::removed) {
+        const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+        const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+        if (file >= 0) {
+            take_rights_of(target, file);
+            return PendingFile(target, "/proc/self/fd/" + std::to_string(file), file);
+        }
+    }
     const std::lock_guard lock(parts().mutex);
     auto part = make_part(target, [&](const char* name) {
         const Descriptor file(
             ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-        if (file.get() >= 0 && is_old) {
-            static_cast<void>(::fchmod(file.get(), old.st_mode & 0777U));
-        }
+        take_rights_of(target, file.get());
         return file.get() >= 0;
     });
     if (!part) {
@@ -238,14 +259,39 @@ Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
     return PendingFile(folder, std::move(*part));
 }
 
+// Under its own name at once where nothing has it yet, else under a part's, to be renamed.
+bool PendingFile::give_name() {
+    const std::string file = part_.string();
+    const auto link_to = [&](const char* name) {
+        return ::linkat(AT_FDCWD, file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+    };
+    if (link_to(path_.c_str())) {
+        part_.clear();
+        return true;
+    }
+    if (errno != EEXIST) {
+        return false;
+    }
+    auto part = make_part(path_, link_to);
+    if (part) {
+        part_ = std::move(*part);
+        ::close(std::exchange(unnamed_, -1));
+    }
+    return part.has_value();
+}
+
 // Within one folder, so the rename is atomic. Once it is done the new file is there, whatever the
 // folder's disk says then.
 Expected<void> PendingFile::commit() {
-    if (!sync_all(part_)) {
+    if (!(unnamed_ >= 0 ? is_on_disk(unnamed_) : sync_all(part_))) {
         return fail(cannot_write(path_, errno));
     }
     const std::lock_guard lock(parts().mutex);
-    if (::rename(part_.c_str(), path_.c_str()) != 0) {
+    if (unnamed_ >= 0 && !give_name()) {
+        return fail(cannot_write(path_, errno));
+    }
+    // On an error the destructor removes the part.
+    if (!part_.empty() && ::rename(part_.c_str(), path_.c_str()) != 0) {
         return fail(cannot_write(path_, errno));
     }
     parts().forget(part_);
@@ -296,7 +342,7 @@ Expected<void> write_file(const fs::path& path, std::string_view bytes) {
     if (!pending) {
         return fail(pending.error());
     }
-    Descriptor file(::open(pending->part().c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
+    Descriptor file(::open(pending->part().c_str(), O_WRONLY | O_CLOEXEC));
     if (file.get() < 0 || !write_all(file.get(), bytes) || !file.close()) {
         return fail(cannot_write(path, errno));
     }

@@ -320,11 +320,6 @@ Expected<StageEnd> Player::play(const Path& file,
         loop_.say(message);
     }
     has_failed_ = has_failed_ || (*graph)->has_lost_device();
-    if (const engine::LiveCounters lost = (*graph)->counters(); lost.xruns + lost.underruns > 0) {
-        say_detail(fmt::format("the device ran dry {} times, the decoder was late {} times",
-                               lost.xruns,
-                               lost.underruns));
-    }
     // A file that does not say how long it is shows its end only here.
     if (section.start > 0.0 && end == StageEnd::finished &&
         (*graph)->analysis().taken_until() == StreamTime{}) {

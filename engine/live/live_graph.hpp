@@ -84,7 +84,7 @@ class LiveGraph {
 
     /// The host time at which stream time `t` is heard: in `play` when it leaves the loudspeaker;
     /// with a microphone or line-in when it was captured; with a monitor when the loudspeaker that
-    /// it belongs to plays it, as the server reports. All of it corrected by heard_after().
+    /// it belongs to plays it, as the server reports. The offsets of heard_after() are added.
     [[nodiscard]] HostTime heard_at(StreamTime t) noexcept;
     /// The moment of the music that a picture seen at `seen_at` must show: what is heard then (the
     /// inverse of heard_at()), later by the pose lead.
@@ -114,9 +114,9 @@ class LiveGraph {
 
     /// Queues a command for the analyzer, dated at the moment that is seen when it is called.
     /// False: the queue is full.
-    bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
+    [[nodiscard]] bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
     /// The same for the dancers.
-    bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
+    [[nodiscard]] bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
 
     /// The plan of the song that plays came to hand: it is followed from now on, where nothing has
     /// sounded yet, or from a bar line on, see PlannedStates. At most once.
