@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (reader == nullptr) {
         std::abort();
     }
-    reader->read({reinterpret_cast<const char*>(data), size});
+    static_cast<void>(reader->read({reinterpret_cast<const char*>(data), size}));
     return 0;
 }
 

@@ -28,6 +28,8 @@ class StateCount final : public audio::MusicAnalyzer::Sink {
  public:
     void on_state(const MusicState& /*state*/) noexcept override { ++count_; }
 
+    [[nodiscard]] int count() const noexcept { return count_; }
+
  private:
     int count_ = 0;
 };
@@ -41,11 +43,11 @@ std::shared_ptr<const DanceList> shipped_dances() {
     return dances;
 }
 
-/// One second of clicks over a hum.
-void listen(const audio::AnalyzerConfig& config) {
+/// Hears one second of clicks over a hum. False: the analyzer refuses the models.
+bool listen(const audio::AnalyzerConfig& config) {
     audio::MusicAnalyzer analyzer;
     if (!analyzer.prepare(config)) {
-        return;
+        return false;
     }
     std::vector<float> samples(kRate);
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -55,22 +57,23 @@ void listen(const audio::AnalyzerConfig& config) {
     }
     StateCount states;
     analyzer.process(samples, states);
+    return states.count() > 0;
 }
 
 }  // namespace
 
-void read_figure(std::string_view text) {
+bool read_figure(std::string_view text) {
     const auto model = motion::parse_figure(text, "x.json");
     if (!model) {
-        return;
+        return false;
     }
     const auto library = motion::DanceLibrary::build({&*model, 1}, motion::mannequin_skeleton());
     if (!library) {
-        return;
+        return false;
     }
     motion::Dancer dancer;
     if (!dancer.prepare(*library, motion::mannequin_skeleton(), std::uint64_t{1})) {
-        return;
+        return false;
     }
     motion::PoseTrack track;
     for (HopIndex hop = 0; hop < kDancedHops; ++hop) {
@@ -84,30 +87,31 @@ void read_figure(std::string_view text) {
         state.loudness_lufs = -14.0F;
         dancer.advance(state, track);
     }
+    return true;
 }
 
-void read_genre(std::string_view text) {
+bool read_genre(std::string_view text) {
     auto model = audio::parse_genre(text);
     if (!model) {
-        return;
+        return false;
     }
     audio::AnalyzerConfig config;
     config.sample_rate = SampleRate(kRate);
     config.genre_model = std::make_shared<const audio::GenreModel>(std::move(*model));
     config.dances = shipped_dances();
     config.genre_window = 0.5;
-    listen(config);
+    return listen(config);
 }
 
-void read_beats(std::string_view text) {
+bool read_beats(std::string_view text) {
     auto network = audio::parse_network(text, "x.json");
     if (!network) {
-        return;
+        return false;
     }
     audio::AnalyzerConfig config;
     config.sample_rate = SampleRate(kRate);
     config.beat_network = std::move(*network);
-    listen(config);
+    return listen(config);
 }
 
 }  // namespace raks::fuzz

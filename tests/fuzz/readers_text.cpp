@@ -6,33 +6,36 @@
 
 namespace raks::fuzz {
 
-void read_labels(std::string_view text) {
-    static_cast<void>(motion::parse_labels(text, "x.tsv"));
+bool read_labels(std::string_view text) {
     static_cast<void>(motion::parse_labels(text, "x.tsv", motion::BeatsColumn::optional));
+    return motion::parse_labels(text, "x.tsv").has_value();
 }
 
-void read_counts(std::string_view text) { static_cast<void>(motion::parse_counts(text, "x.tsv")); }
+bool read_counts(std::string_view text) { return motion::parse_counts(text, "x.tsv").has_value(); }
 
-void read_faults(std::string_view text) { static_cast<void>(motion::parse_faults(text, "x.tsv")); }
+bool read_faults(std::string_view text) { return motion::parse_faults(text, "x.tsv").has_value(); }
 
-void read_index(std::string_view text) {
-    static_cast<void>(audio::parse_beat_index(text, "index.tsv"));
+bool read_index(std::string_view text) {
+    return audio::parse_beat_index(text, "index.tsv").has_value();
 }
 
-void read_beat_list(std::string_view text) {
-    if (const auto beats = audio::parse_beats(text, "x.beats")) {
-        if (!audio::parse_beats(audio::beats_text(*beats), "y.beats")) {
-            __builtin_trap();
-        }
+bool read_beat_list(std::string_view text) {
+    const auto beats = audio::parse_beats(text, "x.beats");
+    // What was read can be written and read again.
+    if (beats && !audio::parse_beats(audio::beats_text(*beats), "y.beats")) {
+        __builtin_trap();
     }
+    return beats.has_value();
 }
 
-void read_playlist(std::string_view text) {
+bool read_playlist(std::string_view text) {
+    bool is_good = false;
     for (const auto form : {engine::ListForm::m3u, engine::ListForm::pls, engine::ListForm::xspf}) {
         const auto list = engine::parse_list(text, form);
         if (!list) {
             continue;
         }
+        is_good = true;
         for (const engine::ListEntry& entry : list->entries) {
             for (const std::string& name : entry) {
                 static_cast<void>(engine::file_of_address(name));
@@ -40,6 +43,7 @@ void read_playlist(std::string_view text) {
             }
         }
     }
+    return is_good;
 }
 
 }  // namespace raks::fuzz

@@ -2,6 +2,7 @@
 
 #include "audio/music/styles/general_midi_drums.hpp"
 #include "base/plain_name.hpp"
+#include "base/printable.hpp"
 
 namespace raks::audio {
 namespace {
@@ -24,8 +25,13 @@ std::string read_name(const toml::table& table,
     const toml::node* const node = complaints.needed(table, key, form);
     // `needed` complains of a key that is missing; here it is there, but not a name.
     const std::string name = complaints.text(table, key);
-    if (node != nullptr && !is_plain_name(name)) {
-        complaints.complain(*node, fmt::format("{}: {}", key, why_no_plain_name(name)));
+    // It names no file, so that "6/8" may be part of it.
+    if (node != nullptr &&
+        (name.empty() || name.size() > kLongestPlainName || printable(name) != name)) {
+        complaints.complain(
+            *node,
+            fmt::format(
+                "{} must have 1 to {} letters and no control characters", key, kLongestPlainName));
     }
     return name;
 }
