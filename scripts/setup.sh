@@ -22,6 +22,8 @@ packages=(
     libasound2-plugins dbus sox flac lame opus-tools xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core
     # checks
     clang-format clang-tidy
+    # fuzzing: scripts/fuzz.sh
+    clang-14 libclang-rt-14-dev
 )
 if [ "${1:-}" = --rtsan ]; then
     packages+=(clang-22 libclang-rt-22-dev llvm-14)

@@ -1,6 +1,5 @@
 // `raks stick dance.toml`: shows a written dance in a window while it is being written, or draws it
 // on sheets.
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "apps/raks/sheet_file.hpp"
 #include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/printable.hpp"
 #include "engine/show/dance_preview.hpp"
 
 #include <fmt/format.h>
@@ -30,11 +30,9 @@ Expected<void> write_figure(engine::DancePreview& preview,
         !written) {
         return written;
     }
-    std::fputs(
-        fmt::format(
-            "{}: front and side of {}, eighths of a beat\n", output.string(), preview.figure())
-            .c_str(),
-        stdout);
+    print_text(fmt::format("{}: front and side of {}, eighths of a beat\n",
+                           printable(output.string()),
+                           preview.figure()));
     return {};
 }
 

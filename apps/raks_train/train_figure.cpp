@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -186,12 +186,11 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
                                                                        report->model.name,
                                                                        report->model.role,
                                                                        report->model.features);
-    std::puts(fmt::format("{}: {} of {} repeats; log-likelihood a sample: {}",
-                          path.string(),
-                          used,
-                          report->repeats.size(),
-                          listed_likelihoods(report->model.features, report->log_likelihood))
-                  .c_str());
+    print_text(fmt::format("{}: {} of {} repeats; log-likelihood a sample: {}\n",
+                           printable(path.string()),
+                           used,
+                           report->repeats.size(),
+                           listed_likelihoods(report->model.features, report->log_likelihood)));
     return kExitDone;
 }
 
