@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <system_error>
 
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 namespace raks::apps {
 

@@ -12,7 +12,7 @@
 #include "apps/raks_train/likelihoods.hpp"
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "motion/figures/figure_model.hpp"

@@ -84,7 +84,7 @@ class LiveGraph {
 
     /// The host time at which stream time `t` is heard: in `play` when it leaves the loudspeaker;
     /// with a microphone or line-in when it was captured; with a monitor when the loudspeaker that
-    /// it belongs to plays it, as the server reports. All of it corrected by heard_after().
+    /// it belongs to plays it, as the server reports. The offsets of heard_after() are added.
     [[nodiscard]] HostTime heard_at(StreamTime t) noexcept;
     /// The moment of the music that a picture seen at `seen_at` must show: what is heard then (the
     /// inverse of heard_at()), later by the pose lead.
