@@ -118,6 +118,7 @@ Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     MotionStage::Wiring wiring{analysis_->states(), config.readers, config.record};
     wiring.readers.push_back(for_main_.get());
     motion_ = std::make_unique<MotionThread>(std::move(dancers), std::move(wiring));
+    hold_back_dance();
     return {};
 }
 
