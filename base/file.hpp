@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "base/pending_file.hpp"
 
 /// Files and folders, with errors that name the path.
 namespace raks {

@@ -16,7 +16,7 @@
 #include "audio/beat/paper_beat.hpp"
 #include "audio/io/audio_file.hpp"
 #include "audio/music_analyzer.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/offline/last_hops.hpp"
 #include "engine/offline/music_source.hpp"

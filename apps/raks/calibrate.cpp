@@ -31,7 +31,7 @@ constexpr double kLongestWay = 2.5;
 constexpr Nanos kLook = std::chrono::milliseconds(50);
 
 // Errors: the device went away.
-Expected<void> check(const engine::ClickPlayer& player) {
+Expected<void> check_alive(const engine::ClickPlayer& player) {
     if (!player.is_alive()) {
         return fail("the loudspeaker is gone: nothing was measured");
     }
@@ -58,7 +58,7 @@ Measured measure_loop(const audio::AudioDevice& output, const audio::AudioDevice
         if (stop_signal()) {
             return std::nullopt;
         }
-        if (auto alive = check(**player); !alive) {
+        if (auto alive = check_alive(**player); !alive) {
             return fail(alive.error());
         }
         progress.show((*player)->progress());
@@ -93,7 +93,7 @@ Measured measure_taps(const audio::AudioDevice& output) {
         if (stop_signal()) {
             return std::nullopt;
         }
-        if (auto alive = check(**player); !alive) {
+        if (auto alive = check_alive(**player); !alive) {
             return fail(alive.error());
         }
         if (const auto tap = keys.wait(kLook)) {
@@ -195,16 +195,12 @@ ExitCode calibrate(const CalibrateArguments& arguments) {
     if (auto saved = offsets->save(); !saved) {
         return fail(saved.error());
     }
-    const double offset_ms = 1e3 * to_seconds((*measured)->offset);
-    print_text(
-        fmt::format("{} is heard {:.1f} ms {} than it reports ({} {}, quartiles {:.1f} ms "
-                    "apart)\n",
-                    printable(audio::described(output->device)),
-                    std::abs(offset_ms),
-                    offset_ms < 0.0 ? "earlier" : "later",
-                    (*measured)->count,
-                    arguments.by_taps ? "taps" : "clicks",
-                    1e3 * to_seconds((*measured)->quartiles)));
+    print_text(fmt::format("{} is heard {} than it reports ({} {}, quartiles {:.1f} ms apart)\n",
+                           printable(audio::described(output->device)),
+                           engine::in_words((*measured)->offset),
+                           (*measured)->count,
+                           arguments.by_taps ? "taps" : "clicks",
+                           1e3 * to_seconds((*measured)->quartiles)));
     say("kept in " + engine::DeviceOffsets::path().string());
     return kExitDone;
 }

@@ -3,7 +3,7 @@
 #include <system_error>
 
 #include "apps/terminal/say.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/printable.hpp"
 
 namespace raks::apps {

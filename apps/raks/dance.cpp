@@ -5,7 +5,7 @@
 #include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "motion/skeleton/bvh.hpp"

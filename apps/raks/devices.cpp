@@ -13,14 +13,6 @@
 namespace raks::apps {
 namespace {
 
-// A device and how much later it is heard than it reports, where that was measured.
-std::optional<double> offset_ms(const audio::AudioDevice& device,
-                                const engine::DeviceOffsets& offsets) {
-    const auto own = offsets.of(device.name);
-    const auto offset = own ? own : offsets.of(device.monitor_of);
-    return offset ? std::optional(1e3 * to_seconds(*offset)) : std::nullopt;
-}
-
 // Numbers are those that --device and --output take.
 std::string to_json(const std::vector<audio::AudioDevice>& devices,
                     const engine::DeviceOffsets& offsets) {
@@ -28,16 +20,18 @@ std::string to_json(const std::vector<audio::AudioDevice>& devices,
     auto& list = document["devices"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const audio::AudioDevice& device = devices[i];
-        list.push_back({{"number", i},
-                        {"name", device.name},
-                        {"id", device.id},
-                        {"host_api", device.host_api},
-                        {"inputs", device.input_channels},
-                        {"outputs", device.output_channels},
-                        {"rate", device.default_rate},
-                        {"monitor", device.is_monitor},
-                        {"default", device.is_default_input || device.is_default_output},
-                        {"offset_ms", offset_ms(device, offsets).value_or(0.0)}});
+        list.push_back(
+            {{"number", i},
+             {"name", device.name},
+             {"id", device.id},
+             {"host_api", device.host_api},
+             {"inputs", device.input_channels},
+             {"outputs", device.output_channels},
+             {"rate", device.default_rate},
+             {"monitor", device.is_monitor},
+             {"default", device.is_default_input || device.is_default_output},
+             {"offset_ms",
+              1e3 * to_seconds(offsets.of(device.name, device.monitor_of).value_or(Nanos(0)))}});
     }
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -51,7 +45,7 @@ std::string to_text(const std::vector<audio::AudioDevice>& devices,
     std::string text = "   #  in out   rate  name\n";
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const audio::AudioDevice& device = devices[i];
-        const auto offset = offset_ms(device, offsets);
+        const auto offset = offsets.of(device.name, device.monitor_of);
         text += fmt::format("{:4} {:3} {:3} {:6.0f}  {}{}{}\n",
                             i,
                             device.input_channels,
@@ -59,7 +53,7 @@ std::string to_text(const std::vector<audio::AudioDevice>& devices,
                             device.default_rate,
                             printable(audio::described(device)),
                             device.is_monitor ? ": what this computer plays" : "",
-                            offset ? fmt::format(" [heard {:+.1f} ms]", *offset) : "");
+                            offset ? ", heard " + engine::in_words(*offset) : "");
     }
     if (const auto input = audio::choose_input(devices)) {
         text += "live  " + input->reason + "\n";

@@ -13,6 +13,7 @@
 #include "apps/terminal/say.hpp"
 #include "audio/evaluate/beat_corpus.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 

@@ -39,11 +39,18 @@ void add_calibrate(RaksCommands& table) {
                               "calibrate",
                               "measure how late a loudspeaker is heard, and keep it",
                               calibrate);
-    auto* const way = app->add_option_group("way");
-    way->add_flag("--loop", a->by_loop, "clicks, heard by a microphone or through a cable");
-    way->add_flag("--tap", a->by_taps, "clicks, to which you tap a key");
-    way->add_flag("--forget", a->forgets, "measure nothing: forget what is kept");
-    way->require_option(1);
+    auto* const loop =
+        app->add_flag("--loop", a->by_loop, "clicks, heard by a microphone or through a cable");
+    auto* const tap =
+        app->add_flag("--tap", a->by_taps, "clicks, to which you tap a key")->excludes(loop);
+    app->add_flag("--forget", a->forgets, "measure nothing: forget what is kept")
+        ->excludes(loop)
+        ->excludes(tap);
+    app->parse_complete_callback([arguments = a] {
+        if (!arguments->by_loop && !arguments->by_taps && !arguments->forgets) {
+            throw CLI::RequiredError("--loop, --tap or --forget");
+        }
+    });
     app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
     app->add_option("--device", a->settings.device, "microphone: name, part of it, or number");
     add_audio_system_option(*app, a->settings);

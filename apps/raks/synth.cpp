@@ -2,7 +2,7 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 

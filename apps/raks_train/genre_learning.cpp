@@ -19,6 +19,7 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "base/parallel.hpp"
+#include "base/pending_file.hpp"
 #include "training/genre/genre_trainer.hpp"
 
 #include <fmt/format.h>

@@ -14,7 +14,7 @@
 #include "apps/terminal/option_checks.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/music/styles/style_book.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "training/beat/corpus.hpp"
 #include "training/beat/train_bars.hpp"
 #include "training/beat/train_network.hpp"

@@ -11,7 +11,7 @@
 #include "apps/raks_train/likelihoods.hpp"
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "engine/setup/dance_folder.hpp"

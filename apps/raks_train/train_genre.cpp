@@ -19,7 +19,7 @@
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "audio/io/lossy_codec.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "training/genre/network_trainer.hpp"

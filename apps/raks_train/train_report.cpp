@@ -10,7 +10,7 @@
 #include "apps/raks_train/commands.hpp"
 #include "apps/reports/figure_report_page.hpp"
 #include "apps/terminal/say.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "training/figures/classifier_evaluation.hpp"
 #include "training/figures/figure_report.hpp"
 #include "training/figures/training_plan.hpp"

@@ -165,7 +165,8 @@ extern "C" void note_signal(int number) {
 }
 
 void wait_for_signal(const timespec* until) {
-    while ((until != nullptr ? sem_timedwait(&g_signals, until) : sem_wait(&g_signals)) != 0 &&
+    while ((until != nullptr ? sem_clockwait(&g_signals, CLOCK_MONOTONIC, until)
+                             : sem_wait(&g_signals)) != 0 &&
            errno == EINTR) {
     }
 }
@@ -175,7 +176,7 @@ void wait_for_signal(const timespec* until) {
 void end_in_time() {
     wait_for_signal(nullptr);
     timespec until{};
-    clock_gettime(CLOCK_REALTIME, &until);
+    clock_gettime(CLOCK_MONOTONIC, &until);
     constexpr long kSecond = 1'000'000'000;
     constexpr long kPatience = 700'000'000;
     until.tv_sec += (until.tv_nsec + kPatience) / kSecond;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 #include <fmt/format.h>
 

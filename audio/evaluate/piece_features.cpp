@@ -9,6 +9,7 @@
 #include "audio/genre/genre_recognizer.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 
 #include "audio/genre/genre_scorer.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "models/hmm_json.hpp"
 #include "models/json_fields.hpp"
 #include "models/network_json.hpp"

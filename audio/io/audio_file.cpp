@@ -17,6 +17,7 @@
 #include "audio/io/resampled_reader.hpp"
 #include "base/assert.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 namespace raks::audio {
 namespace {

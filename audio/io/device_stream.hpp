@@ -84,10 +84,10 @@ class DeviceStream {
     [[nodiscard]] SampleRate rate() const noexcept { return rate_; }
     /// Channels of each block.
     [[nodiscard]] int channels() const noexcept;
-    /// How long after BlockTime::entered it is heard, as the device reports it now; -2 to 2 s,
-    /// smoothed. Of an output: the block's first sample. Of an input: the moment behind the block's
-    /// last sample, which is past (negative) where a microphone took it, and to come where a
-    /// monitor records what its loudspeaker has not played yet. JACK counts what its ports are
+    /// Time from BlockTime::entered until the block's sound is heard, as the device reports it now;
+    /// -2 to 2 s, smoothed. It dates an output's first sample, and the end of an input's last one.
+    /// A microphone's sound was heard before it came in: negative. A monitor records what its
+    /// loudspeaker may not have played yet: positive. JACK counts what its ports are
     /// connected to; PulseAudio the whole way to the converter.
     [[nodiscard]] virtual Nanos heard_after() const noexcept = 0;
 

@@ -118,6 +118,7 @@ Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     MotionStage::Wiring wiring{analysis_->states(), config.readers, config.record};
     wiring.readers.push_back(for_main_.get());
     motion_ = std::make_unique<MotionThread>(std::move(dancers), std::move(wiring));
+    hold_back_dance();
     return {};
 }
 
@@ -134,11 +135,9 @@ std::string LiveGraph::about(const audio::AudioDevice& device, const char* how) 
         "{} {} {}", playback_ ? "sound goes to" : "listening to", audio::described(device), how);
 }
 
-// A monitor without an offset of its own is as late as its loudspeaker.
 void LiveGraph::set_device(const audio::AudioDevice& device) {
     device_ = device;
-    device_offset_ =
-        offsets_.of(device.name).value_or(offsets_.of(device.monitor_of).value_or(Nanos(0)));
+    device_offset_ = offsets_.of(device.name, device.monitor_of).value_or(Nanos(0));
 }
 
 std::vector<std::string> LiveGraph::watch(HostTime now) {

@@ -13,6 +13,7 @@
 
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/pending_file.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/dance_library.hpp"

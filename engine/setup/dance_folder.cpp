@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "motion/figures/figure_grammar.hpp"
 
 #include <fmt/format.h>

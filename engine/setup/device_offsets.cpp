@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "base/toml_reader.hpp"
 #include "engine/setup/user_folders.hpp"
@@ -37,7 +38,7 @@ DeviceOffsets::Entry read_device(const toml::node& node, TomlComplaints& complai
     if (entry.device.empty()) {
         complaints.complain(*table, "needs name = \"...\"");
     }
-    constexpr double kMostMs = 1e3 * static_cast<double>(DeviceOffsets::kMost.count()) * 1e-9;
+    constexpr double kMostMs = 1e3 * to_seconds(DeviceOffsets::kMost);
     if (const auto* offset = complaints.needed(*table, "offset_ms", "offset_ms = 0.0")) {
         entry.offset =
             nanos_from_seconds(1e-3 * complaints.number(*offset, "offset_ms", {-kMostMs, kMostMs}));
@@ -50,11 +51,16 @@ DeviceOffsets::Entry read_device(const toml::node& node, TomlComplaints& complai
 
 }  // namespace
 
-std::optional<Nanos> DeviceOffsets::of(std::string_view device) const {
-    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-        return entry.device == printable(device);
-    });
-    return found == entries_.end() ? std::nullopt : std::optional(found->offset);
+std::optional<Nanos> DeviceOffsets::of(std::string_view device, std::string_view monitor_of) const {
+    for (const std::string& name : {printable(device), printable(monitor_of)}) {
+        const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+            return entry.device == name;
+        });
+        if (found != entries_.end()) {
+            return found->offset;
+        }
+    }
+    return std::nullopt;
 }
 
 void DeviceOffsets::set(Entry entry) {
@@ -84,8 +90,8 @@ Expected<DeviceOffsets> DeviceOffsets::parse(std::string_view text, const std::s
     const toml::table& file = *parsed;
     TomlComplaints complaints(name);
     DeviceOffsets offsets;
-    if (file["format"].value_or(std::string()) != "raks-devices") {
-        return fail(name + ": format is not \"raks-devices\"; this is another kind of file");
+    if (file["format"].value_or(std::string()) != "raks-device-offsets") {
+        return fail(name + ": format is not \"raks-device-offsets\"; this is another kind of file");
     }
     if (const auto version = file["version"].value_or(std::int64_t{0});
         version != kOffsetsVersion) {
@@ -124,7 +130,7 @@ Expected<DeviceOffsets> DeviceOffsets::load() {
 std::string DeviceOffsets::to_toml() const {
     std::string text = fmt::format(
         "# How much later each device is heard than it reports: written by raks calibrate.\n"
-        "format = \"raks-devices\"\nversion = {}\n",
+        "format = \"raks-device-offsets\"\nversion = {}\n",
         kOffsetsVersion);
     for (const Entry& entry : entries_) {
         text += fmt::format("\n[[device]]\nname = {}\noffset_ms = {:.3f}\nmeasured = \"{}\"\n",
@@ -151,6 +157,12 @@ Expected<void> DeviceOffsets::save() const {
 fs::path DeviceOffsets::path() {
     const fs::path folder = xdg_folder("XDG_STATE_HOME", ".local/state");
     return folder.empty() ? folder : folder / "devices.toml";
+}
+
+std::string in_words(Nanos offset) {
+    return fmt::format("{:.1f} ms {}",
+                       1e3 * to_seconds(std::chrono::abs(offset)),
+                       offset < Nanos(0) ? "earlier" : "later");
 }
 
 }  // namespace raks::engine

@@ -25,8 +25,10 @@ class DeviceOffsets {
         std::string measured;  ///< how: "loop" or "tap"
     };
 
-    /// The offset of this device; nothing where none was measured, or the name is empty.
-    [[nodiscard]] std::optional<Nanos> of(std::string_view device) const;
+    /// The offset of this device; of a monitor without one that of its loudspeaker, `monitor_of`
+    /// (empty: it is no monitor). Nothing where none was measured.
+    [[nodiscard]] std::optional<Nanos> of(std::string_view device,
+                                          std::string_view monitor_of = {}) const;
     /// Puts a device's in the place of what is known of it.
     void set(Entry entry);
     /// Forgets a device; false where nothing was known of it.
@@ -53,5 +55,8 @@ class DeviceOffsets {
  private:
     std::vector<Entry> entries_;
 };
+
+/// An offset as people say it: "143.2 ms later", "0.5 ms earlier".
+[[nodiscard]] std::string in_words(Nanos offset);
 
 }  // namespace raks::engine

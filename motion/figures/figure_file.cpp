@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "models/json_fields.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/figure_model.hpp"

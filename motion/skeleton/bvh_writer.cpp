@@ -1,7 +1,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "motion/skeleton/bvh.hpp"
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 namespace raks::render {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "render/video/png.hpp"
 #include "render/video/video_forms.hpp"
 

@@ -7,6 +7,7 @@
 #include "apps/reports/plot_svg.hpp"
 #include "apps/reports/web_page.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/random.hpp"
 #include "tests/support/temporary_folder.hpp"
 

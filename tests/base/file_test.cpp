@@ -1,4 +1,5 @@
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -6,6 +6,7 @@
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/end_to_end/program.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/end_to_end/program.hpp"
 
 namespace raks::test {

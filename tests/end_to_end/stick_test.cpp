@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/end_to_end/program.hpp"
 
 namespace raks::test {

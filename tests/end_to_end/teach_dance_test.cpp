@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/end_to_end/manual.hpp"
 #include "tests/end_to_end/program.hpp"
 

@@ -9,6 +9,7 @@
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/end_to_end/program.hpp"
 
 namespace raks::test {

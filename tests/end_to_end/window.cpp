@@ -5,7 +5,7 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
-#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/support/program.hpp"
 
 namespace raks::test {

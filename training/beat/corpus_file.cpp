@@ -15,6 +15,7 @@
 #include "audio/io/audio_file.hpp"
 #include "audio/music/instruments/soundfont_player.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 // File of a training corpus: "RAKSBEAT", a version, then for each excerpt its sizes and numbers.
 namespace raks::audio {

@@ -6,6 +6,7 @@
 
 #include "audio/evaluate/piece_features.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

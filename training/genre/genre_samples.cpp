@@ -13,6 +13,7 @@
 #include "audio/genre/genre_scorer.hpp"
 #include "base/dice.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 #include <fmt/format.h>
 

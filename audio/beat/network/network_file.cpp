@@ -6,6 +6,7 @@
 
 #include "audio/beat/network/bar_network.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "models/json_fields.hpp"
 #include "models/network_json.hpp"
 

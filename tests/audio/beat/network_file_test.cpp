@@ -12,6 +12,7 @@
 
 #include "audio/beat/network/bar_network.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/random.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"
 
 namespace raks::audio {

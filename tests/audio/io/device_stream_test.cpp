@@ -163,8 +163,10 @@ Found find_noise(std::span<const float> samples) {
         require(jack.disconnect("system:capture_1", "raks-in:in_0"), "jack_disconnect");
         recorder.wait_for(static_cast<std::size_t>(3 * rate));
         require(input->is_alive(now()) && output->is_alive(now()), "alive");
+        // A loop of ports has no latency: what comes in was out when its block began.
         require(input->heard_after() >= std::chrono::milliseconds(-100) &&
-                    input->heard_after() <= Nanos(0) && output->heard_after() >= Nanos(0) &&
+                    input->heard_after() <= std::chrono::milliseconds(25) &&
+                    output->heard_after() >= Nanos(0) &&
                     output->heard_after() <= std::chrono::milliseconds(200),
                 "latency");
         require(input->callbacks() > 0 && recorder.is_time_right(), "frame count");

@@ -7,6 +7,7 @@
 
 #include "audio/io/audio_file.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/random.hpp"
 #include "tests/audio/io/sound_files.hpp"
 

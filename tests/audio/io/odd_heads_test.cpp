@@ -6,6 +6,7 @@
 #include "audio/io/mended_head.hpp"
 #include "audio/io/ogg_links.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"
 #include "tests/support/mangled.hpp"
 

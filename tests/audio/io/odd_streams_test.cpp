@@ -9,6 +9,7 @@
 
 #include "audio/io/head_bytes.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"
 
 namespace raks::audio {

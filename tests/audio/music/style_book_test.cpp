@@ -15,6 +15,7 @@
 #include "audio/music/styles/style_book_reader.hpp"
 #include "base/dice.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text.hpp"

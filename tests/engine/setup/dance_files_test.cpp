@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/mangled.hpp"

@@ -17,7 +17,7 @@ std::string fault_of_offsets(const std::string& toml) {
     return offsets ? "" : offsets.error().message;
 }
 
-constexpr const char* kHead = "format = \"raks-devices\"\nversion = 1\n";
+constexpr const char* kHead = "format = \"raks-device-offsets\"\nversion = 1\n";
 
 TEST(DeviceOffsetsFile, says_what_was_written) {
     DeviceOffsets offsets;
@@ -42,6 +42,16 @@ TEST(DeviceOffsetsFile, keeps_names_of_any_bytes) {
     EXPECT_FALSE(read->of("")) << "a device without a name has none";
 }
 
+TEST(DeviceOffsets, of_a_monitor_are_those_of_its_loudspeaker_unless_it_has_its_own) {
+    DeviceOffsets offsets;
+    offsets.set({"Speakers", milliseconds(143), "loop"});
+    EXPECT_EQ(offsets.of("Monitor of Speakers", "Speakers"), milliseconds(143));
+    offsets.set({"Monitor of Speakers", milliseconds(-2), "tap"});
+    EXPECT_EQ(offsets.of("Monitor of Speakers", "Speakers"), milliseconds(-2));
+    EXPECT_EQ(in_words(milliseconds(143)), "143.0 ms later");
+    EXPECT_EQ(in_words(microseconds(-500)), "0.5 ms earlier");
+}
+
 TEST(DeviceOffsetsFile, forgets_one_device) {
     DeviceOffsets offsets;
     offsets.set({"a", milliseconds(5), "tap"});
@@ -53,8 +63,8 @@ TEST(DeviceOffsetsFile, forgets_one_device) {
 TEST(DeviceOffsetsFile, is_refused_where_writing_it_again_would_lose_something) {
     EXPECT_EQ(fault_of_offsets(std::string(kHead)), "");
     EXPECT_EQ(fault_of_offsets(""),
-              "devices.toml: format is not \"raks-devices\"; this is another kind of file");
-    EXPECT_EQ(fault_of_offsets("format = \"raks-devices\"\nversion = 2\n"),
+              "devices.toml: format is not \"raks-device-offsets\"; this is another kind of file");
+    EXPECT_EQ(fault_of_offsets("format = \"raks-device-offsets\"\nversion = 2\n"),
               "devices.toml: version 2 is not known to this Raks (it reads version 1)");
     EXPECT_NE(fault_of_offsets(std::string(kHead) + "devices = []\n").find("line 3"),
               std::string::npos);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {

@@ -7,6 +7,7 @@
 #include "audio/evaluate/beat_corpus.hpp"
 #include "audio/music/score/midi_scores.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/random.hpp"
 #include "tests/audio/music/shipped_styles.hpp"
 #include "tests/support/temporary_folder.hpp"

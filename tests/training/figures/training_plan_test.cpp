@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "tests/motion/figures/small_figure.hpp"
 #include "tests/support/temporary_folder.hpp"

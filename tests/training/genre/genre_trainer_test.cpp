@@ -13,6 +13,7 @@
 #include "audio/evaluate/genre_folder.hpp"
 #include "audio/evaluate/genre_scores.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "base/random.hpp"
 #include "tests/support/dances.hpp"
 #include "tests/support/temporary_folder.hpp"
