@@ -27,7 +27,8 @@ for reader in "${readers[@]}"; do
         beats | genre) longest=2200000 ;;
         *) longest=65536 ;;
     esac
-    for seed in $(sed -n "/{\"$reader\",/,/}/p" tests/fuzz/readers.cpp | grep -o '"[a-z]*/[^"]*"' | tr -d '"'); do
+    for seed in $(awk -v row="{\"$reader\"," 'index($0, row) { on = 1 } on { print } on && /},$/ { exit }' \
+        tests/fuzz/readers.cpp | grep -o '"[a-z]*/[^"]*"' | tr -d '"'); do
         cp "$seed" "$learnt/"
     done
     # -timeout: CPU seconds of one input; memory: far more than any file of a person needs.
