@@ -1,7 +1,6 @@
 #include "audio/music/styles/rhythm_reader.hpp"
 
 #include "audio/music/styles/general_midi_drums.hpp"
-#include "base/plain_name.hpp"
 
 namespace raks::audio {
 namespace {
@@ -15,6 +14,7 @@ constexpr NumberRange kWeights = {0.01, 100};
 // Bounds on lengths: a damaged file ends in a complaint, not in endless work.
 constexpr std::size_t kMostLanes = 32;
 constexpr std::size_t kMostChoices = 16;
+constexpr std::size_t kLongestName = 60;
 
 /// A text that must be there and short.
 std::string read_name(const toml::table& table,
@@ -22,10 +22,10 @@ std::string read_name(const toml::table& table,
                       std::string_view form,
                       TomlComplaints& complaints) {
     const toml::node* const node = complaints.needed(table, key, form);
-    // `needed` complains of a key that is missing; here it is there, but not a name.
+    // `needed` complains of a key that is missing; here it is there, but empty or too long.
     const std::string name = complaints.text(table, key);
-    if (node != nullptr && !is_plain_name(name)) {
-        complaints.complain(*node, fmt::format("{}: {}", key, why_no_plain_name(name)));
+    if (node != nullptr && (name.empty() || name.size() > kLongestName)) {
+        complaints.complain(*node, fmt::format("{} must have 1 to {} letters", key, kLongestName));
     }
     return name;
 }

@@ -228,9 +228,7 @@ TEST(StyleBook, tells_what_is_wrong_and_where) {
         {rhythm("name           = \"habanera\"\n", ""),
          "rhythms.toml: line 4: needs name = \"...\""},
         {rhythm("\"habanera\"\n", "\"\"\n"),
-         "rhythms.toml: line 5: name: \"\" is no name: 1 to 64 bytes, no '/', '\\' or control "
-         "characters, "
-         "not \".\" or \"..\""},
+         "rhythms.toml: line 5: name must have 1 to 60 letters"},
         {rhythm("\"between\"", "\"habanera\""),
          "rhythms.toml: line 22" + in_rhythm + "is there twice, first in rhythms.toml, line 5"},
         {rhythm("\"between\"", "\"march\""),
