@@ -21,18 +21,29 @@ namespace {
 Expected<void> write_figure(engine::DancePreview& preview,
                             const engine::Look& look,
                             const Path& output) {
-    const auto poses = preview.sheet(kPosesPerBeat);
-    if (auto written = write_sheet(output,
-                                   look,
-                                   poses,
-                                   figure_sheet(),
-                                   figure_labels(std::string(preview.figure()), poses.size()));
+    // Of a long figure fewer poses a beat: a sheet of 1,000 pictures takes a minute and nobody
+    // looks at it.
+    constexpr std::size_t kMostPoses = 128;
+    int per_beat = kPosesPerBeat;
+    auto poses = preview.sheet(per_beat);
+    while (poses.size() > kMostPoses && per_beat > 1) {
+        per_beat /= 2;
+        poses = preview.sheet(per_beat);
+    }
+    if (auto written =
+            write_sheet(output,
+                        look,
+                        poses,
+                        figure_sheet(),
+                        figure_labels(std::string(preview.figure()), poses.size(), per_beat));
         !written) {
         return written;
     }
-    print_text(fmt::format("{}: front and side of {}, eighths of a beat\n",
+    print_text(fmt::format("{}: front and side of {}, {}\n",
                            printable(output.string()),
-                           preview.figure()));
+                           preview.figure(),
+                           per_beat == kPosesPerBeat ? std::string("eighths of a beat")
+                                                     : fmt::format("{} a beat", per_beat)));
     return {};
 }
 

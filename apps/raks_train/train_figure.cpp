@@ -12,6 +12,7 @@
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
+#include "base/plain_name.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "engine/setup/dance_folder.hpp"
@@ -158,6 +159,12 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
         }
     }
     motion::FigureTrainingPlan plan = figure_plan(arguments, *dance);
+    // They become parts of file names: said before the training, not after it.
+    for (const std::string* const name : {&plan.dance, &plan.figure}) {
+        if (!is_plain_name(*name)) {
+            return fail(why_no_plain_name(*name));
+        }
+    }
     if (!arguments.music.empty()) {
         if (auto taken = take_counts(arguments, plan); !taken) {
             return fail(std::move(taken.error()));

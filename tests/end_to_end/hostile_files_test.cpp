@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/file.hpp"
 #include "tests/end_to_end/program.hpp"
@@ -51,6 +52,19 @@ TEST_F(HostileFiles, no_name_leads_out_of_its_folder) {
         expect_one_line({"stick", path("x.toml"), "-o", path("x.png")}, 1, "line 3: dance: ");
     }
     EXPECT_EQ(files(), std::vector<std::string>{"x.toml"});
+}
+
+TEST_F(HostileFiles, training_refuses_a_name_that_leads_out_before_it_begins) {
+    write("clip.bvh", "HIERARCHY\n");
+    write("labels.tsv", "take\trole\tstart\tend\tfigure\tbeats\n");
+    const std::vector<std::string> train = {
+        "train", "figure", path("clip.bvh"), "--labels", path("labels.tsv"), "-o", path("out/")};
+    for (const char* const option : {"--figure", "--dance"}) {
+        auto command = train;
+        command.insert(command.end(), {option, "../x"});
+        expect_one_line(command, 1, "\"../x\" is no name");
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
 }
 
 TEST_F(HostileFiles, a_written_dance_says_which_number_is_too_much_work) {
