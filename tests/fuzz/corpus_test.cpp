@@ -47,7 +47,7 @@ TEST_P(Corpus, ends_no_reader) {
         SCOPED_TRACE(file.string());
         auto text = read_file(file, kLargest);
         ASSERT_TRUE(text) << text.error().message;
-        good += reader.read(*text) ? 1 : 0;
+        good += reader.read(*text) ? 1U : 0U;
         texts.push_back(std::move(*text));
     }
     // A corpus of nothing but refused files tries little.
