@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
     raks::test::share_solved_dances(home.path() / "cache",
                                     std::filesystem::path(argv[0]).filename().string());
     setenv("XDG_DATA_HOME", (home.path() / "share").c_str(), 1);
+    // It does not lie beside the programs of the tests.
+    setenv("RAKS_DECODER", RAKS_DECODE_PROGRAM, 1);
     return RUN_ALL_TESTS();
 }
 
