@@ -11,20 +11,16 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <mutex>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "audio/io/audio_file.hpp"
+#include "base/program_parts.hpp"
 
 namespace raks::audio {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kFirstFree = 10;  // above the descriptors that the child gets
 
@@ -51,29 +47,6 @@ void move_up(Descriptor& descriptor) {
 
 tl::unexpected<Error> cannot_start(int error_number) {
     return fail("raks-decode cannot be started: " + std::generic_category().message(error_number));
-}
-
-// Beside the running program, or where it is installed; a test names its own.
-std::vector<fs::path> places() {
-    if (const char* named = std::getenv("RAKS_DECODER");  // NOLINT(concurrency-mt-unsafe)
-        named != nullptr && *named != '\0') {
-        return {named};
-    }
-    std::error_code ignored;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    return {folder / "raks-decode", folder.parent_path() / "libexec/raks/raks-decode"};
-}
-
-Expected<std::string> find_program() {
-    const std::vector<fs::path> all = places();
-    for (const fs::path& place : all) {
-        if (::access(place.c_str(), X_OK) == 0) {
-            return place.string();
-        }
-    }
-    return fail(all.front().string() +
-                ": is not there; it decodes all sound files, is installed with raks and has to lie "
-                "beside it");
 }
 
 // The ends that a child gets, and ours.
@@ -155,7 +128,7 @@ int spawn(std::string program, const Links& links, pid_t& pid) {
 }  // namespace
 
 Expected<std::unique_ptr<DecoderProcess>> DecoderProcess::start() {
-    const auto program = find_program();
+    const auto program = find_program_part("raks-decode", "libexec/raks", "RAKS_DECODER");
     if (!program) {
         return fail(program.error());
     }
@@ -170,7 +143,7 @@ Expected<std::unique_ptr<DecoderProcess>> DecoderProcess::start() {
         return cannot_start(errno);
     }
     process->memory_ = static_cast<DecodeMemory*>(memory);
-    if (const int error = spawn(*program, links, process->pid_); error != 0) {
+    if (const int error = spawn(program->string(), links, process->pid_); error != 0) {
         process->pid_ = -1;
         return cannot_start(error);
     }

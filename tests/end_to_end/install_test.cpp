@@ -41,5 +41,15 @@ TEST_F(Install, the_programs_and_what_they_read_are_put_in_place) {
     EXPECT_NE(help.out.find("raks train genre"), std::string::npos) << help.out;
 }
 
+// A damaged song meets no decoder in it. (libpulse brings libsndfile along, which nothing calls.)
+TEST_F(Install, the_program_loads_no_decoder) {
+    const std::string needed = run_program({"readelf", "-d", RAKS_PROGRAM});
+    EXPECT_EQ(needed.find("libsndfile"), std::string::npos) << needed;
+    const std::string all = run_program({"ldd", RAKS_PROGRAM});
+    for (const char* library : {"libavcodec", "libavformat", "libavutil", "libsw"}) {
+        EXPECT_EQ(all.find(library), std::string::npos) << all;
+    }
+}
+
 }  // namespace
 }  // namespace raks::test
