@@ -1,20 +1,13 @@
 #include "audio/io/audio_file.hpp"
 
-#include <fmt/format.h>
-#include <sndfile.h>
-
 #include <algorithm>
 #include <array>
-#include <string_view>
-#include <system_error>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
 
-#include "audio/io/audio_file_backends.hpp"
-#include "audio/io/chained_reader.hpp"
-#include "audio/io/flac_length.hpp"
-#include "audio/io/hearing_survey.hpp"
-#include "audio/io/mended_head.hpp"
-#include "audio/io/ogg_links.hpp"
-#include "audio/io/resampled_reader.hpp"
 #include "base/assert.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
@@ -24,186 +17,61 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kHeadBytes = 12;        // enough to tell the formats apart
-constexpr std::size_t kChunkFrames = 16'384;  // decoded at once
-constexpr int kLeastHertz = 1'000;            // of a file; brought into Raks' range
-constexpr int kMostHertz = 3'000'000;         // DSD of the highest rate, as FFmpeg decodes it
+constexpr std::size_t kChunkFrames = 16'384;  // decoded or written at once
 
-// Whether libsndfile is asked first, by the file's first bytes. MP3 is not among them although
-// libsndfile reads it: its mpg123 prints on stderr and its seeks are off by 58 samples.
-bool is_for_sndfile(std::string_view head) {
-    constexpr std::size_t kKindAt = 8;
-    struct Magic {
-        std::string_view start;
-        std::string_view kind = "";  // of such files, behind their size
-    };
-    // RIFF files of other kinds go to FFmpeg: named .mp3, libsndfile would take them for MP3.
-    constexpr std::array<Magic, 12> kMagic{{{"RIFF", "WAVE"},
-                                            {"RIFX", "WAVE"},
-                                            {"RF64", "WAVE"},
-                                            {"BW64", "WAVE"},
-                                            {"riff"},
-                                            {"FORM"},
-                                            {"fLaC"},
-                                            {"OggS"},
-                                            {"caff"},
-                                            {".snd"},
-                                            {"dns."},
-                                            {"Creative"}}};
-    return std::any_of(kMagic.begin(), kMagic.end(), [head](const Magic& magic) {
-        return head.starts_with(magic.start) &&
-               (magic.kind.empty() ||
-                (head.size() > kKindAt && head.substr(kKindAt).starts_with(magic.kind)));
-    });
+// The head of 16-bit WAV: all numbers are little-endian, as this machine's are.
+struct WavHead {
+    std::array<char, 4> riff{'R', 'I', 'F', 'F'};
+    std::uint32_t riff_bytes = 0;  // of all that follows
+    std::array<char, 8> wave{'W', 'A', 'V', 'E', 'f', 'm', 't', ' '};
+    std::uint32_t form_bytes = 16;
+    std::uint16_t kind = 1;  // PCM
+    std::uint16_t channels = 0;
+    std::uint32_t rate = 0;
+    std::uint32_t bytes_per_second = 0;
+    std::uint16_t bytes_per_frame = 0;
+    std::uint16_t bits = 16;
+    std::array<char, 4> data{'d', 'a', 't', 'a'};
+    std::uint32_t data_bytes = 0;
+};
+static_assert(sizeof(WavHead) == 44 && std::endian::native == std::endian::little);
+
+WavHead wav_head(std::size_t samples, int channels, SampleRate rate) {
+    WavHead head;
+    head.data_bytes = static_cast<std::uint32_t>(2 * samples);
+    head.riff_bytes = head.data_bytes + sizeof(WavHead) - 8;
+    head.channels = static_cast<std::uint16_t>(channels);
+    head.rate = static_cast<std::uint32_t>(rate.hertz());
+    head.bytes_per_frame = static_cast<std::uint16_t>(2 * channels);
+    head.bytes_per_second = head.rate * head.bytes_per_frame;
+    return head;
 }
 
-}  // namespace
-
-Expected<void> check_head(const fs::path& path, int hertz, int channels) {
-    if (hertz < kLeastHertz || hertz > kMostHertz) {
-        return fail(fmt::format("{}: has a sample rate of {} Hz, must be {} to {}",
-                                path.string(),
-                                hertz,
-                                kLeastHertz,
-                                kMostHertz));
-    }
-    if (channels < 1 || channels > kMaxFileChannels) {
-        return fail(path.string() + ": has " + std::to_string(channels) +
-                    " channels, must be 1 to " + std::to_string(kMaxFileChannels));
-    }
-    return {};
+// The upper half of a 32-bit sample, which is what libsndfile writes: old files stay the same.
+std::int16_t to_16_bits(float sample) {
+    const double scaled = static_cast<double>(sample) * 2147483647.0;
+    const double clipped =
+        std::isnan(scaled) ? 0.0 : std::clamp(scaled, -2147483648.0, 2147483647.0);
+    return static_cast<std::int16_t>(std::llrint(clipped) >> 16);
 }
 
-void add_note(std::string& warning, const fs::path& path, std::string_view note) {
-    if (!note.empty()) {
-        warning += (warning.empty() ? path.string() + ": " : "; ") + std::string(note);
-    }
-}
-
-std::string cut_off_note(double at_seconds, double missing_seconds) {
-    std::string note = fmt::format("is damaged or cut off at {:.2f} s", at_seconds);
-    return missing_seconds < 0.005 ? note
-                                   : note + fmt::format("; {:.2f} s are missing", missing_seconds);
-}
-
-namespace {
-
-// A file that libsndfile refuses may still be a video (AVI is RIFF, Theora is Ogg). If both refuse
-// it, libsndfile's reason is given.
-Expected<AudioFileReaderPtr> open_by_either(const DecoderInput& input) {
-    auto reader = open_by_sndfile(input);
-    if (reader) {
-        return reader;
-    }
-    auto second = open_by_ffmpeg(input);
-    return second ? std::move(second) : std::move(reader);
-}
-
-// FFmpeg knows the time of each page, so that it can tell where some are missing.
-Expected<AudioFileReaderPtr> open_ogg_link(const DecoderInput& input, const OggLink& link) {
-    if (!link.has_hole) {
-        return open_by_either(input);
-    }
-    auto reader = open_by_ffmpeg(input);
-    return reader ? std::move(reader) : open_by_sndfile(input);
-}
-
-Expected<AudioFileReaderPtr> open_ogg(const fs::path& path, const FileWindow& window) {
-    const OggPages pages = read_ogg_pages(window);
-    if (pages.links.empty()) {
-        return open_by_either({path, window});
-    }
-    std::vector<DecoderInput> inputs;
-    for (const OggLink& link : pages.links) {
-        inputs.push_back({path, window.part(link.begin, link.end)});
-    }
-    inputs.back().is_cut = pages.is_cut;
-    if (inputs.size() == 1) {
-        return open_ogg_link(inputs.front(), pages.links.front());
-    }
-    return open_chain(inputs, [pages](const DecoderInput& input, std::size_t index) {
-        return open_ogg_link(input, pages.links[index]);
-    });
-}
-
-Expected<AudioFileReaderPtr> open_flac(const fs::path& path, const FileWindow& window) {
-    const FlacLength length = read_flac_length(window);
-    if (length.starts.size() == 1) {
-        DecoderInput input{path, length.window};
-        if (length.claimed > 0 && length.found > length.claimed) {
-            input.note = "holds more sound than its head says; it is read to its end";
+bool write_samples(std::FILE* file, std::span<const float> samples) {
+    std::vector<std::int16_t> chunk;
+    while (!samples.empty()) {
+        chunk.resize(std::min(samples.size(), kChunkFrames));
+        std::transform(samples.begin(),
+                       samples.begin() + static_cast<std::ptrdiff_t>(chunk.size()),
+                       chunk.begin(),
+                       to_16_bits);
+        if (std::fwrite(chunk.data(), sizeof(std::int16_t), chunk.size(), file) != chunk.size()) {
+            return false;
         }
-        return open_by_either(input);
+        samples = samples.subspan(chunk.size());
     }
-    std::vector<DecoderInput> inputs;
-    for (std::size_t i = 0; i < length.starts.size(); ++i) {
-        const bool is_last = i + 1 == length.starts.size();
-        const std::int64_t end = is_last ? window.size() : length.starts[i + 1];
-        inputs.push_back({path, read_flac_length(window.part(length.starts[i], end)).window});
-    }
-    return open_chain(inputs,
-                      [](const DecoderInput& input, std::size_t) { return open_by_either(input); });
-}
-
-// A file of one of the kinds whose heads are mended.
-Expected<AudioFileReaderPtr> open_mended(const fs::path& path, const FileWindow& window) {
-    const MendedHead head = mend_head(window);
-    DecoderInput input{path, head.window};
-    input.missing_seconds = head.missing_seconds;
-    input.is_complete = head.is_complete;
-    if (head.has_no_length) {
-        input.note = "its head gives no length; it is read to the end of the file";
-    }
-    return open_by_either(input);
-}
-
-// Chooses the decoder by content.
-Expected<AudioFileReaderPtr> open_decoder(const fs::path& path, std::string_view head) {
-    const auto window = FileWindow::open(path);
-    if (!window) {
-        return fail(window.error());
-    }
-    if (head.starts_with("OggS")) {
-        return open_ogg(path, *window);
-    }
-    if (head.starts_with("fLaC")) {
-        return open_flac(path, *window);
-    }
-    return is_for_sndfile(head) ? open_mended(path, *window) : open_by_ffmpeg({path, *window});
-}
-
-// Brings rates outside Raks' range into it.
-Expected<AudioFileReaderPtr> open_at_known_rate(const fs::path& path, std::string_view head) {
-    auto reader = open_decoder(path, head);
-    if (!reader || (*reader)->info().rate.is_supported()) {
-        return reader;
-    }
-    const AudioFileInfo& info = (*reader)->info();
-    const SoundForm form{nearest_supported(info.rate), info.channels};
-    std::string note = fmt::format("has {} Hz; resampled to {} Hz, as Raks works at 8000 to 192000",
-                                   info.rate.hertz(),
-                                   form.rate.hertz());
-    return resample_reader(std::move(*reader), form, path, std::move(note));
+    return true;
 }
 
 }  // namespace
-
-// Reads the head once, to choose the decoder by content.
-Expected<AudioFileReaderPtr> open_audio_file(const fs::path& path) {
-    const auto head = read_file_start(path, kHeadBytes);
-    if (!head) {
-        return fail(head.error());
-    }
-    if (head->empty()) {
-        return fail(path.string() + ": is empty");
-    }
-    const auto open = [&path, &head] { return open_at_known_rate(path, *head); };
-    auto reader = open();
-    if (!reader) {
-        return reader;
-    }
-    return survey_reader(std::move(*reader), path, open);
-}
 
 // Decodes chunk by chunk and checks the limit as it goes: the claimed length may be wrong.
 Expected<MonoAudio> read_all_mono(const fs::path& path, double max_seconds) {
@@ -247,22 +115,15 @@ Expected<void> write_wav(const fs::path& path,
     if (!pending) {
         return fail(pending.error());
     }
-    SF_INFO format{};
-    format.samplerate = rate.hertz();
-    format.channels = channels;
-    format.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
-    SNDFILE* file = sf_open(pending->part().c_str(), SFM_WRITE, &format);
+    std::FILE* const file = std::fopen(pending->part().c_str(), "wb");
     if (file == nullptr) {
-        return fail(path.string() + ": cannot be written: " + sf_strerror(nullptr));
+        return fail(path.string() + ": cannot be written");
     }
-    // Without it libsndfile lets values beyond [-1, 1] wrap around.
-    sf_command(file, SFC_SET_CLIPPING, nullptr, SF_TRUE);
-    const auto count = static_cast<sf_count_t>(interleaved.size());
-    const bool wrote = sf_write_float(file, interleaved.data(), count) == count;
-    const bool closed = sf_close(file) == 0;
-    std::error_code error;
-    // A full disk may show only in the size.
-    if (!wrote || !closed || fs::file_size(pending->part(), error) < 2 * interleaved.size()) {
+    const WavHead head = wav_head(interleaved.size(), channels, rate);
+    const bool wrote =
+        std::fwrite(&head, sizeof head, 1, file) == 1 && write_samples(file, interleaved);
+    // A full disk may show only when the rest goes out.
+    if (std::fclose(file) != 0 || !wrote) {
         return fail(path.string() + ": cannot be written whole; is the disk full?");
     }
     return pending->commit();
