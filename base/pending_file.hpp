@@ -36,19 +36,34 @@ class PendingFile {
     /// Where to write until commit(): a path that can be opened; of a file without a name one below
     /// /proc/self.
     [[nodiscard]] const std::filesystem::path& part() const noexcept { return part_; }
+    /// Appends to a file: all of it, or an error. Errors: the system's (a full disk).
+    [[nodiscard]] Expected<void> write(std::string_view bytes);
     /// Waits until the disk has all of it and renames the part to its final name, replacing what
     /// was there. After a failure the old file is there, whole. Errors: the system's.
     [[nodiscard]] Expected<void> commit();
 
  private:
-    PendingFile(std::filesystem::path path, std::filesystem::path part, int unnamed = -1);
+    PendingFile(std::filesystem::path path,
+                std::filesystem::path part,
+                int file = -1,
+                bool is_named = true);
     void remove_part() noexcept;
+    [[nodiscard]] bool close() noexcept;
     [[nodiscard]] bool give_name();
 
     std::filesystem::path path_;
     std::filesystem::path part_;  // empty once committed or moved from
-    int unnamed_ = -1;            // descriptor of a file without a name
+    int file_ = -1;               // open for writing; -1: a folder, or moved from
+    bool is_named_ = true;        // the part is an entry of its folder
 };
+
+/// All that are not committed.
+struct PendingFiles;
+/// Those of this program; in a module that was given the program's, these. Threads: any.
+[[nodiscard]] PendingFiles& pending_files();
+/// For a module, which has code of its own for pending files: from now on they count among the
+/// program's. Threads: any, before the module's first file.
+void share_pending_files(PendingFiles& of_program);
 
 /// As long as one lives, nothing can be committed.
 struct EndOfWriting {

@@ -1,3 +1,4 @@
+#include "base/pending_file.hpp"
 #include "base/program_parts.hpp"
 #include "render/video/film_module.hpp"
 
@@ -12,7 +13,7 @@ OpenedFilm create_film(const std::filesystem::path& path,
         return fail(path.string() + ": " + open.error().message);
     }
     OpenedFilm film;
-    reinterpret_cast<OpenFilm> (*open)(path, form, options, film);
+    reinterpret_cast<OpenFilm> (*open)(path, form, options, pending_files(), film);
     return film;
 }
 
