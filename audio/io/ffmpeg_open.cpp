@@ -90,15 +90,26 @@ std::int64_t seek_window(void* data, std::int64_t offset, int whence) {
 }
 
 // Is there a moving picture? Covers of albums are pictures, too.
-const AVStream* video_of(const AVFormatContext& container) {
+AVStream* video_of(const AVFormatContext& container) {
     for (unsigned i = 0; i < container.nb_streams; ++i) {
-        const AVStream* stream = container.streams[i];
+        AVStream* const stream = container.streams[i];
         const bool is_cover = (stream->disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
         if (stream->codecpar->codec_type == AVMEDIA_TYPE_VIDEO && !is_cover) {
             return stream;
         }
     }
     return nullptr;
+}
+
+// The first time stamp of a track of pictures. As these are not decoded, FFmpeg takes the sound's
+// for it in Matroska, whose index of the pictures that stand alone knows better.
+std::optional<std::int64_t> start_of(AVStream& stream, const AVFormatContext& container) {
+    if (std::string_view(container.iformat->name).starts_with("matroska")) {
+        if (const AVIndexEntry* const first = avformat_index_get_entry(&stream, 0)) {
+            return first->timestamp;
+        }
+    }
+    return stream.start_time == AV_NOPTS_VALUE ? std::nullopt : std::optional(stream.start_time);
 }
 
 // Packets of subtitles, data and attachments are not even read; those of pictures tell the time.
@@ -275,10 +286,10 @@ void FfmpegReader::prepare_time_line(std::int64_t first_stamp) {
         rules.longest_overlap = std::llround(kLongestOverlap * rate);
     }
     std::int64_t origin = first_stamp;
-    const AVStream* video = video_of(*container_);
-    if (rules.are_from_file && video != nullptr && video->start_time != AV_NOPTS_VALUE) {
-        origin =
-            std::min(origin, av_rescale_q(video->start_time, video->time_base, stream_->time_base));
+    AVStream* const video = video_of(*container_);
+    if (const auto start = video == nullptr ? std::nullopt : start_of(*video, *container_);
+        rules.are_from_file && start) {
+        origin = std::min(origin, av_rescale_q(*start, video->time_base, stream_->time_base));
     }
     line_.prepare(rules, origin);
     // A late start that is shorter than what counts as a gap is rounding, and one that is longer

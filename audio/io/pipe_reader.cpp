@@ -36,9 +36,10 @@ Expected<int> open_pipe(const fs::path& path) {
 
 }  // namespace
 
-PipeReader::PipeReader(std::unique_ptr<AudioFileReader> decoder,
+PipeReader::PipeReader(std::string name,
+                       std::unique_ptr<AudioFileReader> decoder,
                        std::shared_ptr<std::atomic<bool>> stop)
-    : decoder_(std::move(decoder)), stop_(std::move(stop)) {
+    : name_(std::move(name)), decoder_(std::move(decoder)), stop_(std::move(stop)) {
     info_ = decoder_->info();
 }
 
@@ -61,16 +62,22 @@ Expected<std::unique_ptr<PipeReader>> PipeReader::open(const fs::path& path,
     if (!client) {
         return fail(client.error());
     }
-    return std::unique_ptr<PipeReader>(new PipeReader(std::move(*client), std::move(stop)));
+    return std::unique_ptr<PipeReader>(
+        new PipeReader(name_of(path), std::move(*client), std::move(stop)));
 }
 
 std::size_t PipeReader::read(std::span<float> interleaved) {
     const std::size_t frames = decoder_->read(interleaved);
     warning_ = decoder_->warning();
+    position_ += static_cast<std::int64_t>(frames);
     return frames;
 }
 
-Expected<void> PipeReader::seek(std::int64_t frame) { return decoder_->seek(frame); }
+Expected<void> PipeReader::seek(std::int64_t frame) {
+    return frame == position_
+               ? Expected<void>()
+               : fail(name_ + ": comes through a pipe, in which there is no going back or ahead");
+}
 
 std::shared_ptr<std::atomic<bool>> PipeReader::stop_flag() const noexcept { return stop_; }
 

@@ -46,8 +46,12 @@ class PipeReader final : public AudioFileReader {
     [[nodiscard]] std::shared_ptr<std::atomic<bool>> stop_flag() const noexcept;
 
  private:
-    PipeReader(std::unique_ptr<AudioFileReader> decoder, std::shared_ptr<std::atomic<bool>> stop);
+    PipeReader(std::string name,
+               std::unique_ptr<AudioFileReader> decoder,
+               std::shared_ptr<std::atomic<bool>> stop);
 
+    std::string name_;
+    std::int64_t position_ = 0;  // frames; the decoder is ahead
     std::unique_ptr<AudioFileReader> decoder_;
     std::shared_ptr<std::atomic<bool>> stop_;
 };

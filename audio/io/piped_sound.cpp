@@ -341,12 +341,8 @@ std::size_t PipedSound::read(std::span<float> interleaved) {
     return samples / channels;
 }
 
-Expected<void> PipedSound::seek(std::int64_t frame) {
-    if (frame == position_) {
-        return {};
-    }
-    return fail(decoder_->name +
-                ": comes through a pipe, in which there is no going back or ahead");
+Expected<void> PipedSound::seek(std::int64_t /*frame*/) {
+    return fail(decoder_->name + ": cannot be sought");
 }
 
 }  // namespace raks::audio
