@@ -20,6 +20,14 @@ set(RAKS_SANITIZE "" CACHE STRING "Value of -fsanitize=, empty for none")
 # compile time. No -ffast-math anywhere: bits must repeat and NaN must be seen.
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+# What users get is hardened as Debian's own programs are; hardening-check (devscripts) says so.
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT RAKS_SANITIZE)
+    include(CheckPIESupported)
+    check_pie_supported()
+    string(APPEND CMAKE_CXX_FLAGS_RELEASE
+        " -fstack-protector-strong -fstack-clash-protection -fcf-protection -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2")
+    add_link_options(-Wl,-z,relro -Wl,-z,now)
+endif()
 
 add_library(raks_options INTERFACE)
 target_compile_options(raks_options INTERFACE -ffp-contract=off)

@@ -95,11 +95,4 @@ void keep_spare_decoder();
 /// Do the decoders that were used so far run without seccomp, as this kernel refuses it?
 [[nodiscard]] bool are_decoders_unconfined() noexcept;
 
-/// Writes 16-bit WAV (interleaved, [-1, 1], clamped), complete or not at all.
-/// Errors: the folder does not exist, a full disk, more than 4 GiB.
-[[nodiscard]] Expected<void> write_wav(const std::filesystem::path& path,
-                                       std::span<const float> interleaved,
-                                       int channels,
-                                       SampleRate rate);
-
 }  // namespace raks::audio

@@ -245,7 +245,8 @@ Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const std::filesystem
     if (head->empty()) {
         return fail(path.string() + ": is empty");
     }
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    // Without waiting: files of the kernel such as /proc/kmsg would keep a reader.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) {
         return fail(path.string() +
                     ": cannot be opened: " + std::generic_category().message(errno));

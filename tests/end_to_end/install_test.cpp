@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/program.hpp"
 

@@ -1,5 +1,6 @@
 // Files are decoded by another program: the same samples, and nothing that it does harms this one.
 #include "audio/io/decoder_client.hpp"
+#include "audio/io/wav_writer.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/temporary_folder.hpp"
