@@ -16,8 +16,7 @@ namespace {
 
 constexpr std::string_view kDancesFormat = "raks-dances";
 constexpr std::int64_t kDancesVersion = 1;
-constexpr std::size_t kMaxDancesBytes = std::size_t{4} << 20U;  // 4 MiB
-constexpr NumberRange kTempi{20.0, 400.0};                      // BPM
+constexpr NumberRange kTempi{20.0, 400.0};  // BPM
 
 // Reads one file. Goes on after a fault with harmless values; `complaints_` keeps the first.
 class DancesReader {
@@ -104,6 +103,9 @@ class DancesReader {
         complaints_.check_keys(*table, kKeys);
         // A dance that extends another needs no name of its own: it takes the other's.
         dance.extends = complaints_.text(*table, "extends");
+        if (!dance.extends.empty() && !is_dance_name(dance.extends)) {
+            complaints_.complain(node, "extends: " + why_no_dance_name(dance.extends));
+        }
         dance.name = table->contains("name") ? complaints_.text(*table, "name") : dance.extends;
         if (!is_dance_name(dance.name)) {
             complaints_.complain(node, "name: " + why_no_dance_name(dance.name));
@@ -208,23 +210,13 @@ std::string list_text(const std::vector<std::string>& texts) {
 Expected<DancesFile> parse_dances(std::string_view toml,
                                   const std::string& file,
                                   const std::vector<std::string_view>& styles) {
-    // Checked first, because the parser breaks on such a line.
-    if (const std::size_t line = line_of_nameless_header(toml); line > 0) {
-        return fail(fmt::format("{}: line {}: [ needs a name behind it", file, line));
-    }
-    // toml++ reports faults of syntax by an exception; it ends here.
-    try {
-        const toml::table root = toml::parse(toml);
-        return DancesReader(file, styles).read(root);
-    } catch (const toml::parse_error& error) {
-        return fail(
-            fmt::format("{}: line {}: {}", file, error.source().begin.line, error.description()));
-    }
+    const auto root = parse_toml(toml, file);
+    return root ? DancesReader(file, styles).read(*root) : fail(root.error());
 }
 
 Expected<DancesFile> load_dances(const std::filesystem::path& file,
                                  const std::vector<std::string_view>& styles) {
-    auto text = read_text_file(file, kMaxDancesBytes);
+    auto text = read_text_file(file, kLongestToml);
     if (!text) {
         return fail(std::move(text.error()));
     }

@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <random>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "base/assert.hpp"
 
 namespace raks {
 namespace {
@@ -44,8 +47,6 @@ class Descriptor {
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     [[nodiscard]] int get() const noexcept { return number_; }
-    // True when closing tells of no fault: some disks say only here that they are full.
-    [[nodiscard]] bool close() noexcept { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
     int number_;
@@ -106,10 +107,20 @@ fs::path end_of_links(fs::path path) {
     return path;
 }
 
+// Of the file that has this name, where there is one.
+void take_rights_of(const fs::path& old, int file) {
+    struct stat status {};
+    if (file >= 0 && ::stat(old.c_str(), &status) == 0) {
+        static_cast<void>(::fchmod(file, status.st_mode & 0777U));
+    }
+}
+
 // Waits until the disk has a file, or which names a folder holds. Systems without it say EINVAL.
+bool is_on_disk(int descriptor) { return ::fsync(descriptor) == 0 || errno == EINVAL; }
+
 bool sync(const fs::path& path, int flags) {
     const Descriptor file(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW));
-    return file.get() >= 0 && (::fsync(file.get()) == 0 || errno == EINVAL);
+    return file.get() >= 0 && is_on_disk(file.get());
 }
 
 bool sync_folder_of(const fs::path& path) {
@@ -132,8 +143,12 @@ bool sync_all(const fs::path& part) {
     return !error && sync(part, O_RDONLY | O_DIRECTORY);
 }
 
+std::atomic<PendingFiles*> g_shared{nullptr};
+
+}  // namespace
+
 // The parts that are not committed, for a process that is told to end.
-struct Parts {
+struct PendingFiles {
     std::mutex mutex;
     std::vector<fs::path> to_remove;
     std::vector<fs::path> to_keep;
@@ -144,53 +159,65 @@ struct Parts {
     }
 };
 
-Parts& parts() {
-    static Parts all;
-    return all;
+PendingFiles& pending_files() {
+    static PendingFiles own;
+    PendingFiles* const shared =
+        g_shared.load(std::memory_order_acquire);  // pairs with the release below
+    return shared != nullptr ? *shared : own;
 }
 
-}  // namespace
+void share_pending_files(PendingFiles& of_program) {
+    g_shared.store(&of_program, std::memory_order_release);
+}
 
 EndOfWriting remove_pending_files() {
-    std::unique_lock lock(parts().mutex);
-    for (const fs::path& part : parts().to_remove) {
+    PendingFiles& files = pending_files();
+    std::unique_lock lock(files.mutex);
+    for (const fs::path& part : files.to_remove) {
         std::error_code ignored;
         fs::remove_all(part, ignored);
     }
-    parts().to_remove.clear();
-    return {std::move(lock), parts().to_keep};
+    files.to_remove.clear();
+    return {std::move(lock), files.to_keep};
 }
 
-PendingFile::PendingFile(fs::path path, fs::path part)
-    : path_(std::move(path)), part_(std::move(part)) {}
+PendingFile::PendingFile(fs::path path, fs::path part, int file, bool is_named)
+    : path_(std::move(path)), part_(std::move(part)), file_(file), is_named_(is_named) {}
 
 // An empty part_ marks a file that has nothing to remove.
 PendingFile::PendingFile(PendingFile&& other) noexcept
-    : path_(std::move(other.path_)), part_(std::exchange(other.part_, {})) {}
+    : path_(std::move(other.path_)),
+      part_(std::exchange(other.part_, {})),
+      file_(std::exchange(other.file_, -1)),
+      is_named_(other.is_named_) {}
 
 PendingFile& PendingFile::operator=(PendingFile&& other) noexcept {
     if (this != &other) {
         remove_part();
         path_ = std::move(other.path_);
         part_ = std::exchange(other.part_, {});
+        file_ = std::exchange(other.file_, -1);
+        is_named_ = other.is_named_;
     }
     return *this;
 }
 
 PendingFile::~PendingFile() { remove_part(); }
 
+bool PendingFile::close() noexcept { return file_ < 0 || ::close(std::exchange(file_, -1)) == 0; }
+
 void PendingFile::remove_part() noexcept {
-    if (part_.empty()) {
-        return;
+    static_cast<void>(close());
+    if (is_named_ && !part_.empty()) {
+        const std::lock_guard lock(pending_files().mutex);
+        std::error_code ignored;
+        fs::remove_all(part_, ignored);
+        pending_files().forget(part_);
     }
-    const std::lock_guard lock(parts().mutex);
-    std::error_code ignored;
-    fs::remove_all(part_, ignored);
-    parts().forget(part_);
     part_.clear();
 }
 
-// The part is made at once: an error shows before the long work. It has the rights of the file that
+// The file is made at once: an error shows before the long work. It has the rights of the file that
 // it will replace.
 Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
     if (path.empty()) {
@@ -200,22 +227,27 @@ Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
     if (auto checked = check_replaceable(target); !checked) {
         return fail(std::move(checked.error()));
     }
-    struct stat old {};
-    const bool is_old = ::stat(target.c_str(), &old) == 0;
-    const std::lock_guard lock(parts().mutex);
-    auto part = make_part(target, [&](const char* name) {
-        const Descriptor file(
-            ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-        if (file.get() >= 0 && is_old) {
-            static_cast<void>(::fchmod(file.get(), old.st_mode & 0777U));
+    if (at_end == AtEnd::removed) {
+        const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+        const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+        if (file >= 0) {
+            take_rights_of(target, file);
+            return PendingFile(target, "/proc/self/fd/" + std::to_string(file), file, false);
         }
-        return file.get() >= 0;
+    }
+    const std::lock_guard lock(pending_files().mutex);
+    int file = -1;
+    auto part = make_part(target, [&](const char* name) {
+        file = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        return file >= 0;
     });
     if (!part) {
         return fail(std::move(part.error()));
     }
-    (at_end == AtEnd::removed ? parts().to_remove : parts().to_keep).push_back(*part);
-    return PendingFile(target, std::move(*part));
+    (at_end == AtEnd::removed ? pending_files().to_remove : pending_files().to_keep)
+        .push_back(*part);
+    take_rights_of(target, file);
+    return PendingFile(target, std::move(*part), file);
 }
 
 Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
@@ -229,26 +261,65 @@ Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
         !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
         return fail(folder.string() + ": exists already and is not an empty folder; name another");
     }
-    const std::lock_guard lock(parts().mutex);
+    const std::lock_guard lock(pending_files().mutex);
     auto part = make_part(folder, [](const char* name) { return ::mkdir(name, 0777) == 0; });
     if (!part) {
         return fail(std::move(part.error()));
     }
-    parts().to_remove.push_back(*part);
+    pending_files().to_remove.push_back(*part);
     return PendingFile(folder, std::move(*part));
+}
+
+// All of it, whatever pieces the system takes.
+Expected<void> PendingFile::write(std::string_view bytes) {
+    RAKS_ASSERT(file_ >= 0);
+    while (!bytes.empty()) {
+        const ssize_t wrote = ::write(file_, bytes.data(), bytes.size());
+        if (wrote < 0 && errno != EINTR) {
+            return fail(cannot_write(path_, errno));
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(wrote, 0)));
+    }
+    return {};
+}
+
+// Under its own name at once where nothing has it yet, else under a part's, to be renamed.
+bool PendingFile::give_name() {
+    const std::string file = part_.string();
+    const auto link_to = [&](const char* name) {
+        return ::linkat(AT_FDCWD, file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+    };
+    if (link_to(path_.c_str())) {
+        part_.clear();
+        return true;
+    }
+    if (errno != EEXIST) {
+        return false;
+    }
+    auto part = make_part(path_, link_to);
+    if (part) {
+        part_ = std::move(*part);
+        is_named_ = true;
+    }
+    return part.has_value();
 }
 
 // Within one folder, so the rename is atomic. Once it is done the new file is there, whatever the
 // folder's disk says then.
 Expected<void> PendingFile::commit() {
-    if (!sync_all(part_)) {
+    if (!(file_ >= 0 ? is_on_disk(file_) : sync_all(part_))) {
         return fail(cannot_write(path_, errno));
     }
-    const std::lock_guard lock(parts().mutex);
-    if (::rename(part_.c_str(), path_.c_str()) != 0) {
+    const std::lock_guard lock(pending_files().mutex);
+    // Some disks say only when it is closed that they are full.
+    if ((!is_named_ && !give_name()) || !close()) {
         return fail(cannot_write(path_, errno));
     }
-    parts().forget(part_);
+    // On an error the destructor removes the part.
+    if (!part_.empty() && ::rename(part_.c_str(), path_.c_str()) != 0) {
+        return fail(cannot_write(path_, errno));
+    }
+    pending_files().forget(part_);
     part_.clear();
     static_cast<void>(sync_folder_of(path_));
     return {};
@@ -275,32 +346,13 @@ Expected<void> check_output(const fs::path& output, const std::vector<fs::path>&
     return probe ? Expected<void>() : fail(probe.error());
 }
 
-namespace {
-
-// All of it, whatever pieces the system takes.
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t wrote = ::write(descriptor, bytes.data(), bytes.size());
-        if (wrote < 0 && errno != EINTR) {
-            return false;
-        }
-        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(wrote, 0)));
-    }
-    return true;
-}
-
-}  // namespace
-
 Expected<void> write_file(const fs::path& path, std::string_view bytes) {
     auto pending = PendingFile::create(path);
     if (!pending) {
         return fail(pending.error());
     }
-    Descriptor file(::open(pending->part().c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
-    if (file.get() < 0 || !write_all(file.get(), bytes) || !file.close()) {
-        return fail(cannot_write(path, errno));
-    }
-    return pending->commit();
+    auto wrote = pending->write(bytes);
+    return wrote ? pending->commit() : wrote;
 }
 
 }  // namespace raks

@@ -10,11 +10,12 @@
 /// Writing files and folders whole or not at all.
 namespace raks {
 
-/// A file that appears under its name only when it is complete: written as `NAME.XXXXXX.part` (six
-/// letters of our own choice) in the same folder and renamed by commit(). Without commit() the
-/// destructor removes the part. Nothing else is ever touched: the part is a new file, two that
-/// write the same name do not meet, and where the name is a link the file that it leads to is
-/// replaced. Threads: one. Real-time: no.
+/// A file that appears under its name only when it is complete. Until commit() it has no name at
+/// all where the file system allows that (O_TMPFILE), so that nothing is left of it however the
+/// process ends; else it is `NAME.XXXXXX.part` (six letters of our own choice) in the same folder,
+/// which the destructor removes. Nothing else is ever touched: two that write the same name do not
+/// meet, and where the name is a link the file that it leads to is replaced.
+/// Threads: one. Real-time: no.
 class PendingFile {
  public:
     /// What becomes of the part where the process is told to end before it is committed.
@@ -32,19 +33,37 @@ class PendingFile {
     PendingFile& operator=(PendingFile&& other) noexcept;  ///< removes its own part first
     ~PendingFile();                                        ///< removes the part, unless committed
 
-    /// Where to write until commit().
+    /// Where to write until commit(): a path that can be opened; of a file without a name one below
+    /// /proc/self.
     [[nodiscard]] const std::filesystem::path& part() const noexcept { return part_; }
+    /// Appends to a file: all of it, or an error. Errors: the system's (a full disk).
+    [[nodiscard]] Expected<void> write(std::string_view bytes);
     /// Waits until the disk has all of it and renames the part to its final name, replacing what
     /// was there. After a failure the old file is there, whole. Errors: the system's.
     [[nodiscard]] Expected<void> commit();
 
  private:
-    PendingFile(std::filesystem::path path, std::filesystem::path part);
+    PendingFile(std::filesystem::path path,
+                std::filesystem::path part,
+                int file = -1,
+                bool is_named = true);
     void remove_part() noexcept;
+    [[nodiscard]] bool close() noexcept;
+    [[nodiscard]] bool give_name();
 
     std::filesystem::path path_;
     std::filesystem::path part_;  // empty once committed or moved from
+    int file_ = -1;               // open for writing; -1: a folder, or moved from
+    bool is_named_ = true;        // the part is an entry of its folder
 };
+
+/// All that are not committed.
+struct PendingFiles;
+/// Those of this program; in a module that was given the program's, these. Threads: any.
+[[nodiscard]] PendingFiles& pending_files();
+/// For a module, which has code of its own for pending files: from now on they count among the
+/// program's. Threads: any, before the module's first file.
+void share_pending_files(PendingFiles& of_program);
 
 /// As long as one lives, nothing can be committed.
 struct EndOfWriting {

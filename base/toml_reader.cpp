@@ -2,32 +2,33 @@
 
 #include <algorithm>
 
+#include "base/printable.hpp"
+
 namespace raks {
 namespace {
 
-constexpr std::string_view kBlank = " \t";
-constexpr std::string_view kNameStarters =  // characters that can begin a key
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-\"'";
+constexpr std::size_t kLongestMessage = 200;  // bytes of the library's own words
 
 bool is_any(char c, std::string_view of) noexcept { return of.find(c) != of.npos; }
-bool is_ascii(char c) noexcept { return static_cast<unsigned char>(c) < 128; }
 
-/// Walks over a text line by line and keeps track of strings, comments and brackets.
-class HeaderSearch {
+/// Looks for a key of too many parts, on which the parser would build a tree as deep. Walks over a
+/// text and keeps track of strings and comments, in which dots mean nothing.
+class LongKeySearch {
  public:
-    explicit HeaderSearch(std::string_view text) noexcept : text_(text) {}
+    explicit LongKeySearch(std::string_view text) noexcept : text_(text) {}
 
-    std::size_t line() noexcept {
-        std::size_t line = 1;
+    /// Where the dot lies that is one too many; npos: there is none.
+    std::size_t place() noexcept {
         while (at_ < text_.size()) {
-            // Within a string or brackets a line's "[" is no header.
-            if (depth_ == 0 && quote_.empty() && is_nameless_header()) {
-                return line;
+            if (!quote_.empty()) {
+                skip_quoted();
+            } else if (!is_dot_too_many()) {
+                skip_plain();
+            } else {
+                return at_;
             }
-            skip_line();
-            ++line;
         }
-        return 0;
+        return std::string_view::npos;
     }
 
  private:
@@ -35,46 +36,14 @@ class HeaderSearch {
     [[nodiscard]] char peek(std::size_t at) const noexcept {
         return at < text_.size() ? text_[at] : '\n';
     }
-    [[nodiscard]] std::size_t after_blank(std::size_t at) const noexcept {
-        while (is_any(peek(at), kBlank)) {
-            ++at;
-        }
-        return at;
-    }
 
-    /// Does this line begin with brackets and no name? A line with a valid header is skipped to its
-    /// end, so that its brackets do not count as open.
-    bool is_nameless_header() noexcept {
-        std::size_t at = at_;
-        // Bytes that are not ASCII may be blanks of Unicode, which the parser skips.
-        while (is_any(peek(at), kBlank) || !is_ascii(peek(at))) {
-            ++at;
+    // A key ends with its line, and where a value, a list or another key begins.
+    bool is_dot_too_many() noexcept {
+        if (text_[at_] == '.') {
+            return ++dots_ >= kMostKeyParts;
         }
-        if (peek(at) != '[') {
-            return false;
-        }
-        at += peek(at + 1) == '[' ? std::size_t{2} : std::size_t{1};
-        if (!is_any(peek(after_blank(at)), kNameStarters)) {
-            return true;
-        }
-        at_ = std::min(text_.find('\n', at), text_.size());
+        dots_ = is_any(text_[at_], "\n=[]{},") ? 0 : dots_;
         return false;
-    }
-
-    // To the start of the next line, with strings and brackets followed.
-    void skip_line() noexcept {
-        while (at_ < text_.size() && text_[at_] != '\n') {
-            if (quote_.empty()) {
-                skip_plain();
-            } else {
-                skip_quoted();
-            }
-        }
-        // Only strings in three quotes go on over the end of a line.
-        if (quote_.size() == 1) {
-            quote_ = {};  // such a string ends with its line: a fault that the reader names
-        }
-        ++at_;
     }
 
     // One character outside strings, or a whole comment.
@@ -91,17 +60,15 @@ class HeaderSearch {
             at_ += quote_.size();
             return;
         }
-        if (is_any(c, "[{")) {
-            ++depth_;
-        } else if (is_any(c, "]}") && depth_ > 0) {
-            --depth_;
-        }
         ++at_;
     }
 
-    // Backslashes escape in basic strings ("), not in literal ones (').
+    // Backslashes escape in basic strings ("), not in literal ones ('). A string in single quotes
+    // that its line leaves open is a fault that the parser names.
     void skip_quoted() noexcept {
-        if (text_[at_] == '\\' && quote_.front() == '"' && peek(at_ + 1) != '\n') {
+        if (text_[at_] == '\n' && quote_.size() == 1) {
+            quote_ = {};
+        } else if (text_[at_] == '\\' && quote_.front() == '"' && peek(at_ + 1) != '\n') {
             at_ += 2;
         } else if (text_.substr(at_, quote_.size()) == quote_) {
             at_ += quote_.size();
@@ -114,13 +81,52 @@ class HeaderSearch {
     std::string_view text_;
     std::string_view quote_;  // of the string that is open; empty: none
     std::size_t at_ = 0;
-    std::size_t depth_ = 0;
+    std::size_t dots_ = 0;  // of the key that is being walked over
 };
+
+/// The line and column of a byte, from 1.
+std::string place_of(std::string_view text, std::size_t at) {
+    const std::string_view before = text.substr(0, at);
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    return fmt::format("line {}, column {}", line, at - (before.rfind('\n') + 1) + 1);
+}
+
+/// What to say of a place at which the parser lost its way.
+std::string message_of(const TomlSurprise& surprise, std::string_view text) {
+    if (surprise.line == 0) {
+        return place_of(text, text.size()) + ": the file ends in the middle";
+    }
+    const std::string place = fmt::format("line {}, column {}", surprise.line, surprise.column);
+    const bool is_shown = surprise.found > U' ' && surprise.found < 127;
+    return is_shown
+               ? fmt::format("{}: '{}' cannot stand here", place, static_cast<char>(surprise.found))
+               : place + ": something is missing here";
+}
 
 }  // namespace
 
-std::size_t line_of_nameless_header(std::string_view toml) noexcept {
-    return HeaderSearch(toml).line();
+Expected<toml::table> parse_toml(std::string_view text, const std::string& name) {
+    if (text.size() > kLongestToml) {
+        return fail(fmt::format("{}: has {} bytes, more than {}", name, text.size(), kLongestToml));
+    }
+    if (const std::size_t at = LongKeySearch(text).place(); at != std::string_view::npos) {
+        return fail(fmt::format(
+            "{}: {}: a key of more than {} parts", name, place_of(text, at), kMostKeyParts));
+    }
+    // toml++ reports faults by exceptions, which end here.
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        const toml::source_position at = error.source().begin;
+        // The library quotes what it found, which may be anything.
+        return fail(fmt::format("{}: line {}, column {}: {}",
+                                name,
+                                at.line,
+                                at.column,
+                                printable(error.description(), kLongestMessage)));
+    } catch (const TomlSurprise& surprise) {
+        return fail(fmt::format("{}: {}", name, message_of(surprise, text)));
+    }
 }
 
 std::string toml_quoted(std::string_view text) {

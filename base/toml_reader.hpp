@@ -1,6 +1,6 @@
 #pragma once
 
-#include <toml++/toml.h>
+#include "base/toml_tree.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@
 #include "base/suggest.hpp"
 
 /// Reads TOML and reports the first fault as one clear line. Include it in source files only,
-/// because it brings in toml++.
+/// because it brings in toml++. Parsing itself is parse_toml, below.
 namespace raks {
 
 /// Limits of a number, both included.
@@ -168,11 +168,15 @@ class TomlComplaints {
     std::optional<Error> fault_;
 };
 
-/// Guards the TOML parser: toml++ 3.3 runs into an assertion, or undefined behaviour without
-/// assertions, on a line that begins as a table's header, "[" or "[[", with no name after it
-/// (marzer/tomlplusplus, pull request 301). Returns the number of the first such line, from 1; 0
-/// when there is none before the first other fault.
-[[nodiscard]] std::size_t line_of_nameless_header(std::string_view toml) noexcept;
+inline constexpr std::size_t kLongestToml = std::size_t{1} << 20U;   ///< bytes: 1 MiB
+inline constexpr std::size_t kMostKeyParts = 16;                     ///< "a.b.c" has 3
+inline constexpr std::size_t kDeepestToml = TOML_MAX_NESTED_VALUES;  ///< arrays and tables within
+
+/// Parses a TOML document: the only way into the TOML library, so that no text can end the program.
+/// `name`: the file's, for messages. Errors, as `NAME: line 2, column 5: ...`: a fault of the
+/// syntax, more than kMostKeyParts in a dotted key, values nested deeper than kDeepestToml; and
+/// more than kLongestToml bytes. Throws nothing but std::bad_alloc. Threads: any. Real-time: no.
+[[nodiscard]] Expected<toml::table> parse_toml(std::string_view text, const std::string& name);
 
 /// A text as a value of a TOML document, in quotes. `text`: UTF-8.
 [[nodiscard]] std::string toml_quoted(std::string_view text);

@@ -10,6 +10,9 @@ namespace raks::models {
 namespace {
 
 constexpr double kSumTolerance = 1e-6;  // of rows that must sum to 1
+// Their inverses and logarithms stay far from the ends of what a double holds.
+constexpr double kLeastVariance = 1e-30;
+constexpr double kLargestVariance = 1e30;
 
 // The error names the matrix and both sizes.
 Expected<void> check_shape(std::string_view name,
@@ -84,8 +87,13 @@ Expected<void> check_covariance(std::string_view name,
     }
     // Variances: D of them, or one. The negated comparison also catches NaN.
     for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
-        if (!(covariance(i, 0) > 0.0)) {
-            return fail(fmt::format("{}[{}] is {}, must be > 0", name, i, covariance(i, 0)));
+        if (!(covariance(i, 0) >= kLeastVariance && covariance(i, 0) <= kLargestVariance)) {
+            return fail(fmt::format("{}[{}] is {}, must lie in [{}, {}]",
+                                    name,
+                                    i,
+                                    covariance(i, 0),
+                                    kLeastVariance,
+                                    kLargestVariance));
         }
     }
     return {};

@@ -14,7 +14,7 @@ packages=(
     libasound2-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
     libx11-dev libimgui-dev libstb-dev libpng-dev libavcodec-dev libavformat-dev libavutil-dev
     libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
-    libexpected-dev libpugixml-dev libgtest-dev libgmock-dev
+    libexpected-dev libpugixml-dev libseccomp-dev libgtest-dev libgmock-dev
     # learning to hear beats: MIDI rendered, matrices
     libfluidsynth-dev libopenblas-dev
     # what the program and its tests run on
@@ -22,6 +22,8 @@ packages=(
     libasound2-plugins dbus sox flac lame opus-tools xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core
     # checks
     clang-format clang-tidy
+    # fuzzing: scripts/fuzz.sh
+    clang-14 libclang-rt-14-dev
 )
 if [ "${1:-}" = --rtsan ]; then
     packages+=(clang-22 libclang-rt-22-dev llvm-14)

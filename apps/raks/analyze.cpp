@@ -250,7 +250,11 @@ class Output {
             document.remove_suffix(1);
         }
         ++count_;
-        std::fwrite(document.data(), 1, document.size(), stdout);
+        if (is_json_) {
+            print_json(document);
+        } else {
+            print_text(document);
+        }
     }
     void finish(const engine::SkippedFiles& skipped) {
         if (is_set()) {

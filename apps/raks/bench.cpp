@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <set>
@@ -12,6 +11,7 @@
 
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
+#include "apps/terminal/say.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "audio/music_analyzer.hpp"
 #include "engine/setup/analyzer_setup.hpp"
@@ -272,7 +272,7 @@ ExitCode bench(const BenchArguments& arguments) {
     }
     const std::string text =
         arguments.as_json ? to_json(arguments.what, *report) : to_text(*report);
-    std::fputs(text.c_str(), stdout);
+    print_text(text);
     return kExitDone;
 }
 

@@ -290,7 +290,9 @@ Expected<BenchReport> bench_latency(double seconds) {
     // After the graph has started, as the loop connects its running output.
     auto loop = recorder ? (*recorder)->close_loop(*(*graph)->stream()) : fail(recorder.error());
     // One figure, whose learnt landings are compared with.
-    (*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0);
+    if (!(*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0)) {
+        return fail("the dancers take no commands");
+    }
     auto watched = watch(**graph, kLeadIn + seconds);
     if (!watched) {
         return fail(watched.error());

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "audio/features/mfcc.hpp"
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/resample/resampler.hpp"
 #include "base/file.hpp"
 

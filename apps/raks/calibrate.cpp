@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/devices.hpp"
+#include "base/printable.hpp"
 #include "base/sleep_until.hpp"
 #include "engine/setup/device_offsets.hpp"
 #include "engine/trials/click_player.hpp"
@@ -195,14 +195,12 @@ ExitCode calibrate(const CalibrateArguments& arguments) {
     if (auto saved = offsets->save(); !saved) {
         return fail(saved.error());
     }
-    std::fputs(fmt::format("{} is heard {} than it reports ({} {}, quartiles {:.1f} ms apart)\n",
-                           audio::described(output->device),
+    print_text(fmt::format("{} is heard {} than it reports ({} {}, quartiles {:.1f} ms apart)\n",
+                           printable(audio::described(output->device)),
                            engine::in_words((*measured)->offset),
                            (*measured)->count,
                            arguments.by_taps ? "taps" : "clicks",
-                           1e3 * to_seconds((*measured)->quartiles))
-                   .c_str(),
-               stdout);
+                           1e3 * to_seconds((*measured)->quartiles)));
     say("kept in " + engine::DeviceOffsets::path().string());
     return kExitDone;
 }

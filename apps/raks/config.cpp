@@ -1,9 +1,10 @@
 #include "apps/raks/commands.hpp"
 
-#include <cstdio>
 #include <system_error>
 
+#include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
+#include "base/printable.hpp"
 
 namespace raks::apps {
 
@@ -16,7 +17,7 @@ ExitCode config(const ConfigArguments& arguments) {
             "yours");
     }
     if (arguments.action == "path") {
-        std::printf("%s\n", path.c_str());
+        print_text(printable(path.string(), std::string::npos) + "\n");
         return kExitDone;
     }
     if (arguments.action == "init") {
@@ -30,7 +31,7 @@ ExitCode config(const ConfigArguments& arguments) {
         if (auto written = write_file(path, engine::to_toml({})); !written) {
             return fail(written.error());
         }
-        std::printf("%s\n", path.c_str());
+        print_text(printable(path.string(), std::string::npos) + "\n");
         return kExitDone;
     }
     // "show": all values that apply, defaults too.
@@ -38,7 +39,7 @@ ExitCode config(const ConfigArguments& arguments) {
     if (!settings) {
         return fail(settings.error());
     }
-    std::fputs(engine::to_toml(*settings).c_str(), stdout);
+    print_text(engine::to_toml(*settings));
     return kExitDone;
 }
 

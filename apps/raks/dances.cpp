@@ -1,10 +1,10 @@
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "apps/raks/commands.hpp"
 #include "apps/reports/text_table.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 
 #include <fmt/format.h>
@@ -86,18 +86,21 @@ std::string text_of(const FoundDance& found) {
     const DanceInfo& info = found.entry->info;
     std::string text = fmt::format("{} ({}, {})\n  {:g} to {:g} BPM, bars of {}{}\n  {}\n",
                                    info.name,
-                                   info.title,
+                                   printable(info.title),
                                    name_of(found.entry->origin),
                                    info.lowest.bpm(),
                                    info.highest.bpm(),
                                    info.beats_per_bar,
                                    info.roles == 2 ? ", for couples too" : "",
-                                   found.entry->folder.string());
+                                   printable(found.entry->folder.string()));
     for (const Path& folder : found.entry->extensions) {
-        text += fmt::format("  and {}\n", folder.string());
+        text += fmt::format("  and {}\n", printable(folder.string()));
     }
-    text += found.fault.empty() ? fmt::format("  figures: {}\n", fmt::join(found.figures, ", "))
-                                : fmt::format("  cannot be danced: {}\n", found.fault);
+    text += found.fault.empty()
+                ? fmt::format("  figures: {}\n",
+                              printable(fmt::format("{}", fmt::join(found.figures, ", ")),
+                                        std::string::npos))
+                : fmt::format("  cannot be danced: {}\n", printable(found.fault));
     return text;
 }
 
@@ -123,9 +126,10 @@ ExitCode dances(const DancesArguments& arguments) {
     }
     // A folder's name need not be UTF-8.
     if (arguments.as_json) {
-        text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        print_json(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    } else {
+        print_text(text);
     }
-    std::fwrite(text.data(), 1, text.size(), stdout);
     return kExitDone;
 }
 

@@ -1,9 +1,10 @@
 #include "apps/raks/commands.hpp"
 
-#include <cstdio>
+#include <optional>
 
 #include "apps/terminal/say.hpp"
 #include "audio/io/devices.hpp"
+#include "base/printable.hpp"
 #include "engine/setup/device_offsets.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +51,7 @@ std::string to_text(const std::vector<audio::AudioDevice>& devices,
                             device.input_channels,
                             device.output_channels,
                             device.default_rate,
-                            audio::described(device),
+                            printable(audio::described(device)),
                             device.is_monitor ? ": what this computer plays" : "",
                             offset ? ", heard " + engine::in_words(*offset) : "");
     }
@@ -80,9 +81,11 @@ ExitCode devices(const DevicesArguments& arguments) {
         complain(offsets.error().message + "; no device's offset is shown");
         offsets = engine::DeviceOffsets();
     }
-    const std::string text = arguments.as_json ? to_json(system->devices(), *offsets)
-                                               : to_text(system->devices(), *offsets);
-    std::fputs(text.c_str(), stdout);
+    if (arguments.as_json) {
+        print_json(to_json(system->devices(), *offsets));
+    } else {
+        print_text(to_text(system->devices(), *offsets));
+    }
     return kExitDone;
 }
 

@@ -293,8 +293,11 @@ ExitCode eval_beats(const EvalBeatsArguments& arguments) {
     // Our trackers come first in the tables.
     std::move(peers->begin(), peers->end(), std::back_inserter(report.trackers));
     const Detail detail = arguments.asks_for_each ? Detail::by_excerpt : Detail::by_class;
-    const std::string text = arguments.as_json ? to_json(report) : to_text(report, detail);
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    if (arguments.as_json) {
+        print_json(to_json(report));
+    } else {
+        print_text(to_text(report, detail));
+    }
     return kExitDone;
 }
 

@@ -203,8 +203,11 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
             report.trials.push_back({trial.name, trial.kind, std::move(*result)});
         }
     }
-    const std::string text = arguments.as_json ? to_json(report) : to_text(report);
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    if (arguments.as_json) {
+        print_json(to_json(report));
+    } else {
+        print_text(to_text(report));
+    }
     return kExitDone;
 }
 

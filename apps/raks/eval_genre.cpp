@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <utility>
 
@@ -363,7 +362,11 @@ ExitCode eval_genre(const EvalGenreArguments& arguments) {
     if (evaluation->rows.empty()) {
         return fail({arguments.folder.string() + ": no file could be judged"});
     }
-    std::fputs((arguments.as_json ? json_of(*evaluation) : text_of(*evaluation)).c_str(), stdout);
+    if (arguments.as_json) {
+        print_json(json_of(*evaluation));
+    } else {
+        print_text(text_of(*evaluation));
+    }
     return kExitDone;
 }
 

@@ -11,6 +11,7 @@
 #include "apps/raks/stage_loop.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "audio/io/audio_file.hpp"
 #include "audio/io/devices.hpp"
 #include "audio/io/pipe_reader.hpp"
 #include "engine/offline/music_source.hpp"
@@ -316,18 +317,21 @@ Expected<StageEnd> Player::play(const Path& file,
     }
     const StageEnd end = loop_.run(**graph, source);
     // Messages of the decoder, such as a damaged file.
-    for (const std::string& message : (*graph)->playback()->player().take_messages()) {
+    const std::vector<std::string> messages = (*graph)->playback()->player().take_messages();
+    const bool is_silent = (*graph)->analysis().taken_until() == StreamTime{};
+    // Of a file that gave nothing the reason is said once, by whoever skips it.
+    if (end == StageEnd::finished && is_silent && !messages.empty()) {
+        return fail(messages.front());
+    }
+    for (const std::string& message : messages) {
         loop_.say(message);
     }
-    has_failed_ = has_failed_ || (*graph)->has_lost_device();
-    if (const engine::LiveCounters lost = (*graph)->counters(); lost.xruns + lost.underruns > 0) {
-        say_detail(fmt::format("the device ran dry {} times, the decoder was late {} times",
-                               lost.xruns,
-                               lost.underruns));
+    if (audio::are_decoders_unconfined()) {
+        say_detail("this kernel refuses seccomp; files are decoded without its filter");
     }
+    has_failed_ = has_failed_ || (*graph)->has_lost_device();
     // A file that does not say how long it is shows its end only here.
-    if (section.start > 0.0 && end == StageEnd::finished &&
-        (*graph)->analysis().taken_until() == StreamTime{}) {
+    if (section.start > 0.0 && end == StageEnd::finished && is_silent) {
         return fail(fmt::format("{}: ends before {} s", file.string(), section.start));
     }
     return end;
@@ -346,6 +350,7 @@ engine::LiveGraphConfig Player::graph_config() const {
 
 ExitCode play(const PlayArguments& given) {
     PlayArguments arguments = given;
+    audio::keep_spare_decoder();
     auto list = files_to_play(arguments.files);
     if (!list) {
         return fail(list.error());

@@ -122,13 +122,15 @@ Expected<void> write(const Path& output,
 
 }  // namespace
 
-SheetLabels figure_labels(std::string title, std::size_t poses) {
-    SheetLabels labels{std::move(title), {}};
+SheetLabels figure_labels(std::string title, std::size_t poses, int per_beat) {
+    SheetLabels labels;
+    labels.title = std::move(title);
+    const auto beat = static_cast<std::size_t>(per_beat);
     for (std::size_t i = 0; i < poses; ++i) {
-        const std::size_t eighth = i % kPosesPerBeat;
-        labels.poses.push_back(eighth == 0                   ? std::to_string(1 + i / kPosesPerBeat)
-                               : eighth == kPosesPerBeat / 2 ? std::string("&")
-                                                             : std::string());
+        const std::size_t part = i % beat;
+        labels.poses.push_back(part == 0          ? std::to_string(1 + i / beat)
+                               : 2 * part == beat ? std::string("&")
+                                                  : std::string());
     }
     return labels;
 }

@@ -30,7 +30,9 @@ struct SheetLabels {
     std::vector<std::string> poses;  ///< one a pose, in its picture; empty: nothing
 };
 /// The labels of a sheet of figures: numbers on the beats, "&" between them.
-[[nodiscard]] SheetLabels figure_labels(std::string title, std::size_t poses);
+[[nodiscard]] SheetLabels figure_labels(std::string title,
+                                        std::size_t poses,
+                                        int per_beat = kPosesPerBeat);
 
 /// Draws a pose sheet without a window and writes it as PNG: poses of the mannequin, with labels,
 /// and the names of the views at the left. Errors: no OpenGL, those of the sheet and of the file.

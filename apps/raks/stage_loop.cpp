@@ -123,7 +123,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
     // Volume and latency offset are carried over from the file before.
     live_actions_.attach(target);
-    carry_over(graph);
+    carry_over();
     bind(actions);
     if (!window_) {
         run_headless(source.name);
@@ -131,11 +131,25 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
         return StageEnd::quit;
     }
     note_figure(graph);
+    say_losses(graph.counters());
     // A signal also ends the list of files.
     if (is_stop_requested()) {
         return StageEnd::quit;
     }
     return wish_.value_or(StageEnd::finished);
+}
+
+// With a window the overlay counts them.
+void StageLoop::say_losses(const engine::LiveCounters& lost) const {
+    if (lost.xruns + lost.underruns + lost.dropped_states == 0) {
+        return;
+    }
+    const std::string line = fmt::format(
+        "the device ran dry {} times, the decoder was late {} times, {} states were not danced",
+        lost.xruns,
+        lost.underruns,
+        lost.dropped_states);
+    window_ ? say_detail(line) : apps::say(line);
 }
 
 // The same work as with a window, except for pictures.
@@ -155,7 +169,7 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
     live_actions_.bind(actions);
     actions.on(Action::next_file, [this](double) { go_on(); });
     bind_playing(actions);
-    actions.on(Action::next_dance, [this](double) { select_next_dance(*graph_); });
+    actions.on(Action::next_dance, [this](double) { select_next_dance(); });
     actions.on(Action::next_formation, [this](double) { ask_for_next_formation(); });
     actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
 }
@@ -175,8 +189,8 @@ void StageLoop::bind_playing(engine::ActionDispatcher& actions) {
 }
 
 // Dance and figure that a person keeps to are not those of one file.
-void StageLoop::carry_over(engine::LiveGraph& graph) {
-    repeat_selected_dance(graph);
+void StageLoop::carry_over() {
+    repeat_selected_dance();
     live_actions_.brief_dancers();
     const motion::Repertoire& repertoire = *formations_.cast().members.front().repertoire;
     const DanceId first = selected_dance_ == DanceId::none ? repertoire.first() : selected_dance_;
@@ -189,7 +203,7 @@ void StageLoop::carry_over(engine::LiveGraph& graph) {
     const std::vector<std::string_view> names = dance->figure_names();
     const auto figure = std::find(names.begin(), names.end(), last_figure_);
     if (figure != names.end()) {
-        graph.command(DancerKind::select_figure, static_cast<double>(figure - names.begin()));
+        live_actions_.ask(DancerKind::select_figure, static_cast<double>(figure - names.begin()));
     }
 }
 
@@ -242,7 +256,7 @@ bool StageLoop::has_ended() const {
 }
 
 void StageLoop::go_on() {
-    if (window_ && source_.behind == StageSource::Behind::stay) {
+    if (graph_->playback() == nullptr || (window_ && source_.behind == StageSource::Behind::stay)) {
         say("no file follows (Q quits)");
     } else {
         wish_ = StageEnd::next_file;
@@ -298,7 +312,7 @@ void StageLoop::toggle_figure_view() {
 }
 
 // Selects the next dance of the list; after the last, the dance that is recognised again.
-void StageLoop::select_next_dance(engine::LiveGraph& graph) {
+void StageLoop::select_next_dance() {
     if (settings_.dance != "auto") {
         say(fmt::format("keeping to {}: start without --dance for the others", settings_.dance));
         return;
@@ -306,16 +320,16 @@ void StageLoop::select_next_dance(engine::LiveGraph& graph) {
     const bool is_recognized = selected_dance_ == DanceId::none;
     const std::size_t next = is_recognized ? 0 : index_of(selected_dance_) + 1;
     selected_dance_ = next < dances_->size() ? static_cast<DanceId>(next) : DanceId::none;
-    graph.command(DancerKind::select_dance, static_cast<double>(selected_dance_));
+    live_actions_.ask(DancerKind::select_dance, static_cast<double>(selected_dance_));
     say(selected_dance_ == DanceId::none
             ? "the dance that is heard"
             : fmt::format("dancing {} (D: another dance)", dances_->name_of(selected_dance_)));
 }
 
 // Dancers who replaced others start with the recognised dance and must be told the selected one.
-void StageLoop::repeat_selected_dance(engine::LiveGraph& graph) const {
+void StageLoop::repeat_selected_dance() {
     if (selected_dance_ != DanceId::none) {
-        graph.command(DancerKind::select_dance, static_cast<double>(selected_dance_));
+        live_actions_.ask(DancerKind::select_dance, static_cast<double>(selected_dance_));
     }
 }
 
@@ -330,7 +344,7 @@ void StageLoop::change_formation() {
         return;
     }
     live_actions_.brief_dancers();
-    repeat_selected_dance(*graph_);
+    repeat_selected_dance();
     // Relative to the present distance, so that a person's zoom is kept.
     if (window_) {
         window_->scene().camera.zoom(engine::distance_for(formations_.name()) /

@@ -78,8 +78,9 @@ class StageLoop final : private engine::WindowContent {
     void bind(engine::ActionDispatcher& actions);
     void run_headless(const std::string& source);
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
-    void select_next_dance(engine::LiveGraph& graph);
-    void repeat_selected_dance(engine::LiveGraph& graph) const;
+    void select_next_dance();
+    void repeat_selected_dance();
+    void say_losses(const engine::LiveCounters& lost) const;
     void toggle_figure_view();
     void bind_playing(engine::ActionDispatcher& actions);
     void go_back();
@@ -87,7 +88,7 @@ class StageLoop final : private engine::WindowContent {
     void toggle_pause();
     void seek_to(double seconds);
     [[nodiscard]] bool has_ended() const;
-    void carry_over(engine::LiveGraph& graph);
+    void carry_over();
     void note_figure(engine::LiveGraph& graph);
     void ask_for_next_formation();
     void change_formation();

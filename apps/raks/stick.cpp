@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -102,8 +101,8 @@ Expected<void> write_frames(const Path& output,
     for (const std::size_t frame : frames) {
         numbers += fmt::format(" {}", frame);
     }
-    std::fputs(fmt::format("{}: front and side of frames{}\n", output.string(), numbers).c_str(),
-               stdout);
+    print_text(
+        fmt::format("{}: front and side of frames{}\n", printable(output.string()), numbers));
     return {};
 }
 

@@ -1,6 +1,5 @@
 // `raks stick dance.toml`: shows a written dance in a window while it is being written, or draws it
 // on sheets.
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "apps/raks/sheet_file.hpp"
 #include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/printable.hpp"
 #include "engine/show/dance_preview.hpp"
 
 #include <fmt/format.h>
@@ -21,20 +21,29 @@ namespace {
 Expected<void> write_figure(engine::DancePreview& preview,
                             const engine::Look& look,
                             const Path& output) {
-    const auto poses = preview.sheet(kPosesPerBeat);
-    if (auto written = write_sheet(output,
-                                   look,
-                                   poses,
-                                   figure_sheet(),
-                                   figure_labels(std::string(preview.figure()), poses.size()));
+    // Of a long figure fewer poses a beat: a sheet of 1,000 pictures takes a minute and nobody
+    // looks at it.
+    constexpr std::size_t kMostPoses = 128;
+    int per_beat = kPosesPerBeat;
+    auto poses = preview.sheet(per_beat);
+    while (poses.size() > kMostPoses && per_beat > 1) {
+        per_beat /= 2;
+        poses = preview.sheet(per_beat);
+    }
+    if (auto written =
+            write_sheet(output,
+                        look,
+                        poses,
+                        figure_sheet(),
+                        figure_labels(std::string(preview.figure()), poses.size(), per_beat));
         !written) {
         return written;
     }
-    std::fputs(
-        fmt::format(
-            "{}: front and side of {}, eighths of a beat\n", output.string(), preview.figure())
-            .c_str(),
-        stdout);
+    print_text(fmt::format("{}: front and side of {}, {}\n",
+                           printable(output.string()),
+                           preview.figure(),
+                           per_beat == kPosesPerBeat ? std::string("eighths of a beat")
+                                                     : fmt::format("{} a beat", per_beat)));
     return {};
 }
 

@@ -1,6 +1,6 @@
 #include "apps/raks/commands.hpp"
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/pending_file.hpp"
 #include "base/suggest.hpp"
@@ -59,6 +59,32 @@ std::string text_of(const std::vector<audio::ReferenceBeat>& beats) {
     return text;
 }
 
+// Block by block: an hour would not fit into the memory of small machines.
+ExitCode write_music(const audio::MusicPlan& plan, const SynthArguments& arguments) {
+    auto file = audio::WavWriter::create(
+        arguments.output, audio::frames_of(plan), plan.channels, plan.rate);
+    if (!file) {
+        return fail(file.error());
+    }
+    Expected<void> wrote;
+    const auto beats = audio::generate(plan, [&](std::span<const float> samples) {
+        wrote = file->write(samples);
+        return wrote.has_value();
+    });
+    if (!beats) {
+        return fail(wrote ? beats.error() : wrote.error());
+    }
+    if (auto written = file->commit(); !written) {
+        return fail(written.error());
+    }
+    if (!arguments.beats.empty()) {
+        if (auto written = write_file(arguments.beats, text_of(*beats)); !written) {
+            return fail(written.error());
+        }
+    }
+    return kExitDone;
+}
+
 }  // namespace
 
 ExitCode synth(const SynthArguments& arguments) {
@@ -81,21 +107,7 @@ ExitCode synth(const SynthArguments& arguments) {
     plan.tempo = {{0.0, arguments.bpm > 0.0 ? arguments.bpm : what->tempo.bpm()}};
     plan.seconds = arguments.seconds;
     plan.seed = static_cast<std::uint64_t>(arguments.seed);
-    const auto music = audio::generate(plan);
-    if (!music) {
-        return fail(music.error());
-    }
-    if (auto written =
-            audio::write_wav(arguments.output, music->samples, music->channels, music->rate);
-        !written) {
-        return fail(written.error());
-    }
-    if (!arguments.beats.empty()) {
-        if (auto written = write_file(arguments.beats, text_of(music->beats)); !written) {
-            return fail(written.error());
-        }
-    }
-    return kExitDone;
+    return write_music(plan, arguments);
 }
 
 }  // namespace raks::apps

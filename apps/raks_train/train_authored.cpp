@@ -1,5 +1,4 @@
 // `raks train figure dance.toml`: the figures of a written dance, learnt as captured ones are.
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/likelihoods.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/printable.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -37,13 +37,12 @@ void print_figure(const Destination& destination, const motion::AuthoredTraining
             ? destination.file
             : engine::figure_path(
                   destination.folder, model.dance, model.name, model.role, model.features);
-    std::puts(fmt::format("{}: {} beats, {} repeats, {} states; log-likelihood a sample: {}",
-                          path.string(),
-                          model.beats,
-                          trained.repeats,
-                          model.part(motion::Part::upper).states.size(),
-                          listed_likelihoods(model.features, trained.log_likelihood))
-                  .c_str());
+    print_text(fmt::format("{}: {} beats, {} repeats, {} states; log-likelihood a sample: {}\n",
+                           printable(path.string()),
+                           model.beats,
+                           trained.repeats,
+                           model.part(motion::Part::upper).states.size(),
+                           listed_likelihoods(model.features, trained.log_likelihood)));
 }
 
 }  // namespace

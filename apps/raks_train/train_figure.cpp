@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +12,8 @@
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
+#include "base/plain_name.hpp"
+#include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -158,6 +159,12 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
         }
     }
     motion::FigureTrainingPlan plan = figure_plan(arguments, *dance);
+    // They become parts of file names: said before the training, not after it.
+    for (const std::string* const name : {&plan.dance, &plan.figure}) {
+        if (!is_plain_name(*name)) {
+            return fail(why_no_plain_name(*name));
+        }
+    }
     if (!arguments.music.empty()) {
         if (auto taken = take_counts(arguments, plan); !taken) {
             return fail(std::move(taken.error()));
@@ -186,12 +193,11 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
                                                                        report->model.name,
                                                                        report->model.role,
                                                                        report->model.features);
-    std::puts(fmt::format("{}: {} of {} repeats; log-likelihood a sample: {}",
-                          path.string(),
-                          used,
-                          report->repeats.size(),
-                          listed_likelihoods(report->model.features, report->log_likelihood))
-                  .c_str());
+    print_text(fmt::format("{}: {} of {} repeats; log-likelihood a sample: {}\n",
+                           printable(path.string()),
+                           used,
+                           report->repeats.size(),
+                           listed_likelihoods(report->model.features, report->log_likelihood)));
     return kExitDone;
 }
 

@@ -246,7 +246,7 @@ ExitCode train_report(const TrainReportArguments& arguments) {
     if (auto committed = file->commit(); !committed) {
         return fail(std::move(committed.error()));
     }
-    std::fputs(summary_of(*data).c_str(), stdout);
+    print_text(summary_of(*data));
     return kExitDone;
 }
 

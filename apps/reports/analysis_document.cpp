@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/printable.hpp"
 #include "base/statistics.hpp"
 
 #include <fmt/format.h>
@@ -121,7 +122,7 @@ double AnalysisDocument::median_bpm() const {
 // The dance is the last decision, which rests on the most music.
 std::string AnalysisDocument::to_text(Nanos duration) const {
     const double bpm = median_bpm();
-    std::string text = fmt::format("{}: {:.1f} s\n", file_, to_seconds(duration));
+    std::string text = fmt::format("{}: {:.1f} s\n", printable(file_), to_seconds(duration));
     text += bpm > 0.0 ? fmt::format("tempo  {:.1f} BPM, bars of {}\n", bpm, beats_per_bar_)
                       : std::string("tempo  none found\n");
     text += fmt::format("beats  {}", beats_.size());

@@ -2,11 +2,20 @@
 
 #include <algorithm>
 
+#include "base/printable.hpp"
+
 #include <fmt/format.h>
 
 namespace raks::apps {
 
-std::string text_table(const std::vector<Row>& rows) {
+std::string text_table(const std::vector<Row>& cells) {
+    // A cell may be a name out of a file, which must not end the line.
+    std::vector<Row> rows = cells;
+    for (Row& row : rows) {
+        for (std::string& cell : row) {
+            cell = printable(cell);
+        }
+    }
     // At least three characters, as the line below the heads needs.
     std::vector<std::size_t> widths(rows.front().size(), 3);
     for (const Row& row : rows) {

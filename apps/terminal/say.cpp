@@ -44,6 +44,24 @@ void say_detail(std::string_view line) {
     }
 }
 
+void print_json(std::string_view document) {
+    std::fwrite(document.data(), 1, document.size(), stdout);
+}
+
+void print_text(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        // Nothing is cut out of a result, however long it is.
+        const std::string line = printable(text.substr(0, end), std::string_view::npos);
+        std::fwrite(line.data(), 1, line.size(), stdout);
+        if (end == std::string_view::npos) {
+            return;
+        }
+        std::fputc('\n', stdout);
+        text.remove_prefix(end + 1);
+    }
+}
+
 namespace {
 // At most five updates a second: writing to a terminal is slow.
 constexpr double kSecondsBetween = 0.2;

@@ -19,6 +19,14 @@ void say_detail(std::string_view line);
 /// The same for what went wrong: always.
 void complain(std::string_view line);
 
+/// A command's result for people, on stdout: lines, each with its end. As `say`, what a file's or
+/// device's name brings along reaches no terminal: control characters but line ends become '?'. A
+/// name that may hold line ends goes through printable (base/printable.hpp) before it gets into
+/// `text`. Threads: main.
+void print_text(std::string_view text);
+/// A document for programs, on stdout as it is: JSON escapes by itself. Threads: main.
+void print_json(std::string_view document);
+
 /// One line of progress on stderr, rewritten in place; shown only on a terminal, at most five times
 /// a second, and not where `quiet`. Threads: one.
 class ProgressLine {

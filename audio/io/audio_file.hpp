@@ -65,11 +65,13 @@ class AudioFileReader {
     std::string warning_;
 };
 
-/// Opens by libsndfile (WAV, AIFF, FLAC, Ogg Vorbis, Opus and its other formats) or FFmpeg (MP3,
-/// M4A, AAC, WebM, WMA, the sound of videos). Rates below 8 and above 192 kHz are resampled to the
-/// nearest whole multiple or part within. Errors, one line each: missing, empty, a folder, not
-/// audio, no sound track, cut off before its index, a rate outside 1 kHz to 3 MHz (0 Hz too), too
-/// many channels.
+/// Opens a file, which the program raks-decode reads and decodes (engine/decode): by libsndfile
+/// (WAV, AIFF, FLAC, Ogg Vorbis, Opus and its other formats) or FFmpeg (MP3, M4A, AAC, WebM, WMA,
+/// the sound of videos). Rates below 8 and above 192 kHz are resampled to the nearest whole
+/// multiple or part within. Where that program dies or hangs the sound ends, and warning() says it.
+/// Errors, one line each: missing, empty, a folder, not audio, no sound track, cut off before its
+/// index, a rate outside 1 kHz to 3 MHz (0 Hz too), too many channels; raks-decode is not there,
+/// broke off or hung.
 [[nodiscard]] Expected<std::unique_ptr<AudioFileReader>> open_audio_file(
     const std::filesystem::path& path);
 
@@ -86,11 +88,11 @@ struct MonoAudio {
 [[nodiscard]] Expected<MonoAudio> read_all_mono(const std::filesystem::path& path,
                                                 double max_seconds = 3600.0);
 
-/// Writes 16-bit WAV (interleaved, [-1, 1], clamped), complete or not at all.
-/// Errors: the folder does not exist, a full disk, more than 4 GiB.
-[[nodiscard]] Expected<void> write_wav(const std::filesystem::path& path,
-                                       std::span<const float> interleaved,
-                                       int channels,
-                                       SampleRate rate);
+/// From here on one raks-decode more than is used is kept waiting for its file, so that a song
+/// starts at once: for programs that play. Threads: any. Real-time: no.
+void keep_spare_decoder();
+
+/// Do the decoders that were used so far run without seccomp, as this kernel refuses it?
+[[nodiscard]] bool are_decoders_unconfined() noexcept;
 
 }  // namespace raks::audio

@@ -29,6 +29,22 @@ constexpr const char* kFormats =
     "eac3,dts,amr,amrnb,amrwb,ape,wv,tta,tak,mpc,mpc8,mpeg,mpegts,mpegvideo,rm,xwma,dsf,oma,loas,"
     "gxf,mxf,nut,swf,voc,aa,aax,adts,latm";
 
+// Decoders of sound in such files; those of pictures are never run.
+constexpr const char* kCodecs =
+    "mp3float,mp3,mp2float,mp2,mp1float,mp1,mp3adufloat,mp3on4float,aac,aac_fixed,aac_latm,ac3,"
+    "ac3_fixed,eac3,dca,truehd,mlp,flac,alac,vorbis,libvorbis,opus,libopus,speex,libspeex,wavpack,"
+    "ape,tta,tak,als,mpc7,mpc8,wmav1,wmav2,wmapro,wmalossless,wmavoice,amrnb,amrwb,"
+    "libopencore_amrnb,libopencore_amrwb,atrac1,atrac3,atrac3al,atrac3plus,atrac3plusal,atrac9,"
+    "cook,ra_144,ra_288,ralf,sipr,qdm2,qdmc,qcelp,evrc,ilbc,libilbc,nellymoser,gsm,gsm_ms,libgsm,"
+    "libgsm_ms,truespeech,shorten,dsd_lsbf,dsd_msbf,dsd_lsbf_planar,dsd_msbf_planar,s302m,g723_1,"
+    "g729,g722,g726,g726le,mace3,mace6,dvaudio,metasound,on2avc,"
+    "pcm_alaw,pcm_mulaw,pcm_vidc,pcm_bluray,pcm_dvd,pcm_f16le,pcm_f24le,pcm_f32be,pcm_f32le,"
+    "pcm_f64be,pcm_f64le,pcm_lxf,pcm_s16be,pcm_s16be_planar,pcm_s16le,pcm_s16le_planar,pcm_s24be,"
+    "pcm_s24daud,pcm_s24le,pcm_s24le_planar,pcm_s32be,pcm_s32le,pcm_s32le_planar,pcm_s64be,"
+    "pcm_s64le,pcm_s8,pcm_s8_planar,pcm_sga,pcm_u16be,pcm_u16le,pcm_u24be,pcm_u24le,pcm_u32be,"
+    "pcm_u32le,pcm_u8,adpcm_ima_wav,adpcm_ms,adpcm_ima_qt,adpcm_swf,adpcm_yamaha,adpcm_g722,"
+    "adpcm_g726,adpcm_g726le,adpcm_ct,adpcm_sbpro_2,adpcm_sbpro_3,adpcm_sbpro_4,adpcm_aica";
+
 constexpr int kWindowBuffer = 64 * 1024;  // bytes that FFmpeg asks for at once
 
 // Time stamps of the file that mean something; others are counted by FFmpeg.
@@ -74,15 +90,37 @@ std::int64_t seek_window(void* data, std::int64_t offset, int whence) {
 }
 
 // Is there a moving picture? Covers of albums are pictures, too.
-const AVStream* video_of(const AVFormatContext& container) {
+AVStream* video_of(const AVFormatContext& container) {
     for (unsigned i = 0; i < container.nb_streams; ++i) {
-        const AVStream* stream = container.streams[i];
+        AVStream* const stream = container.streams[i];
         const bool is_cover = (stream->disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
         if (stream->codecpar->codec_type == AVMEDIA_TYPE_VIDEO && !is_cover) {
             return stream;
         }
     }
     return nullptr;
+}
+
+// The first time stamp of a track of pictures. As these are not decoded, FFmpeg takes the sound's
+// for it in Matroska, whose index of the pictures that stand alone knows better.
+std::optional<std::int64_t> start_of(AVStream& stream, const AVFormatContext& container) {
+    if (std::string_view(container.iformat->name).starts_with("matroska")) {
+        if (const AVIndexEntry* const first = avformat_index_get_entry(&stream, 0)) {
+            return first->timestamp;
+        }
+    }
+    return stream.start_time == AV_NOPTS_VALUE ? std::nullopt : std::optional(stream.start_time);
+}
+
+// Packets of subtitles, data and attachments are not even read; those of pictures tell the time.
+void drop_what_is_not_heard(const AVFormatContext& container) {
+    for (unsigned i = 0; i < container.nb_streams; ++i) {
+        const AVMediaType kind = container.streams[i]->codecpar->codec_type;
+        if (kind != AVMEDIA_TYPE_AUDIO && kind != AVMEDIA_TYPE_VIDEO &&
+            kind != AVMEDIA_TYPE_UNKNOWN) {
+            container.streams[i]->discard = AVDISCARD_ALL;
+        }
+    }
 }
 
 // Seconds of a track's end as Matroska's muxers note it, "00:00:08.092000000"; 0: none.
@@ -140,6 +178,7 @@ Expected<void> FfmpegReader::open_container() {
     // Files alone: a play-list or a container must not make FFmpeg open network addresses.
     av_dict_set(&options, "protocol_whitelist", "file", 0);
     av_dict_set(&options, "format_whitelist", kFormats, 0);
+    av_dict_set(&options, "codec_whitelist", kCodecs, 0);
     // A path with a colon would be read as a protocol.
     const std::string url = "file:" + input_.path.string();
     if (!open_window()) {
@@ -160,6 +199,7 @@ Expected<void> FfmpegReader::open_container() {
     if (error < 0 || !is_known(*context)) {
         return fail(input_.path.string() + ": is not audio that can be read");
     }
+    drop_what_is_not_heard(*context);
     if (const int found = avformat_find_stream_info(context, nullptr); found < 0) {
         return fail(input_.path.string() +
                     ": is not audio that can be read: " + ffmpeg_reason(found));
@@ -194,7 +234,11 @@ Expected<void> FfmpegReader::open_decoder() {
     decoder_->pkt_timebase = stream_->time_base;
     // One thread is enough for sound.
     decoder_->thread_count = 1;
-    if (const int error = avcodec_open2(decoder_.get(), codec, nullptr); error < 0) {
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "codec_whitelist", kCodecs, 0);
+    const int error = avcodec_open2(decoder_.get(), codec, &options);
+    av_dict_free(&options);
+    if (error < 0) {
         return fail(input_.path.string() +
                     ": its sound track cannot be decoded: " + ffmpeg_reason(error));
     }
@@ -242,10 +286,10 @@ void FfmpegReader::prepare_time_line(std::int64_t first_stamp) {
         rules.longest_overlap = std::llround(kLongestOverlap * rate);
     }
     std::int64_t origin = first_stamp;
-    const AVStream* video = video_of(*container_);
-    if (rules.are_from_file && video != nullptr && video->start_time != AV_NOPTS_VALUE) {
-        origin =
-            std::min(origin, av_rescale_q(video->start_time, video->time_base, stream_->time_base));
+    AVStream* const video = video_of(*container_);
+    if (const auto start = video == nullptr ? std::nullopt : start_of(*video, *container_);
+        rules.are_from_file && start) {
+        origin = std::min(origin, av_rescale_q(*start, video->time_base, stream_->time_base));
     }
     line_.prepare(rules, origin);
     // A late start that is shorter than what counts as a gap is rounding, and one that is longer

@@ -88,6 +88,7 @@ struct FilePlayer::Impl {
     std::uint64_t frames_since_seek = 0;
     // Decoder thread only:
     std::unique_ptr<AudioFileReader> reader;
+    bool is_fresh = false;  // open, and nothing was read yet
     int track = 0;
     std::uint64_t generation = 0;
     std::uint64_t frames_written = 0;
@@ -163,6 +164,7 @@ void FilePlayer::Impl::push_segment(std::int64_t position, bool is_end) {
 // reader is closed and the user told.
 bool FilePlayer::Impl::open_track(int wanted_track, double seconds) {
     const bool is_same = reader && wanted_track == track;
+    const bool is_at_start = std::exchange(is_fresh, false) && is_same;
     track = wanted_track;
     if (!is_same) {
         auto opened = open_audio_file(files[static_cast<std::size_t>(track)]);
@@ -175,7 +177,7 @@ bool FilePlayer::Impl::open_track(int wanted_track, double seconds) {
     }
     const auto frame =
         static_cast<std::int64_t>(std::max(seconds, 0.0) * reader->info().rate.hertz());
-    if (is_same || frame > 0) {
+    if ((is_same && !is_at_start) || frame > 0) {
         if (const auto sought = reader->seek(frame); !sought) {
             say(sought.error().message);
             reader.reset();
@@ -258,13 +260,15 @@ Expected<std::unique_ptr<FilePlayer>> FilePlayer::start(std::vector<std::filesys
     if (files.empty()) {
         return fail("no file to play");
     }
-    // Opened here only to check it and to know its head; the decoder thread opens it again.
+    // Opened here, so that its head and its faults are known; the decoder thread goes on with it.
     auto first = open_audio_file(files.front());
     if (!first) {
         return fail(first.error());
     }
     auto impl = std::make_unique<Impl>(std::move(files), config);
     impl->first_info = (*first)->info();
+    impl->reader = std::move(*first);
+    impl->is_fresh = true;
     impl->command = SeekCommand{.track = 0, .seconds = config.start_seconds, .generation = 1};
     impl->decoder = std::thread(&Impl::run, impl.get());
     return std::unique_ptr<FilePlayer>(new FilePlayer(std::move(impl)));

@@ -29,19 +29,35 @@ struct FileWindow::File {
     }
 };
 
-Expected<FileWindow> FileWindow::open(const std::filesystem::path& path) {
+namespace {
+
+std::atomic<std::uint64_t>* counted_reads = nullptr;
+
+std::string cannot_open(const std::string& name) {
+    return name + ": cannot be opened: " + std::generic_category().message(errno);
+}
+
+}  // namespace
+
+void FileWindow::count_reads(std::atomic<std::uint64_t>* count) noexcept { counted_reads = count; }
+
+Expected<FileWindow> FileWindow::adopt(int descriptor, const std::string& name) {
     auto file = std::make_shared<File>();
-    file->descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    file->descriptor = descriptor;
     struct stat status {};
-    if (file->descriptor < 0 || fstat(file->descriptor, &status) != 0) {
-        return fail(path.string() +
-                    ": cannot be opened: " + std::generic_category().message(errno));
+    if (fstat(descriptor, &status) != 0) {
+        return fail(cannot_open(name));
     }
     file->size = status.st_size;
     FileWindow window;
     window.end_ = file->size;
     window.file_ = std::move(file);
     return window;
+}
+
+Expected<FileWindow> FileWindow::open(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    return descriptor < 0 ? fail(cannot_open(path.string())) : adopt(descriptor, path.string());
 }
 
 std::int64_t FileWindow::size() const noexcept {
@@ -52,6 +68,9 @@ std::int64_t FileWindow::size() const noexcept {
 std::size_t FileWindow::read(std::int64_t at, std::span<char> bytes) const {
     const auto head = head_ ? static_cast<std::int64_t>(head_->size()) : 0;
     std::size_t done = 0;
+    if (counted_reads != nullptr) {
+        counted_reads->fetch_add(1, std::memory_order_relaxed);  // relaxed: orders nothing
+    }
     if (at < head) {
         done = std::min(bytes.size(), static_cast<std::size_t>(head - at));
         std::copy_n(head_->data() + at, done, bytes.data());

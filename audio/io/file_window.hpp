@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,6 +19,12 @@ class FileWindow {
  public:
     /// The whole file. Errors: it cannot be opened.
     [[nodiscard]] static Expected<FileWindow> open(const std::filesystem::path& path);
+
+    /// The whole of an open file, whose descriptor it closes at the end. Errors: the system's.
+    [[nodiscard]] static Expected<FileWindow> adopt(int descriptor, const std::string& name);
+    /// From here on each read of any window adds one to `count`: whoever waits for a decoder sees
+    /// that it goes on. Called before the first read; `count` stays until the program ends.
+    static void count_reads(std::atomic<std::uint64_t>* count) noexcept;
 
     /// Number of bytes.
     [[nodiscard]] std::int64_t size() const noexcept;

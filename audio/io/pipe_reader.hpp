@@ -8,7 +8,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "audio/io/audio_file.hpp"
 #include "base/expected.hpp"
@@ -36,10 +35,6 @@ class PipeReader final : public AudioFileReader {
     /// head, or is not of these formats; standard input is a terminal; the pipe cannot be opened.
     [[nodiscard]] static Expected<std::unique_ptr<PipeReader>> open(
         const std::filesystem::path& path, const PipeOptions& options = {});
-    ~PipeReader() override;  ///< closes the pipe, but not standard input
-    /// Not copied: a pipe has one reader.
-    PipeReader(const PipeReader&) = delete;
-    PipeReader& operator=(const PipeReader&) = delete;  ///< likewise
 
     /// As AudioFileReader::read; waits for the writer.
     [[nodiscard]] std::size_t read(std::span<float> interleaved) override;
@@ -51,13 +46,14 @@ class PipeReader final : public AudioFileReader {
     [[nodiscard]] std::shared_ptr<std::atomic<bool>> stop_flag() const noexcept;
 
  private:
-    struct Decoder;
-    explicit PipeReader(std::unique_ptr<Decoder> decoder);
+    PipeReader(std::string name,
+               std::unique_ptr<AudioFileReader> decoder,
+               std::shared_ptr<std::atomic<bool>> stop);
 
-    std::unique_ptr<Decoder> decoder_;
-    std::vector<float> decoded_;  // interleaved; from decoded_at_ on not yet read
-    std::size_t decoded_at_ = 0;
-    std::int64_t position_ = 0;
+    std::string name_;
+    std::int64_t position_ = 0;  // frames; the decoder is ahead
+    std::unique_ptr<AudioFileReader> decoder_;
+    std::shared_ptr<std::atomic<bool>> stop_;
 };
 
 }  // namespace raks::audio

@@ -120,6 +120,8 @@ bool LiveActions::command(Kind kind, double value) {
     return is_queued;
 }
 
+void LiveActions::ask(DancerKind kind, double value) { command(kind, value); }
+
 void LiveActions::pause(double) { target_->toggle_pause(); }
 
 void LiveActions::seek(double seconds) { target_->seek_by(seconds); }

@@ -76,6 +76,9 @@ class LiveActions {
     /// figure).
     void brief_dancers();
 
+    /// Asks the dancers of the target; says so where too much was asked at once.
+    void ask(motion::DancerCommand::Kind kind, double value);
+
     /// Whether the dancers are to keep to their figure.
     [[nodiscard]] bool keeps_figure() const noexcept { return keeps_figure_; }
     /// The volume that is set, [0, 2].

@@ -114,9 +114,9 @@ class LiveGraph {
 
     /// Queues a command for the analyzer, dated at the moment that is seen when it is called.
     /// False: the queue is full.
-    bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
+    [[nodiscard]] bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
     /// The same for the dancers.
-    bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
+    [[nodiscard]] bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
 
     /// The plan of the song that plays came to hand: it is followed from now on, where nothing has
     /// sounded yet, or from a bar line on, see PlannedStates. At most once.

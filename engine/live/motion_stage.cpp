@@ -85,11 +85,11 @@ void MotionStage::tick() noexcept {
     while (wiring_.states.size() > held_back && wiring_.states.pop(stage_->music)) {
         dancers_->advance(stage_->music, stage_->tracks);
         stage_->dancer = dancers_->status();
-        if (wiring_.record != nullptr) {
+        const bool is_recorded =
+            wiring_.record == nullptr ||
             wiring_.record->push({stage_->music.hop, stage_->track().at_hop(stage_->music.hop)});
-        }
         // release: pairs with the acquire in danced_hops(): the record is there when it is counted.
-        danced_hops_.fetch_add(1, std::memory_order_release);
+        danced_hops_.fetch_add(is_recorded ? 1 : 0, std::memory_order_release);
         has_danced = true;
     }
     // One copy a reader and wake-up, however many hops were danced.

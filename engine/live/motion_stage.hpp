@@ -52,7 +52,8 @@ class MotionStage {
         /// One channel a reader; each reads on a thread of its own and none disturbs another. A
         /// reader costs the motion thread one copy of the stage (about 280 kB) a wake-up.
         std::vector<StageChannel*> readers = {};
-        EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop (drops when full)
+        /// Gets every danced hop; what it has no room for is not counted as danced.
+        EventQueue<DancedHop>* record = nullptr;
     };
 
     /// `dancers` are prepared, at least one.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "audio/io/hearing.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "engine/setup/settings.hpp"

@@ -99,6 +99,9 @@ Expected<void> add_to_folder(const fs::path& folder,
                              const DanceInfo& dance,
                              std::span<const LearntFigure> figures) {
     // All names are checked before the first file is written.
+    if (!is_dance_name(dance.name)) {
+        return fail("dance: " + why_no_dance_name(dance.name));
+    }
     for (const LearntFigure& figure : figures) {
         if (!motion::is_figure_name(figure.model->name)) {
             return fail("figure " + motion::why_no_figure_name(figure.model->name));

@@ -12,7 +12,6 @@
 #include "engine/setup/user_folders.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 namespace raks::engine {
 namespace {
@@ -84,40 +83,34 @@ bool DeviceOffsets::forget(std::string_view device) {
 }
 
 Expected<DeviceOffsets> DeviceOffsets::parse(std::string_view text, const std::string& name) {
-    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
-        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
+    const auto parsed = parse_toml(text, name);
+    if (!parsed) {
+        return fail(parsed.error());
     }
+    const toml::table& file = *parsed;
     TomlComplaints complaints(name);
     DeviceOffsets offsets;
-    try {
-        const toml::table file = toml::parse(text);
-        if (file["format"].value_or(std::string()) != "raks-device-offsets") {
-            return fail(name +
-                        ": format is not \"raks-device-offsets\"; this is another kind of file");
+    if (file["format"].value_or(std::string()) != "raks-device-offsets") {
+        return fail(name + ": format is not \"raks-device-offsets\"; this is another kind of file");
+    }
+    if (const auto version = file["version"].value_or(std::int64_t{0});
+        version != kOffsetsVersion) {
+        return fail(fmt::format("{}: version {} is not known to this Raks (it reads version {})",
+                                name,
+                                version,
+                                kOffsetsVersion));
+    }
+    complaints.check_keys(file, kFileKeys);
+    const toml::node* const devices = file.get("device");
+    if (devices != nullptr && devices->as_array() == nullptr) {
+        complaints.complain(*devices, "device must be a list of tables, [[device]]");
+    } else if (devices != nullptr) {
+        for (const toml::node& device : *devices->as_array()) {
+            offsets.set(read_device(device, complaints));
         }
-        if (const auto version = file["version"].value_or(std::int64_t{0});
-            version != kOffsetsVersion) {
-            return fail(
-                fmt::format("{}: version {} is not known to this Raks (it reads version {})",
-                            name,
-                            version,
-                            kOffsetsVersion));
-        }
-        complaints.check_keys(file, kFileKeys);
-        const toml::node* const devices = file.get("device");
-        if (devices != nullptr && devices->as_array() == nullptr) {
-            complaints.complain(*devices, "device must be a list of tables, [[device]]");
-        } else if (devices != nullptr) {
-            for (const toml::node& device : *devices->as_array()) {
-                offsets.set(read_device(device, complaints));
-            }
-        }
-        if (offsets.entries_.size() > kMostDevices) {
-            complaints.complain(fmt::format("more than {} devices", kMostDevices));
-        }
-    } catch (const toml::parse_error& error) {
-        return fail(
-            fmt::format("{}: line {}: {}", name, error.source().begin.line, error.description()));
+    }
+    if (offsets.entries_.size() > kMostDevices) {
+        complaints.complain(fmt::format("more than {} devices", kMostDevices));
     }
     if (!complaints.is_sound()) {
         return fail(complaints.fault());

@@ -14,7 +14,6 @@
 #include "engine/setup/user_folders.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 namespace raks::engine {
 namespace {
@@ -216,19 +215,14 @@ const std::array kNames = std::to_array<Name>({
 }  // namespace
 
 Expected<void> parse_settings(std::string_view text, const std::string& name, Settings& settings) {
-    // toml++ fails on a header without a name; it is found first, by our own check.
-    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
-        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
+    const auto table = parse_toml(text, name);
+    if (!table) {
+        return fail(table.error());
     }
     // Read into a copy, so that an error leaves the caller's settings as they were.
     Settings result = settings;
-    try {
-        const toml::table table = toml::parse(text);
-        if (auto read = read_table(name, table, result); !read) {
-            return read;
-        }
-    } catch (const toml::parse_error& error) {
-        return fail(where(name, error.source()) + ": " + std::string(error.description()));
+    if (auto read = read_table(name, *table, result); !read) {
+        return read;
     }
     if (const std::vector<std::string> faults = validate(result); !faults.empty()) {
         return fail(name + ": " + faults.front());

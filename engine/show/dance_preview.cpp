@@ -12,8 +12,11 @@
 namespace raks::engine {
 namespace {
 
-// Repeats evaluated at once: each has its own noise; after the last the first follows again.
+// Repeats evaluated at once: each has its own noise; after the last the first follows again. Fewer
+// of long figures, so that a preview is there in a moment and takes a few megabytes.
 constexpr int kRepeats = 8;
+constexpr int kFewestRepeats = 2;
+constexpr int kMostBeats = 64;  // of all repeats
 // BPM that one press of up or down adds.
 constexpr double kTempoStep = 4.0;
 
@@ -102,9 +105,9 @@ void DancePreview::evaluate() {
     motion::EvaluationOptions options;
     options.written = dance_.written;
     options.tempo = tempo_.value_or(dance_.written);
-    options.repeats = kRepeats;
-    evaluated_ =
-        motion::evaluate_figure(dance_.figures[shown_], motion::mannequin_skeleton(), options);
+    const motion::AuthoredFigure& figure = dance_.figures[shown_];
+    options.repeats = std::clamp(kMostBeats / figure.beats, kFewestRepeats, kRepeats);
+    evaluated_ = motion::evaluate_figure(figure, motion::mannequin_skeleton(), options);
 }
 
 // The beat runs over all repeats and begins again at the first.

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "base/dance_list.hpp"
 #include "base/file.hpp"
 #include "base/toml_reader.hpp"
 #include "motion/choreography/authored_dance.hpp"
@@ -11,8 +12,10 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;  // 1 MiB
-constexpr std::size_t kMostFigures = 200;                 // in one file
+constexpr std::size_t kMostFigures = 200;  // in one file
+// Bounds of the work of baking, far beyond any dance: frames and memory grow with both.
+constexpr int kMostBeats = 800;        // of all figures of a file
+constexpr double kMostSeconds = 60.0;  // of one figure at the slowest tempo
 
 // A number of the style: its name in the file, its field and the range allowed.
 struct StyleKey {
@@ -92,6 +95,9 @@ class DanceReader {
         dance_.licence = complaints_.text(root, "licence");
         if (dance_.dance.empty()) {
             complaints_.complain("needs dance = \"...\"");
+        } else if (!is_dance_name(dance_.dance)) {
+            // It becomes part of file names.
+            complaints_.complain(*root.get("dance"), "dance: " + why_no_dance_name(dance_.dance));
         }
         double beats_per_bar = dance_.beats_per_bar;
         complaints_.read(root, "beats_per_bar", {1, 12}, beats_per_bar);
@@ -251,7 +257,32 @@ class DanceReader {
                 complaints_.complain(fault->line, fault->message);
             }
         }
+        check_work(figure);
         dance_.figures.push_back(std::move(figure));
+    }
+
+    // Before anything is computed: a slip of the finger must not cost minutes and gigabytes.
+    void check_work(const AuthoredFigure& figure) {
+        const double seconds = figure.beats / dance_.slowest.beats_per_second();
+        if (seconds > kMostSeconds) {
+            complaints_.complain(
+                figure.line,
+                fmt::format("beats is {}, {:.0f} s at {} BPM, the slowest tempo; a figure has at "
+                            "most {} s",
+                            figure.beats,
+                            seconds,
+                            dance_.slowest.bpm(),
+                            kMostSeconds));
+        }
+        beats_ += figure.beats;
+        if (beats_ > kMostBeats) {
+            complaints_.complain(
+                figure.line,
+                fmt::format("beats is {}: all figures together have more than {} beats; split the "
+                            "file",
+                            figure.beats,
+                            kMostBeats));
+        }
     }
 
     // Plain names only, as they become parts of file names.
@@ -307,20 +338,12 @@ class DanceReader {
     DanceStyle style_;
     WrittenBody body_;
     FigureExpectation expectation_;
+    int beats_ = 0;  // of all figures so far
 };
 
-// toml++ may assert on an empty header, so it is looked for first (line_of_nameless_header).
 Expected<AuthoredDance> parse(std::string_view text, const std::string& name) {
-    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
-        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
-    }
-    try {
-        const toml::table root = toml::parse(text);
-        return DanceReader(name).read(root);
-    } catch (const toml::parse_error& error) {
-        return fail(
-            fmt::format("{}: line {}: {}", name, error.source().begin.line, error.description()));
-    }
+    const auto root = parse_toml(text, name);
+    return root ? DanceReader(name).read(*root) : fail(root.error());
 }
 
 }  // namespace
@@ -336,7 +359,7 @@ Expected<AuthoredDance> parse_authored_dance(std::string_view text, const std::s
 }
 
 Expected<AuthoredDance> load_authored_dance(const std::filesystem::path& path) {
-    auto text = read_text_file(path, kMaxBytes);
+    auto text = read_text_file(path, kLongestToml);
     if (!text) {
         return fail(std::move(text.error()));
     }

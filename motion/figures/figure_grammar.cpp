@@ -1,13 +1,12 @@
 #include "motion/figures/figure_grammar.hpp"
 
-#include <toml++/toml.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/file.hpp"
+#include "base/plain_name.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
@@ -20,11 +19,11 @@ namespace fs = std::filesystem;
 constexpr std::string_view kFormat = "raks-dance";
 constexpr std::int64_t kVersion = 1;
 constexpr std::array<std::string_view, 2> kStartsNames = {"common", "own"};  // by Starts
-constexpr double kLargestWeight = 1e6;                           // of `seen` and `after`
-constexpr std::size_t kMaxGrammarBytes = std::size_t{1} << 20U;  // 1 MiB
-constexpr std::size_t kLongestFigureName = 60;                   // characters
-constexpr double kFarthest = 10.0;                               // metres to a turn point
-constexpr double kFarthestAside = 1.0;  // metres that a partner moves aside
+constexpr double kLargestWeight = 1e6;          // of `seen` and `after`
+constexpr std::size_t kMostFigures = 1000;      // the weights between them are its square
+constexpr std::size_t kLongestFigureName = 60;  // characters
+constexpr double kFarthest = 10.0;              // metres to a turn point
+constexpr double kFarthestAside = 1.0;          // metres that a partner moves aside
 
 /// Reads one grammar; reading stops at the first fault.
 class GrammarReader {
@@ -110,6 +109,9 @@ class GrammarReader {
         if (grammar.dance.empty() || figures == nullptr || figures->empty()) {
             return fail(name_ + ": needs dance = \"...\" and at least one [[figure]]");
         }
+        if (!is_plain_name(grammar.dance)) {
+            return fail(name_ + ": dance: " + why_no_plain_name(grammar.dance));
+        }
         // Of a wrong type: 0, which fails the range check below.
         const auto bar = root["beats_per_bar"].value_or<std::int64_t>(
             root.contains("beats_per_bar") ? 0 : grammar.beats_per_bar);
@@ -138,6 +140,10 @@ class GrammarReader {
         // Figures that are there already when a grammar is extended.
         const std::size_t known = grammar.rules.size();
         const toml::array& figures = *root["figure"].as_array();
+        if (known + figures.size() > kMostFigures) {
+            return fail(fmt::format(
+                "{}: has {} figures, more than {}", name_, known + figures.size(), kMostFigures));
+        }
         for (const toml::node& node : figures) {
             if (auto ok = read_figure(node, grammar); !ok) {
                 return ok;
@@ -224,6 +230,9 @@ class GrammarReader {
         rule.figure = (*table)["name"].value_or(std::string());
         if (rule.figure.empty()) {
             return fail(where(node) + ": a figure needs a name");
+        }
+        if (!is_plain_name(rule.figure)) {
+            return fail(where(node) + ": name: " + why_no_plain_name(rule.figure));
         }
         // Names are how rules refer to one another, so they must be unique.
         const bool is_known =
@@ -343,21 +352,15 @@ FigureGrammar FigureGrammar::uniform(const std::vector<std::string>& figures) {
 
 namespace {
 
-/// Parses TOML and passes the table to `read`, which returns an Expected; faults of the syntax
-/// become errors with their line. An empty header is looked for first, since toml++ may assert on
-/// it (toml_reader.hpp).
+/// Parses TOML and passes the table to `read`, which returns an Expected.
 template <typename Read>
 auto with_toml(std::string_view text, const std::string& name, const Read& read)
     -> decltype(read(toml::table())) {
-    if (const std::size_t line = line_of_nameless_header(text); line > 0) {
-        return fail(fmt::format("{}: line {}: [ needs a name behind it", name, line));
+    const auto root = parse_toml(text, name);
+    if (!root) {
+        return fail(root.error());
     }
-    try {
-        return read(toml::parse(text));
-    } catch (const toml::parse_error& error) {
-        return fail(
-            fmt::format("{}: line {}: {}", name, error.source().begin.line, error.description()));
-    }
+    return read(*root);
 }
 
 }  // namespace
@@ -368,7 +371,7 @@ Expected<FigureGrammar> parse_grammar(std::string_view text, const std::string& 
 }
 
 Expected<FigureGrammar> load_grammar(const fs::path& path) {
-    auto text = read_text_file(path, kMaxGrammarBytes);
+    auto text = read_text_file(path, kLongestToml);
     if (!text) {
         return fail(std::move(text.error()));
     }
@@ -376,7 +379,7 @@ Expected<FigureGrammar> load_grammar(const fs::path& path) {
 }
 
 Expected<void> extend_grammar(const fs::path& path, FigureGrammar& grammar) {
-    auto text = read_text_file(path, kMaxGrammarBytes);
+    auto text = read_text_file(path, kLongestToml);
     if (!text) {
         return fail(std::move(text.error()));
     }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "base/plain_name.hpp"
 #include "models/gaussian_hmm.hpp"
 #include "motion/figures/figure_hmm.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -11,9 +12,14 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kLargest = 1e6;  ///< limit of any number in a figure, far beyond what a body does
-constexpr std::size_t kMaxStates = 256;  // of one part
-constexpr double kUnitTolerance = 1e-6;  // of unit quaternions and sums of probabilities
+// Limits of any number in a figure, far beyond what a body does: metres, radians, and those a beat.
+constexpr double kLargest = 1e4;
+// Of variances. Their inverses weigh the terms of a trajectory: with smaller ones the equations
+// overflow, and what is no number anymore ends no loop. Learnt figures have 1e-10 or more.
+constexpr double kLeastVariance = 1e-12;
+constexpr std::size_t kMostSamples = 2048;  // of a figure: smoothing takes its square
+constexpr std::size_t kMaxStates = 256;     // of one part
+constexpr double kUnitTolerance = 1e-6;     // of unit quaternions and sums of probabilities
 
 // In all checks `name` is the field's path, such as "parts[0].states[3]", for the error.
 Expected<void> check_size(const std::string& name, std::size_t found, std::size_t wanted) {
@@ -40,7 +46,7 @@ Expected<void> check_numbers(const std::string& name,
     return {};
 }
 
-// The same, but positive.
+// The same, but at least kLeastVariance.
 Expected<void> check_variances(const std::string& name,
                                const std::vector<double>& values,
                                std::size_t wanted) {
@@ -48,9 +54,33 @@ Expected<void> check_variances(const std::string& name,
         return ok;
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!(values[i] > 0.0)) {
-            return fail(fmt::format("{}[{}] is {}, must be > 0", name, i, values[i]));
+        if (!(values[i] >= kLeastVariance)) {
+            return fail(fmt::format(
+                "{}[{}] is {}, must be {} or more", name, i, values[i], kLeastVariance));
         }
+    }
+    return {};
+}
+
+/// The covariance matrix of D features: numbers in range, variances on its diagonal, definite.
+Expected<void> check_covariance(const std::string& name,
+                                const std::vector<std::vector<double>>& rows,
+                                std::size_t d) {
+    if (auto ok = check_size(name, rows.size(), d); !ok) {
+        return ok;
+    }
+    for (std::size_t i = 0; i < d; ++i) {
+        if (auto ok = check_numbers(fmt::format("{}[{}]", name, i), rows[i], d); !ok) {
+            return ok;
+        }
+        if (!(rows[i][i] >= kLeastVariance)) {
+            return fail(fmt::format(
+                "{}[{}][{}] is {}, must be {} or more", name, i, i, rows[i][i], kLeastVariance));
+        }
+    }
+    // Draws and likelihoods need its Cholesky factor.
+    if (!models::is_positive_definite(matrix_of(rows))) {
+        return fail(fmt::format("{} is not positive definite", name));
     }
     return {};
 }
@@ -98,6 +128,12 @@ Expected<void> check_joints(const std::string& name, const PartModel& part) {
     if (part.features == FigureFeatures::positions) {
         return check_places(name, part);
     }
+    if (part.joints.size() > std::size_t{kBoneCount}) {
+        return fail(fmt::format("{}.joints has {} entries, must have at most {}",
+                                name,
+                                part.joints.size(),
+                                kBoneCount));
+    }
     for (std::size_t j = 0; j < part.joints.size(); ++j) {
         const glm::dquat& q = part.joints[j].mean;
         const double length = std::sqrt(glm::dot(q, q));
@@ -131,17 +167,11 @@ Expected<void> check_state_covariances(const std::string& name, const PartModel&
                 "{} has {} rows, must have {}", which, part.state_covariances[k].size(), rows));
         }
         const bool is_full = part.covariance_kind == CovarianceKind::full;
-        // Entries of a full matrix may be negative, those of a diagonal may not.
-        const auto check_row = is_full ? &check_numbers : &check_variances;
-        for (std::size_t i = 0; i < rows; ++i) {
-            if (auto ok =
-                    check_row(fmt::format("{}[{}]", which, i), part.state_covariances[k][i], d);
-                !ok) {
-                return ok;
-            }
-        }
-        if (is_full && !models::is_positive_definite(matrix_of(part.state_covariances[k]))) {
-            return fail(fmt::format("{} is not positive definite", which));
+        if (auto ok = is_full
+                          ? check_covariance(which, part.state_covariances[k], d)
+                          : check_variances(which + "[0]", part.state_covariances[k].front(), d);
+            !ok) {
+            return ok;
         }
     }
     return {};
@@ -237,19 +267,8 @@ Expected<void> check_part(const std::string& name, const PartModel& part, int sa
     if (auto ok = check_size(name + ".exit", part.exit.size(), n); !ok) {
         return ok;
     }
-    if (auto ok = check_size(name + ".covariance", part.covariance.size(), d); !ok) {
+    if (auto ok = check_covariance(name + ".covariance", part.covariance, d); !ok) {
         return ok;
-    }
-    for (std::size_t i = 0; i < d; ++i) {
-        if (auto ok =
-                check_numbers(fmt::format("{}.covariance[{}]", name, i), part.covariance[i], d);
-            !ok) {
-            return ok;
-        }
-    }
-    // Draws and likelihoods need its Cholesky factor.
-    if (!models::is_positive_definite(matrix_of(part.covariance))) {
-        return fail(fmt::format("{}.covariance is not positive definite", name));
     }
     if (auto ok = check_state_covariances(name, part); !ok) {
         return ok;
@@ -269,6 +288,19 @@ Expected<void> check_head(const FigureModel& model) {
     if (model.samples_per_beat < 4 || model.samples_per_beat > 200) {
         return fail(
             fmt::format("samples_per_beat is {}, must be 4 to 200", model.samples_per_beat));
+    }
+    if (model.samples() > kMostSamples) {
+        return fail(
+            fmt::format("samples_per_beat is {}: {} samples in {} beats, must be at most {}",
+                        model.samples_per_beat,
+                        model.samples(),
+                        model.beats,
+                        kMostSamples));
+    }
+    for (const std::string* const name : {&model.name, &model.dance}) {
+        if (!is_plain_name(*name)) {
+            return fail(why_no_plain_name(*name));
+        }
     }
     // Bounds far beyond any dance: they catch wrong units and damaged files.
     const RangeCheck ranges[] = {{"learnt_tempo", model.learnt_tempo.bpm(), 20.0, 400.0},

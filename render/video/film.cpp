@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/pending_file.hpp"
 #include "render/video/film_encoders.hpp"
 #include "render/video/video_forms.hpp"
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -106,7 +106,10 @@ TEST(DanceList, every_fault_is_one_line_with_its_place) {
          "x.toml: version must be a number up to 1; is Raks older than the file?"},
         {replaced("raks-dances", "raks-dance"), "x.toml: format must be \"raks-dances\""},
         {"format = \"raks-dances\"\nversion = 1\n", "x.toml: needs at least one [[dance]]"},
-        {"[]\n", "x.toml: line 1: [ needs a name behind it"},
+        {"[]\n",
+         "x.toml: line 1, column 2: Error while parsing table header: tables with blank bare keys "
+         "are "
+         "explicitly prohibited"},
     };
     for (const auto& one : cases) {
         EXPECT_EQ(fault_of(one.text), one.fault) << one.text;

@@ -185,10 +185,11 @@ TEST_F(FileTest, a_process_that_must_end_removes_what_is_not_complete) {
     ASSERT_TRUE(lost && folder && film);
     std::ofstream(folder->part() / "inside") << "x";
     {
-        const auto lock = remove_pending_files();
+        const EndOfWriting end = remove_pending_files();
         EXPECT_EQ(count(), 1) << "the film alone";
+        EXPECT_EQ(end.kept.size(), 1U);
     }
-    EXPECT_FALSE(lost->commit());
+    EXPECT_FALSE(folder->commit());
 }
 
 TEST_F(FileTest, names_as_long_as_a_system_allows_are_written) {

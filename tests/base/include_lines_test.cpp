@@ -76,6 +76,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
      {"base", "models", "audio", "audio/**", "training/beat", "training/hmm", "training/networks"}},
     {"training/figures", {"base", "models", "motion", "motion/**", "training/hmm"}},
 
+    {"engine/decode", {"base", "audio/io"}},
     {"engine/setup", {"base", "audio", "audio/**", "motion", "motion/**"}},
     {"engine/live",
      {"base", "base/channels", "audio", "audio/**", "motion", "motion/**", "engine/setup"}},

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/jack_server.hpp"

@@ -12,6 +12,7 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/shared_data.hpp"
 
 namespace raks::test {
 namespace {
@@ -115,6 +116,28 @@ TEST_F(OddFiles, tables_of_spreadsheets_are_read) {
     const std::string utf16("\xff\xfen\0a\0m\0e\0", 10);
     ASSERT_TRUE(write_file(path("index.tsv"), utf16));
     expect_one_line({"eval", "beats", folder_.path().string()}, 1, "UTF-16 text; save it as UTF-8");
+}
+
+// Seeking in them ended libvorbis, and the program with it.
+TEST_F(OddFiles, a_song_that_ends_its_decoder_is_one_line_and_the_next_one_plays) {
+    const fs::path hostile = shared_data() / "data/cases/hostile";
+    if (!fs::exists(hostile)) {
+        GTEST_SKIP() << "no hostile files in " << shared_data();
+    }
+    write_clicks("next.wav", 3.0);
+    for (const char* name : {"seek-crash-1.ogg", "seek-crash-2.ogg"}) {
+        const std::string song = (hostile / name).string();
+        const std::vector<std::string> how = {
+            "--headless", "--no-sound", "--start", "2.5", "--duration", "0.2"};
+        std::vector<std::string> alone = {"play", song};
+        alone.insert(alone.end(), how.begin(), how.end());
+        expect_one_line(alone, 1, name);
+        std::vector<std::string> both = {"play", song, path("next.wav")};
+        both.insert(both.end(), how.begin(), how.end());
+        const ProcessResult played = run(both);
+        EXPECT_EQ(played.exit_code, 3) << played.err;
+        EXPECT_NE(played.err.find("next.wav"), std::string::npos) << played.err;
+    }
 }
 
 }  // namespace

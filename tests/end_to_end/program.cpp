@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 
 namespace raks::test {
 

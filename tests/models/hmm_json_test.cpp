@@ -100,7 +100,7 @@ TEST(HmmJson, names_what_is_wrong_in_a_model) {
          "transition[1] sums to 0.833333 with its exit, must be 1"},
         {[](GaussianHmm& m) { m.initial[0] = -1.0; }, "initial[0] is -1, must lie in [0, 1]"},
         {[](GaussianHmm& m) { m.covariances[1](1, 0) = 0.0; },
-         "covariances[1][1] is 0, must be > 0"},
+         "covariances[1][1] is 0, must lie in [1e-30, 1e+30]"},
         {[](GaussianHmm& m) { m.covariances.pop_back(); },
          "covariances has 1 entries, must have 2"},
         {[](GaussianHmm& m) { m.means(0, 0) = std::nan(""); },

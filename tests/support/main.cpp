@@ -15,6 +15,10 @@ int main(int argc, char** argv) {
     raks::test::share_solved_dances(home.path() / "cache",
                                     std::filesystem::path(argv[0]).filename().string());
     setenv("XDG_DATA_HOME", (home.path() / "share").c_str(), 1);
+    // They do not lie beside the programs of the tests.
+    setenv("RAKS_DECODER", RAKS_DECODE_PROGRAM, 1);
+    setenv("RAKS_CODEC_MODULE", RAKS_CODEC_MODULE, 1);
+    setenv("RAKS_FILM_MODULE", RAKS_FILM_MODULE, 1);
     return RUN_ALL_TESTS();
 }
 

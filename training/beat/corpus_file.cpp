@@ -13,6 +13,7 @@
 
 #include "audio/evaluate/beat_corpus.hpp"
 #include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/instruments/soundfont_player.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"

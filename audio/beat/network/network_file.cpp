@@ -68,9 +68,14 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
     if (!text) {
         return fail(text.error());
     }
-    auto document = models::JsonDocument::parse(*text, kFormat, kVersion);
+    return parse_network(*text, path.string());
+}
+
+Expected<std::shared_ptr<const BeatNetwork>> parse_network(std::string_view text,
+                                                           const std::string& name) {
+    auto document = models::JsonDocument::parse(text, kFormat, kVersion);
     if (!document) {
-        return fail(path.string() + ": " + document.error().message);
+        return fail(name + ": " + document.error().message);
     }
     const Field root = document->root();
     const models::NetworkSize size = models::read_network_size(root);
@@ -88,7 +93,7 @@ Expected<std::shared_ptr<const BeatNetwork>> load_network(const std::filesystem:
     }
     // The document keeps its first fault; reading went on with default values.
     if (const auto finished = document->finish(); !finished) {
-        return fail(path.string() + ": " + finished.error().message);
+        return fail(name + ": " + finished.error().message);
     }
     return std::shared_ptr<const BeatNetwork>(std::move(network));
 }

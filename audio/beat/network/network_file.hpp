@@ -18,6 +18,9 @@ namespace raks::audio {
 /// not fit, a parameter that is no finite number. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::shared_ptr<const BeatNetwork>> load_network(
     const std::filesystem::path& path);
+/// The same from text; `name` stands for the file in errors.
+[[nodiscard]] Expected<std::shared_ptr<const BeatNetwork>> parse_network(std::string_view text,
+                                                                         const std::string& name);
 
 /// Origin of the weights, for the file.
 struct NetworkNotes {

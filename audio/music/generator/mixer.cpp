@@ -196,43 +196,60 @@ const std::vector<float>& Mixer::sound_for(const SoundKey& key) {
 }
 
 // Stretches of sound between the silences; the score runs on inside a silence.
-std::vector<float> Mixer::render(std::span<const FrameRange> silences) {
+bool Mixer::render(std::span<const FrameRange> silences, const MusicSink& sink) {
     const FlushToZeroScope flush_to_zero;
-    std::vector<float> out;
-    out.reserve(static_cast<std::size_t>(total_frames_) * 2);
     std::int64_t at = 0;
     for (const FrameRange& silence : silences) {
-        render_stretch(at, std::min(silence.from, total_frames_), out);
-        at = std::min(silence.to, total_frames_);
-        out.resize(static_cast<std::size_t>(at) * 2, 0.0F);
+        const std::int64_t end = std::min(silence.to, total_frames_);
+        const std::int64_t begin = std::clamp(silence.from, at, end);
+        if (!render_stretch(at, begin, sink) || !render_silence(end - begin, sink)) {
+            return false;
+        }
+        at = end;
     }
-    render_stretch(at, total_frames_, out);
-    return out;
+    return render_stretch(at, total_frames_, sink);
+}
+
+bool Mixer::render_silence(std::int64_t frames, const MusicSink& sink) {
+    constexpr std::array<float, 2 * kBlock> kZeros{};
+    bool goes_on = true;
+    while (frames > 0 && goes_on) {
+        const std::int64_t count = std::min(frames, static_cast<std::int64_t>(kBlock));
+        goes_on = sink(std::span(kZeros).first(2 * static_cast<std::size_t>(count)));
+        frames -= count;
+    }
+    return goes_on;
 }
 
 // One stretch from silence to silence: notes from before are not continued in it.
-void Mixer::render_stretch(std::int64_t from, std::int64_t to, std::vector<float>& out) {
+bool Mixer::render_stretch(std::int64_t from, std::int64_t to, const MusicSink& sink) {
     reverb_.clear();
     playing_.clear();
     while (next_event_ < events_.size() && events_[next_event_].start < from) {
         ++next_event_;  // would have started inside the silence
     }
-    const std::size_t first_sample = out.size();
-    for (std::int64_t at = from; at < to;) {
+    // A fade instead of a cut, which would click.
+    const std::int64_t fade =
+        std::min(static_cast<std::int64_t>(kFadeSeconds * plan_.rate.hertz()), to - from);
+    bool goes_on = true;
+    for (std::int64_t at = from; at < to && goes_on;) {
         const auto frames =
             static_cast<std::size_t>(std::min(to - at, static_cast<std::int64_t>(kBlock)));
         mix_events(at, frames);
         reverb_.process(std::span(send_).first(frames), left_, right_);
-        write_block(frames, out);
+        const std::span<float> block = limited(frames);
+        for (std::size_t i = 0; i < frames; ++i) {
+            const std::int64_t left = to - 1 - at - static_cast<std::int64_t>(i);
+            if (left < fade) {
+                const float gain = static_cast<float>(left) / static_cast<float>(fade);
+                block[2 * i] *= gain;
+                block[2 * i + 1] *= gain;
+            }
+        }
+        goes_on = sink(block);
         at += static_cast<std::int64_t>(frames);
     }
-    // A fade instead of a cut, which would click.
-    const auto fade = std::min(static_cast<std::size_t>(kFadeSeconds * plan_.rate.hertz()),
-                               (out.size() - first_sample) / 2);
-    for (std::size_t i = 0; i < fade * 2; ++i) {
-        const std::size_t frames_left = i / 2;
-        out[out.size() - 1 - i] *= static_cast<float>(frames_left) / static_cast<float>(fade);
-    }
+    return goes_on;
 }
 
 // All sounds that overlap this block, into both sides and the room's input.
@@ -270,11 +287,13 @@ void Mixer::mix_events(std::int64_t from, std::size_t frames) {
 }
 
 // The sum of all may exceed 1: limited sample by sample.
-void Mixer::write_block(std::size_t frames, std::vector<float>& out) const {
+// Both sides of the block, interleaved.
+std::span<float> Mixer::limited(std::size_t frames) noexcept {
     for (std::size_t i = 0; i < frames; ++i) {
-        out.push_back(soft_limit(left_[i]));
-        out.push_back(soft_limit(right_[i]));
+        limited_[2 * i] = soft_limit(left_[i]);
+        limited_[2 * i + 1] = soft_limit(right_[i]);
     }
+    return std::span(limited_).first(2 * frames);
 }
 
 }  // namespace raks::audio

@@ -49,9 +49,10 @@ class Mixer {
  public:
     /// Makes all sounds that the score needs. `curve`: times of the notes' beats.
     Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score);
-    /// The whole piece, stereo, interleaved; digital silence in `silences` (ascending, not
-    /// overlapping). To be called once.
-    [[nodiscard]] std::vector<float> render(std::span<const FrameRange> silences);
+    /// The whole piece in order, stereo, interleaved, as blocks to `sink`; digital silence in
+    /// `silences` (ascending, not overlapping). Ends early, with false, when `sink` returns false.
+    /// To be called once.
+    [[nodiscard]] bool render(std::span<const FrameRange> silences, const MusicSink& sink);
 
  private:
     struct SoundKey {
@@ -70,9 +71,10 @@ class Mixer {
     };
 
     const std::vector<float>& sound_for(const SoundKey& key);
-    void render_stretch(std::int64_t from, std::int64_t to, std::vector<float>& out);
+    [[nodiscard]] bool render_stretch(std::int64_t from, std::int64_t to, const MusicSink& sink);
+    [[nodiscard]] static bool render_silence(std::int64_t frames, const MusicSink& sink);
     void mix_events(std::int64_t from, std::size_t frames);
-    void write_block(std::size_t frames, std::vector<float>& out) const;
+    [[nodiscard]] std::span<float> limited(std::size_t frames) noexcept;
 
     static constexpr std::size_t kBlock = 1024;
 
@@ -86,6 +88,7 @@ class Mixer {
     std::array<float, kBlock> left_{};
     std::array<float, kBlock> right_{};
     std::array<float, kBlock> send_{};
+    std::array<float, 2 * kBlock> limited_{};
 };
 
 }  // namespace raks::audio

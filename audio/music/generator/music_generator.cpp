@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "audio/music/generator/mixer.hpp"
 #include "audio/music/generator/notes.hpp"
@@ -153,18 +154,31 @@ std::string_view name_of(Style style) noexcept {
     return kStyleNames[static_cast<std::size_t>(style)];
 }
 
+namespace {
+
+void append_mono(std::span<const float> stereo, std::vector<float>& out) {
+    for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
+        out.push_back(0.5F * (stereo[i] + stereo[i + 1]));
+    }
+}
+
+}  // namespace
+
 std::vector<float> GeneratedMusic::mono() const {
     if (channels == 1) {
         return samples;
     }
-    std::vector<float> out(samples.size() / 2);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        out[i] = 0.5F * (samples[2 * i] + samples[2 * i + 1]);
-    }
+    std::vector<float> out;
+    out.reserve(samples.size() / 2);
+    append_mono(samples, out);
     return out;
 }
 
-Expected<GeneratedMusic> generate(const MusicPlan& plan) {
+std::int64_t frames_of(const MusicPlan& plan) noexcept {
+    return std::llround(plan.seconds * plan.rate.hertz());
+}
+
+Expected<std::vector<ReferenceBeat>> generate(const MusicPlan& plan, const MusicSink& sink) {
     if (const std::string faults = faults_of(plan); !faults.empty()) {
         return fail("music plan: " + faults);
     }
@@ -173,14 +187,28 @@ Expected<GeneratedMusic> generate(const MusicPlan& plan) {
     // As many beats as fit into the piece by the tempo curve.
     const Notes score = write_score(plan.style, curve.beats_at(plan.seconds), plan.seed);
     Mixer mixer(plan, curve, score);
-    GeneratedMusic music{.rate = plan.rate,
-                         .channels = 2,
-                         .samples = mixer.render(silences),
-                         .beats = reference_beats(plan, curve, silences)};
-    if (plan.channels == 1) {
-        music.samples = music.mono();
-        music.channels = 1;
+    std::vector<float> mono;
+    const auto to_mono = [&](std::span<const float> stereo) {
+        mono.clear();
+        append_mono(stereo, mono);
+        return sink(mono);
+    };
+    if (!mixer.render(silences, plan.channels == 1 ? MusicSink(to_mono) : sink)) {
+        return fail("the piece was ended before its end");
     }
+    return reference_beats(plan, curve, silences);
+}
+
+Expected<GeneratedMusic> generate(const MusicPlan& plan) {
+    GeneratedMusic music{.rate = plan.rate, .channels = plan.channels, .samples = {}, .beats = {}};
+    auto beats = generate(plan, [&](std::span<const float> samples) {
+        music.samples.insert(music.samples.end(), samples.begin(), samples.end());
+        return true;
+    });
+    if (!beats) {
+        return fail(beats.error());
+    }
+    music.beats = std::move(*beats);
     return music;
 }
 

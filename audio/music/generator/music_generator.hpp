@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -106,6 +107,15 @@ struct GeneratedMusic {
 /// Errors: every fault of the plan, in one line. Cost: about 1/300 of the piece's length.
 /// Threads: any, no shared state. Real-time: no.
 [[nodiscard]] Expected<GeneratedMusic> generate(const MusicPlan& plan);
+
+/// Takes the next samples of a piece, interleaved; returns false to end it.
+using MusicSink = std::function<bool(std::span<const float> samples)>;
+/// The same piece, handed to `sink` block by block: for long ones, which would fill the memory.
+/// Returns its beats. Errors: those of generate(); `sink` ended it.
+[[nodiscard]] Expected<std::vector<ReferenceBeat>> generate(const MusicPlan& plan,
+                                                            const MusicSink& sink);
+/// How many frames the piece of a plan has.
+[[nodiscard]] std::int64_t frames_of(const MusicPlan& plan) noexcept;
 
 /// The piece that `raks` dances to when no file is given: 60 s of a montuno at 184 BPM.
 [[nodiscard]] MusicPlan demo_plan();

@@ -1,6 +1,8 @@
 #include "audio/music/styles/rhythm_reader.hpp"
 
 #include "audio/music/styles/general_midi_drums.hpp"
+#include "base/plain_name.hpp"
+#include "base/printable.hpp"
 
 namespace raks::audio {
 namespace {
@@ -14,7 +16,6 @@ constexpr NumberRange kWeights = {0.01, 100};
 // Bounds on lengths: a damaged file ends in a complaint, not in endless work.
 constexpr std::size_t kMostLanes = 32;
 constexpr std::size_t kMostChoices = 16;
-constexpr std::size_t kLongestName = 60;
 
 /// A text that must be there and short.
 std::string read_name(const toml::table& table,
@@ -22,10 +23,15 @@ std::string read_name(const toml::table& table,
                       std::string_view form,
                       TomlComplaints& complaints) {
     const toml::node* const node = complaints.needed(table, key, form);
-    // `needed` complains of a key that is missing; here it is there, but empty or too long.
+    // `needed` complains of a key that is missing; here it is there, but not a name.
     const std::string name = complaints.text(table, key);
-    if (node != nullptr && (name.empty() || name.size() > kLongestName)) {
-        complaints.complain(*node, fmt::format("{} must have 1 to {} letters", key, kLongestName));
+    // It names no file, so that "6/8" may be part of it.
+    if (node != nullptr &&
+        (name.empty() || name.size() > kLongestPlainName || printable(name) != name)) {
+        complaints.complain(
+            *node,
+            fmt::format(
+                "{} must have 1 to {} letters and no control characters", key, kLongestPlainName));
     }
     return name;
 }

@@ -9,6 +9,7 @@
 #include "audio/music/styles/band_palette.hpp"
 #include "audio/music/styles/rhythm_reader.hpp"
 #include "base/file.hpp"
+#include "base/plain_name.hpp"
 #include "base/printable.hpp"
 #include "base/toml_reader.hpp"
 
@@ -86,8 +87,12 @@ std::optional<OwnMusic> read_own(const toml::table& table, TomlComplaints& compl
     music.style = complaints.text(*own, "style");
     music.name = complaints.text(*own, "name");
     // Both are used to find and to name such pieces.
-    if (music.style.empty() || music.name.empty()) {
-        complaints.complain(*node, "own needs style = \"...\" and name = \"...\"");
+    for (const std::string* const name : {&music.style, &music.name}) {
+        if (name->empty()) {
+            complaints.complain(*node, "own needs style = \"...\" and name = \"...\"");
+        } else if (!is_plain_name(*name)) {
+            complaints.complain(*node, why_no_plain_name(*name));
+        }
     }
     if (const auto* const tempo = complaints.needed(*own, "tempo", "tempo = [lowest, highest]")) {
         // The same limits as for rhythms.
@@ -121,6 +126,8 @@ BandPalette read_palette(const toml::table& table, TomlComplaints& complaints) {
     const std::string dance = complaints.text(table, "dance");
     if (dance.empty()) {
         complaints.complain(table, "a palette needs dance = \"...\", or \"none\"");
+    } else if (!is_plain_name(dance)) {
+        complaints.complain(table, "dance: " + why_no_plain_name(dance));
     }
     // Every complaint from here on names the palette.
     complaints.enter(fmt::format("palette of \"{}\"", dance));
@@ -149,20 +156,6 @@ struct StyleFile {
     int order = kLastOrder;
     toml::table root;
 };
-
-/// Parses the text; toml++ reports faults as exceptions, which end here.
-Expected<toml::table> parse_toml(const StyleText& file) {
-    // toml++ must not be given such a line: see base/toml_headers.hpp.
-    if (const std::size_t line = line_of_nameless_header(file.text); line > 0) {
-        return fail(fmt::format("{}: line {}: [ needs a name behind it", file.name, line));
-    }
-    try {
-        return toml::parse(file.text);
-    } catch (const toml::parse_error& error) {
-        return fail(fmt::format(
-            "{}: line {}: {}", file.name, error.source().begin.line, error.description()));
-    }
-}
 
 /// Format, version and top-level keys: a file of another kind is told from one with a fault.
 void check_head(const toml::table& root, TomlComplaints& complaints) {
@@ -195,7 +188,7 @@ void check_head(const toml::table& root, TomlComplaints& complaints) {
 
 /// Parses one file and reads its head; what it holds is read once the files are in order.
 Expected<StyleFile> parse_file(const StyleText& text) {
-    auto root = parse_toml(text);
+    auto root = parse_toml(text.text, text.name);
     if (!root) {
         return fail(root.error());
     }

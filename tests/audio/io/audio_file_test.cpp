@@ -1,4 +1,5 @@
 #include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

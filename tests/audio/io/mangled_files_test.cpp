@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "base/random.hpp"

@@ -5,6 +5,7 @@
 #include "audio/io/flac_length.hpp"
 #include "audio/io/mended_head.hpp"
 #include "audio/io/ogg_links.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"

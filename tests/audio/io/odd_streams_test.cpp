@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "audio/io/head_bytes.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"

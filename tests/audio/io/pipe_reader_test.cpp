@@ -1,5 +1,6 @@
 // Sound that comes through a pipe: real FIFOs, written by a thread as another program would.
 #include "audio/io/pipe_reader.hpp"
+#include "audio/io/wav_writer.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -210,7 +210,7 @@ TEST(StyleBook, tells_what_is_wrong_and_where) {
         std::string expected;
     } cases[] = {
         {parse(""), "rhythms.toml: line 1: needs format = \"raks-styles\""},
-        {parse("[["), "rhythms.toml: line 1: [ needs a name behind it"},
+        {parse("[[#"), "rhythms.toml: line 1, column 3: '#' cannot stand here"},
         {parse("format = \"raks-styles\"\n"), "rhythms.toml: line 1: needs version = 1"},
         {rhythm("raks-styles", "raks-choreography"),
          "rhythms.toml: line 1: format must be \"raks-styles\""},
@@ -229,7 +229,7 @@ TEST(StyleBook, tells_what_is_wrong_and_where) {
         {rhythm("name           = \"habanera\"\n", ""),
          "rhythms.toml: line 4: needs name = \"...\""},
         {rhythm("\"habanera\"\n", "\"\"\n"),
-         "rhythms.toml: line 5: name must have 1 to 60 letters"},
+         "rhythms.toml: line 5: name must have 1 to 64 letters and no control characters"},
         {rhythm("\"between\"", "\"habanera\""),
          "rhythms.toml: line 22" + in_rhythm + "is there twice, first in rhythms.toml, line 5"},
         {rhythm("\"between\"", "\"march\""),

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/random.hpp"
 #include "engine/live/analysis_stage.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/temporary_folder.hpp"
 

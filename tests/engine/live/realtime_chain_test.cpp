@@ -1,16 +1,22 @@
 // A minute of music through all that runs on the audio and the motion thread, counted by the guard.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "engine/live/analysis_stage.hpp"
 #include "engine/live/motion_stage.hpp"
 #include "engine/live/playback.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/settings.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/realtime_guard.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -131,6 +137,112 @@ TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
     EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
     EXPECT_GT((*listening)->lost_frames(), 0);
     EXPECT_EQ(analysis.states().dropped(), 0U);
+}
+
+/// The states of the minute, with a lost block in it, as the analyzer makes them.
+const std::vector<MusicState>& states_of_a_minute() {
+    static const std::vector<MusicState> states = [] {
+        const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
+        auto analysis = AnalysisStage::create(music.rate, installed::models());
+        EXPECT_TRUE(analysis) << analysis.error().message;
+        std::vector<MusicState> all;
+        const std::vector<float> mono = music.mono();
+        MusicState state;
+        for (std::size_t at = 0; at < mono.size(); at += kFrames) {
+            if (at / kFrames == 6'000) {
+                (*analysis)->skip(1'920);  // 40 ms
+            }
+            (*analysis)->analyze(std::span(mono).subspan(at, std::min(kFrames, mono.size() - at)));
+            while ((*analysis)->states().pop(state)) {
+                all.push_back(state);
+            }
+        }
+        return all;
+    }();
+    return states;
+}
+
+/// What a person may ask of dancers, every few seconds something else.
+void ask_dancers(std::size_t hop, MotionStage& motion) {
+    using Kind = motion::DancerCommand::Kind;
+    constexpr std::array kAsked = {Kind::next_figure,
+                                   Kind::hold,
+                                   Kind::release,
+                                   Kind::lock_figure,
+                                   Kind::next_figure,
+                                   Kind::select_figure};
+    if (hop % 300 == 299) {
+        const Kind kind = kAsked[hop / 300 % kAsked.size()];
+        ASSERT_TRUE(motion.command({kind, time_of_hop(static_cast<HopIndex>(hop)), 1.0}));
+    }
+}
+
+/// One dance in one form, danced to the minute under the guard.
+struct DancedForm {
+    std::string dance;
+    std::string formation;
+    std::string figures;
+};
+
+/// False for a dance that has no figures of that kind, or none for two.
+bool dance_guarded(const DancedForm& form) {
+    Settings settings;
+    settings.dance = form.dance;
+    settings.formation = form.formation;
+    settings.figures = form.figures;
+    auto dancers = Dancers::load(settings, installed::dances(), motion::mannequin_skeleton());
+    if (!dancers) {
+        return false;
+    }
+    motion::Ensemble ensemble;
+    EXPECT_TRUE(ensemble.prepare(dancers->cast().members, dancers->cast().skeleton));
+    EventQueue<MusicState> states(8);
+    MotionStage motion(std::move(ensemble), {states});
+    const std::vector<MusicState>& all = states_of_a_minute();
+    for (std::size_t hop = 0; hop < all.size() && !::testing::Test::HasFailure(); ++hop) {
+        ask_dancers(hop, motion);
+        EXPECT_TRUE(states.push(all[hop]));
+        tick_guarded(motion);
+    }
+    EXPECT_EQ(motion.danced_hops(), std::ssize(all));
+    return true;
+}
+
+/// RAKS_REALTIME=whole tries every dance in every form (2 minutes), else each dance in one form,
+/// which differs from dance to dance.
+std::vector<DancedForm> forms_to_dance() {
+    const char* const wish = std::getenv("RAKS_REALTIME");  // NOLINT(concurrency-mt-unsafe)
+    const bool is_whole = wish != nullptr && std::string_view(wish) == "whole";
+    std::vector<DancedForm> forms;
+    std::size_t number = 0;
+    const auto names = installed::dances().list()->names();
+    for (const std::string_view dance : names) {
+        std::vector<DancedForm> all;
+        for (const std::string_view formation : motion::kFormationNames) {
+            for (const char* const figures : {"angles", "positions"}) {
+                all.push_back({std::string(dance), std::string(formation), figures});
+            }
+        }
+        if (is_whole) {
+            forms.insert(forms.end(), all.begin(), all.end());
+        } else {
+            // Of two kinds of figures the first, which every dance has.
+            forms.push_back(all[2 * (number++ % motion::kFormationNames.size())]);
+        }
+    }
+    return forms;
+}
+
+TEST(RealtimeChain, every_dance_keeps_the_rules_on_the_motion_thread) {
+    const std::vector<DancedForm> forms = forms_to_dance();
+    int danced = 0;
+    for (const DancedForm& form : forms) {
+        SCOPED_TRACE(form.dance + ", " + form.formation + ", " + form.figures);
+        danced += dance_guarded(form) ? 1 : 0;
+        ASSERT_FALSE(HasFailure());
+    }
+    RecordProperty("danced", danced);
+    EXPECT_GE(danced, 6);
 }
 
 }  // namespace

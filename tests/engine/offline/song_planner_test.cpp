@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "audio/io/audio_file.hpp"
+#include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"

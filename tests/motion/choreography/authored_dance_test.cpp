@@ -82,10 +82,10 @@ TEST(AuthoredDance, tells_what_is_wrong_and_where) {
         const char* expected;
     } cases[] = {
         {"", "rock.toml: format must be \"raks-choreography\""},
-        {"[[", "rock.toml: line 1: [ needs a name"},
-        {replaced("[[figure]]", " [[[figure]]]"), "line 21: [ needs a name"},
-        {replaced("[style]", "[+style]"), "line 8: [ needs a name"},
-        {replaced("[[figure]]", "[figure]"), "line 30: "},
+        {"[[", "rock.toml: line 1, column 3: "},
+        {replaced("[[figure]]", " [[[figure]]]"), "line 21, column 4: '[' cannot stand here"},
+        {replaced("[style]", "[+style]"), "line 8, column 2: '+' cannot stand here"},
+        {replaced("[[figure]]", "[figure]"), "line 30, column 1: "},
         {replaced("version = 1", "version = 2"), "is Raks older than the file?"},
         {replaced("dance = \"rock\"", ""), "needs dance"},
         {replaced("tempo = [90, 120, 150]", ""), "needs tempo"},

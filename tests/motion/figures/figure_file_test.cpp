@@ -68,13 +68,13 @@ TEST(FigureValidation, names_the_first_wrong_field) {
     };
     const std::vector<Row> table = {
         {[](FigureModel& m) { m.parts[0].states[3].variance[0] = -0.2; },
-         "parts[0].states[3].variance[0] is -0.2, must be > 0"},
+         "parts[0].states[3].variance[0] is -0.2, must be 1e-12 or more"},
         {[](FigureModel& m) { m.parts[1].states[0].delta_variance[2] = 0.0; },
-         "parts[1].states[0].delta_variance[2] is 0, must be > 0"},
+         "parts[1].states[0].delta_variance[2] is 0, must be 1e-12 or more"},
         {[=](FigureModel& m) { m.parts[2].states[1].mean[5] = nan; },
-         "parts[2].states[1].mean[5] is nan, must lie within +-1000000"},
+         "parts[2].states[1].mean[5] is nan, must lie within +-10000"},
         {[](FigureModel& m) { m.parts[2].states[1].delta_delta_mean[5] = INFINITY; },
-         "parts[2].states[1].delta_delta_mean[5] is inf, must lie within +-1000000"},
+         "parts[2].states[1].delta_delta_mean[5] is inf, must lie within +-10000"},
         {[](FigureModel& m) { m.parts[0].states[1].mean.pop_back(); },
          "parts[0].states[1].mean has 14 numbers, must have 15"},
         {[](FigureModel& m) { m.parts[0].states.clear(); },
@@ -86,7 +86,19 @@ TEST(FigureValidation, names_the_first_wrong_field) {
         {[](FigureModel& m) { m.parts[1].initial[0] = 0.5; },
          "parts[1].initial sums to 0.5, must be 1"},
         {[](FigureModel& m) { m.parts[0].covariance[0][0] = -1.0; },
-         "parts[0].covariance is not positive definite"},
+         "parts[0].covariance[0][0] is -1, must be 1e-12 or more"},
+        {[](FigureModel& m) { m.parts[0].states[0].variance[2] = 1.34e-321; },
+         "parts[0].states[0].variance[2] is 1.34e-321, must be 1e-12 or more"},
+        {[](FigureModel& m) { m.parts[0].states[0].variance[2] = 1e-200; },
+         "parts[0].states[0].variance[2] is 1e-200, must be 1e-12 or more"},
+        {[](FigureModel& m) { m.dance = "../../evil"; },
+         "\"../../evil\" is no name: 1 to 64 bytes, no '/', '\\' or control characters, not \".\" "
+         "or \"..\""},
+        {[](FigureModel& m) {
+             m.beats = 64;
+             m.samples_per_beat = 200;
+         },
+         "samples_per_beat is 200: 12800 samples in 64 beats, must be at most 2048"},
         {[](FigureModel& m) { m.parts[0].covariance[0][1] += 5.0; },
          "parts[0].covariance is not positive definite"},
         {[](FigureModel& m) { m.parts[0].covariance_kind = CovarianceKind::full; },
@@ -96,13 +108,13 @@ TEST(FigureValidation, names_the_first_wrong_field) {
              m.parts[2].state_covariances.assign(4, m.parts[2].covariance);
              m.parts[2].state_covariances[3][0][0] = -1.0;
          },
-         "parts[2].state_covariances[3] is not positive definite"},
+         "parts[2].state_covariances[3][0][0] is -1, must be 1e-12 or more"},
         {[](FigureModel& m) {
              m.parts[2].covariance_kind = CovarianceKind::diagonal;
              m.parts[2].state_covariances.assign(4, {m.parts[2].global_variance});
              m.parts[2].state_covariances[1][0][5] = 0.0;
          },
-         "parts[2].state_covariances[1][0][5] is 0, must be > 0"},
+         "parts[2].state_covariances[1][0][5] is 0, must be 1e-12 or more"},
         {[](FigureModel& m) {
              m.parts[1].covariance_kind = CovarianceKind::diagonal;
              m.parts[1].state_covariances.assign(4, {m.parts[2].covariance});
@@ -123,7 +135,7 @@ TEST(FigureValidation, names_the_first_wrong_field) {
         {[](FigureModel& m) { m.parts[1].stays[1].deviation = Beats(-0.1); },
          "parts[1].stays[1].deviation is -0.1, must lie in [0, 8]"},
         {[](FigureModel& m) { m.parts[0].global_variance[14] = 0.0; },
-         "parts[0].global_variance[14] is 0, must be > 0"},
+         "parts[0].global_variance[14] is 0, must be 1e-12 or more"},
         {[](FigureModel& m) { m.parts[1].joints[2].mean.w = 3.0; },
          "parts[1].joints[2].mean has length"},
         {[](FigureModel& m) { std::swap(m.parts[0], m.parts[1]); }, "parts[0].part must be torso"},
@@ -186,7 +198,7 @@ TEST(FigureFile, refuses_bad_files_in_one_line) {
         {replaced("\"variance\": [", "\"variance\": [-"),
          "x.json: parts[0].states[0].variance[0] is -"},
         {replaced("\"covariance\": [\n    [", "\"covariance\": [\n    [-"),
-         "x.json: parts[0].covariance is not positive definite"},
+         "x.json: parts[0].covariance[0][0] is -"},
         {replaced("\"delta_mean\": [", "\"delta_mean\": [null,"),
          "x.json: parts[0].states[0].delta_mean[0] is no number; train the figure again"},
         {replaced("\"stays\"", "\"stage\""),

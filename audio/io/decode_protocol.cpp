@@ -1,0 +1,93 @@
+#include "audio/io/decode_protocol.hpp"
+
+#include <sys/socket.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace raks::audio {
+namespace {
+
+constexpr std::size_t kFixedBytes = offsetof(DecodeMessage, text);
+
+// Room for one descriptor beside a message.
+union Beside {
+    cmsghdr align;
+    std::array<char, CMSG_SPACE(sizeof(int))> bytes;
+};
+
+int descriptor_beside(msghdr& header) {
+    int found = -1;
+    for (cmsghdr* part = CMSG_FIRSTHDR(&header); part != nullptr;
+         part = CMSG_NXTHDR(&header, part)) {
+        if (part->cmsg_level == SOL_SOCKET && part->cmsg_type == SCM_RIGHTS) {
+            std::memcpy(&found, CMSG_DATA(part), sizeof found);
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+void DecodeMessage::set_text(std::string_view words) noexcept {
+    text_bytes = static_cast<std::uint32_t>(std::min(words.size(), text.size()));
+    std::copy_n(words.begin(), text_bytes, text.begin());
+}
+
+std::string_view DecodeMessage::words() const noexcept {
+    return {text.data(), std::min<std::size_t>(text_bytes, text.size())};
+}
+
+Passed send_message(int socket, const DecodeMessage& message, int descriptor) {
+    iovec body{const_cast<DecodeMessage*>(&message), kFixedBytes + message.words().size()};
+    msghdr header{};
+    header.msg_iov = &body;
+    header.msg_iovlen = 1;
+    Beside beside{};
+    if (descriptor >= 0) {
+        header.msg_control = beside.bytes.data();
+        header.msg_controllen = beside.bytes.size();
+        cmsghdr* const part = CMSG_FIRSTHDR(&header);
+        part->cmsg_level = SOL_SOCKET;
+        part->cmsg_type = SCM_RIGHTS;
+        part->cmsg_len = CMSG_LEN(sizeof descriptor);
+        std::memcpy(CMSG_DATA(part), &descriptor, sizeof descriptor);
+    }
+    ssize_t sent = -1;
+    do {
+        sent = ::sendmsg(socket, &header, MSG_NOSIGNAL);
+    } while (sent < 0 && errno == EINTR);
+    return sent < 0 ? Passed::no_peer : Passed::yes;
+}
+
+Passed receive_message(int socket, DecodeMessage& message, int* descriptor) {
+    iovec body{&message, sizeof message};
+    Beside beside{};
+    msghdr header{};
+    header.msg_iov = &body;
+    header.msg_iovlen = 1;
+    header.msg_control = beside.bytes.data();
+    header.msg_controllen = beside.bytes.size();
+    ssize_t got = -1;
+    do {
+        got = ::recvmsg(socket, &header, MSG_CMSG_CLOEXEC);
+    } while (got < 0 && errno == EINTR);
+    if (got <= 0) {
+        return Passed::no_peer;
+    }
+    const int came = descriptor_beside(header);
+    if (descriptor != nullptr) {
+        *descriptor = came;
+    } else if (came >= 0) {
+        ::close(came);
+    }
+    const auto bytes = static_cast<std::size_t>(got);
+    const bool is_whole = bytes >= kFixedBytes && message.magic == kDecodeMagic &&
+                          message.text_bytes == bytes - kFixedBytes;
+    return is_whole ? Passed::yes : Passed::nonsense;
+}
+
+}  // namespace raks::audio

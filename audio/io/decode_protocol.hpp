@@ -1,0 +1,89 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "audio/io/audio_file.hpp"
+
+/// What raks and the program raks-decode say to one another: messages over a socket that keeps
+/// their bounds, samples in memory that both see. Both programs are of the same build.
+/// Threads: any. Real-time: no.
+namespace raks::audio {
+
+/// Descriptors that raks-decode starts with.
+inline constexpr int kDecodeSocket = 3;
+inline constexpr int kDecodeMemory = 4;
+inline constexpr int kDecodeLifeline = 5;  ///< a pipe that closes when raks ends
+
+/// Of every message; other builds have another one.
+inline constexpr std::uint32_t kDecodeMagic = 0x52440001;
+inline constexpr std::size_t kDecodeTextBytes = 8192;  ///< of the text in a message
+
+/// raks asks for the first four, raks-decode answers with the others.
+enum class DecodeKind : std::uint32_t {
+    open_file,  ///< text: its name; with the descriptor
+    open_pipe,  ///< the same; value: nanoseconds to wait for the head
+    take_back,  ///< a slot that was read
+    seek,       ///< value: frame; from here on messages carry its generation, all slots are free
+    opened,     ///< head is filled in; text: format, then warning
+    failed,     ///< text: why it cannot be opened or sought
+    samples,    ///< value: frames in the slot, 0 at the end; text: the warning so far
+    sought,     ///< text: the warning so far
+};
+
+/// AudioFileInfo without its text.
+struct DecodedHead {
+    std::int32_t rate = 0;
+    std::int32_t channels = 0;
+    double claimed_seconds = -1.0;     ///< < 0: none
+    std::int64_t claimed_frames = -1;  ///< < 0: none
+    std::uint32_t is_from_side = 0;    ///< 0 or 1; these three: Hearing
+    float offset = 0.0F;
+    float gain = 1.0F;
+    std::uint32_t format_bytes = 0;  ///< of the text
+    std::uint32_t is_confined = 0;   ///< 1: by seccomp
+};
+
+/// Sent up to the end of its text.
+struct DecodeMessage {
+    std::uint32_t magic = kDecodeMagic;
+    DecodeKind kind{};
+    std::uint64_t generation = 0;
+    std::int64_t value = 0;
+    std::uint32_t slot = 0;
+    std::uint32_t text_bytes = 0;
+    DecodedHead head{};
+    std::array<char, kDecodeTextBytes> text;
+
+    /// Cuts off what has no room.
+    void set_text(std::string_view words) noexcept;
+    /// The text, never longer than it can be.
+    [[nodiscard]] std::string_view words() const noexcept;
+};
+
+/// How a send or a receive ended.
+enum class Passed : std::uint8_t { yes, no_peer, nonsense };
+
+/// Sends, with a descriptor unless it is < 0. Waits for room.
+[[nodiscard]] Passed send_message(int socket, const DecodeMessage& message, int descriptor = -1);
+/// Receives; waits. A descriptor that came along is put into `descriptor` (else -1), or closed
+/// where that is null.
+[[nodiscard]] Passed receive_message(int socket, DecodeMessage& message, int* descriptor);
+
+inline constexpr std::size_t kDecodeSlots = 8;
+inline constexpr std::size_t kDecodeSlotSamples = 16'384;
+
+/// The memory that both see. raks trusts nothing in it.
+struct DecodeMemory {
+    /// Grows while raks-decode reads or waits for a pipe's writer.
+    alignas(64) std::atomic<std::uint64_t> beat;
+    alignas(64) std::array<std::array<float, kDecodeSlotSamples>, kDecodeSlots> slots;
+};
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+}  // namespace raks::audio

@@ -1,0 +1,262 @@
+#include "audio/io/decoder_client.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "base/file.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::audio {
+namespace {
+
+constexpr Nanos kLongestSilence = std::chrono::seconds(2);  // without a sign of life
+constexpr Nanos kLongestAnswer = std::chrono::seconds(30);  // of a file, with such signs
+constexpr int kPollMilliseconds = 50;
+
+std::atomic<bool> is_any_unconfined{false};
+
+}  // namespace
+
+bool are_decoders_unconfined() noexcept {
+    return is_any_unconfined.load(std::memory_order_relaxed);  // relaxed: orders nothing
+}
+
+Expected<std::unique_ptr<DecoderClient>> DecoderClient::open(DecodedSource source) {
+    auto process = DecoderProcess::take();
+    if (!process) {
+        return fail(source.name + ": " + process.error().message);
+    }
+    std::unique_ptr<DecoderClient> client(
+        new DecoderClient(std::move(source), std::move(*process)));
+    if (auto started = client->start(); !started) {
+        return fail(started.error());
+    }
+    return client;
+}
+
+Expected<void> DecoderClient::start() {
+    DecodeMessage ask;
+    ask.kind = source_.is_pipe ? DecodeKind::open_pipe : DecodeKind::open_file;
+    ask.value = source_.longest_wait.count();
+    ask.set_text(source_.name);
+    const Passed sent = send_message(process_->socket(), ask, source_.descriptor);
+    const Waited waited = sent == Passed::yes ? receive() : Waited::broke;
+    if (waited == Waited::answer && message_.kind == DecodeKind::failed) {
+        return fail(std::string(message_.words()));
+    }
+    if (waited != Waited::answer || !take_head()) {
+        return fail(source_.name + ": " + end(waited) + " before its first sound");
+    }
+    return {};
+}
+
+// False for a head that no decoder gives.
+bool DecoderClient::take_head() {
+    const DecodedHead& head = message_.head;
+    const std::string_view words = message_.words();
+    if (message_.kind != DecodeKind::opened || head.channels < 1 ||
+        head.channels > kMaxFileChannels || !SampleRate(head.rate).is_supported() ||
+        head.format_bytes > words.size() || !std::isfinite(head.offset) ||
+        !(head.gain > 0.0F && std::isfinite(head.gain)) || !std::isfinite(head.claimed_seconds)) {
+        return false;
+    }
+    info_.rate = SampleRate(head.rate);
+    info_.channels = head.channels;
+    if (head.claimed_seconds >= 0.0) {
+        info_.claimed_seconds = head.claimed_seconds;
+    }
+    if (head.claimed_frames >= 0) {
+        info_.claimed_frames = head.claimed_frames;
+    }
+    info_.hearing = {head.is_from_side != 0, head.offset, head.gain};
+    info_.format = words.substr(0, head.format_bytes);
+    warning_ = words.substr(head.format_bytes);
+    if (head.is_confined == 0) {
+        is_any_unconfined.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
+    }
+    return true;
+}
+
+// Until something can be received, or its end shows.
+DecoderClient::Waited DecoderClient::wait() {
+    const HostTime start = HostClock::now();
+    HostTime alive = start;
+    std::uint64_t beat = 0;
+    for (;;) {
+        pollfd look{process_->socket(), POLLIN, 0};
+        if (::poll(&look, 1, kPollMilliseconds) > 0) {
+            return Waited::answer;
+        }
+        if (source_.is_stop_requested()) {
+            return Waited::stopped;
+        }
+        const HostTime now = HostClock::now();
+        // relaxed: orders nothing
+        const std::uint64_t seen = process_->memory().beat.load(std::memory_order_relaxed);
+        if (seen != std::exchange(beat, seen)) {
+            alive = now;
+        }
+        if (now - alive > kLongestSilence || (!source_.is_pipe && now - start > kLongestAnswer)) {
+            return Waited::hung;
+        }
+    }
+}
+
+// The next message.
+DecoderClient::Waited DecoderClient::receive() {
+    const Waited waited = wait();
+    if (waited != Waited::answer) {
+        return waited;
+    }
+    const Passed passed = receive_message(process_->socket(), message_, nullptr);
+    return passed == Passed::yes ? Waited::answer : Waited::broke;
+}
+
+// Ends the process; returns what happened, in words.
+std::string DecoderClient::end(Waited why) {
+    const std::string how = process_->end();
+    process_.reset();
+    has_slot_ = false;
+    is_at_end_ = true;
+    switch (why) {
+        case Waited::hung:
+            return "its decoder hung and was ended";
+        case Waited::stopped:
+            return "was stopped";
+        case Waited::answer:
+            return "its decoder answered nonsense and was ended";
+        case Waited::broke:
+            break;
+    }
+    return "its decoder broke off (" + how + ")";
+}
+
+// The sound ends here, and the warning says why.
+void DecoderClient::break_off(Waited why) {
+    const std::string what = end(why);
+    if (why != Waited::stopped) {
+        warning_ = fmt::format("{}: {} at {:.2f} s; the rest is left out",
+                               source_.name,
+                               what,
+                               static_cast<double>(position_) / info_.rate.hertz());
+    }
+}
+
+void DecoderClient::give_slot_back() {
+    DecodeMessage ask;
+    ask.kind = DecodeKind::take_back;
+    ask.generation = generation_;
+    ask.slot = slot_;
+    has_slot_ = false;
+    // One that is gone shows at the next wait.
+    static_cast<void>(send_message(process_->socket(), ask));
+}
+
+// False for samples that cannot be.
+bool DecoderClient::take_samples() {
+    const auto channels = static_cast<std::size_t>(info_.channels);
+    const std::int64_t most = static_cast<std::int64_t>(kDecodeSlotSamples / channels);
+    if (message_.kind != DecodeKind::samples || message_.generation != generation_ ||
+        message_.slot >= kDecodeSlots || message_.value < 0 || message_.value > most) {
+        return false;
+    }
+    warning_ = message_.words();
+    slot_ = message_.slot;
+    slot_at_ = 0;
+    slot_end_ = static_cast<std::size_t>(message_.value) * channels;
+    has_slot_ = slot_end_ > 0;
+    is_at_end_ = !has_slot_;
+    return true;
+}
+
+// False at the end.
+bool DecoderClient::next_slot() {
+    if (has_slot_ && slot_at_ == slot_end_) {
+        give_slot_back();
+    }
+    if (has_slot_ || is_at_end_) {
+        return has_slot_;
+    }
+    const Waited waited = receive();
+    if (waited != Waited::answer || !take_samples()) {
+        break_off(waited);
+    }
+    return has_slot_;
+}
+
+// A pipe gives what there is; a file fills the span, as its decoder would.
+std::size_t DecoderClient::read(std::span<float> interleaved) {
+    const auto channels = static_cast<std::size_t>(info_.channels);
+    const std::size_t wanted = interleaved.size() / channels * channels;
+    std::size_t done = 0;
+    while (done < wanted && (done == 0 || !source_.is_pipe) && next_slot()) {
+        const std::size_t count = std::min(wanted - done, slot_end_ - slot_at_);
+        const float* const from = process_->memory().slots[slot_].data() + slot_at_;
+        std::copy_n(from, count, interleaved.data() + done);
+        slot_at_ += count;
+        done += count;
+        position_ += static_cast<std::int64_t>(count / channels);
+    }
+    return done / channels;
+}
+
+// Answers to what was asked before are passed over.
+Expected<void> DecoderClient::seek(std::int64_t frame) {
+    if (!process_) {
+        return fail(warning_.empty() ? source_.name + ": has no decoder any more" : warning_);
+    }
+    DecodeMessage ask;
+    ask.kind = DecodeKind::seek;
+    ask.generation = ++generation_;
+    ask.value = frame;
+    has_slot_ = false;
+    is_at_end_ = false;
+    Waited waited =
+        send_message(process_->socket(), ask) == Passed::yes ? receive() : Waited::broke;
+    while (waited == Waited::answer && message_.generation != generation_) {
+        waited = receive();
+    }
+    if (waited == Waited::answer && message_.kind == DecodeKind::failed) {
+        return fail(std::string(message_.words()));
+    }
+    position_ = frame;
+    if (waited != Waited::answer || message_.kind != DecodeKind::sought) {
+        break_off(waited);
+        return fail(warning_.empty() ? source_.name + ": was stopped" : warning_);
+    }
+    warning_ = message_.words();
+    return {};
+}
+
+Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const std::filesystem::path& path) {
+    // Says what is missing, a folder, not a plain file.
+    const auto head = read_file_start(path, 1);
+    if (!head) {
+        return fail(head.error());
+    }
+    if (head->empty()) {
+        return fail(path.string() + ": is empty");
+    }
+    // Without waiting: files of the kernel such as /proc/kmsg would keep a reader.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) {
+        return fail(path.string() +
+                    ": cannot be opened: " + std::generic_category().message(errno));
+    }
+    DecodedSource source;
+    source.name = path.string();
+    source.descriptor = descriptor;
+    auto client = DecoderClient::open(std::move(source));
+    ::close(descriptor);
+    return client;
+}
+
+}  // namespace raks::audio

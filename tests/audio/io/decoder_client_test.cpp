@@ -1,0 +1,161 @@
+// Files are decoded by another program: the same samples, and nothing that it does harms this one.
+#include "audio/io/decoder_client.hpp"
+#include "audio/io/wav_writer.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "audio/io/decoders.hpp"
+#include "audio/io/file_player.hpp"
+#include "tests/audio/io/sound_files.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace raks::audio {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The processes that this one started, by /proc.
+std::vector<pid_t> children() {
+    std::vector<pid_t> found;
+    for (const auto& task : fs::directory_iterator("/proc/self/task")) {
+        std::ifstream list(task.path() / "children");
+        for (pid_t child = 0; list >> child;) {
+            found.push_back(child);
+        }
+    }
+    return found;
+}
+
+std::size_t count_of(const char* folder) {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+class Decoders : public ::testing::Test {
+ protected:
+    /// Six seconds of stereo noise as WAV.
+    [[nodiscard]] fs::path noise() const {
+        const fs::path path = folder_.path() / "noise.wav";
+        std::vector<float> samples(2 * 6 * 48'000);
+        std::uint32_t seed = 1;
+        for (float& sample : samples) {
+            seed = seed * 1'664'525U + 1'013'904'223U;
+            sample = static_cast<float>(seed >> 8U) / 33'554'432.0F - 0.25F;
+        }
+        EXPECT_TRUE(write_wav(path, samples, 2, SampleRate(48'000)));
+        return path;
+    }
+
+    raks::test::TemporaryFolder folder_;
+};
+
+TEST_F(Decoders, give_the_same_samples_as_in_this_process_also_after_seeks) {
+    const fs::path path = noise();
+    const auto child = open_audio_file(path);
+    const auto here = open_by_decoders(path, *FileWindow::open(path));
+    ASSERT_TRUE(child && here);
+    for (const std::int64_t frame : {0, 100'000, 7, 287'999, 400'000, 50'000}) {
+        ASSERT_TRUE((*child)->seek(frame));
+        ASSERT_TRUE((*here)->seek(frame));
+        EXPECT_EQ(test::read_rest(**child), test::read_rest(**here)) << frame;
+    }
+}
+
+TEST_F(Decoders, one_that_is_killed_ends_the_sound_with_one_line) {
+    const fs::path path = noise();
+    auto reader = open_audio_file(path);
+    ASSERT_TRUE(reader);
+    std::vector<float> block(2 * 4'800);
+    ASSERT_EQ((*reader)->read(block), 4'800U);
+    ASSERT_EQ(children().size(), 1U);
+    ::kill(children().front(), SIGKILL);
+    // What it had decoded ahead may still come.
+    EXPECT_LT(test::read_rest(**reader).size(), 2U * 6 * 48'000 - block.size());
+    EXPECT_NE((*reader)->warning().find("noise.wav: its decoder broke off (killed by SIGKILL) at "),
+              std::string::npos)
+        << (*reader)->warning();
+    EXPECT_FALSE((*reader)->seek(0));
+    EXPECT_TRUE(children().empty());
+}
+
+TEST_F(Decoders, one_that_is_stopped_is_ended_and_said) {
+    auto reader = open_audio_file(noise());
+    ASSERT_TRUE(reader);
+    ASSERT_EQ(children().size(), 1U);
+    ::kill(children().front(), SIGSTOP);
+    const auto sought = (*reader)->seek(0);
+    ASSERT_FALSE(sought);
+    EXPECT_NE(sought.error().message.find("its decoder hung and was ended"), std::string::npos)
+        << sought.error().message;
+    EXPECT_TRUE(children().empty());
+}
+
+TEST_F(Decoders, a_player_whose_decoder_is_killed_goes_on_with_the_next_file) {
+    const fs::path path = noise();
+    auto player = FilePlayer::start({path, path}, {});
+    ASSERT_TRUE(player);
+    (*player)->wait_until_ready(4'096);
+    ASSERT_EQ(children().size(), 1U);
+    ::kill(children().front(), SIGKILL);
+    std::vector<float> block(2 * 1'024);
+    PulledAudio pulled;
+    while (!pulled.is_ended) {
+        (*player)->wait_until_ready(1'024);
+        pulled = (*player)->pull(block);
+    }
+    EXPECT_EQ(pulled.track, 1);
+    const std::vector<std::string> messages = (*player)->take_messages();
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_NE(messages.front().find("its decoder broke off"), std::string::npos);
+}
+
+TEST_F(Decoders, leave_no_descriptor_thread_or_process_behind) {
+    const fs::path path = noise();
+    const std::size_t descriptors = count_of("/proc/self/fd");
+    const std::size_t threads = count_of("/proc/self/task");
+    for (int i = 0; i < 50; ++i) {
+        auto reader = open_audio_file(path);
+        ASSERT_TRUE(reader) << reader.error().message;
+        std::vector<float> block(2 * 1'000);
+        EXPECT_EQ((*reader)->read(block), 1'000U);
+    }
+    EXPECT_EQ(count_of("/proc/self/fd"), descriptors);
+    EXPECT_EQ(count_of("/proc/self/task"), threads);
+    EXPECT_TRUE(children().empty());
+}
+
+TEST_F(Decoders, one_that_is_not_there_is_said) {
+    const fs::path path = noise();
+    const std::string program = std::getenv("RAKS_DECODER");
+    setenv("RAKS_DECODER", "/nowhere/raks-decode", 1);
+    const auto reader = open_audio_file(path);
+    setenv("RAKS_DECODER", program.c_str(), 1);
+    ASSERT_FALSE(reader);
+    EXPECT_NE(reader.error().message.find("/nowhere/raks-decode: is not there"), std::string::npos);
+}
+
+TEST_F(Decoders, what_answers_nonsense_is_ended) {
+    // Another program in its place: it ends without an answer.
+    const fs::path path = noise();
+    const std::string program = std::getenv("RAKS_DECODER");
+    setenv("RAKS_DECODER", "/bin/true", 1);
+    const auto reader = open_audio_file(path);
+    setenv("RAKS_DECODER", program.c_str(), 1);
+    ASSERT_FALSE(reader);
+    EXPECT_NE(reader.error().message.find("broke off (exit code 0) before its first sound"),
+              std::string::npos)
+        << reader.error().message;
+}
+
+}  // namespace
+}  // namespace raks::audio

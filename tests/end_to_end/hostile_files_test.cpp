@@ -1,0 +1,93 @@
+// Files that mean harm, or that a slip of the finger made, through the program: one line each,
+// soon, and nothing else.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/file.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class HostileFiles : public ProgramTest {
+ protected:
+    void write(const std::string& name, const std::string& bytes) const {
+        fs::create_directories((folder_ / name).parent_path());
+        ASSERT_TRUE(write_file(folder_ / name, bytes));
+    }
+    /// A written dance with this head and these beats.
+    static std::string dance(const std::string& name, int beats) {
+        return "format = \"raks-choreography\"\nversion = 1\ndance = \"" + name +
+               "\"\ntempo = [40, 60, 90]\n[[figure]]\nname = \"f\"\nbeats = " +
+               std::to_string(beats) + "\nsteps = [ { foot = \"l\", at = 0, weight = -1 } ]\n";
+    }
+};
+
+TEST_F(HostileFiles, a_slip_in_toml_is_a_line_and_column) {
+    std::string dotted;
+    for (int i = 0; i < 200'000; ++i) {
+        dotted += "a.";
+    }
+    for (const std::string& text : {std::string("a=[}"), dotted + "a = 1", std::string("\n[\n")}) {
+        write("x.toml", text);
+        expect_one_line({"stick", path("x.toml"), "-o", path("x.png")}, 1, ", column ");
+        expect_one_line({"train", "figure", path("x.toml"), "-o", path("out/")}, 1, ", column ");
+        write("config/raks/config.toml", text);
+        expect_one_line({"config", "show"}, 1, ", column ");
+        fs::remove_all(folder_ / "config");
+    }
+    EXPECT_EQ(files(), std::vector<std::string>{"x.toml"});
+}
+
+TEST_F(HostileFiles, no_name_leads_out_of_its_folder) {
+    for (const char* const name : {"../../evil", "/tmp/raks-evil", "..", "a/b", "\\u001b[2J"}) {
+        write("x.toml", dance(name, 4));
+        expect_one_line(
+            {"train", "figure", path("x.toml"), "-o", path("out/")}, 1, "is no name for a dance");
+        expect_one_line({"stick", path("x.toml"), "-o", path("x.png")}, 1, "line 3: dance: ");
+    }
+    EXPECT_EQ(files(), std::vector<std::string>{"x.toml"});
+}
+
+TEST_F(HostileFiles, training_refuses_a_name_that_leads_out_before_it_begins) {
+    write("clip.bvh", "HIERARCHY\n");
+    write("labels.tsv", "take\trole\tstart\tend\tfigure\tbeats\n");
+    const std::vector<std::string> train = {
+        "train", "figure", path("clip.bvh"), "--labels", path("labels.tsv"), "-o", path("out/")};
+    for (const char* const option : {"--figure", "--dance"}) {
+        auto command = train;
+        command.insert(command.end(), {option, "../x"});
+        expect_one_line(command, 1, "\"../x\" is no name");
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
+}
+
+TEST_F(HostileFiles, a_written_dance_says_which_number_is_too_much_work) {
+    write("x.toml", dance("mine", 64));
+    expect_one_line(
+        {"stick", path("x.toml"), "-o", path("x.png")},
+        1,
+        "line 6: figure \"f\": beats is 64, 96 s at 40 BPM, the slowest tempo; a figure "
+        "has at most 60 s");
+}
+
+TEST_F(HostileFiles, a_name_of_a_file_reaches_no_terminal) {
+    write("x.toml", dance("mine", 4));
+    const ProcessResult drawn =
+        run({"stick", path("x.toml"), "--figure", "f", "-o", path("a\x1b[2J\nb.png")});
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_EQ(drawn.out, path("a?[2J?b.png") + ": front and side of f, eighths of a beat\n");
+    write_clicks("c\x1b[2J\nd.wav");
+    const ProcessResult heard = run({"analyze", path("c\x1b[2J\nd.wav")});
+    EXPECT_EQ(heard.exit_code, 0) << heard.err;
+    EXPECT_EQ(heard.out.find('\x1b'), std::string::npos);
+    EXPECT_TRUE(heard.out.starts_with(path("c?[2J?d.wav") + ": ")) << heard.out;
+}
+
+}  // namespace
+}  // namespace raks::test

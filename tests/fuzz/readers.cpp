@@ -1,0 +1,39 @@
+#include "tests/fuzz/readers.hpp"
+
+#include <algorithm>
+
+namespace raks::fuzz {
+
+std::span<const Reader> readers() {
+    static const std::vector<Reader> all = {
+        {"settings", read_settings, {"config/default.toml"}, 2000},
+        {"devices", read_devices, {}, 2000},
+        {"dances", read_dances, {"models/trained/dances.toml"}, 2000},
+        {"grammar", read_grammar, {"models/trained/salsa.toml", "models/trained/belly.toml"}, 2000},
+        {"styles", read_styles, {"config/styles/palettes.toml"}, 300},
+        {"choreography",
+         read_choreography,
+         {"config/choreographies/waltz.toml", "config/choreographies/rock.toml"},
+         200},
+        {"figure_angles", read_figure, {"models/trained/salsa_basic_lead.json"}, 40},
+        {"figure_positions", read_figure, {"models/trained/salsa_basic_lead_positions.json"}, 40},
+        {"genre", read_genre, {"models/trained/genres.json"}, 20},
+        {"beats", read_beats, {"models/trained/beats.json"}, 10},
+        {"labels", read_labels, {}, 2000},
+        {"counts", read_counts, {}, 2000},
+        {"faults", read_faults, {}, 2000},
+        {"index", read_index, {}, 2000},
+        {"beat_list", read_beat_list, {}, 2000},
+        {"playlist", read_playlist, {}, 2000},
+    };
+    return all;
+}
+
+const Reader* reader_named(std::string_view name) {
+    const auto all = readers();
+    const auto found = std::find_if(
+        all.begin(), all.end(), [name](const Reader& reader) { return reader.name == name; });
+    return found != all.end() ? &*found : nullptr;
+}
+
+}  // namespace raks::fuzz

@@ -1,0 +1,44 @@
+// The readers of files that are fuzzed: for each what is done with any bytes that may lie in a
+// file.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raks::fuzz {
+
+/// One reader: it reads the text, and what it accepts is used as the program would use it.
+struct Reader {
+    std::string_view name;                ///< of its target and of its folder in tests/fuzz/corpus
+    bool (*read)(std::string_view text);  ///< returns for every text; whether it was good
+    /// Good files to begin with: paths within the source tree.
+    std::vector<std::string_view> seeds;
+    std::size_t trials = 100;  ///< mutations that the test tries: fewer of what is slow
+};
+
+/// All readers. Threads: any.
+[[nodiscard]] std::span<const Reader> readers();
+/// The reader of a name; null: there is none.
+[[nodiscard]] const Reader* reader_named(std::string_view name);
+
+/// What each reader does; definitions in readers_*.cpp. True: the text was good.
+bool read_settings(std::string_view text);
+bool read_devices(std::string_view text);       ///< what `raks calibrate` keeps
+bool read_dances(std::string_view text);        ///< and writes them again
+bool read_grammar(std::string_view text);       ///< and chooses figures by it
+bool read_styles(std::string_view text);        ///< of music
+bool read_choreography(std::string_view text);  ///< and bakes every figure
+bool read_figure(std::string_view text);        ///< of angles or positions; dances it for 2 s
+bool read_genre(std::string_view text);         ///< and analyses one second with it
+bool read_beats(std::string_view text);         ///< networks; and analyses one second with them
+bool read_labels(std::string_view text);        ///< of figures in takes
+bool read_counts(std::string_view text);        ///< of figures in takes
+bool read_faults(std::string_view text);        ///< of takes
+bool read_index(std::string_view text);         ///< of a beat corpus
+bool read_beat_list(std::string_view text);     ///< annotated beats
+bool read_playlist(std::string_view text);      ///< in all forms
+
+}  // namespace raks::fuzz

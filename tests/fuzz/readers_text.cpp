@@ -1,0 +1,49 @@
+// What is done with texts in tables, lists of beats and playlists.
+#include "audio/evaluate/beat_corpus.hpp"
+#include "engine/setup/list_forms.hpp"
+#include "motion/figures/label_tables.hpp"
+#include "tests/fuzz/readers.hpp"
+
+namespace raks::fuzz {
+
+bool read_labels(std::string_view text) {
+    static_cast<void>(motion::parse_labels(text, "x.tsv", motion::BeatsColumn::optional));
+    return motion::parse_labels(text, "x.tsv").has_value();
+}
+
+bool read_counts(std::string_view text) { return motion::parse_counts(text, "x.tsv").has_value(); }
+
+bool read_faults(std::string_view text) { return motion::parse_faults(text, "x.tsv").has_value(); }
+
+bool read_index(std::string_view text) {
+    return audio::parse_beat_index(text, "index.tsv").has_value();
+}
+
+bool read_beat_list(std::string_view text) {
+    const auto beats = audio::parse_beats(text, "x.beats");
+    // What was read can be written and read again.
+    if (beats && !audio::parse_beats(audio::beats_text(*beats), "y.beats")) {
+        __builtin_trap();
+    }
+    return beats.has_value();
+}
+
+bool read_playlist(std::string_view text) {
+    bool is_good = false;
+    for (const auto form : {engine::ListForm::m3u, engine::ListForm::pls, engine::ListForm::xspf}) {
+        const auto list = engine::parse_list(text, form);
+        if (!list) {
+            continue;
+        }
+        is_good = true;
+        for (const engine::ListEntry& entry : list->entries) {
+            for (const std::string& name : entry) {
+                static_cast<void>(engine::file_of_address(name));
+                static_cast<void>(engine::scheme_of(name));
+            }
+        }
+    }
+    return is_good;
+}
+
+}  // namespace raks::fuzz

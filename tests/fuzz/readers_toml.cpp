@@ -1,0 +1,82 @@
+// What is done with texts that are TOML.
+#include <string>
+
+#include "audio/music/styles/style_book_reader.hpp"
+#include "base/dance_list.hpp"
+#include "engine/setup/device_offsets.hpp"
+#include "engine/setup/settings.hpp"
+#include "motion/choreography/authored_dance.hpp"
+#include "motion/choreography/figure_evaluation.hpp"
+#include "motion/choreography/figure_measures.hpp"
+#include "motion/figures/figure_grammar.hpp"
+#include "motion/skeleton/skeleton.hpp"
+#include "tests/fuzz/readers.hpp"
+
+namespace raks::fuzz {
+namespace {
+
+/// Ends the program where a promise is broken: what was read can be written and read again.
+void must(bool is_kept) {
+    if (!is_kept) {
+        __builtin_trap();
+    }
+}
+
+}  // namespace
+
+bool read_settings(std::string_view text) {
+    engine::Settings settings;
+    if (!engine::parse_settings(text, "x.toml", settings)) {
+        return false;
+    }
+    engine::Settings again;
+    must(engine::parse_settings(engine::to_toml(settings), "y.toml", again).has_value());
+    return true;
+}
+
+bool read_devices(std::string_view text) {
+    const auto offsets = engine::DeviceOffsets::parse(text, "x.toml");
+    must(!offsets || engine::DeviceOffsets::parse(offsets->to_toml(), "y.toml"));
+    return offsets.has_value();
+}
+
+bool read_dances(std::string_view text) {
+    const auto dances = parse_dances(text, "x.toml", {});
+    must(!dances || parse_dances(dances_text(*dances), "y.toml", {}));
+    return dances.has_value();
+}
+
+bool read_grammar(std::string_view text) {
+    static_cast<void>(motion::figures_in_grammar(text, "x.toml"));
+    const auto grammar = motion::parse_grammar(text, "x.toml");
+    if (!grammar) {
+        return false;
+    }
+    for (const auto& rule : grammar->rules) {
+        must(rule.after.size() == grammar->rules.size());
+    }
+    return true;
+}
+
+bool read_styles(std::string_view text) {
+    const audio::StyleText file{"x.toml", std::string(text)};
+    return audio::parse_styles({&file, 1}, "the styles").has_value();
+}
+
+bool read_choreography(std::string_view text) {
+    const auto dance = motion::parse_authored_dance(text, "x.toml");
+    if (!dance) {
+        return false;
+    }
+    for (const motion::AuthoredFigure& figure : dance->figures) {
+        motion::EvaluationOptions options;
+        options.written = options.tempo = dance->written;
+        options.repeats = 2;
+        options.frames_per_second = 30.0;
+        const auto danced = motion::evaluate_figure(figure, motion::mannequin_skeleton(), options);
+        must(!danced.poses.empty());
+    }
+    return true;
+}
+
+}  // namespace raks::fuzz
