@@ -25,7 +25,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT RAKS_SANITIZE)
     include(CheckPIESupported)
     check_pie_supported()
     string(APPEND CMAKE_CXX_FLAGS_RELEASE
-        " -fstack-protector-strong -fstack-clash-protection -fcf-protection -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2")
+        " -fstack-protector-strong -fstack-clash-protection -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2")
     add_link_options(-Wl,-z,relro -Wl,-z,now)
 endif()
 
