@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -15,18 +16,16 @@ namespace raks {
 namespace {
 
 // Below JACK's own threads (70 and more) and above everything that is ordinary.
-constexpr int kCallbackPriority = 55;
-constexpr int kTransportPriority = 58;
+constexpr std::array kPriorities = {50, 55, 58};  // in the order of RealtimeThread
 // PulseAudio's own choice where real time is refused.
 constexpr int kPreferredNice = -11;
 constexpr int kBehindNice = 10;
 
 }  // namespace
 
-bool prefer_this_thread(SoundThread kind) noexcept {
+bool prefer_this_thread(RealtimeThread kind) noexcept {
     sched_param parameters{};
-    parameters.sched_priority =
-        kind == SoundThread::transport ? kTransportPriority : kCallbackPriority;
+    parameters.sched_priority = kPriorities[static_cast<std::size_t>(kind)];
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0 ||
            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kPreferredNice) == 0;
 }

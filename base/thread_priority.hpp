@@ -4,14 +4,13 @@
 
 namespace raks {
 
-/// How urgent a thread of sound is among the real-time threads, low to high: what serves another
-/// must be above it.
-enum class SoundThread { callback, transport };
+/// How urgent a real-time thread is among them, low to high: what serves another must be above it.
+enum class RealtimeThread { motion, callback, transport };
 
 /// Asks the system to run the calling thread before all ordinary ones (SCHED_FIFO), or, where that
 /// is refused, before most of them (nice -11). True when either was granted.
 /// Threads: any. Real-time: no.
-bool prefer_this_thread(SoundThread kind) noexcept;
+bool prefer_this_thread(RealtimeThread kind) noexcept;
 
 /// Lets all threads of this process whose name begins with `prefix` run after others (nice 10):
 /// what draws in software must not hold up sound. Returns how many there were.

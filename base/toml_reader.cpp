@@ -11,18 +11,23 @@ constexpr std::size_t kLongestMessage = 200;  // bytes of the library's own word
 
 bool is_any(char c, std::string_view of) noexcept { return of.find(c) != of.npos; }
 
-/// Looks for a key of too many parts, on which the parser would build a tree as deep. Walks over a
-/// text and keeps track of strings and comments, in which dots mean nothing.
-class LongKeySearch {
+/// Looks for what must not reach the parser: a key of too many parts, on which it would build a tree
+/// as deep; letters that are not ASCII outside of strings and comments, where TOML has none and
+/// some of which toml++ 3.3 takes for impossible (undefined behaviour). Walks over a text and keeps
+/// track of strings and comments, in which dots mean nothing.
+class TrapSearch {
  public:
-    explicit LongKeySearch(std::string_view text) noexcept : text_(text) {}
+    explicit TrapSearch(std::string_view text) noexcept : text_(text) {
+        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+        at_ = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+    }
 
-    /// Where the dot lies that is one too many; npos: there is none.
+    /// Where the first is; npos: there is none.
     std::size_t place() noexcept {
         while (at_ < text_.size()) {
             if (!quote_.empty()) {
                 skip_quoted();
-            } else if (!is_dot_too_many()) {
+            } else if (!is_foreign(text_[at_]) && !is_dot_too_many()) {
                 skip_plain();
             } else {
                 return at_;
@@ -30,6 +35,7 @@ class LongKeySearch {
         }
         return std::string_view::npos;
     }
+    static bool is_foreign(char c) noexcept { return (static_cast<unsigned char>(c) & 0x80U) != 0; }
 
  private:
     // Beyond the end: a line end, so that loops stop.
@@ -109,9 +115,12 @@ Expected<toml::table> parse_toml(std::string_view text, const std::string& name)
     if (text.size() > kLongestToml) {
         return fail(fmt::format("{}: has {} bytes, more than {}", name, text.size(), kLongestToml));
     }
-    if (const std::size_t at = LongKeySearch(text).place(); at != std::string_view::npos) {
-        return fail(fmt::format(
-            "{}: {}: a key of more than {} parts", name, place_of(text, at), kMostKeyParts));
+    if (const std::size_t at = TrapSearch(text).place(); at != std::string_view::npos) {
+        const std::string what =
+            TrapSearch::is_foreign(text[at])
+                ? std::string("letters beyond ASCII stand only in quotes and comments")
+                : fmt::format("a key of more than {} parts", kMostKeyParts);
+        return fail(fmt::format("{}: {}: {}", name, place_of(text, at), what));
     }
     // toml++ reports faults by exceptions, which end here.
     try {

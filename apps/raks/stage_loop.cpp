@@ -9,6 +9,7 @@
 
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/locked_memory.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "render/overlay/text_format.hpp"
 
@@ -114,11 +115,20 @@ void StageLoop::show(const std::string& line) {
     }
 }
 
+// What the threads of the graph use is all there now.
+void StageLoop::keep_memory() {
+    if (const auto locked = lock_memory(); !locked && !has_said_unlocked_) {
+        has_said_unlocked_ = true;
+        say_detail(locked.error().message);
+    }
+}
+
 // Actions are bound anew for each file, as they act on its graph.
 StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     graph_ = &graph;
     source_ = source;
     wish_.reset();
+    keep_memory();
     engine::GraphTarget target(graph);
     engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
     // Volume and latency offset are carried over from the file before.

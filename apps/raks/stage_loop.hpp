@@ -87,6 +87,7 @@ class StageLoop final : private engine::WindowContent {
     void go_on();
     void toggle_pause();
     void seek_to(double seconds);
+    void keep_memory();
     [[nodiscard]] bool has_ended() const;
     void carry_over();
     void note_figure(engine::LiveGraph& graph);
@@ -109,6 +110,7 @@ class StageLoop final : private engine::WindowContent {
     StageSource source_;
     std::optional<StageEnd> wish_;
     bool had_ended_ = false;
+    bool has_said_unlocked_ = false;
     std::array<motion::Pose, motion::Ensemble::kMost> poses_;
 };
 

@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -130,8 +132,30 @@ int end_with(int code) {
 
 }  // namespace
 
+namespace {
+
+// An exception on another thread, or where none may be thrown: as a rule there is no memory left.
+[[noreturn]] void end_by_exception() noexcept {
+    const char* reason = "raks: internal error\n";
+    try {
+        if (const auto problem = std::current_exception()) {
+            std::rethrow_exception(problem);
+        }
+    } catch (const std::bad_alloc&) {
+        reason = "raks: out of memory\n";
+    } catch (...) {  // nothing that needs memory is safe here
+    }
+    static_cast<void>(!::write(STDERR_FILENO, reason, std::strlen(reason)));
+    ::_exit(kExitFailed);
+}
+
+}  // namespace
+
 // The outermost frame: no exception leaves the program as a crash.
 int run_program(const std::function<ParsedCommand()>& parse) {
+    std::set_terminate(end_by_exception);
+    // What Mesa prints would stand between our lines, which say the same.
+    ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // NOLINT(concurrency-mt-unsafe): no other thread yet
     try {
         const ParsedCommand command = parse();
         if (!command.run) {

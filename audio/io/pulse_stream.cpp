@@ -244,11 +244,11 @@ void PulseStream::start() {
                               std::memory_order_relaxed);
     }
     callback_thread_ = std::thread([this] {
-        prefer_this_thread(SoundThread::callback);
+        prefer_this_thread(RealtimeThread::callback);
         direction_ == Direction::output ? play_blocks() : record_blocks();
     });
     pulse_thread_ = std::thread([this] {
-        prefer_this_thread(SoundThread::transport);
+        prefer_this_thread(RealtimeThread::transport);
         move_samples();
     });
 }

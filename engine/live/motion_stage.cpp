@@ -5,6 +5,7 @@
 #include "base/assert.hpp"
 #include "base/realtime.hpp"
 #include "base/sleep_until.hpp"
+#include "base/thread_priority.hpp"
 
 namespace raks::engine {
 
@@ -117,6 +118,8 @@ MotionThread::~MotionThread() {
 
 // Naps after every tick: the stage publishes at most every 2 ms.
 void MotionThread::run() noexcept {
+    // Below sound, above all that is ordinary; without the right it goes on as it is.
+    prefer_this_thread(RealtimeThread::motion);
     while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
         stage_.tick();
         sleep_until(HostClock::now() + kNap);

@@ -30,7 +30,7 @@ PacedClock::~PacedClock() {
 
 void PacedClock::run(Direction direction, SampleRate rate, int channels) noexcept {
     const FlushToZeroScope flush_to_zero;
-    prefer_this_thread(SoundThread::callback);
+    prefer_this_thread(RealtimeThread::callback);
     std::vector<float> block(static_cast<std::size_t>(kBlockFrames * channels));
     // Each block is due at the start plus its own frame number: the rate is exact in the long run.
     HostTime start = HostClock::now();

@@ -1,5 +1,6 @@
 #include "render/gl/offscreen.hpp"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -136,6 +137,11 @@ Expected<OffscreenContext> OffscreenContext::create() {
         return fail(
             "no way to draw without a window: libEGL.so.1 is missing; on Debian install "
             "libegl1 libegl-mesa0 libgl1-mesa-dri");
+    }
+    // The same for OpenGL itself; what is loaded here epoxy finds loaded.
+    if (::dlopen("libOpenGL.so.0", RTLD_LAZY | RTLD_LOCAL) == nullptr &&
+        ::dlopen("libGL.so.1", RTLD_LAZY | RTLD_LOCAL) == nullptr) {
+        return fail(std::string("no way to draw: ") + ::dlerror());
     }
     std::string reasons;
     for (const Platform& platform : kPlatforms) {

@@ -63,6 +63,13 @@ TEST(TomlReader, refuses_what_would_fill_the_stack) {
     EXPECT_EQ(fault_of("a = \"\"\"\n" + times(100, "..\n") + "\"\"\"\nb = 1"), "");
 }
 
+// toml++ 3.3 takes some of them, such as U+010F, for impossible.
+TEST(TomlReader, has_letters_beyond_ascii_in_quotes_and_comments_only) {
+    EXPECT_EQ(fault_of("a = 1\nb \xC4\x8F= 2"),
+              "x.toml: line 2, column 3: letters beyond ASCII stand only in quotes and comments");
+    EXPECT_EQ(fault_of("\xEF\xBB\xBF\"\xC4\x8F\" = '\xC4\x8F' # \xC4\x8F"), "");
+}
+
 // Cut at every byte and with bytes of any value: it is read or refused, in one line.
 TEST(TomlReader, ends_with_every_text) {
     const std::string good =

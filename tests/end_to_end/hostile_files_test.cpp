@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,28 @@ TEST_F(HostileFiles, a_name_of_a_file_reaches_no_terminal) {
     EXPECT_EQ(heard.exit_code, 0) << heard.err;
     EXPECT_EQ(heard.out.find('\x1b'), std::string::npos);
     EXPECT_TRUE(heard.out.starts_with(path("c?[2J?d.wav") + ": ")) << heard.out;
+}
+
+// Memory that cannot be had, at any point of the start: lines of ours, and no crash.
+TEST_F(HostileFiles, too_little_memory_is_said) {
+    write_clicks("song.wav");
+    for (const long megabytes : {60L, 150L, 200L, 250L, 400L}) {
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"analyze", path("song.wav")},
+              std::vector<std::string>{"dance", path("song.wav"), "-o", path("x.bvh")},
+              std::vector<std::string>{"sheet", "--dance", "waltz", "-o", path("x.png")}}) {
+            SCOPED_TRACE(words.front() + " with " + std::to_string(megabytes) + " MB");
+            ProcessPlan tight = plan(words);
+            tight.address_space_limit = megabytes << 20U;
+            const ProcessResult result = run_process(tight);
+            EXPECT_LE(result.exit_code, 1) << result.err;
+            EXPECT_TRUE(result.exit_code == 0 || !result.err.empty());
+            std::istringstream lines(result.err);
+            for (std::string line; std::getline(lines, line);) {
+                EXPECT_TRUE(line.starts_with("raks: ")) << line;
+            }
+        }
+    }
 }
 
 }  // namespace

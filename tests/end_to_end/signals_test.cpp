@@ -1,17 +1,25 @@
-// A person, a closed terminal or the system tells the program to end.
+// A person, a closed terminal or the system tells the program to end. RAKS_SIGNALS=100 sends so
+// many of each kind at random moments, and measures how long the end takes.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "base/random.hpp"
 #include "tests/end_to_end/program.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::test {
 namespace {
@@ -65,6 +73,37 @@ TEST_F(Signals, end_every_command_with_their_code_and_leave_nothing_half_written
         }
     }
     EXPECT_EQ(files(), before);
+}
+
+TEST_F(Signals, end_every_command_within_a_second_at_any_moment) {
+    const char* const wish = std::getenv("RAKS_SIGNALS");  // NOLINT(concurrency-mt-unsafe)
+    if (wish == nullptr) {
+        GTEST_SKIP() << "RAKS_SIGNALS=100 in the environment runs it: it takes minutes";
+    }
+    using Clock = std::chrono::steady_clock;
+    const CounterRandom random(1);
+    std::uint64_t drawn = 0;
+    const auto commands = long_commands();
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        Clock::duration longest{};
+        for (int i = 0; i < std::atoi(wish); ++i) {
+            const auto& command = commands[static_cast<std::size_t>(i) % commands.size()];
+            // From before the program has looked at its arguments up to the middle of the work.
+            const double moment = 1e-3 * static_cast<double>(random.below(drawn++, 1'000));
+            SCOPED_TRACE(fmt::format("{} at {} s", command.front(), moment));
+            CapturedProcess raks(plan(command));
+            ASSERT_TRUE(raks.wait_until(
+                [&](const ProcessResult&) { return cpu_seconds(raks.pid()) >= moment; }));
+            const auto sent = Clock::now();
+            raks.send(signal);
+            const ProcessResult result = raks.wait();
+            longest = std::max(longest, Clock::now() - sent);
+            EXPECT_EQ(result.exit_code, 128 + signal) << result.err;
+        }
+        const double seconds = std::chrono::duration<double>(longest).count();
+        std::cout << fmt::format("{}: at most {:.2f} s\n", strsignal(signal), seconds);
+        EXPECT_LE(seconds, 1.0);
+    }
 }
 
 TEST_F(Signals, a_film_that_was_stopped_says_how_much_it_holds) {

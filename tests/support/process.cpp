@@ -115,10 +115,16 @@ void CapturedProcess::send(int signal) const {
 
 bool CapturedProcess::reap(bool block) {
     int status = 0;
-    if (has_ended_ || waitpid(pid_, &status, block ? 0 : WNOHANG) != pid_) {
+    rusage used{};
+    if (has_ended_ || wait4(pid_, &status, block ? 0 : WNOHANG, &used) != pid_) {
         return has_ended_;
     }
     has_ended_ = true;
+    const auto seconds_of = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    result_.cpu_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+    result_.most_kilobytes = used.ru_maxrss;
     result_.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return true;
 }

@@ -16,6 +16,8 @@ struct ProcessResult {
     bool timed_out = false;  ///< it was killed by us
     std::string out;
     std::string err;
+    double cpu_seconds = 0.0;  ///< its own and its children's
+    long most_kilobytes = 0;   ///< of memory, of itself or one of its children
 };
 
 /// A real program, run with captured output.

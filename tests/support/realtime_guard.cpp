@@ -36,13 +36,18 @@ __attribute__((tls_model("initial-exec"))) thread_local bool t_is_counting = fal
     }
 }
 
-long voluntary_switches() noexcept {
+struct Usage {
+    long waits = 0;
+    long page_faults = 0;
+};
+
+Usage usage_of_thread() noexcept {
 #ifdef RAKS_UNDER_THREAD_SANITIZER
-    return 0;  // its runtime has locks of its own, and waits for them
+    return {};  // its runtime has locks of its own, and waits for them
 #else
     rusage usage{};
     getrusage(RUSAGE_THREAD, &usage);
-    return usage.ru_nvcsw;
+    return {usage.ru_nvcsw, usage.ru_minflt + usage.ru_majflt};
 #endif
 }
 
@@ -128,12 +133,14 @@ namespace raks::test {
 std::string RealtimeCounts::describe() const {
     return std::to_string(allocations) + " allocations, " + std::to_string(frees) + " frees, " +
            std::to_string(locks) + " locks, " + std::to_string(throws) + " throws, " +
-           std::to_string(waits) + " waits";
+           std::to_string(waits) + " waits, " + std::to_string(page_faults) + " page faults";
 }
 
 RealtimeScope::RealtimeScope() noexcept {
     t_counts = {};
-    t_counts.waits = -voluntary_switches();
+    const Usage before = usage_of_thread();
+    t_counts.waits = -before.waits;
+    t_counts.page_faults = -before.page_faults;
     t_is_counting = true;
 }
 
@@ -144,7 +151,9 @@ const RealtimeCounts& RealtimeScope::stop() noexcept {
         t_is_counting = false;
         is_running_ = false;
         counts_ = t_counts;
-        counts_.waits += voluntary_switches();
+        const Usage after = usage_of_thread();
+        counts_.waits += after.waits;
+        counts_.page_faults += after.page_faults;
     }
     return counts_;
 }

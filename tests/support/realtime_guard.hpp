@@ -12,8 +12,10 @@ struct RealtimeCounts {
     std::uint64_t locks = 0;   ///< pthread_mutex_lock
     std::uint64_t throws = 0;  ///< __cxa_allocate_exception
     long waits = 0;            ///< voluntary context switches (ru_nvcsw): sleeps, futex waits, I/O
+    long page_faults = 0;      ///< memory that was not there yet (minor) or was on disk (major)
 
-    /// True when nothing forbidden was counted.
+    /// True when nothing forbidden was counted. Page faults are not among it: the first use of
+    /// memory and of code has them, and the system may take memory away that is not locked.
     [[nodiscard]] bool is_clean() const noexcept {
         return allocations == 0 && frees == 0 && locks == 0 && throws == 0 && waits == 0;
     }

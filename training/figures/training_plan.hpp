@@ -27,7 +27,7 @@ struct FigureTrainingPlan {
     std::optional<std::filesystem::path> faults;  ///< table of capture faults
 
     std::string figure = "basic";      ///< only labels of this figure
-    std::string dance;                 ///< name of the dance, written into the model
+    std::string dance;                 ///< name of the dance, written into the model; needed
     DanceRole role = DanceRole::lead;  ///< only labels of this role
     FigureFeatures features = FigureFeatures::angles;  ///< joint angles, or joint positions
     std::string split;                                 ///< only labels of this split; empty: all

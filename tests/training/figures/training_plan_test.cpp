@@ -33,6 +33,7 @@ class TrainingPlan : public ::testing::Test {
         }
         write("labels.tsv", labels);
         write("counts.tsv", counts);
+        plan_.dance = "salsa";
         plan_.clips = {folder_.path()};
         plan_.labels = folder_ / "labels.tsv";
         plan_.counts = folder_ / "counts.tsv";
