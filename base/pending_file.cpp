@@ -307,7 +307,8 @@ bool PendingFile::give_name() {
 // Within one folder, so the rename is atomic. Once it is done the new file is there, whatever the
 // folder's disk says then.
 Expected<void> PendingFile::commit() {
-    if (!(file_ >= 0 ? is_on_disk(file_) : sync_all(part_))) {
+    // What has the part's name may by now be another file than the one that was made.
+    if (!(is_named_ ? sync_all(part_) : is_on_disk(file_))) {
         return fail(cannot_write(path_, errno));
     }
     const std::lock_guard lock(pending_files().mutex);

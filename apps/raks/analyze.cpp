@@ -1,7 +1,6 @@
 #include "apps/raks/commands.hpp"
 
 #include <cstdio>
-#include <fstream>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -176,10 +175,8 @@ Expected<void> write_plot(const AnalyzeArguments& arguments,
     if (!svg) {
         return fail(svg.error());
     }
-    if (std::ofstream out(analyses.plot_file->part(), std::ios::binary); !(out << *svg).flush()) {
-        return fail(arguments.plot.string() + ": cannot be written; is the disk full?");
-    }
-    return analyses.plot_file->commit();
+    auto wrote = analyses.plot_file->write(*svg);
+    return wrote ? analyses.plot_file->commit() : wrote;
 }
 
 // A file, or what comes through a pipe.

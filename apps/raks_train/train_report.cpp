@@ -240,7 +240,7 @@ ExitCode train_report(const TrainReportArguments& arguments) {
     for (const std::string& warning : warnings) {
         say(warning);
     }
-    if (auto written = write_file(file->part(), draw_report(*data)); !written) {
+    if (auto written = file->write(draw_report(*data)); !written) {
         return fail(std::move(written.error()));
     }
     if (auto committed = file->commit(); !committed) {
