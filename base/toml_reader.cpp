@@ -11,10 +11,10 @@ constexpr std::size_t kLongestMessage = 200;  // bytes of the library's own word
 
 bool is_any(char c, std::string_view of) noexcept { return of.find(c) != of.npos; }
 
-/// Looks for what must not reach the parser: a key of too many parts, on which it would build a tree
-/// as deep; letters that are not ASCII outside of strings and comments, where TOML has none and
-/// some of which toml++ 3.3 takes for impossible (undefined behaviour). Walks over a text and keeps
-/// track of strings and comments, in which dots mean nothing.
+/// Looks for what must not reach the parser: a key of too many parts, on which it would build a
+/// tree as deep; letters that are not ASCII outside of strings and comments, where TOML has none
+/// and some of which toml++ 3.3 takes for impossible (undefined behaviour). Walks over a text and
+/// keeps track of strings and comments, in which dots mean nothing.
 class TrapSearch {
  public:
     explicit TrapSearch(std::string_view text) noexcept : text_(text) {
