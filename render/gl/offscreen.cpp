@@ -141,6 +141,7 @@ Expected<OffscreenContext> OffscreenContext::create() {
     // The same for OpenGL itself; what is loaded here epoxy finds loaded.
     if (::dlopen("libOpenGL.so.0", RTLD_LAZY | RTLD_LOCAL) == nullptr &&
         ::dlopen("libGL.so.1", RTLD_LAZY | RTLD_LOCAL) == nullptr) {
+        // NOLINTNEXTLINE(concurrency-mt-unsafe): the C library keeps it for each thread
         return fail(std::string("no way to draw: ") + ::dlerror());
     }
     std::string reasons;
