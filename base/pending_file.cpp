@@ -230,10 +230,13 @@ Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
     if (at_end == AtEnd::removed) {
         const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
         const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
-        if (file >= 0) {
+        const std::string part = "/proc/self/fd/" + std::to_string(file);
+        // It can be named by way of /proc alone.
+        if (file >= 0 && ::access(part.c_str(), F_OK) == 0) {
             take_rights_of(target, file);
-            return PendingFile(target, "/proc/self/fd/" + std::to_string(file), file, false);
+            return PendingFile(target, part, file, false);
         }
+        ::close(file);  // none: nothing happens
     }
     const std::lock_guard lock(pending_files().mutex);
     int file = -1;
@@ -312,8 +315,9 @@ Expected<void> PendingFile::commit() {
         return fail(cannot_write(path_, errno));
     }
     const std::lock_guard lock(pending_files().mutex);
-    // Some disks say only when it is closed that they are full.
-    if ((!is_named_ && !give_name()) || !close()) {
+    // Some disks say only when it is closed that they are full. A file without a name must be open
+    // until it has one.
+    if (is_named_ ? !close() : !give_name()) {
         return fail(cannot_write(path_, errno));
     }
     // On an error the destructor removes the part.
@@ -322,6 +326,7 @@ Expected<void> PendingFile::commit() {
     }
     pending_files().forget(part_);
     part_.clear();
+    static_cast<void>(close());
     static_cast<void>(sync_folder_of(path_));
     return {};
 }

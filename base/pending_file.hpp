@@ -13,9 +13,10 @@ namespace raks {
 /// A file that appears under its name only when it is complete. Until commit() it has no name at
 /// all where the file system allows that (O_TMPFILE), so that nothing is left of it however the
 /// process ends; else it is `NAME.XXXXXX.part` (six letters of our own choice) in the same folder,
-/// which the destructor removes. Nothing else is ever touched: two that write the same name do not
-/// meet, and where the name is a link the file that it leads to is replaced.
-/// Threads: one. Real-time: no.
+/// which the destructor removes. A process that is killed while commit() replaces a file may leave
+/// the new one, whole, under such a name. Nothing else is ever touched: two that write the same
+/// name do not meet, and where the name is a link the file that it leads to is replaced. Threads:
+/// one. Real-time: no.
 class PendingFile {
  public:
     /// What becomes of the part where the process is told to end before it is committed.

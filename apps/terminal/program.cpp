@@ -145,7 +145,7 @@ namespace {
         reason = "raks: out of memory\n";
     } catch (...) {  // nothing that needs memory is safe here
     }
-    static_cast<void>(!::write(STDERR_FILENO, reason, std::strlen(reason)));
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, reason, std::strlen(reason));
     ::_exit(kExitFailed);
 }
 

@@ -3,7 +3,6 @@
 // RAKS_CRASH_POINTS=whole tries every call instead of the first of each kind, and a film, too.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "base/file.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/extent.hpp"
 
 namespace raks::test {
 namespace {
@@ -44,10 +44,6 @@ class CrashPoints : public ProgramTest {
             fs::remove(command.output);
         }
     }
-    [[nodiscard]] static bool is_whole() {
-        const char* const extent = std::getenv("RAKS_CRASH_POINTS");
-        return extent != nullptr && std::string(extent) == "whole";
-    }
     [[nodiscard]] std::vector<Command> commands() const {
         const std::string song = path("song.wav");
         const std::string settings = path("config/raks/config.toml");
@@ -56,7 +52,7 @@ class CrashPoints : public ProgramTest {
             {{"dance", song, "-o", path("x.bvh")}, path("x.bvh")},
             {{"analyze", song, "--plot", path("x.svg")}, path("x.svg")},
             {{"config", "init"}, settings}};
-        if (is_whole()) {
+        if (is_whole("RAKS_CRASH_POINTS")) {
             all.push_back(
                 {{"render", song, "-o", path("x.mp4"), "--quality", "fast", "--size", "160x90"},
                  path("x.mp4")});
@@ -117,7 +113,7 @@ TEST_F(CrashPoints, leave_the_old_file_or_the_new_one_whole) {
                                        {"write", "signal=KILL"},
                                        {"fsync", "signal=KILL"},
                                        {"linkat", "signal=KILL"}};
-    const int most_calls = is_whole() ? 1000 : 1;  // of each kind
+    const int most_calls = is_whole("RAKS_CRASH_POINTS") ? 1000 : 1;  // of each kind
     int injected = 0;
     for (const Command& command : commands()) {
         ASSERT_EQ(run(command.words).exit_code, 0);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +17,7 @@
 
 #include "base/random.hpp"
 #include "tests/end_to_end/program.hpp"
+#include "tests/support/extent.hpp"
 
 #include <fmt/format.h>
 
@@ -76,8 +76,8 @@ TEST_F(Signals, end_every_command_with_their_code_and_leave_nothing_half_written
 }
 
 TEST_F(Signals, end_every_command_within_a_second_at_any_moment) {
-    const char* const wish = std::getenv("RAKS_SIGNALS");  // NOLINT(concurrency-mt-unsafe)
-    if (wish == nullptr) {
+    const auto count = number_from("RAKS_SIGNALS");
+    if (!count) {
         GTEST_SKIP() << "RAKS_SIGNALS=100 in the environment runs it: it takes minutes";
     }
     using Clock = std::chrono::steady_clock;
@@ -86,7 +86,7 @@ TEST_F(Signals, end_every_command_within_a_second_at_any_moment) {
     const auto commands = long_commands();
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
         Clock::duration longest{};
-        for (int i = 0; i < std::atoi(wish); ++i) {
+        for (std::int64_t i = 0; i < *count; ++i) {
             const auto& command = commands[static_cast<std::size_t>(i) % commands.size()];
             // From before the program has looked at its arguments up to the middle of the work.
             const double moment = 1e-3 * static_cast<double>(random.below(drawn++, 1'000));

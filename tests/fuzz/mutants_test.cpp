@@ -16,6 +16,7 @@
 #include "base/pending_file.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/fuzz/mutation.hpp"
+#include "tests/support/extent.hpp"
 #include "tests/support/mangled.hpp"
 
 #include <fmt/format.h>
@@ -41,11 +42,6 @@ struct Door {
 
 /// What went wrong, how often.
 using Faults = std::map<std::string, int>;
-
-std::int64_t number_from(const char* variable, std::int64_t otherwise) {
-    const char* const text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe)
-    return text == nullptr ? otherwise : std::atoll(text);
-}
 
 class Mutants : public ProgramTest {
  protected:
@@ -244,8 +240,8 @@ void Mutants::try_one(const Door& door, std::uint64_t seed) {
 
 TEST_F(Mutants, end_the_program_soon_with_one_line) {
     const std::int64_t count =
-        number_from("RAKS_MUTANTS", static_cast<std::int64_t>(doors_.size()));
-    const auto first = static_cast<std::uint64_t>(number_from("RAKS_MUTANTS_SEED", 1));
+        number_from("RAKS_MUTANTS").value_or(static_cast<std::int64_t>(doors_.size()));
+    const auto first = static_cast<std::uint64_t>(number_from("RAKS_MUTANTS_SEED").value_or(1));
     for (std::int64_t i = 0; i < count; ++i) {
         const Door& door = doors_[static_cast<std::size_t>(i) % doors_.size()];
         ASSERT_NO_FATAL_FAILURE(try_one(door, first + static_cast<std::uint64_t>(i)));

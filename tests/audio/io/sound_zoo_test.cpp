@@ -12,6 +12,7 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/io/decoders.hpp"
+#include "tests/support/extent.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -173,8 +174,7 @@ void compare_with_this_process(const fs::path& path) {
 }
 
 TEST(SoundZoo, is_read_as_ffmpeg_decodes_it) {
-    const char* const wish = std::getenv("RAKS_SOUND_ZOO");  // NOLINT(concurrency-mt-unsafe)
-    const bool is_whole = wish != nullptr && std::string(wish) == "whole";
+    const bool is_whole = raks::test::is_whole("RAKS_SOUND_ZOO");
     const test::TemporaryFolder folder;
     static_cast<void>(test::run_program({"bash",
                                          std::string(RAKS_SOURCE_DIR) + "/scripts/sound_zoo.sh",

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <span>
@@ -20,6 +19,7 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/settings.hpp"
 #include "tests/engine/installed.hpp"
+#include "tests/support/extent.hpp"
 #include "tests/support/realtime_guard.hpp"
 #include "tests/support/run_times.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -85,10 +85,7 @@ void give_commands(std::int64_t block, AnalysisStage& analysis, MotionStage& mot
 
 /// RAKS_REALTIME=whole tries every dance in every form, and holds what depends on the machine to
 /// its bounds, too: page faults and the longest run.
-bool is_whole() {
-    const char* const wish = std::getenv("RAKS_REALTIME");  // NOLINT(concurrency-mt-unsafe)
-    return wish != nullptr && std::string_view(wish) == "whole";
-}
+bool is_whole() { return test::is_whole("RAKS_REALTIME"); }
 
 /// Many runs of one real-time function.
 class GuardedRuns {
