@@ -1,6 +1,7 @@
 // Damaged files through the program itself, over all readers: whatever lies in a file, the program
-// ends soon, says one line, and leaves nothing behind. RAKS_MUTANTS=20000 tries so many, from a
-// seed of its own each time that RAKS_MUTANTS_SEED names; else a few.
+// ends soon, says one line, and leaves nothing behind. By itself the test tries one file for each
+// reader. RAKS_MUTANTS=20000 tries 20,000; RAKS_MUTANTS_SEED is the seed of the first, and each
+// further one has the next seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -130,7 +131,7 @@ void Mutants::add_motion() {
          true,
          {"out"}});
     // A dance of files: each of them in turn.
-    // Under a name that no shipped dance has: that would be said.
+    // Under a name that no shipped dance has: the program says when a dance hides a shipped one.
     const std::string head = "dance = \"waltz\"";
     std::string mine = waltz;
     ASSERT_NE(mine.find(head), std::string::npos);
@@ -218,7 +219,7 @@ void Mutants::try_one(const Door& door, std::uint64_t seed) {
         note(door, seed, "took over 500 MB");
     }
     const auto lines = std::count(result.err.begin(), result.err.end(), '\n');
-    // 3: one line for each that was left out.
+    // With exit code 3 the program says one line for each file that it left out.
     if (result.exit_code != 0 && result.exit_code != 3 && lines != 1) {
         note(door, seed, fmt::format("said {} lines: {}", lines, result.err.substr(0, 300)));
     }

@@ -34,8 +34,8 @@ class MangledFilesTest : public test::SoundFilesTest,
     void try_to_play(std::string_view bytes) {
         const auto path = folder_ / "bad";
         ASSERT_TRUE(write_file(path, bytes));
-        // In this process: sanitizers see it, and it is a thousand files a second. What a child
-        // makes of damage is in decoder_client_test.cpp.
+        // Decoded in this process: a child for each of thousands of files takes minutes, and here
+        // the sanitizers see what happens. decoder_client_test.cpp tries the child.
         const auto window = FileWindow::open(path);
         auto reader = window ? open_by_decoders(path, *window) : fail(window.error());
         if (!reader) {

@@ -96,8 +96,8 @@ TEST_F(GraphOnItsOwnClock, the_moment_seen_is_the_one_that_is_heard) {
     const HostTime seen = HostClock::now();
     double difference = 1.0;
     double rate = 1.0;
-    // Every block corrects the clock: both must be asked of the same line. The offset is taken for
-    // stream time one way and for host time the other: its rate is left.
+    // Every block corrects the clock: both must be asked of the same line. One of them counts the
+    // offset in stream time, the other in host time: they differ by the clock's rate.
     wait_until([&] {
         const HostTime line = graph_->analysis().clock().host_anchor;
         rate = graph_->analysis().clock().stream_per_host;

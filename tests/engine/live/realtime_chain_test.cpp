@@ -262,7 +262,7 @@ bool dance_guarded(const DancedForm& form) {
     return true;
 }
 
-/// All forms of a dance, those in front that this one should be tried in first.
+/// All forms of a dance. Which one is the first depends on the dance's number.
 std::vector<DancedForm> forms_of(std::string_view dance, std::size_t number) {
     std::vector<DancedForm> forms;
     for (const std::string_view formation : motion::kFormationNames) {
@@ -275,7 +275,8 @@ std::vector<DancedForm> forms_of(std::string_view dance, std::size_t number) {
     return forms;
 }
 
-/// Each dance in one form, which differs from dance to dance; wholly: in every form (2 minutes).
+/// Each dance in the first form that it has; RAKS_REALTIME=whole: in every form, which takes 2
+/// minutes.
 TEST(RealtimeChain, every_dance_keeps_the_rules_on_the_motion_thread) {
     std::size_t number = 0;
     const auto names = installed::dances().list()->names();
