@@ -43,7 +43,7 @@ class Signals : public ProgramTest {
         return {{"synth", "salsa", "-o", path("x.wav"), "--duration", "3600"},
                 {"stick", path("tango.toml"), "-o", path("x.png")},
                 {"eval", "dance"},
-                {"bench", "train"},
+                {"bench", "analysis", "--duration", "600"},
                 {"play", path("song.wav"), "--headless", "--no-sound"}};
     }
     void SetUp() override {
