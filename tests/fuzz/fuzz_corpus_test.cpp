@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/file.hpp"
-#include "tests/fuzz/mutation.hpp"
 #include "tests/fuzz/readers.hpp"
 
 namespace raks::fuzz {
@@ -54,7 +53,7 @@ TEST_P(Corpus, ends_no_reader) {
     EXPECT_GT(good, 0U);
     // The mutations' number is their seed: a crash is repeated by running this test again.
     for (std::size_t i = 0; i < reader.trials; ++i) {
-        static_cast<void>(reader.read(mutated(texts[i % texts.size()], i)));
+        static_cast<void>(reader.read(damaged(reader, texts[i % texts.size()], i)));
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tests/fuzz/mutation.hpp"
+
 namespace raks::fuzz {
 
 std::span<const Reader> readers() {
@@ -25,8 +27,16 @@ std::span<const Reader> readers() {
         {"index", read_index, {}, 2000},
         {"beat_list", read_beat_list, {}, 2000},
         {"playlist", read_playlist, {}, 2000},
+        {"bvh", read_clip, {"tests/data/bvh/odd/plain.bvh", "tests/data/bvh/odd/names.bvh"}, 60},
+        {"midi", read_midi, {}, 2000, Content::bytes},
+        {"sound", read_sound, {}, 60, Content::bytes},
+        {"genre_samples", read_genre_samples, {}, 300, Content::bytes},
     };
     return all;
+}
+
+std::string damaged(const Reader& reader, std::string_view file, std::uint64_t seed) {
+    return reader.content == Content::text ? mutated(file, seed) : mutated_bytes(file, seed);
 }
 
 const Reader* reader_named(std::string_view name) {

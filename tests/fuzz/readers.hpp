@@ -2,13 +2,16 @@
 // file.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace raks::fuzz {
+
+/// What files of a kind consist of, which decides how they are damaged: see mutation.hpp.
+enum class Content : std::uint8_t { text, bytes };
 
 /// One reader: it reads the text, and what it accepts is used as the program would use it.
 struct Reader {
@@ -17,7 +20,11 @@ struct Reader {
     /// Good files to begin with: paths within the source tree.
     std::vector<std::string_view> seeds;
     std::size_t trials = 100;  ///< mutations that the test tries: fewer of what is slow
+    Content content = Content::text;
 };
+
+/// A file of this reader, damaged: mutated() or mutated_bytes().
+[[nodiscard]] std::string damaged(const Reader& reader, std::string_view file, std::uint64_t seed);
 
 /// All readers. Threads: any.
 [[nodiscard]] std::span<const Reader> readers();
@@ -40,5 +47,9 @@ bool read_faults(std::string_view text);        ///< of takes
 bool read_index(std::string_view text);         ///< of a beat corpus
 bool read_beat_list(std::string_view text);     ///< annotated beats
 bool read_playlist(std::string_view text);      ///< in all forms
+bool read_clip(std::string_view text);          ///< BVH; draws it, retargets it and learns from it
+bool read_midi(std::string_view bytes);         ///< a file of a pack, and performs it; or its index
+bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
+bool read_genre_samples(std::string_view bytes);  ///< and other files that training keeps
 
 }  // namespace raks::fuzz

@@ -2,6 +2,7 @@
 #include "audio/evaluate/beat_corpus.hpp"
 #include "engine/setup/list_forms.hpp"
 #include "motion/figures/label_tables.hpp"
+#include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
 
 namespace raks::fuzz {
@@ -22,9 +23,7 @@ bool read_index(std::string_view text) {
 bool read_beat_list(std::string_view text) {
     const auto beats = audio::parse_beats(text, "x.beats");
     // What was read can be written and read again.
-    if (beats && !audio::parse_beats(audio::beats_text(*beats), "y.beats")) {
-        __builtin_trap();
-    }
+    must(!beats || audio::parse_beats(audio::beats_text(*beats), "y.beats"));
     return beats.has_value();
 }
 

@@ -10,20 +10,10 @@
 #include "motion/choreography/figure_measures.hpp"
 #include "motion/figures/figure_grammar.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
 
 namespace raks::fuzz {
-namespace {
-
-/// Ends the program where a promise is broken: what was read can be written and read again.
-void must(bool is_kept) {
-    if (!is_kept) {
-        __builtin_trap();
-    }
-}
-
-}  // namespace
-
 bool read_settings(std::string_view text) {
     engine::Settings settings;
     if (!engine::parse_settings(text, "x.toml", settings)) {

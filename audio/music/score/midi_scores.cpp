@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -20,14 +21,7 @@ constexpr int kLowestBpm = 52;
 constexpr int kHighestBpm = 217;
 constexpr int kFewestBars = 4;
 constexpr std::size_t kMostIndexBytes = std::size_t{16} << 20U;
-constexpr double kMostQuarters = 20'000.0;  // more than an hour: a damaged file
-
-/// A time signature from a place in the file on.
-struct Signature {
-    double quarter = 0.0;
-    int numerator = 4;
-    int denominator = 4;
-};
+constexpr double kMostQuarters = 20'000.0;  // of a file's stretches: more than an hour is damage
 
 // A note of the file: start and length in quarters.
 struct MidiNote {
@@ -41,8 +35,8 @@ struct MidiNote {
 
 // What is read of a file.
 struct MidiSong {
-    std::vector<MidiNote> notes;
-    std::vector<Signature> signatures;  // the first at 0
+    std::vector<MidiNote> notes;            // by quarter
+    std::vector<MidiSignature> signatures;  // the first at 0
     double quarters = 0.0;
     double bpm = 120.0;  // quarters a minute, the file's first
 };
@@ -54,7 +48,7 @@ struct Metre {
 };
 
 /// The metre of a signature; nothing for those that no dance here has.
-std::optional<Metre> metre_of(const Signature& signature) {
+std::optional<Metre> metre_of(const MidiSignature& signature) {
     const int n = signature.numerator;
     const double unit = 4.0 / signature.denominator;
     if (signature.denominator == 8 && (n == 6 || n == 9 || n == 12)) {
@@ -105,7 +99,7 @@ class NoteReader {
     MidiSong finish() {
         // Without a signature at the start the standard's default holds: 4/4.
         if (song_.signatures.empty() || song_.signatures.front().quarter > 0.0) {
-            song_.signatures.insert(song_.signatures.begin(), Signature{});
+            song_.signatures.insert(song_.signatures.begin(), MidiSignature{});
         }
         return std::move(song_);
     }
@@ -145,14 +139,10 @@ class NoteReader {
 };
 
 /// Reads one MIDI file into notes, signatures and tempo.
-Expected<MidiSong> read_midi(const std::filesystem::path& path) {
-    const auto bytes = read_file(path);
-    if (!bytes) {
-        return fail(bytes.error());
-    }
-    const auto midi = parse_midi(*bytes);
+Expected<MidiSong> read_song(std::string_view bytes) {
+    const auto midi = parse_midi(bytes);
     if (!midi) {
-        return fail(path.string() + ": " + midi.error().message);
+        return fail(midi.error());
     }
     NoteReader reader(midi->pulses_per_quarter);
     for (const MidiEvent& event : midi->events) {
@@ -166,12 +156,16 @@ Score score_of(const MidiSong& song, double from, double to, const Metre& metre,
     Score score;
     score.bpm = song.bpm / metre.beat_quarters;
     score.has_drums = false;
-    for (const MidiNote& note : song.notes) {
-        // People hit a little before the beat: a note just before the stretch belongs to its first
-        // beat.
-        if (note.quarter < from - 0.06 || note.quarter >= to - 0.06) {
-            continue;
-        }
+    // People hit a little before the beat: a note just before the stretch belongs to its first
+    // beat.
+    const double begin = from - 0.06;
+    const double end = to - 0.06;
+    const auto first = std::lower_bound(
+        song.notes.begin(), song.notes.end(), begin, [](const MidiNote& note, double quarter) {
+            return note.quarter < quarter;
+        });
+    for (auto at = first; at != song.notes.end() && at->quarter < end; ++at) {
+        const MidiNote& note = *at;
         ScoreNote written;
         written.beat = std::max(0.0, (note.quarter - from) / metre.beat_quarters);
         written.length = note.length / metre.beat_quarters;
@@ -189,16 +183,6 @@ Score score_of(const MidiSong& song, double from, double to, const Metre& metre,
     }
     return score;
 }
-
-// One line of index.tsv.
-struct IndexRow {
-    std::string file;
-    std::string set;
-    bool is_fill = false;
-    double bpm = 120.0;
-    std::optional<Signature> signature;  // none: the file's own
-    std::string style;
-};
 
 /// Cells of a tab-separated line.
 std::vector<std::string> split(const std::string& text) {
@@ -223,21 +207,21 @@ std::optional<Number> number_in(std::string_view text, Number lowest, Number hig
 }
 
 /// "4/4"; nothing where it is none.
-std::optional<Signature> signature_of(std::string_view text) {
+std::optional<MidiSignature> signature_of(std::string_view text) {
     const std::size_t slash = std::min(text.find('/'), text.size());
     const auto numerator = number_in(text.substr(0, slash), 1, 99);
     const auto denominator = number_in(text.substr(std::min(slash + 1, text.size())), 1, 64);
     if (!numerator || !denominator) {
         return std::nullopt;
     }
-    return Signature{0.0, *numerator, *denominator};
+    return MidiSignature{0.0, *numerator, *denominator};
 }
 
 /// One line of the index. Tempo and signature count for the set "groove" alone: the other sets'
 /// files say their own. Errors: a tempo or a signature that is none.
-Expected<IndexRow> row_of(const std::vector<std::string>& cells,
-                          std::map<std::string, std::size_t>& columns) {
-    IndexRow row;
+Expected<MidiPackRow> row_of(const std::vector<std::string>& cells,
+                             std::map<std::string, std::size_t>& columns) {
+    MidiPackRow row;
     row.file = cells[columns["file"]];
     row.set = cells[columns["set"]];
     row.is_fill = cells[columns["kind"]] == "fill";
@@ -259,46 +243,9 @@ Expected<IndexRow> row_of(const std::vector<std::string>& cells,
     return row;
 }
 
-/// All lines of the index; columns are found by name, in any order.
-Expected<std::vector<IndexRow>> read_index(const std::filesystem::path& path) {
-    const auto text = read_text_file(path, kMostIndexBytes);
-    if (!text) {
-        return fail(text.error());
-    }
-    std::istringstream lines(*text);
-    std::string line;
-    std::getline(lines, line);
-    std::map<std::string, std::size_t> columns;
-    for (const std::string& name : split(line)) {
-        columns.emplace(name, columns.size());
-    }
-    for (const char* const name : {"file", "set", "kind", "bpm_quarter", "time_signature"}) {
-        if (!columns.contains(name)) {
-            return fail(path.string() + ": no column '" + name + "'");
-        }
-    }
-    std::vector<IndexRow> rows;
-    for (std::size_t number = 2; std::getline(lines, line); ++number) {
-        const std::vector<std::string> cells = split(line);
-        Expected<IndexRow> row = fail("has too few columns");
-        if (cells.size() >= columns.size()) {
-            row = row_of(cells, columns);
-        }
-        if (!row) {
-            return fail(
-                std::move(row.error()).in(path.string() + ": line " + std::to_string(number)));
-        }
-        rows.push_back(std::move(*row));
-    }
-    if (rows.empty()) {
-        return fail(path.string() + ": names no file");
-    }
-    return rows;
-}
-
 /// For the set "groove": tempo and signature of the index replace the file's, which holds only drum
 /// hits.
-void apply_index(const IndexRow& row, MidiSong& song) {
+void apply_index(const MidiPackRow& row, MidiSong& song) {
     song.bpm = row.bpm;
     if (row.signature) {
         song.signatures = {*row.signature};
@@ -306,7 +253,8 @@ void apply_index(const IndexRow& row, MidiSong& song) {
 }
 
 /// One stretch for each time signature of the song that has a metre and is long enough.
-void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiStretch>& into) {
+void add_stretches(const MidiPackRow& row, const MidiSong& song, std::vector<MidiStretch>& into) {
+    double left = kMostQuarters;
     for (std::size_t i = 0; i < song.signatures.size(); ++i) {
         const double from = song.signatures[i].quarter;
         const double to =
@@ -315,9 +263,11 @@ void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiSt
         if (!metre) {
             continue;
         }
-        if (to - from > kMostQuarters) {
+        // Counted over all: a few bytes of a damaged file may claim thousands of hours.
+        if (to - from > left) {
             continue;
         }
+        left -= to - from;
         const double bars = (to - from) / metre->beat_quarters / metre->beats_per_bar;
         if (bars < kFewestBars && !row.is_fill) {
             continue;
@@ -344,6 +294,52 @@ void add_stretches(const IndexRow& row, const MidiSong& song, std::vector<MidiSt
 
 }  // namespace
 
+Expected<std::vector<MidiPackRow>> parse_midi_index(const std::string& text,
+                                                    const std::string& name) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    const std::vector<std::string> heads = split(line);
+    std::map<std::string, std::size_t> columns;
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+        columns.emplace(heads[i], i);  // of a name that stands there twice the first counts
+    }
+    for (const char* const column : {"file", "set", "kind", "bpm_quarter", "time_signature"}) {
+        if (!columns.contains(column)) {
+            return fail(name + ": no column '" + column + "'");
+        }
+    }
+    std::vector<MidiPackRow> rows;
+    for (std::size_t number = 2; std::getline(lines, line); ++number) {
+        const std::vector<std::string> cells = split(line);
+        Expected<MidiPackRow> row = fail("has too few columns");
+        if (cells.size() >= heads.size()) {
+            row = row_of(cells, columns);
+        }
+        if (!row) {
+            return fail(std::move(row.error()).in(name + ": line " + std::to_string(number)));
+        }
+        rows.push_back(std::move(*row));
+    }
+    if (rows.empty()) {
+        return fail(name + ": names no file");
+    }
+    return rows;
+}
+
+Expected<std::vector<MidiStretch>> midi_stretches(std::string_view bytes, const MidiPackRow& row) {
+    auto song = read_song(bytes);
+    if (!song) {
+        return fail(std::move(song.error()));
+    }
+    if (row.set == "groove") {
+        apply_index(row, *song);
+    }
+    std::vector<MidiStretch> stretches;
+    add_stretches(row, *song, stretches);
+    return stretches;
+}
+
 Score cut_beats(const Score& score, int first_beat, int beats) {
     Score cut = score;
     cut.notes.clear();
@@ -360,20 +356,27 @@ Score cut_beats(const Score& score, int first_beat, int beats) {
 }
 
 Expected<std::vector<MidiStretch>> read_midi_pack(const std::filesystem::path& folder) {
-    const auto rows = read_index(folder / "index.tsv");
+    const std::filesystem::path index = folder / "index.tsv";
+    const auto text = read_text_file(index, kMostIndexBytes);
+    if (!text) {
+        return fail(text.error());
+    }
+    const auto rows = parse_midi_index(*text, index.string());
     if (!rows) {
         return fail(rows.error());
     }
     std::vector<MidiStretch> stretches;
-    for (const IndexRow& row : *rows) {
-        auto song = read_midi(folder / row.file);
-        if (!song) {
-            return fail(song.error());
+    for (const MidiPackRow& row : *rows) {
+        const std::filesystem::path file = folder / row.file;
+        const auto bytes = read_file(file);
+        if (!bytes) {
+            return fail(bytes.error());
         }
-        if (row.set == "groove") {
-            apply_index(row, *song);
+        auto own = midi_stretches(*bytes, row);
+        if (!own) {
+            return fail(std::move(own.error()).in(file.string()));
         }
-        add_stretches(row, *song, stretches);
+        std::move(own->begin(), own->end(), std::back_inserter(stretches));
     }
     return stretches;
 }

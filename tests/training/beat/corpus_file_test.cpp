@@ -89,6 +89,30 @@ TEST_F(TrainingFiles, mangled_midi_ends_in_an_error_or_a_score) {
     }
 }
 
+// 5 kB with a bar's signature every 19,000 quarters.
+TEST_F(TrainingFiles, a_file_that_claims_thousands_of_hours_gives_an_hour_at_most) {
+    const auto bytes = read_file(RAKS_SOURCE_DIR "/tests/fuzz/corpus/midi/far_apart.mid");
+    ASSERT_TRUE(bytes);
+    const auto stretches = midi_stretches(*bytes, {"far_apart.mid", "freedoom"});
+    ASSERT_TRUE(stretches) << stretches.error().message;
+    std::size_t beats = 0;
+    for (const MidiStretch& stretch : *stretches) {
+        beats += stretch.score.bar_position.size();
+    }
+    EXPECT_LE(beats, 20'000U);
+}
+
+TEST_F(TrainingFiles, a_column_that_stands_twice_moves_no_other) {
+    const auto rows = parse_midi_index(
+        "file\tfile\tset\tkind\tbpm_quarter\ttime_signature\na.mid\tb.mid\tgroove\tbeat\t90\t3/4\n",
+        "index.tsv");
+    ASSERT_TRUE(rows) << rows.error().message;
+    ASSERT_EQ(rows->size(), 1U);
+    EXPECT_EQ(rows->front().file, "a.mid");
+    EXPECT_EQ(rows->front().set, "groove");
+    EXPECT_EQ(rows->front().bpm, 90.0);
+}
+
 TEST_F(TrainingFiles, a_kept_corpus_is_the_same_again) {
     std::vector<TrainingExcerpt> corpus(2);
     corpus[0] = {"salsa", "mambo", std::vector<float>(36 * 7, 0.25F), {{0.5, 1}, {1.0, 2}}};

@@ -25,7 +25,27 @@ constexpr std::array<std::string_view, 10> kTexts = {"\"\"",
                                                      "\"none\"",
                                                      "\"a\""};
 constexpr std::array<std::string_view, 5> kLists = {"[]", "{}", "[[]]", "[0]", "[1, 2, 3]"};
-constexpr std::size_t kDeep = 2000;  // brackets
+// What is put in the place of values of any kind.
+constexpr std::array<std::string_view, 7> kForeign = {
+    "0", "-1", "2147483648", "1e308", "1e-321", "\"\"", "[]"};
+constexpr std::size_t kDeep = 20'000;  // levels
+
+// What is nested, with what comes before and behind a value on each level.
+struct Nest {
+    std::string_view before;
+    std::string_view behind;
+};
+constexpr std::array<Nest, 5> kNests = {
+    {{"[", "]"}, {"{\"a\":", "}"}, {"{a=", "}"}, {"[", ""}, {"{\"a\":[", "]}"}}};
+
+std::string repeated(std::string_view text, std::size_t times) {
+    std::string all;
+    all.reserve(text.size() * times);
+    for (std::size_t i = 0; i < times; ++i) {
+        all += text;
+    }
+    return all;
+}
 
 /// A stretch of the text.
 struct Span {
@@ -42,9 +62,9 @@ bool is_of_word(char c) {
 }
 
 /// Draws of one mutation.
-class Mutation {
+class TextMutation {
  public:
-    Mutation(std::string_view text, std::uint64_t seed) : text_(text), random_(seed) {}
+    TextMutation(std::string_view text, std::uint64_t seed) : text_(text), random_(seed) {}
 
     std::string run() {
         const std::uint64_t changes = 1 + below(3);
@@ -64,7 +84,7 @@ class Mutation {
     }
 
     void change() {
-        switch (below(8)) {
+        switch (below(12)) {
             case 0:
             case 1:
             case 2:
@@ -72,14 +92,38 @@ class Mutation {
             case 3:
                 return replace(quoted(), one_of(kTexts));
             case 4:
-                return change_list();
+                return replace(lists(), one_of(kLists));
             case 5:
-                return repeat_line();
+                return swap_kinds();
             case 6:
+                return nest();
+            case 7:
+                return lengthen_key();
+            case 8:
+                return repeat_line();
+            case 9:
+                return repeat_member();
+            case 10:
                 return remove_line();
             default:
                 return change_byte();
         }
+    }
+
+    // Values of any one kind.
+    std::vector<Span> any_values() {
+        switch (below(3)) {
+            case 0:
+                return numbers();
+            case 1:
+                return quoted();
+            default:
+                return lists();
+        }
+    }
+    void swap_kinds() {
+        const std::vector<Span> spans = any_values();
+        replace(spans, one_of(kForeign));
     }
 
     void replace(const std::vector<Span>& spans, std::string_view with) {
@@ -121,24 +165,84 @@ class Mutation {
         return found;
     }
 
-    // The whole of a list or table becomes another one, or its bracket is many.
-    void change_list() {
-        std::vector<Span> lists;
+    // Lists and tables, brackets included.
+    [[nodiscard]] std::vector<Span> lists() const {
+        std::vector<Span> found;
         std::vector<std::size_t> open;
         for (std::size_t i = 0; i < text_.size(); ++i) {
             if (text_[i] == '[' || text_[i] == '{') {
                 open.push_back(i);
             } else if ((text_[i] == ']' || text_[i] == '}') && !open.empty()) {
-                lists.push_back({open.back(), i - open.back() + 1});
+                found.push_back({open.back(), i - open.back() + 1});
                 open.pop_back();
             }
         }
-        if (below(4) == 0 && !lists.empty()) {
-            const Span span = lists[below(lists.size())];
-            text_.insert(span.at, std::string(1 + below(kDeep), text_[span.at]));
+        return found;
+    }
+
+    // A value lies in many brackets, a few or so many that a stack may not hold them.
+    void nest() {
+        const std::vector<Span> spans = any_values();
+        if (spans.empty()) {
             return;
         }
-        replace(lists, one_of(kLists));
+        const Span span = spans[below(spans.size())];
+        const Nest& shape = kNests[below(kNests.size())];
+        const std::size_t levels = 1 + below(below(8) == 0 ? kDeep : 100);
+        text_.insert(span.at + span.size, repeated(shape.behind, levels));
+        text_.insert(span.at, repeated(shape.before, levels));
+    }
+
+    // A key of TOML has many parts: "a.a.a.key = 1", "[a.a.a.table]".
+    void lengthen_key() {
+        std::size_t at = line().at;
+        while (at < text_.size() && (text_[at] == '[' || text_[at] == ' ')) {
+            ++at;
+        }
+        text_.insert(at, repeated("a.", 1 + below(below(8) == 0 ? kDeep : 100)));
+    }
+
+    // A member of a table on one line comes twice: "{"a": 1, "a": 1}", or with another value.
+    void repeat_member() {
+        const std::vector<Span> members = members_of_tables();
+        if (members.empty()) {
+            return;
+        }
+        const Span member = members[below(members.size())];
+        std::string copy = text_.substr(member.at, member.size);
+        if (below(2) == 0) {
+            copy.resize(copy.find(':') + 1);
+            copy += one_of(kForeign);
+        }
+        text_.insert(member.at, copy + ",");
+    }
+    // Of JSON: a key in quotes, its colon and its value.
+    [[nodiscard]] std::vector<Span> members_of_tables() const {
+        std::vector<Span> found;
+        for (const Span& key : quoted()) {
+            const std::size_t colon = text_.find_first_not_of(" \t\r\n", key.at + key.size);
+            if (colon != std::string::npos && text_[colon] == ':') {
+                found.push_back({key.at, end_of_value(colon + 1) - key.at});
+            }
+        }
+        return found;
+    }
+    // Where a comma or bracket of the same level ends a value.
+    [[nodiscard]] std::size_t end_of_value(std::size_t at) const {
+        std::size_t depth = 0;
+        for (; at < text_.size(); ++at) {
+            const char c = text_[at];
+            const bool closes = c == ']' || c == '}';
+            if (depth == 0 && (closes || c == ',')) {
+                break;
+            }
+            if (c == '[' || c == '{') {
+                ++depth;
+            } else if (closes) {
+                --depth;
+            }
+        }
+        return at;
     }
 
     // The line that a random place lies in, with its end.
@@ -173,7 +277,7 @@ class Mutation {
 }  // namespace
 
 std::string mutated(std::string_view text, std::uint64_t seed) {
-    return Mutation(text, seed).run();
+    return TextMutation(text, seed).run();
 }
 
 }  // namespace raks::fuzz

@@ -1,0 +1,98 @@
+// What is done with recorded motion: drawn as sticks, brought onto our body, and learnt from.
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/motion_clip.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
+#include "render/scene/clip_figure.hpp"
+#include "tests/fuzz/memory_file.hpp"
+#include "tests/fuzz/promise.hpp"
+#include "tests/fuzz/readers.hpp"
+#include "training/figures/figure_trainer.hpp"
+#include "training/figures/training_clip.hpp"
+
+namespace raks::fuzz {
+namespace {
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// The first, a middle and the last frame, as `raks stick` draws them.
+void draw(const motion::MotionClip& clip) {
+    const auto figures = render::ClipFigures::create(clip, motion::guess_metres_per_unit(clip));
+    if (!figures) {
+        must_be_one_line(figures.error().message);
+        return;
+    }
+    for (const std::size_t frame : {std::size_t{0}, clip.frame_count / 2, clip.frame_count - 1}) {
+        for (const render::StickVertex& vertex : figures->at(frame).shape.vertices) {
+            must(is_finite(vertex.position));
+        }
+    }
+}
+
+// A pose has turns that are none but turns.
+void must_be_sound(const motion::Pose& pose) {
+    must(is_finite(pose.hips_position));
+    for (int bone = 0; bone < motion::kBoneCount; ++bone) {
+        const glm::quat& turn = pose.rotation(static_cast<motion::Bone>(bone));
+        must(std::abs(glm::length(turn) - 1.0F) < 1e-3F);
+    }
+}
+
+// Learns a small figure from two repeats, as from labels at the clip's start and end.
+void learn(const motion::TrainingClip& clip) {
+    const auto last = static_cast<double>(clip.poses.size()) - 1.0;
+    const std::vector<motion::FigureRepeat> repeats = {{0, {0.0, 0.25 * last, 0.5 * last}},
+                                                       {0, {0.5 * last, 0.75 * last, last}}};
+    motion::FigureTrainingOptions options;
+    options.name = options.dance = "x";
+    options.beats = 2;
+    options.samples_per_beat = 4;
+    options.states = 2;
+    // One of the two kinds: learning takes nearly all of the time.
+    options.features = clip.poses.size() % 2 == 0 ? motion::FigureFeatures::angles
+                                                  : motion::FigureFeatures::positions;
+    if (const auto learnt = motion::train_figure({&clip, 1}, repeats, options); !learnt) {
+        must_be_one_line(learnt.error().message);
+    }
+}
+
+}  // namespace
+
+bool read_clip(std::string_view text) {
+    const MemoryFile file(text);
+    // With a given rate, as by --fps, the file's own may be anything.
+    const auto clip = motion::read_bvh(file.path());
+    const auto paced = motion::read_bvh(file.path(), {.frames_per_second = 60.0});
+    must(!clip || paced);
+    if (!paced) {
+        must_be_one_line(paced.error().message);
+        return false;
+    }
+    must(paced->frame_count >= 1 &&
+         paced->rotations.size() == paced->frame_count * paced->joints.size());
+    for (const std::string& warning : paced->warnings) {
+        must_be_one_line(warning);
+    }
+    draw(*paced);
+    static_cast<void>(motion::leading_rest_frames(*paced));
+    std::vector<std::string> warnings;
+    const auto body = motion::load_clip(
+        file.path(), {.frames_per_second = 60.0, .metres_per_unit = std::nullopt}, warnings);
+    if (body) {
+        for (const motion::Pose& pose : body->poses) {
+            must_be_sound(pose);
+        }
+        learn(*body);
+    }
+    return clip.has_value();
+}
+
+}  // namespace raks::fuzz
