@@ -103,7 +103,7 @@ void LiveInput::on_input(std::span<const float> interleaved,
 }
 
 // Whole hops, by the clock alone: stream time is where it would be with the device.
-void LiveInput::pass_gap(HostTime now) noexcept {
+void LiveInput::pass_gap(HostTime now) noexcept RAKS_NONBLOCKING {
     if (!has_begun_) {
         last_entered_ = last_sound_ = now;
         has_begun_ = true;

@@ -63,7 +63,7 @@ class LiveInput final : public audio::StreamCallback {
     };
 
     LiveInput(SampleRate rate, std::unique_ptr<AnalysisStage> analysis);
-    void pass_gap(HostTime now) noexcept;
+    void pass_gap(HostTime now) noexcept RAKS_NONBLOCKING;
     void skip_lost(Nanos gap) noexcept;
     void skip_sleep() noexcept;
 
