@@ -89,22 +89,23 @@ struct MusicAnalyzer::State {
     bool is_discontinuity = false;  // of the next state
     std::uint64_t bad_samples = 0;
 
-    void reset() noexcept;
+    void reset() noexcept RAKS_NONBLOCKING;
     // Also before the first sound: a stream that starts with silence has had no beat.
     [[nodiscard]] bool is_silent() const noexcept {
         return quiet_hops == kSilentHops || !has_sound;
     }
     void clean_chunk(std::span<const float> input) noexcept;
     void take(std::span<const float> rhythm, Sink& sink) noexcept;
-    void finish_hop(Sink& sink) noexcept;
+    void finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING;
     void track(const Onset& onset, MusicState& state) noexcept;
     void score_mfcc(const MusicState& state) noexcept;
     void recognize(MusicState& state) noexcept;
     void hint_tempo(DanceId genre) noexcept;
-    void jump_gap(Sink& sink) noexcept;
+    void jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING;
+    static void hand_out(const MusicState& state, Sink& sink) noexcept RAKS_NONBLOCKING;
 };
 
-void MusicAnalyzer::State::reset() noexcept {
+void MusicAnalyzer::State::reset() noexcept RAKS_NONBLOCKING {
     resampler.reset();
     loudness.reset();
     onsets.reset();
@@ -160,7 +161,7 @@ void MusicAnalyzer::State::take(std::span<const float> rhythm, Sink& sink) noexc
 }
 
 // One hop, in the order of dependence: level and silence, onset, beat, MFCC, genre.
-void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
+void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING {
     MusicState state;
     state.hop = next_hop++;
     state.time = time_of_hop(state.hop);
@@ -184,7 +185,12 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept {
     }
     score_mfcc(state);
     recognize(state);
-    sink.on_state(state);
+    hand_out(state, sink);
+}
+
+// A real-time thread has a sink that does not block, whoever works through a file any other.
+void MusicAnalyzer::State::hand_out(const MusicState& state, Sink& sink) noexcept RAKS_NONBLOCKING {
+    RAKS_TRUSTED(sink.on_state(state));
 }
 
 // The hop's evidence for the beat tracker; the network takes the same mel magnitudes as the onsets.
@@ -239,7 +245,7 @@ void MusicAnalyzer::State::hint_tempo(DanceId genre) noexcept {
 }
 
 // Moves stream time over lost audio; the hops inside it come out with the grid running on.
-void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
+void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING {
     if (lost_samples > kRhythmRate.index_at(StreamTime(kLongestBlindGap))) {
         tracker.jump();
         paper.jump();
@@ -273,7 +279,7 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept {
             }
             mfcc_hops.next_lost();
             level_dbfs.fill(kLowestLevel);
-            sink.on_state(state);
+            hand_out(state, sink);
             std::copy(window.begin() + OnsetDetector::kHop, window.end(), window.begin());
             filled -= OnsetDetector::kHop;
         }

@@ -54,7 +54,8 @@ class MusicAnalyzer {
     class Sink {
      public:
         /// Takes one state; mfcc() and mel_magnitudes() are of its hop meanwhile. Real-time: must
-        /// be.
+        /// be where process() is; a sink of a real-time thread marks it RAKS_NONBLOCKING, one that
+        /// collects a whole file may allocate.
         virtual void on_state(const MusicState& state) noexcept = 0;
 
      protected:

@@ -4,6 +4,8 @@
 #include <compare>
 #include <cstdint>
 
+#include "base/realtime.hpp"
+
 /// Time on the stream's and the host's clock, hops and sample rates.
 namespace raks {
 
@@ -25,6 +27,12 @@ using StreamTime = StreamClock::time_point;
 /// CLOCK_MONOTONIC. Only `engine` maps HostTime to StreamTime and back.
 using HostClock = std::chrono::steady_clock;
 using HostTime = std::chrono::time_point<HostClock, Nanos>;
+
+/// Now. Threads: any. Real-time: yes.
+[[nodiscard]] inline HostTime host_now() noexcept RAKS_NONBLOCKING {
+    // CLOCK_MONOTONIC is read from memory that the kernel shares.
+    return RAKS_TRUSTED(HostClock::now());
+}
 
 /// Analysis and motion run once a hop; hop n is at exactly n x 10 ms.
 inline constexpr Nanos kHop = std::chrono::milliseconds(10);

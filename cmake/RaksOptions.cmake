@@ -54,13 +54,17 @@ target_compile_options(raks_warnings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
     -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wdouble-promotion -Wformat=2
     $<$<BOOL:${RAKS_WERROR}>:-Werror>)
+# What RAKS_NONBLOCKING promises, when it is compiled; the sanitizer looks when it runs.
+if(RAKS_SANITIZE STREQUAL "realtime")
+    target_compile_options(raks_warnings INTERFACE -Werror=function-effects)
+endif()
 
 # A third less work for a whole build, more for one changed file.
 if(RAKS_UNITY)
     set(CMAKE_UNITY_BUILD ON)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
     # A class of one file may hold a type that the same file keeps to itself.
-    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+    add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
 endif()
 
 find_program(RAKS_CCACHE ccache)

@@ -97,7 +97,7 @@ double ending(const HmmScorer& scorer, std::span<const double> log_alpha) {
 }  // namespace
 
 // The largest value is taken out first, so that no exp overflows.
-double log_sum(std::span<const double> logs) noexcept {
+double log_sum(std::span<const double> logs) noexcept RAKS_NONBLOCKING {
     double best = kImpossible;
     for (const double value : logs) {
         best = std::max(best, value);
@@ -195,7 +195,7 @@ void HmmScorer::take_emissions(const GaussianHmm& model) {
 // Gaussian log density and the component's weight: the constant minus half the squared Mahalanobis
 // distance of the frame.
 double HmmScorer::log_component(std::span<const double> frame,
-                                std::size_t component) const noexcept {
+                                std::size_t component) const noexcept RAKS_NONBLOCKING {
     const double* mean = means_.data() + component * dimension_;
     const Whitening& whitening = whitenings_[components_[component].whitening];
     double distance = 0.0;
@@ -212,13 +212,14 @@ double HmmScorer::log_component(std::span<const double> frame,
 
 void HmmScorer::log_components(std::span<const double> frame,
                                std::size_t state,
-                               std::span<double> out) const noexcept {
+                               std::span<double> out) const noexcept RAKS_NONBLOCKING {
     for (std::size_t k = 0; k < mixtures_; ++k) {
         out[k] = log_component(frame, state * mixtures_ + k);
     }
 }
 
-void HmmScorer::log_emissions(std::span<const double> frame, std::span<double> out) const noexcept {
+void HmmScorer::log_emissions(std::span<const double> frame,
+                              std::span<double> out) const noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(frame.size() == dimension_ && out.size() == states());
     for (std::size_t n = 0; n < states(); ++n) {
         // Log-sum-exp over the components in one pass: `sum` is relative to the largest value so
@@ -377,7 +378,7 @@ StreamingForward::StreamingForward(const HmmScorer& scorer)
       next_(scorer.states(), kImpossible),
       emissions_(scorer.states(), 0.0) {}
 
-double StreamingForward::process(std::span<const double> frame) noexcept {
+double StreamingForward::process(std::span<const double> frame) noexcept RAKS_NONBLOCKING {
     // The same recursion as forward_table, with the last row alone kept.
     scorer_->log_emissions(frame, emissions_);
     for (std::size_t n = 0; n < alpha_.size(); ++n) {

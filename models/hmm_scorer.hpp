@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "base/realtime.hpp"
 #include "models/gaussian_hmm.hpp"
 
 /// Evaluation of Gaussian HMMs: emissions, likelihoods, Viterbi paths and posteriors.
@@ -34,12 +35,13 @@ class HmmScorer {
 
     /// ln b_n(o) of every state n for one frame of D features.
     /// Threads: any. Real-time: yes (O(N D) or O(N D^2), no allocation).
-    void log_emissions(std::span<const double> frame, std::span<double> out) const noexcept;
+    void log_emissions(std::span<const double> frame,
+                       std::span<double> out) const noexcept RAKS_NONBLOCKING;
     /// ln (weight x density) of every component of one state; `out`: K values.
     /// Threads: any. Real-time: yes.
     void log_components(std::span<const double> frame,
                         std::size_t state,
-                        std::span<double> out) const noexcept;
+                        std::span<double> out) const noexcept RAKS_NONBLOCKING;
     /// The same for all frames: T x N, the same bits as frame by frame. Real-time: no.
     [[nodiscard]] Frames log_emissions(const Frames& frames) const;
 
@@ -71,7 +73,7 @@ class HmmScorer {
     /// Emissions of as many whole blocks of frames as there are; returns how many frames.
     Eigen::Index take_blocks(const Frames& frames, Frames& out) const;
     [[nodiscard]] double log_component(std::span<const double> frame,
-                                       std::size_t component) const noexcept;
+                                       std::size_t component) const noexcept RAKS_NONBLOCKING;
     void take_topology(const GaussianHmm& model);
     void take_emissions(const GaussianHmm& model);
 
@@ -88,7 +90,7 @@ class HmmScorer {
 
 /// ln of the sum of exp of these numbers; kImpossible for an empty list or one of kImpossible
 /// alone. Real-time: yes.
-[[nodiscard]] double log_sum(std::span<const double> logs) noexcept;
+[[nodiscard]] double log_sum(std::span<const double> logs) noexcept RAKS_NONBLOCKING;
 
 /// ln p(o_1..o_T) of a whole sequence, its end included where the model has exits; 0 for no frames.
 /// Threads: any. Real-time: no.
@@ -122,7 +124,7 @@ class StreamingForward {
 
     /// Takes the next frame (D features) and returns ln p(o_1..o_t) of the frames so far, without
     /// exits (a prefix may go on).
-    double process(std::span<const double> frame) noexcept;
+    double process(std::span<const double> frame) noexcept RAKS_NONBLOCKING;
     void reset() noexcept { is_started_ = false; }  ///< next frame is the first
 
     /// ln alpha of every state after the last frame.

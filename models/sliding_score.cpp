@@ -101,7 +101,7 @@ SlidingScore::SlidingScore(const HmmScorer& scorer, const Plan& plan)
     reset();
 }
 
-void SlidingScore::reset() noexcept {
+void SlidingScore::reset() noexcept RAKS_NONBLOCKING {
     // Matrices keep old values; they are overwritten before they are read.
     filled_ = 0;
     closed_blocks_ = 0;
@@ -111,12 +111,12 @@ void SlidingScore::reset() noexcept {
     std::fill(scores_.begin(), scores_.end(), kImpossible);
 }
 
-int SlidingScore::blocks_scored() const noexcept {
+int SlidingScore::blocks_scored() const noexcept RAKS_NONBLOCKING {
     return static_cast<int>(std::min<std::int64_t>(scored_blocks_, blocks_));
 }
 
 // Scores of windows longer than the stream do not exist.
-double SlidingScore::score(int blocks) const noexcept {
+double SlidingScore::score(int blocks) const noexcept RAKS_NONBLOCKING {
     return blocks >= 1 && blocks <= blocks_scored() ? scores_[static_cast<std::size_t>(blocks - 1)]
                                                     : kImpossible;
 }
@@ -126,7 +126,7 @@ const SlidingScore::Scaled& SlidingScore::block_at(std::int64_t number) const no
     return closed_[static_cast<std::size_t>(number) % closed_.size()];
 }
 
-void SlidingScore::process(std::span<const double> log_emissions) noexcept {
+void SlidingScore::process(std::span<const double> log_emissions) noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(log_emissions.size() == states_);
     // An equal share of the walk at each frame of a block, rounded up: it ends with the block.
     walk((blocks_ + block_ - 1) / block_);

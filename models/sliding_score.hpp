@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/realtime.hpp"
 #include "models/hmm_scorer.hpp"
 
 namespace raks::models {
@@ -39,17 +40,17 @@ class SlidingScore {
 
     /// Takes the next frame's ln b_n(o) of each of the N states. For a frame without information
     /// pass zeros: then only time passes.
-    void process(std::span<const double> log_emissions) noexcept;
-    void reset() noexcept;  ///< as after construction
+    void process(std::span<const double> log_emissions) noexcept RAKS_NONBLOCKING;
+    void reset() noexcept RAKS_NONBLOCKING;  ///< as after construction
 
     /// ln p of the `blocks` newest blocks as one sequence; kImpossible where the stream has fewer
     /// yet. The newest block is the last one whose walk is complete: one block before the last
     /// closed one.
-    [[nodiscard]] double score(int blocks) const noexcept;
+    [[nodiscard]] double score(int blocks) const noexcept RAKS_NONBLOCKING;
     /// Frames from the start of the stream to the end of those windows.
     [[nodiscard]] std::int64_t frames_scored() const noexcept { return scored_blocks_ * block_; }
     /// The largest number of blocks that score() has a value for.
-    [[nodiscard]] int blocks_scored() const noexcept;
+    [[nodiscard]] int blocks_scored() const noexcept RAKS_NONBLOCKING;
 
  private:
     /// A vector or matrix and what it was divided by (forward; for Viterbi the scale stays 0).

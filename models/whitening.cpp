@@ -18,7 +18,7 @@ static_assert(kFrameBlock == 2 * kLanes);
 RAKS_SIMD_CLONES void squared_distances(const double* triangle,
                                         const FeatureBlock* centred,
                                         std::size_t dimension,
-                                        FeatureBlock& out) noexcept {
+                                        FeatureBlock& out) noexcept RAKS_NONBLOCKING {
     // Two registers of frames at a time: row i of W times the centred features, squared and summed
     // over i.
     Lanes low_sum = {};
@@ -45,7 +45,7 @@ RAKS_SIMD_CLONES void squared_distances(const double* triangle,
 
 double squared_distance(const double* triangle,
                         std::span<const double> frame,
-                        const double* mean) noexcept {
+                        const double* mean) noexcept RAKS_NONBLOCKING {
     double sum = 0.0;
     for (std::size_t i = 0; i < frame.size(); ++i) {
         // The same order of sums as above, for the same bits.

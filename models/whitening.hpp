@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/realtime.hpp"
+
 /// Squared Mahalanobis distances, the expensive part of full-covariance emissions.
 namespace raks::models {
 
@@ -22,11 +24,11 @@ struct alignas(64) FeatureBlock {
 void squared_distances(const double* triangle,
                        const FeatureBlock* centred,
                        std::size_t dimension,
-                       FeatureBlock& out) noexcept;
+                       FeatureBlock& out) noexcept RAKS_NONBLOCKING;
 
 /// The same for one frame; `mean`: D values, subtracted from it.
 [[nodiscard]] double squared_distance(const double* triangle,
                                       std::span<const double> frame,
-                                      const double* mean) noexcept;
+                                      const double* mean) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::models

@@ -141,7 +141,7 @@ FloorMove Dancer::State::place() const noexcept {
     return floor_of(content(), stage, stands_turned) * inverse(content().stage);
 }
 
-void Dancer::State::reset() noexcept {
+void Dancer::State::reset() noexcept RAKS_NONBLOCKING {
     selected = DanceId::none;
     take_up(repertoire->first());
     sequence = FigureSequence();
@@ -388,7 +388,7 @@ void Dancer::reset() noexcept RAKS_NONBLOCKING {
 
 const Pose& Dancer::shown() const noexcept { return state_->shown; }
 
-DancerStatus Dancer::status() const noexcept {
+DancerStatus Dancer::status() const noexcept RAKS_NONBLOCKING {
     DancerStatus status;
     const State& state = *state_;
     if (state.dance == nullptr || !state.is_dancing) {

@@ -102,7 +102,7 @@ class Dancer {
     [[nodiscard]] const Pose& shown() const noexcept;
 
     /// What the dancer is doing at the last hop. Threads: the owner. Real-time: yes.
-    [[nodiscard]] DancerStatus status() const noexcept;
+    [[nodiscard]] DancerStatus status() const noexcept RAKS_NONBLOCKING;
 
  private:
     struct State;

@@ -66,7 +66,7 @@ void Ensemble::reset() noexcept RAKS_NONBLOCKING {
     hold_.reset();
 }
 
-DancerStatus Ensemble::status() const noexcept {
+DancerStatus Ensemble::status() const noexcept RAKS_NONBLOCKING {
     return dancers_.empty() ? DancerStatus{} : dancers_.front().status();
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/realtime.hpp"
 #include "motion/dance/hand_hold.hpp"
 #include "motion/dancer.hpp"
 #include "motion/repertoire.hpp"
@@ -49,7 +50,7 @@ class Ensemble {
     /// Number of members.
     [[nodiscard]] std::size_t size() const noexcept { return dancers_.size(); }
     /// The first member's status; an empty one without members.
-    [[nodiscard]] DancerStatus status() const noexcept;
+    [[nodiscard]] DancerStatus status() const noexcept RAKS_NONBLOCKING;
 
  private:
     Skeleton skeleton_;

@@ -25,7 +25,7 @@ void Repertoire::add(DanceId id, std::shared_ptr<const DanceLibrary> library) {
     dances_[slot].store(owned_[slot].get(), std::memory_order_release);
 }
 
-const DanceLibrary* Repertoire::of(DanceId id) const noexcept {
+const DanceLibrary* Repertoire::of(DanceId id) const noexcept RAKS_NONBLOCKING {
     return index_of(id) < dances_.size() ? dances_[index_of(id)].load(std::memory_order_acquire)
                                          : nullptr;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/dance_list.hpp"
+#include "base/realtime.hpp"
 #include "motion/dance_library.hpp"
 
 namespace raks::motion {
@@ -37,7 +38,7 @@ class Repertoire {
     void add(DanceId id, std::shared_ptr<const DanceLibrary> library);
 
     /// The library of a dance; null: not known (yet). Threads: any. Real-time: yes.
-    [[nodiscard]] const DanceLibrary* of(DanceId id) const noexcept;
+    [[nodiscard]] const DanceLibrary* of(DanceId id) const noexcept RAKS_NONBLOCKING;
     /// The dance given to the constructor. Threads: any. Real-time: yes.
     [[nodiscard]] DanceId first() const noexcept { return first_; }
     /// What is danced to other music. Threads: any. Real-time: yes.

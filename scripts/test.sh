@@ -39,7 +39,7 @@ scripts/tidy.sh --changed
 
 sanitized asan base models skeleton figures choreography training_figures audio_io audio_evaluate \
     audio_models training_files engine_files apps_plots render_video fuzz
-sanitized tsan base engine
+sanitized tsan base engine engine_live
 
 step "release: tests"
 ctest --preset release -j "$(nproc)"

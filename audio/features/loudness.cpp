@@ -44,14 +44,17 @@ Expected<void> LoudnessMeter::prepare(SampleRate rate) {
 }
 
 void LoudnessMeter::add(std::span<const float> mono) noexcept RAKS_NONBLOCKING {
-    ebur128_add_frames_float(state_->meter, mono.data(), mono.size());
+    // libebur128 filters into a ring that it has; it keeps no blocks in the mode of momentary
+    // loudness.
+    RAKS_TRUSTED(ebur128_add_frames_float(state_->meter, mono.data(), mono.size()));
 }
 
 float LoudnessMeter::momentary() noexcept RAKS_NONBLOCKING {
     double lufs = 0.0;
     // Digital silence is -inf LUFS, which is not finite.
-    if (ebur128_loudness_momentary(state_->meter, &lufs) != EBUR128_SUCCESS ||
-        !std::isfinite(lufs)) {
+    // A sum over that ring.
+    const int result = RAKS_TRUSTED(ebur128_loudness_momentary(state_->meter, &lufs));
+    if (result != EBUR128_SUCCESS || !std::isfinite(lufs)) {
         return kLowestLufs;
     }
     return std::max(kLowestLufs, static_cast<float>(lufs));

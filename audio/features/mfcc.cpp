@@ -136,7 +136,7 @@ MfccStream::Static MfccStream::delta_at(int frame) const noexcept {
 }
 
 // The same regression over the first derivatives gives the second ones.
-void MfccStream::emit(int frame, Sink& sink) noexcept {
+void MfccStream::emit(int frame, Sink& sink) noexcept RAKS_NONBLOCKING {
     const Static& statics = static_at(frame);
     const Static delta = delta_at(frame);
     const Static after1 = delta_at(frame + 1);
@@ -150,7 +150,8 @@ void MfccStream::emit(int frame, Sink& sink) noexcept {
         vector[i + 2 * kMfccStatic] =
             (after1[i] - before1[i] + 2.0F * (after2[i] - before2[i])) / 10.0F;
     }
-    sink.on_vector(vector);
+    // A real-time thread has a sink that does not block, whoever works through a file any other.
+    RAKS_TRUSTED(sink.on_vector(vector));
 }
 
 CepstralMean::CepstralMean(const CepstralMeanConfig& config) noexcept

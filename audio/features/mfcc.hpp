@@ -45,7 +45,7 @@ class MfccStream {
     /// Receives the vectors, in order of frames, from within process() and finish().
     class Sink {
      public:
-        /// One frame's vector. Real-time: the caller's thread, do not block.
+        /// One frame's vector. Real-time: must be where process() is.
         virtual void on_vector(const MfccVector& vector) noexcept = 0;
 
      protected:
@@ -70,7 +70,7 @@ class MfccStream {
     void add_frame(Sink& sink) noexcept;
     [[nodiscard]] Static compute_static() noexcept;
     [[nodiscard]] double window_log_energy() const noexcept;
-    void emit(int frame, Sink& sink) noexcept;
+    void emit(int frame, Sink& sink) noexcept RAKS_NONBLOCKING;
     [[nodiscard]] const Static& static_at(int frame) const noexcept;
     [[nodiscard]] Static delta_at(int frame) const noexcept;
 

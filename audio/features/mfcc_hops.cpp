@@ -16,7 +16,7 @@ constexpr float kSixteenBit = 32768.0F;                // HTK's scale
 class KeepLast final : public MfccStream::Sink {
  public:
     explicit KeepLast(MfccVector& kept) : kept_(kept) {}
-    void on_vector(const MfccVector& vector) noexcept override {
+    void on_vector(const MfccVector& vector) noexcept RAKS_NONBLOCKING override {
         kept_ = vector;
         has_vector_ = true;
     }

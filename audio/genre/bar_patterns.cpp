@@ -304,7 +304,9 @@ bool BarPatterns::add(std::span<const float, kMelBands> mel,
 
 // Levels above the floor, their sums, and the onset strength of each band.
 void BarPatterns::take_levels(std::span<const float, kMelBands> mel) noexcept {
-    std::transform(mel.begin(), mel.end(), level_.begin(), decibels);
+    std::transform(mel.begin(), mel.end(), level_.begin(), [](float magnitude) {
+        return decibels(magnitude);
+    });
     // The peak falls slowly, so that a break does not raise the floor; gain changes both alike.
     peak_ = std::max(peak_ - kPeakFall, *std::max_element(level_.begin(), level_.end()));
     for (std::size_t band = 0; band < level_.size(); ++band) {

@@ -2,6 +2,7 @@
 
 #include <semaphore.h>
 
+#include "base/realtime.hpp"
 #include "base/sleep_until.hpp"
 
 namespace raks::audio {
@@ -17,7 +18,10 @@ class Bell {
     Bell& operator=(const Bell&) = delete;            ///< as above
 
     /// Ends one wait.
-    void ring() noexcept { sem_post(&semaphore_); }
+    void ring() noexcept RAKS_NONBLOCKING {
+        // POSIX lets it be called even from signal handlers: it waits for nobody.
+        RAKS_TRUSTED(sem_post(&semaphore_));
+    }
     /// Waits until it rings, at most 100 ms.
     void wait() noexcept {
         const timespec until = timespec_of(HostClock::now() + std::chrono::milliseconds(100));

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "audio/io/stream_callback.hpp"
+#include "base/realtime.hpp"
 
 namespace raks::audio {
 
@@ -30,12 +31,18 @@ class CallbackGate {
     /// Passes a recorded block on, if open.
     void on_input(std::span<const float> interleaved,
                   int channels,
-                  const BlockTime& time) noexcept {
-        call([&](StreamCallback& callback) { callback.on_input(interleaved, channels, time); });
+                  const BlockTime& time) noexcept RAKS_NONBLOCKING {
+        call([&](StreamCallback& callback) noexcept RAKS_NONBLOCKING {
+            callback.on_input(interleaved, channels, time);
+        });
     }
     /// Passes a block to be filled on, if open; closed, it stays as it came.
-    void on_output(std::span<float> interleaved, int channels, const BlockTime& time) noexcept {
-        call([&](StreamCallback& callback) { callback.on_output(interleaved, channels, time); });
+    void on_output(std::span<float> interleaved,
+                   int channels,
+                   const BlockTime& time) noexcept RAKS_NONBLOCKING {
+        call([&](StreamCallback& callback) noexcept RAKS_NONBLOCKING {
+            callback.on_output(interleaved, channels, time);
+        });
     }
 
  private:
@@ -43,7 +50,7 @@ class CallbackGate {
     // the other's, so either the device's thread sees that the gate is closed, or close() sees that
     // a call is running.
     template <typename Block>
-    void call(const Block& block) noexcept {
+    void call(const Block& block) noexcept RAKS_NONBLOCKING {
         is_calling_.store(true);
         if (StreamCallback* callback = callback_.load()) {
             block(*callback);

@@ -9,33 +9,36 @@
 namespace raks::audio {
 
 // What both directions do first.
-BlockTime CountedBlocks::begin(std::size_t samples, HostTime entered) noexcept {
+BlockTime CountedBlocks::begin(std::size_t samples, HostTime entered) noexcept RAKS_NONBLOCKING {
     const std::int64_t frames = static_cast<std::int64_t>(samples) / channels_;
     const BlockTime time{.first_frame = frames_,
                          .entered = entered,
                          .is_xrun = has_xrun_.exchange(false, std::memory_order_relaxed)};
     frames_ += frames;
-    last_block_ns_.store(HostClock::now().time_since_epoch().count(), std::memory_order_relaxed);
+    last_block_ns_.store(host_now().time_since_epoch().count(), std::memory_order_relaxed);
     block_frames_.store(static_cast<int>(frames), std::memory_order_relaxed);
-    thread_.store(pthread_self(), std::memory_order_relaxed);
+    // glibc reads it from a register.
+    thread_.store(RAKS_TRUSTED(pthread_self()), std::memory_order_relaxed);
     callbacks_.fetch_add(1, std::memory_order_relaxed);
     return time;
 }
 
-void CountedBlocks::take_input(std::span<const float> interleaved, HostTime entered) noexcept {
+void CountedBlocks::take_input(std::span<const float> interleaved,
+                               HostTime entered) noexcept RAKS_NONBLOCKING {
     const FlushToZeroScope flush_to_zero;
     const BlockTime time = begin(interleaved.size(), entered);
     gate_.on_input(interleaved, channels_, time);
 }
 
-void CountedBlocks::take_output(std::span<float> interleaved, HostTime entered) noexcept {
+void CountedBlocks::take_output(std::span<float> interleaved,
+                                HostTime entered) noexcept RAKS_NONBLOCKING {
     const FlushToZeroScope flush_to_zero;
     const BlockTime time = begin(interleaved.size(), entered);
     std::fill(interleaved.begin(), interleaved.end(), 0.0F);
     gate_.on_output(interleaved, channels_, time);
 }
 
-void CountedBlocks::note_xrun() noexcept {
+void CountedBlocks::note_xrun() noexcept RAKS_NONBLOCKING {
     xruns_.fetch_add(1, std::memory_order_relaxed);
     has_xrun_.store(true, std::memory_order_relaxed);
 }
@@ -48,7 +51,7 @@ std::uint64_t CountedBlocks::xruns() const noexcept {
     return xruns_.load(std::memory_order_relaxed);
 }
 
-int CountedBlocks::block_frames() const noexcept {
+int CountedBlocks::block_frames() const noexcept RAKS_NONBLOCKING {
     return block_frames_.load(std::memory_order_relaxed);
 }
 

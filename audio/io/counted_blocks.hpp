@@ -9,6 +9,7 @@
 
 #include "audio/io/callback_gate.hpp"
 #include "audio/io/stream_callback.hpp"
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
@@ -24,11 +25,11 @@ class CountedBlocks {
     explicit CountedBlocks(int channels) : channels_(channels) {}
 
     /// A recorded block, interleaved, that was handed over at `entered`.
-    void take_input(std::span<const float> interleaved, HostTime entered) noexcept;
+    void take_input(std::span<const float> interleaved, HostTime entered) noexcept RAKS_NONBLOCKING;
     /// A block to be filled; it is silent where the gate is closed.
-    void take_output(std::span<float> interleaved, HostTime entered) noexcept;
+    void take_output(std::span<float> interleaved, HostTime entered) noexcept RAKS_NONBLOCKING;
     /// The device lost or repeated audio: the next block is flagged. From any thread.
-    void note_xrun() noexcept;
+    void note_xrun() noexcept RAKS_NONBLOCKING;
 
     /// The switch to the callback.
     [[nodiscard]] CallbackGate& gate() noexcept { return gate_; }
@@ -39,7 +40,7 @@ class CountedBlocks {
     /// Xruns so far.
     [[nodiscard]] std::uint64_t xruns() const noexcept;
     /// Frames of the newest block; 0 before the first.
-    [[nodiscard]] int block_frames() const noexcept;
+    [[nodiscard]] int block_frames() const noexcept RAKS_NONBLOCKING;
     /// When the newest block passed; the epoch before the first.
     [[nodiscard]] HostTime last_block() const noexcept;
     /// Frames of all blocks so far. Threads: the device's.
@@ -48,7 +49,7 @@ class CountedBlocks {
     [[nodiscard]] std::string scheduling() const;
 
  private:
-    BlockTime begin(std::size_t samples, HostTime entered) noexcept;
+    BlockTime begin(std::size_t samples, HostTime entered) noexcept RAKS_NONBLOCKING;
 
     CallbackGate gate_;
     int channels_;

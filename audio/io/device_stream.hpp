@@ -8,6 +8,7 @@
 #include "audio/io/devices.hpp"
 #include "audio/io/stream_callback.hpp"
 #include "base/expected.hpp"
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
@@ -88,8 +89,8 @@ class DeviceStream {
     /// -2 to 2 s, smoothed. It dates an output's first sample, and the end of an input's last one.
     /// A microphone's sound was heard before it came in: negative. A monitor records what its
     /// loudspeaker may not have played yet: positive. JACK counts what its ports are
-    /// connected to; PulseAudio the whole way to the converter.
-    [[nodiscard]] virtual Nanos heard_after() const noexcept = 0;
+    /// connected to; PulseAudio the whole way to the converter. Threads: any. Real-time: yes.
+    [[nodiscard]] virtual Nanos heard_after() const noexcept RAKS_NONBLOCKING = 0;
 
     /// Number of callbacks since the start.
     [[nodiscard]] std::uint64_t callbacks() const noexcept;

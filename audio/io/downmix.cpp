@@ -111,7 +111,7 @@ void downmix_to_stereo(std::span<const float> interleaved,
 
 void downmix_to_mono(std::span<const float> interleaved,
                      std::size_t channels,
-                     std::span<float> mono) noexcept {
+                     std::span<float> mono) noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(channels >= 1 && mono.size() >= interleaved.size() / channels);
     if (channels == 1) {
         std::copy(interleaved.begin(), interleaved.end(), mono.begin());

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/realtime.hpp"
+
 namespace raks::audio {
 
 /// Interleaved audio of any number of channels as stereo. One channel goes to both sides. Three to
@@ -19,6 +21,6 @@ void downmix_to_stereo(std::span<const float> interleaved,
 /// Real-time: yes.
 void downmix_to_mono(std::span<const float> interleaved,
                      std::size_t channels,
-                     std::span<float> mono) noexcept;
+                     std::span<float> mono) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::audio

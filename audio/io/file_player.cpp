@@ -288,7 +288,7 @@ std::unique_ptr<FilePlayer> FilePlayer::start(std::unique_ptr<PipeReader> pipe,
     return std::unique_ptr<FilePlayer>(new FilePlayer(std::move(impl)));
 }
 
-PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept {
+PulledAudio FilePlayer::pull(std::span<float> stereo) noexcept RAKS_NONBLOCKING {
     Impl& me = *impl_;
     // acquire: pairs with the release in seek(): nothing older is played from here on.
     const std::uint64_t wanted = me.wanted_generation.load(std::memory_order_acquire);
@@ -390,7 +390,7 @@ const std::filesystem::path& FilePlayer::path_of(int track) const {
 
 const AudioFileInfo& FilePlayer::first_info() const noexcept { return impl_->first_info; }
 
-bool FilePlayer::is_seeking() const noexcept {
+bool FilePlayer::is_seeking() const noexcept RAKS_NONBLOCKING {
     return impl_->played_generation.load(std::memory_order_relaxed) !=
            impl_->wanted_generation.load(std::memory_order_relaxed);
 }

@@ -12,6 +12,7 @@
 #include "audio/io/audio_file.hpp"
 #include "audio/io/pipe_reader.hpp"
 #include "base/expected.hpp"
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
@@ -61,7 +62,7 @@ class FilePlayer {
     /// never mixes two files or both sides of a seek: when it returns fewer frames than the block
     /// holds, more may be ready; call again for the rest. If too little is decoded although the
     /// file continues, underruns() counts it, but not right after a seek (is_seeking()).
-    PulledAudio pull(std::span<float> stereo) noexcept;
+    PulledAudio pull(std::span<float> stereo) noexcept RAKS_NONBLOCKING;
 
     /// Continues at `seconds` (>= 0, else 0) of file `track`; all that was decoded ahead is
     /// dropped. In a pipe it does nothing.
@@ -80,7 +81,7 @@ class FilePlayer {
     /// Properties of the first file; known from the start.
     [[nodiscard]] const AudioFileInfo& first_info() const noexcept;
     /// True from seek() until the first frames from there were pulled. Threads: any.
-    [[nodiscard]] bool is_seeking() const noexcept;
+    [[nodiscard]] bool is_seeking() const noexcept RAKS_NONBLOCKING;
     /// Number of pulls for which too little was decoded. Threads: any.
     [[nodiscard]] std::uint64_t underruns() const noexcept;
     /// Blocks the caller until at least `frames` are decoded ahead, or all that remains.

@@ -8,7 +8,7 @@ namespace raks::audio {
 void hear_mono(std::span<const float> interleaved,
                std::size_t channels,
                const Hearing& hearing,
-               std::span<float> mono) noexcept {
+               std::span<float> mono) noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(channels >= 1 && mono.size() >= interleaved.size() / channels);
     const std::size_t frames = interleaved.size() / channels;
     if (hearing.is_from_side && channels == 2) {

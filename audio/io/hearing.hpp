@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/realtime.hpp"
+
 namespace raks::audio {
 
 /// How a file's sound is brought before the analyzer, which hears one channel of ordinary level.
@@ -36,7 +38,7 @@ struct Hearing {
 void hear_mono(std::span<const float> interleaved,
                std::size_t channels,
                const Hearing& hearing,
-               std::span<float> mono) noexcept;
+               std::span<float> mono) noexcept RAKS_NONBLOCKING;
 
 /// The same as stereo for a loudspeaker or a film: downmix_to_stereo, and softer where the file is
 /// far above full scale; everything else stays as the file has it. Threads: any. Real-time: yes.

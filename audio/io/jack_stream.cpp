@@ -35,9 +35,9 @@ struct JackLine {
 };
 
 // One period: JACK has a buffer for each port, our callbacks take interleaved samples.
-int on_period(jack_nframes_t frames, void* data) noexcept {
+int on_period(jack_nframes_t frames, void* data) noexcept RAKS_NONBLOCKING {
     JackLine& line = *static_cast<JackLine*>(data);
-    const HostTime entered = HostClock::now();
+    const HostTime entered = host_now();
     const std::size_t stride = line.ports.size();
     const std::size_t count = std::min<std::size_t>(frames, kMostFrames);
     const std::span<float> block = std::span(line.block).first(count * stride);
@@ -45,8 +45,9 @@ int on_period(jack_nframes_t frames, void* data) noexcept {
         line.blocks.take_output(block, entered);
     }
     for (std::size_t channel = 0; channel < stride; ++channel) {
+        // JACK says that its callback may ask for this.
         float* const samples =
-            static_cast<float*>(jack_port_get_buffer(line.ports[channel], frames));
+            static_cast<float*>(RAKS_TRUSTED(jack_port_get_buffer(line.ports[channel], frames)));
         for (std::size_t i = 0; i < count; ++i) {
             float& own = block[i * stride + channel];
             (line.is_input ? own : samples[i]) = line.is_input ? samples[i] : own;
@@ -92,11 +93,11 @@ class JackStream final : public DeviceStream {
     JackStream& operator=(const JackStream&) = delete;
 
     // JACK counts to or from the block's first sample.
-    [[nodiscard]] Nanos heard_after() const noexcept override {
+    [[nodiscard]] Nanos heard_after() const noexcept RAKS_NONBLOCKING override {
         jack_latency_range_t range{};
-        jack_port_get_latency_range(line_->ports.front(),
-                                    line_->is_input ? JackCaptureLatency : JackPlaybackLatency,
-                                    &range);
+        const auto way = line_->is_input ? JackCaptureLatency : JackPlaybackLatency;
+        // JACK reads it from memory that the server shares, and waits for no change on its thread.
+        RAKS_TRUSTED(jack_port_get_latency_range(line_->ports.front(), way, &range));
         const Nanos latency =
             std::min<Nanos>(rate().time_of(range.max).time_since_epoch(), kMostLatency);
         const Nanos block = rate().time_of(blocks().block_frames()).time_since_epoch();
@@ -111,7 +112,7 @@ class JackStream final : public DeviceStream {
     // memory that the server shares; only connecting asks the server.
     [[nodiscard]] std::optional<DeviceEvent> poll() override {
         // JACK tells of a port that goes while its name may still be read: looked at for a while.
-        const HostTime now = HostClock::now();
+        const HostTime now = host_now();
         if (line_->have_ports_changed.exchange(false, std::memory_order_relaxed)) {
             looks_until_ = now + kSettles;
         }

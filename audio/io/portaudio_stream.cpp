@@ -45,9 +45,9 @@ int on_block(const void* input,
              unsigned long frame_count,
              const PaStreamCallbackTimeInfo*,
              PaStreamCallbackFlags flags,
-             void* data) noexcept {
+             void* data) noexcept RAKS_NONBLOCKING {
     PortAudioLine& line = *static_cast<PortAudioLine*>(data);
-    const HostTime entered = HostClock::now();
+    const HostTime entered = host_now();
     constexpr PaStreamCallbackFlags kXrun =
         paInputOverflow | paInputUnderflow | paOutputUnderflow | paOutputOverflow;
     if ((flags & kXrun) != 0) {
@@ -100,7 +100,7 @@ class PortAudioStream final : public DeviceStream {
           stream_(stream),
           heard_after_(heard_after),
           dead_after_(dead_after),
-          started_(HostClock::now()) {}
+          started_(host_now()) {}
 
     // The gate first: whatever becomes of the stream, its callback is not called any more. Stopping
     // and closing never return when the device dies meanwhile; then the thread and the stream are
@@ -119,7 +119,9 @@ class PortAudioStream final : public DeviceStream {
     PortAudioStream(const PortAudioStream&) = delete;
     PortAudioStream& operator=(const PortAudioStream&) = delete;
 
-    [[nodiscard]] Nanos heard_after() const noexcept override { return heard_after_; }
+    [[nodiscard]] Nanos heard_after() const noexcept RAKS_NONBLOCKING override {
+        return heard_after_;
+    }
 
     // Before the first callback the time since the start counts.
     [[nodiscard]] bool is_alive(HostTime now) const noexcept override {

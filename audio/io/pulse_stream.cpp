@@ -70,7 +70,7 @@ class PulseStream final : public DeviceStream {
     // After open().
     void start();
 
-    [[nodiscard]] Nanos heard_after() const noexcept override {
+    [[nodiscard]] Nanos heard_after() const noexcept RAKS_NONBLOCKING override {
         return Nanos(heard_after_ns_.load(std::memory_order_relaxed));
     }
     [[nodiscard]] bool is_alive(HostTime) const noexcept override {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
@@ -25,11 +26,11 @@ class StreamCallback {
     /// A block from an input stream, interleaved; any number of frames from 1 up.
     virtual void on_input(std::span<const float> /*interleaved*/,
                           int /*channels*/,
-                          const BlockTime& /*time*/) noexcept {}
+                          const BlockTime& /*time*/) noexcept RAKS_NONBLOCKING {}
     /// A block for an output stream, interleaved, to be filled completely (it is zeroed before).
     virtual void on_output(std::span<float> /*interleaved*/,
                            int /*channels*/,
-                           const BlockTime& /*time*/) noexcept {}
+                           const BlockTime& /*time*/) noexcept RAKS_NONBLOCKING {}
 };
 
 }  // namespace raks::audio

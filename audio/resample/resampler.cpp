@@ -90,16 +90,18 @@ Resampler::Progress Resampler::process(std::span<const float> input,
     // In: frames offered and room for; out: frames taken and made.
     auto taken = static_cast<spx_uint32_t>(input.size() / channels);
     auto made = static_cast<spx_uint32_t>(output.size() / channels);
-    speex_resampler_process_interleaved_float(
-        state_->converter, input.data(), &taken, output.data(), &made);
+    // Speex allocates when its rates and channels are set, and here nothing.
+    RAKS_TRUSTED(speex_resampler_process_interleaved_float(
+        state_->converter, input.data(), &taken, output.data(), &made));
     return {taken, made};
 }
 
 void Resampler::reset() noexcept RAKS_NONBLOCKING {
     if (!state_->is_copy) {
-        speex_resampler_reset_mem(state_->converter);
-        // Skips the filter's delay at the start: output frame 0 belongs to input frame 0.
-        speex_resampler_skip_zeros(state_->converter);
+        // Skips the filter's delay at the start: output frame 0 belongs to input frame 0. Both only
+        // write what Speex has.
+        RAKS_TRUSTED(speex_resampler_reset_mem(state_->converter));
+        RAKS_TRUSTED(speex_resampler_skip_zeros(state_->converter));
     }
 }
 

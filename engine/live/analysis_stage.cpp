@@ -89,7 +89,7 @@ Expected<void> AnalysisStage::change_rate(SampleRate rate) {
     return {};
 }
 
-StreamTime AnalysisStage::taken_until() const noexcept {
+StreamTime AnalysisStage::taken_until() const noexcept RAKS_NONBLOCKING {
     return rate_.time_of(frames_taken_.load(std::memory_order_acquire));  // see analyze()
 }
 

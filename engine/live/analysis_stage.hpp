@@ -81,14 +81,14 @@ class AnalysisStage {
         return level_dbfs_.load(std::memory_order_relaxed);  // relaxed: a meter
     }
     /// Stream time up to which samples were taken. Threads: any.
-    [[nodiscard]] StreamTime taken_until() const noexcept;
+    [[nodiscard]] StreamTime taken_until() const noexcept RAKS_NONBLOCKING;
 
  private:
     class Queue final : public audio::MusicAnalyzer::Sink {
      public:
         Queue(EventQueue<MusicState>& states, PlannedStates& planned)
             : states_(states), planned_(planned) {}
-        void on_state(const MusicState& state) noexcept override {
+        void on_state(const MusicState& state) noexcept RAKS_NONBLOCKING override {
             states_.push(planned_.at(state));
         }
 

@@ -70,8 +70,8 @@ void LiveInput::skip_sleep() noexcept {
 
 void LiveInput::on_input(std::span<const float> interleaved,
                          int channels,
-                         const audio::BlockTime& time) noexcept {
-    const HostTime start = HostClock::now();
+                         const audio::BlockTime& time) noexcept RAKS_NONBLOCKING {
+    const HostTime start = host_now();
     const std::size_t stride = static_cast<std::size_t>(channels);
     const std::size_t frames = interleaved.size() / stride;
     const Nanos block = rate_.time_of(static_cast<std::int64_t>(frames)).time_since_epoch();
@@ -99,11 +99,11 @@ void LiveInput::on_input(std::span<const float> interleaved,
         analysis_->analyze(mono);
     }
     last_entered_ = last_sound_ = time.entered;
-    analysis_->add_callback_time(HostClock::now() - start);
+    analysis_->add_callback_time(host_now() - start);
 }
 
 // Whole hops, by the clock alone: stream time is where it would be with the device.
-void LiveInput::pass_gap(HostTime now) noexcept {
+void LiveInput::pass_gap(HostTime now) noexcept RAKS_NONBLOCKING {
     if (!has_begun_) {
         last_entered_ = last_sound_ = now;
         has_begun_ = true;

@@ -29,7 +29,7 @@ class LiveInput final : public audio::StreamCallback {
     /// *audio* Marks the clock, mixes down and analyzes one block. Real-time: yes (no allocation).
     void on_input(std::span<const float> interleaved,
                   int channels,
-                  const audio::BlockTime& time) noexcept override;
+                  const audio::BlockTime& time) noexcept RAKS_NONBLOCKING override;
 
     /// For PacedClock while the device is gone: stream time goes on. For 8 s the grid runs on
     /// blindly, then there is silence, in which the dancer settles.
@@ -52,7 +52,9 @@ class LiveInput final : public audio::StreamCallback {
     class Gap final : public audio::StreamCallback {
      public:
         explicit Gap(LiveInput& input) : input_(input) {}
-        void on_input(std::span<const float>, int, const audio::BlockTime& time) noexcept override {
+        void on_input(std::span<const float>,
+                      int,
+                      const audio::BlockTime& time) noexcept RAKS_NONBLOCKING override {
             input_.pass_gap(time.entered);
         }
 
@@ -61,7 +63,7 @@ class LiveInput final : public audio::StreamCallback {
     };
 
     LiveInput(SampleRate rate, std::unique_ptr<AnalysisStage> analysis);
-    void pass_gap(HostTime now) noexcept;
+    void pass_gap(HostTime now) noexcept RAKS_NONBLOCKING;
     void skip_lost(Nanos gap) noexcept;
     void skip_sleep() noexcept;
 

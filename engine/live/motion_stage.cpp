@@ -52,18 +52,18 @@ bool MotionStage::replace(motion::Ensemble dancers) {
     return true;
 }
 
-void MotionStage::obey(const Order& order) noexcept {
+void MotionStage::obey(const Order& order) noexcept RAKS_NONBLOCKING {
     if (order.dancers == nullptr) {
         dancers_->command(order.command);
         return;
     }
     // The dancers before go to the retire queue, which main empties: freeing would block this
     // thread.
-    std::unique_ptr<motion::Ensemble> before(order.dancers);
-    before.swap(dancers_);
-    const bool has_room = left_.retire(before);
+    const bool has_room = left_.retire(dancers_);
     RAKS_ASSERT(has_room);
     static_cast<void>(has_room);
+    // Empty now, so nothing is freed.
+    RAKS_TRUSTED(dancers_.reset(order.dancers));
     stage_->dancers = dancers_->size();
     // Old poses would be interpolated into those of the new dancers.
     for (motion::PoseTrack& track : stage_->tracks) {
@@ -71,7 +71,7 @@ void MotionStage::obey(const Order& order) noexcept {
     }
 }
 
-void MotionStage::tick() noexcept {
+void MotionStage::tick() noexcept RAKS_NONBLOCKING {
     // Subnormal numbers are slow on the processor.
     const FlushToZeroScope flush_to_zero;
     Order order;
@@ -95,7 +95,7 @@ void MotionStage::tick() noexcept {
     }
     // One copy a reader and wake-up, however many hops were danced.
     if (has_danced) {
-        stage_->published_at_ns = HostClock::now().time_since_epoch().count();
+        stage_->published_at_ns = host_now().time_since_epoch().count();
         publish();
     }
 }
@@ -122,7 +122,7 @@ void MotionThread::run() noexcept {
     prefer_this_thread(RealtimeThread::motion);
     while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
         stage_.tick();
-        sleep_until(HostClock::now() + kNap);
+        sleep_until(host_now() + kNap);
     }
 }
 

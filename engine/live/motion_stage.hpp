@@ -65,7 +65,7 @@ class MotionStage {
 
     /// Dances all states that wait and publishes once. Threads: one, the consumer of the states.
     /// Real-time: yes (no allocation).
-    void tick() noexcept;
+    void tick() noexcept RAKS_NONBLOCKING;
 
     /// Queues a command. Threads: main. False when the queue is full.
     bool command(const motion::DancerCommand& command) noexcept;
@@ -97,7 +97,7 @@ class MotionStage {
     };
     static constexpr std::size_t kQueuedOrders = 64;
 
-    void obey(const Order& order) noexcept;
+    void obey(const Order& order) noexcept RAKS_NONBLOCKING;
     void publish() noexcept;
 
     std::unique_ptr<motion::Ensemble> dancers_;

@@ -109,8 +109,8 @@ std::size_t Playback::pull(std::span<float> stereo) noexcept {
 
 void Playback::on_output(std::span<float> interleaved,
                          int channels,
-                         const audio::BlockTime& time) noexcept {
-    const HostTime start = HostClock::now();
+                         const audio::BlockTime& time) noexcept RAKS_NONBLOCKING {
+    const HostTime start = host_now();
     const std::size_t stride = static_cast<std::size_t>(channels);
     const std::size_t frames = interleaved.size() / stride;
     // What is not filled below is silence.
@@ -159,7 +159,7 @@ void Playback::on_output(std::span<float> interleaved,
     // release: pairs with the acquire in is_finished(): all samples are out by then. A seek back
     // makes it false again.
     is_finished_.store(is_source_ended_ && !has_sound, std::memory_order_release);
-    analysis_->add_callback_time(HostClock::now() - start);
+    analysis_->add_callback_time(host_now() - start);
 }
 
 void Playback::set_volume(float volume) noexcept {

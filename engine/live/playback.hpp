@@ -36,7 +36,7 @@ class Playback final : public audio::StreamCallback {
     /// *audio* Fills one block and marks the clock. Real-time: yes (no allocation).
     void on_output(std::span<float> interleaved,
                    int channels,
-                   const audio::BlockTime& time) noexcept override;
+                   const audio::BlockTime& time) noexcept RAKS_NONBLOCKING override;
 
     /// The stage that the file's samples are analyzed by.
     [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }

@@ -17,7 +17,7 @@ class ClickPlayer::Tape final : public audio::StreamCallback {
 
     void on_output(std::span<float> interleaved,
                    int channels,
-                   const audio::BlockTime& time) noexcept override {
+                   const audio::BlockTime& time) noexcept RAKS_NONBLOCKING override {
         const auto stride = static_cast<std::size_t>(channels);
         const std::size_t at = frames_.load(std::memory_order_relaxed);  // only we write it
         const std::size_t frames = std::min(interleaved.size() / stride, sound_.size() - at);

@@ -38,7 +38,7 @@ class LoopRecorder::Tape final : public audio::StreamCallback {
 
     void on_input(std::span<const float> interleaved,
                   int channels,
-                  const audio::BlockTime& time) noexcept override {
+                  const audio::BlockTime& time) noexcept RAKS_NONBLOCKING override {
         // acquire: pairs with the release in run(): the room is there.
         if (!is_running_.load(std::memory_order_acquire)) {
             return;

@@ -34,7 +34,7 @@ double gained_in_slew(double from_rate, double to_rate) {
 
 }  // namespace
 
-double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept {
+double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept RAKS_NONBLOCKING {
     if (metre.beats_per_bar % 2 != 0) {
         return 1.0;
     }
@@ -60,7 +60,7 @@ Beats DancePhase::wanted(const BeatGrid& grid, StreamTime now) const noexcept {
 void DancePhase::start(const BeatGrid& grid,
                        Beats downbeat,
                        const DanceMetre& metre,
-                       StreamTime now) noexcept {
+                       StreamTime now) noexcept RAKS_NONBLOCKING {
     octave_ = choose_octave(grid.tempo, metre, 0.0);
     origin_ = downbeat;
     phase_ = std::max(Beats(0.0), wanted(grid, now));
@@ -91,7 +91,7 @@ void DancePhase::change_octave(double octave,
 bool DancePhase::advance(const BeatGrid& grid,
                          const DanceMetre& metre,
                          Beats figure_end,
-                         StreamTime now) noexcept {
+                         StreamTime now) noexcept RAKS_NONBLOCKING {
     const double octave = choose_octave(grid.tempo, metre, octave_);
     if (octave != octave_) {
         change_octave(octave, grid, metre, now);

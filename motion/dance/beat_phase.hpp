@@ -3,6 +3,7 @@
 
 #include "base/beat_grid.hpp"
 #include "base/beats.hpp"
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 
 namespace raks::motion {
@@ -26,14 +27,14 @@ class DancePhase {
     void start(const BeatGrid& grid,
                Beats downbeat,
                const DanceMetre& metre,
-               StreamTime now) noexcept;
+               StreamTime now) noexcept RAKS_NONBLOCKING;
 
     /// One hop on; `figure_end`: the phase at which the figure ends. True when the phase was
     /// re-anchored (the caller smooths the jump).
     bool advance(const BeatGrid& grid,
                  const DanceMetre& metre,
                  Beats figure_end,
-                 StreamTime now) noexcept;
+                 StreamTime now) noexcept RAKS_NONBLOCKING;
 
     /// Beats of the figure since count 1, >= 0, at the last advance.
     [[nodiscard]] Beats phase() const noexcept { return phase_; }
@@ -64,6 +65,8 @@ class DancePhase {
 /// The octave `now` is kept while its pace lies in [0.62, 1.6] (0: none yet), so that it does not
 /// flip to and fro. Odd metres know no octave but 1: at half or double speed count 1 would leave
 /// the downbeat. Threads: any. Real-time: yes.
-[[nodiscard]] double choose_octave(Bpm music, const DanceMetre& metre, double now) noexcept;
+[[nodiscard]] double choose_octave(Bpm music,
+                                   const DanceMetre& metre,
+                                   double now) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

@@ -360,7 +360,9 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     return content;
 }
 
-FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t number) noexcept {
+FigureChoice choose_ways(std::size_t figure,
+                         std::uint64_t seed,
+                         std::uint64_t number) noexcept RAKS_NONBLOCKING {
     constexpr auto kPassages = static_cast<std::uint64_t>(DanceContent::kPassages);
     const CounterRandom random(seed, kWaysStream);
     FigureChoice choice;
@@ -373,7 +375,9 @@ FigureChoice choose_ways(std::size_t figure, std::uint64_t seed, std::uint64_t n
     return choice;
 }
 
-Pose pose_of(const DanceContent& content, const FigureChoice& choice, double beat) noexcept {
+Pose pose_of(const DanceContent& content,
+             const FigureChoice& choice,
+             double beat) noexcept RAKS_NONBLOCKING {
     const LibraryFigure& figure = content.figures[choice.figure];
     Pose pose = content.rest;
     shape_hands(figure, beat, pose);
@@ -389,7 +393,7 @@ Pose pose_of(const DanceContent& content, const FigureChoice& choice, double bea
     Pose learnt = pose;
     Pose first = pose;
     Pose second = pose;
-    const bool can_mix = figure.arms_mix[choice.arms[0]].test(choice.arms[1]);
+    const bool can_mix = figure.arms_mix[choice.arms[0]][choice.arms[1]];
     const float share = can_mix ? choice.arms_share : 0.0F;
     figure.passages.front().arms_at(beat, learnt);
     figure.passages[choice.arms[0]].arms_at(beat, first);

@@ -9,6 +9,7 @@
 
 #include "base/beats.hpp"
 #include "base/expected.hpp"
+#include "base/realtime.hpp"
 #include "motion/dance/baking/figure_passage.hpp"
 #include "motion/dance/baking/figure_size.hpp"
 #include "motion/dance/beat_phase.hpp"
@@ -71,12 +72,12 @@ struct FigureChoice {
 /// Threads: any. Real-time: yes.
 [[nodiscard]] FigureChoice choose_ways(std::size_t figure,
                                        std::uint64_t seed,
-                                       std::uint64_t number) noexcept;
+                                       std::uint64_t number) noexcept RAKS_NONBLOCKING;
 
 /// The pose at a beat of a figure danced by `choice`, in the frame of its start. Threads: any.
 /// Real-time: yes.
 [[nodiscard]] Pose pose_of(const DanceContent& content,
                            const FigureChoice& choice,
-                           double beat) noexcept;
+                           double beat) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

@@ -25,7 +25,7 @@ constexpr std::uint64_t kFigureStream = 1;
 }  // namespace
 
 // Two exponential means of the loudness; both start at the first one measured.
-void MusicEnergy::advance(const MusicState& music) noexcept {
+void MusicEnergy::advance(const MusicState& music) noexcept RAKS_NONBLOCKING {
     known_.reset();
     if (music.ahead.is_known) {
         known_ = static_cast<double>(music.ahead.energy);
@@ -42,7 +42,7 @@ void MusicEnergy::advance(const MusicState& music) noexcept {
     usual_ += (loudness - usual_) / kUsualHops;
 }
 
-double MusicEnergy::value() const noexcept {
+double MusicEnergy::value() const noexcept RAKS_NONBLOCKING {
     return known_.value_or(std::clamp(0.5 + (now_ - usual_) / kSpan, 0.0, 1.0));
 }
 
@@ -65,7 +65,7 @@ double FigureChooser::weight(std::size_t figure, const FigureMoment& moment) con
 std::size_t FigureChooser::next(const FigureMoment& moment,
                                 const FigureWish& wish,
                                 std::uint64_t seed,
-                                std::uint64_t number) const noexcept {
+                                std::uint64_t number) const noexcept RAKS_NONBLOCKING {
     const std::size_t count = grammar_.rules.size();
     if (wish.figure && *wish.figure < count) {
         return *wish.figure;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/music_state.hpp"
+#include "base/realtime.hpp"
 #include "motion/figures/figure_grammar.hpp"
 
 namespace raks::motion {
@@ -17,9 +18,9 @@ namespace raks::motion {
 class MusicEnergy {
  public:
     /// One hop; silence is skipped.
-    void advance(const MusicState& music) noexcept;
+    void advance(const MusicState& music) noexcept RAKS_NONBLOCKING;
     /// Liveliness in [0, 1]; 0.5 is as usual.
-    [[nodiscard]] double value() const noexcept;
+    [[nodiscard]] double value() const noexcept RAKS_NONBLOCKING;
     /// Forgets what came before.
     void reset() noexcept { *this = MusicEnergy(); }
 
@@ -66,7 +67,7 @@ class FigureChooser {
     [[nodiscard]] std::size_t next(const FigureMoment& moment,
                                    const FigureWish& wish,
                                    std::uint64_t seed,
-                                   std::uint64_t number) const noexcept;
+                                   std::uint64_t number) const noexcept RAKS_NONBLOCKING;
 
  private:
     [[nodiscard]] double weight(std::size_t figure, const FigureMoment& moment) const noexcept;

@@ -110,7 +110,9 @@ Pose average(const DanceContent& content,
 }  // namespace
 
 // All half turns of a dance are about the same point, so that of any such figure serves.
-FloorMove floor_of(const DanceContent& content, const FloorMove& stage, bool is_turned) noexcept {
+FloorMove floor_of(const DanceContent& content,
+                   const FloorMove& stage,
+                   bool is_turned) noexcept RAKS_NONBLOCKING {
     if (is_turned) {
         for (const LibraryFigure& figure : content.figures) {
             if (figure.turns_half) {
@@ -124,10 +126,12 @@ FloorMove floor_of(const DanceContent& content, const FloorMove& stage, bool is_
 void FigureSequence::start(const DanceContent& content,
                            const FloorMove& stage,
                            const DancerPart& part,
-                           bool stands_turned) noexcept {
+                           bool stands_turned) noexcept RAKS_NONBLOCKING {
     content_ = &content;
     stage_ = stage;
-    part_ = part;
+    seed_ = part.seed;
+    ways_ = part.ways;
+    is_in_couple_ = part.is_in_couple;
     before_.reset();
     next_.reset();
     current_ = {choose(0, number_), 0.0, stands_turned, {}};
@@ -135,12 +139,12 @@ void FigureSequence::start(const DanceContent& content,
 
 FigureChoice FigureSequence::choose(std::size_t figure, std::uint64_t number) const noexcept {
     const LibraryFigure& own = content_->figures[figure];
-    FigureChoice choice = choose_ways(figure, part_.ways, number);
+    FigureChoice choice = choose_ways(figure, ways_, number);
     choice.size = figure_size(own.size_by_tempo, own.learnt_tempo, tempo_);
     return choice;
 }
 
-double FigureSequence::end_of(const Danced& danced) const noexcept {
+double FigureSequence::end_of(const Danced& danced) const noexcept RAKS_NONBLOCKING {
     return danced.start + content_->figures[danced.choice.figure].beats;
 }
 
@@ -148,15 +152,17 @@ bool FigureSequence::turned_after(const Danced& danced) const noexcept {
     return danced.is_turned != content_->figures[danced.choice.figure].turns_half;
 }
 
-void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexcept {
+void FigureSequence::advance(Beats phase,
+                             double energy,
+                             FigureWish& wish) noexcept RAKS_NONBLOCKING {
     const double end = end_of(current_);
     if (!next_ && phase.count() >= end - kDecided) {
         const bool is_turned = turned_after(current_);
-        const Audience audience = part_.is_in_couple ? Audience::none
-                                  : is_turned        ? Audience::behind
-                                                     : Audience::ahead;
+        const Audience audience = is_in_couple_ ? Audience::none
+                                  : is_turned   ? Audience::behind
+                                                : Audience::ahead;
         const std::size_t figure = content_->chooser.next(
-            {current_.choice.figure, energy, audience}, wish, part_.seed, number_ + 1);
+            {current_.choice.figure, energy, audience}, wish, seed_, number_ + 1);
         // The next figure is drawn before the feet are planned: how a foot joins depends on both.
         next_ = {choose(figure, number_ + 1), end, is_turned, {}};
         const std::array<FootState, 2> feet = states_of_feet(current_, *next_);
@@ -176,7 +182,7 @@ void FigureSequence::advance(Beats phase, double energy, FigureWish& wish) noexc
     }
 }
 
-void FigureSequence::jump(Beats phase) noexcept {
+void FigureSequence::jump(Beats phase) noexcept RAKS_NONBLOCKING {
     const bool is_turned = turned_after(current_);
     ++number_;
     current_ = {choose(0, number_), 0.0, is_turned, {}};
@@ -325,7 +331,7 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     return {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
 }
 
-Pose FigureSequence::at(Beats phase) const noexcept {
+Pose FigureSequence::at(Beats phase) const noexcept RAKS_NONBLOCKING {
     Pose pose = free_at(phase.count());
     if (content_->generator == Generator::trajectories) {
         clear_hands(content_->skeleton, pose);

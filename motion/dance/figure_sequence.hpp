@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/beats.hpp"
+#include "base/realtime.hpp"
 #include "motion/dance/dance_content.hpp"
 #include "motion/dance/dancer_part.hpp"
 
@@ -28,19 +29,19 @@ class FigureSequence {
     void start(const DanceContent& content,
                const FloorMove& stage,
                const DancerPart& part,
-               bool stands_turned) noexcept;
+               bool stands_turned) noexcept RAKS_NONBLOCKING;
 
     /// The tempo for figures chosen from here on: at a fast one they may be smaller.
     void set_tempo(Bpm tempo) noexcept { tempo_ = tempo; }
     /// Advances to a phase: changes to the next figure when it is due and chooses the one after.
     /// `energy`: of the music, [0, 1]. `wish`: cleared as far as it was granted.
-    void advance(Beats phase, double energy, FigureWish& wish) noexcept;
+    void advance(Beats phase, double energy, FigureWish& wish) noexcept RAKS_NONBLOCKING;
     /// The phase was re-anchored as a figure ended: goes on with the first figure, which hardly
     /// turns and travels, at the beat of it that fits the phase.
-    void jump(Beats phase) noexcept;
+    void jump(Beats phase) noexcept RAKS_NONBLOCKING;
 
     /// The pose in the world at a phase up to kDecided after the last advance.
-    [[nodiscard]] Pose at(Beats phase) const noexcept;
+    [[nodiscard]] Pose at(Beats phase) const noexcept RAKS_NONBLOCKING;
 
     /// The present figure.
     [[nodiscard]] const LibraryFigure& figure() const noexcept {
@@ -90,7 +91,7 @@ class FigureSequence {
     [[nodiscard]] std::optional<double> standing_from(const Danced& danced,
                                                       Side side,
                                                       double margin) const noexcept;
-    [[nodiscard]] double end_of(const Danced& danced) const noexcept;
+    [[nodiscard]] double end_of(const Danced& danced) const noexcept RAKS_NONBLOCKING;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
     [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
     /// The pose before clear_hands().
@@ -107,7 +108,10 @@ class FigureSequence {
     const DanceContent* content_ = nullptr;
     Bpm tempo_{120.0};
     FloorMove stage_;
-    DancerPart part_;
+    // Of its part, which itself owns memory.
+    std::uint64_t seed_ = 1;
+    std::uint64_t ways_ = 1;
+    bool is_in_couple_ = false;
     std::uint64_t number_ = 0;
     std::optional<Danced> before_;
     Danced current_;
@@ -118,6 +122,6 @@ class FigureSequence {
 /// Threads: any. Real-time: yes.
 [[nodiscard]] FloorMove floor_of(const DanceContent& content,
                                  const FloorMove& stage,
-                                 bool is_turned) noexcept;
+                                 bool is_turned) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

@@ -70,7 +70,9 @@ Couple couple_of(const Skeleton& skeleton, const Pose& lead, const Pose& follow)
 
 }  // namespace
 
-float wish_to_hold(const Skeleton& skeleton, const Pose& lead, const Pose& follow) noexcept {
+float wish_to_hold(const Skeleton& skeleton,
+                   const Pose& lead,
+                   const Pose& follow) noexcept RAKS_NONBLOCKING {
     const Couple couple = couple_of(skeleton, lead, follow);
     const glm::vec3 own = couple.lead.position(couple.left.end);
     const glm::vec3 other = couple.follow.position(couple.right.end);
@@ -83,7 +85,10 @@ float wish_to_hold(const Skeleton& skeleton, const Pose& lead, const Pose& follo
            clear_of(couple.lead, couple.left) * clear_of(couple.follow, couple.right);
 }
 
-void join_hands(const Skeleton& skeleton, float hold, Pose& lead, Pose& follow) noexcept {
+void join_hands(const Skeleton& skeleton,
+                float hold,
+                Pose& lead,
+                Pose& follow) noexcept RAKS_NONBLOCKING {
     if (hold <= 0.0F) {
         return;
     }
@@ -113,12 +118,14 @@ HandHold::HandHold() noexcept {
     }
 }
 
-void HandHold::reset() noexcept {
+void HandHold::reset() noexcept RAKS_NONBLOCKING {
     newest_ = -1;
     known_ = 0;
 }
 
-void HandHold::advance(const Skeleton& skeleton, PoseTrack& lead, PoseTrack& follow) noexcept {
+void HandHold::advance(const Skeleton& skeleton,
+                       PoseTrack& lead,
+                       PoseTrack& follow) noexcept RAKS_NONBLOCKING {
     const HopIndex now = lead.newest_final();
     // After a gap the remembered wishes belong to other moments.
     if (now != newest_ + 1) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "motion/skeleton/pose_track.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -15,11 +16,14 @@ namespace raks::motion {
 /// shoulder. Threads: any. Real-time: yes.
 [[nodiscard]] float wish_to_hold(const Skeleton& skeleton,
                                  const Pose& lead,
-                                 const Pose& follow) noexcept;
+                                 const Pose& follow) noexcept RAKS_NONBLOCKING;
 
 /// Moves both hands by the share `hold` of the way to one another, as far as the arms reach
 /// comfortably. Threads: any. Real-time: yes.
-void join_hands(const Skeleton& skeleton, float hold, Pose& lead, Pose& follow) noexcept;
+void join_hands(const Skeleton& skeleton,
+                float hold,
+                Pose& lead,
+                Pose& follow) noexcept RAKS_NONBLOCKING;
 
 /// The hold of a couple over time. A turn sweeps a hand away at 5 m/s, and an arm released as fast
 /// as that is thrown (10,000 m/s^3). So the hold is a weighted mean over the wishes of the next and
@@ -29,11 +33,13 @@ class HandHold {
     /// Nothing known yet.
     HandHold() noexcept;
     /// Forgets the wishes of the last hops.
-    void reset() noexcept;
+    void reset() noexcept RAKS_NONBLOCKING;
 
     /// One hop: joins the hands in the newest final poses and in all predicted ones. The farther
     /// ahead a pose lies, the fewer later wishes it can use.
-    void advance(const Skeleton& skeleton, PoseTrack& lead, PoseTrack& follow) noexcept;
+    void advance(const Skeleton& skeleton,
+                 PoseTrack& lead,
+                 PoseTrack& follow) noexcept RAKS_NONBLOCKING;
 
  private:
     static constexpr int kAround = PoseTrack::kPredictedPoses;  // hops on either side

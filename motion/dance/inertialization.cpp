@@ -31,7 +31,7 @@ glm::quat rotation_of(const glm::vec3& vector) noexcept {
 void Inertialization::start(const Pose& shown,
                             const Pose& shown_before,
                             const Pose& next,
-                            const Pose& next_before) noexcept {
+                            const Pose& next_before) noexcept RAKS_NONBLOCKING {
     const auto per_second = static_cast<float>(kHopsPerSecond);
     for (std::size_t i = 0; i < rotations_.size(); ++i) {
         glm::quat apart = shown.local_rotations[i] * glm::conjugate(next.local_rotations[i]);
@@ -49,11 +49,11 @@ void Inertialization::start(const Pose& shown,
     is_active_ = true;
 }
 
-bool Inertialization::is_active(Nanos elapsed) const noexcept {
+bool Inertialization::is_active(Nanos elapsed) const noexcept RAKS_NONBLOCKING {
     return is_active_ && to_seconds(elapsed) <= kForgotten;
 }
 
-Pose Inertialization::apply(const Pose& pose, Nanos elapsed) const noexcept {
+Pose Inertialization::apply(const Pose& pose, Nanos elapsed) const noexcept RAKS_NONBLOCKING {
     const double t = to_seconds(elapsed);
     if (!is_active(elapsed)) {
         return pose;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "motion/skeleton/pose.hpp"
 
@@ -22,15 +23,15 @@ class Inertialization {
     void start(const Pose& shown,
                const Pose& shown_before,
                const Pose& next,
-               const Pose& next_before) noexcept;
+               const Pose& next_before) noexcept RAKS_NONBLOCKING;
     /// Drops the difference.
     void clear() noexcept { is_active_ = false; }
 
     /// Whether anything is left of the difference `elapsed` after the change.
-    [[nodiscard]] bool is_active(Nanos elapsed) const noexcept;
+    [[nodiscard]] bool is_active(Nanos elapsed) const noexcept RAKS_NONBLOCKING;
 
     /// `pose` with what is left of the difference `elapsed` after the change.
-    [[nodiscard]] Pose apply(const Pose& pose, Nanos elapsed) const noexcept;
+    [[nodiscard]] Pose apply(const Pose& pose, Nanos elapsed) const noexcept RAKS_NONBLOCKING;
 
  private:
     struct Offset {

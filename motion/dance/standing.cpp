@@ -36,7 +36,7 @@ constexpr glm::vec3 kZ{0, 0, 1};
 
 }  // namespace
 
-Pose idle_pose(const Skeleton& skeleton, StreamTime time) noexcept {
+Pose idle_pose(const Skeleton& skeleton, StreamTime time) noexcept RAKS_NONBLOCKING {
     const float sway = wave(time, kSwayPeriod);
     const float turn = wave(time, kTurnPeriod);
     const float breath = wave(time, kBreathPeriod);
@@ -95,13 +95,13 @@ std::size_t steps_between(const FloorMove& from, const FloorMove& to) noexcept {
 
 }  // namespace
 
-void Standing::stand(const FloorMove& place) noexcept {
+void Standing::stand(const FloorMove& place) noexcept RAKS_NONBLOCKING {
     from_ = to_ = place;
     seconds_ = 0.0;
     step_count_ = 0;
 }
 
-Nanos Standing::duration(const FloorMove& from, const FloorMove& to) noexcept {
+Nanos Standing::duration(const FloorMove& from, const FloorMove& to) noexcept RAKS_NONBLOCKING {
     return nanos_from_seconds(kSecondsAStep * static_cast<double>(steps_between(from, to)));
 }
 
@@ -116,7 +116,7 @@ void Standing::settle(const Skeleton& skeleton,
                       const Pose& shown_before,
                       const FloorMove& from,
                       const FloorMove& to,
-                      StreamTime now) noexcept {
+                      StreamTime now) noexcept RAKS_NONBLOCKING {
     from_ = from;
     to_ = to;
     since_ = now;
@@ -148,11 +148,11 @@ void Standing::settle(const Skeleton& skeleton,
     }
 }
 
-bool Standing::is_settled(StreamTime time) const noexcept {
+bool Standing::is_settled(StreamTime time) const noexcept RAKS_NONBLOCKING {
     return to_seconds(time - since_) >= seconds_;
 }
 
-Pose Standing::at(const Skeleton& skeleton, StreamTime time) const noexcept {
+Pose Standing::at(const Skeleton& skeleton, StreamTime time) const noexcept RAKS_NONBLOCKING {
     const double share = seconds_ > 0.0 ? to_seconds(time - since_) / seconds_ : 1.0;
     return place(share)(idle_pose(skeleton, time));
 }
@@ -182,7 +182,9 @@ FootTarget Standing::foot(Side side, double elapsed, bool& stands) const noexcep
     return at;
 }
 
-void Standing::plant(const Skeleton& skeleton, StreamTime time, Pose& pose) const noexcept {
+void Standing::plant(const Skeleton& skeleton,
+                     StreamTime time,
+                     Pose& pose) const noexcept RAKS_NONBLOCKING {
     if (step_count_ == 0) {
         return;
     }

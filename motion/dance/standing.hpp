@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "motion/dance/body/floor_move.hpp"
 #include "motion/dance/body/limb_ik.hpp"
@@ -17,7 +18,7 @@ namespace raks::motion {
 /// Standing while there is nothing to dance to: relaxed arms, slow shifts of the weight, breathing;
 /// both feet planted. A function of time alone, never quite the same and never frozen.
 /// Threads: any. Real-time: yes.
-[[nodiscard]] Pose idle_pose(const Skeleton& skeleton, StreamTime time) noexcept;
+[[nodiscard]] Pose idle_pose(const Skeleton& skeleton, StreamTime time) noexcept RAKS_NONBLOCKING;
 
 /// Standing while there is nothing to dance to, and how a dancer comes to stand: the body moves and
 /// turns from where the dance ended to where it shall stand, while the feet step there one after
@@ -25,7 +26,7 @@ namespace raks::motion {
 class Standing {
  public:
     /// Stands settled at a place of the floor.
-    void stand(const FloorMove& place) noexcept;
+    void stand(const FloorMove& place) noexcept RAKS_NONBLOCKING;
 
     /// Starts to settle from the pose shown now (and the one a hop before) at floor place `from` to
     /// `to`.
@@ -34,17 +35,21 @@ class Standing {
                 const Pose& shown_before,
                 const FloorMove& from,
                 const FloorMove& to,
-                StreamTime now) noexcept;
+                StreamTime now) noexcept RAKS_NONBLOCKING;
 
     /// How long it takes to settle from one place to another.
-    [[nodiscard]] static Nanos duration(const FloorMove& from, const FloorMove& to) noexcept;
+    [[nodiscard]] static Nanos duration(const FloorMove& from,
+                                        const FloorMove& to) noexcept RAKS_NONBLOCKING;
     /// Whether all steps of settling are over.
-    [[nodiscard]] bool is_settled(StreamTime time) const noexcept;
+    [[nodiscard]] bool is_settled(StreamTime time) const noexcept RAKS_NONBLOCKING;
 
     /// The pose at `time`, its feet as if it stood there already.
-    [[nodiscard]] Pose at(const Skeleton& skeleton, StreamTime time) const noexcept;
+    [[nodiscard]] Pose at(const Skeleton& skeleton,
+                          StreamTime time) const noexcept RAKS_NONBLOCKING;
     /// Solves both legs of a pose so that its feet are where their steps have brought them.
-    void plant(const Skeleton& skeleton, StreamTime time, Pose& pose) const noexcept;
+    void plant(const Skeleton& skeleton,
+               StreamTime time,
+               Pose& pose) const noexcept RAKS_NONBLOCKING;
 
  private:
     struct Step {

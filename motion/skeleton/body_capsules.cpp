@@ -19,7 +19,7 @@ constexpr float kHandRadius = 0.02F;  // half its thickness: a palm may rest on 
 
 }  // namespace
 
-BodyCapsules body_capsules(const WorldPose& world) noexcept {
+BodyCapsules body_capsules(const WorldPose& world) noexcept RAKS_NONBLOCKING {
     BodyCapsules capsules;
     std::size_t at = 0;
     for (const Side side : kSides) {
@@ -39,7 +39,7 @@ BodyCapsules body_capsules(const WorldPose& world) noexcept {
 }
 
 // Nearest points of two segments: Ericson 2005, "Real-Time Collision Detection", 5.1.9.
-Nearness nearness(const Capsule& one, const Capsule& other) noexcept {
+Nearness nearness(const Capsule& one, const Capsule& other) noexcept RAKS_NONBLOCKING {
     const glm::vec3 a = one.to - one.from;
     const glm::vec3 b = other.to - other.from;
     const glm::vec3 between = one.from - other.from;
@@ -61,14 +61,14 @@ Nearness nearness(const Capsule& one, const Capsule& other) noexcept {
     return {away, glm::length(away) - one.radius - other.radius};
 }
 
-std::array<Capsule, 2> hand_capsules(const WorldPose& world, Side side) noexcept {
+std::array<Capsule, 2> hand_capsules(const WorldPose& world, Side side) noexcept RAKS_NONBLOCKING {
     const auto joint = [&](Bone left) { return world.position(on_side(left, side)); };
     const glm::vec3 wrist = joint(Bone::left_hand);
     return {{{glm::mix(joint(Bone::left_lower_arm), wrist, 0.5F), wrist, kForearmRadius},
              {wrist, joint(Bone::left_middle_intermediate), kHandRadius}}};
 }
 
-HandClearance hand_clearance(const Skeleton& skeleton, const Pose& pose) noexcept {
+HandClearance hand_clearance(const Skeleton& skeleton, const Pose& pose) noexcept RAKS_NONBLOCKING {
     const WorldPose world = world_pose(skeleton, pose);
     const BodyCapsules body = body_capsules(world);
     HandClearance least{Side::left, kBodyCapsuleNames[0], 1e9};

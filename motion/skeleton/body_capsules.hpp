@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/realtime.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -32,7 +33,7 @@ inline constexpr std::array<std::string_view, 9> kBodyCapsuleNames = {"trunk",
 using BodyCapsules = std::array<Capsule, kBodyCapsuleNames.size()>;
 
 /// The capsules of a pose, in the world. Threads: any. Real-time: yes.
-[[nodiscard]] BodyCapsules body_capsules(const WorldPose& world) noexcept;
+[[nodiscard]] BodyCapsules body_capsules(const WorldPose& world) noexcept RAKS_NONBLOCKING;
 
 /// Nearest points of two capsules.
 struct Nearness {
@@ -41,11 +42,12 @@ struct Nearness {
 };
 
 /// The nearest points; neither segment may be a point. Threads: any. Real-time: yes.
-[[nodiscard]] Nearness nearness(const Capsule& one, const Capsule& other) noexcept;
+[[nodiscard]] Nearness nearness(const Capsule& one, const Capsule& other) noexcept RAKS_NONBLOCKING;
 
 /// Capsules of one hand: the half of the forearm next to it, and the palm with the fingers' first
 /// joints. Threads: any. Real-time: yes.
-[[nodiscard]] std::array<Capsule, 2> hand_capsules(const WorldPose& world, Side side) noexcept;
+[[nodiscard]] std::array<Capsule, 2> hand_capsules(const WorldPose& world,
+                                                   Side side) noexcept RAKS_NONBLOCKING;
 
 /// The body part nearest to a hand or its half of the forearm.
 struct HandClearance {
@@ -55,6 +57,7 @@ struct HandClearance {
 };
 
 /// The hand deepest inside, or nearest to, trunk, legs or head. Threads: any. Real-time: yes.
-[[nodiscard]] HandClearance hand_clearance(const Skeleton& skeleton, const Pose& pose) noexcept;
+[[nodiscard]] HandClearance hand_clearance(const Skeleton& skeleton,
+                                           const Pose& pose) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

@@ -5,13 +5,15 @@
 
 namespace raks::motion {
 
-glm::quat interpolate(const glm::quat& from, const glm::quat& to, float t) noexcept {
+glm::quat interpolate(const glm::quat& from,
+                      const glm::quat& to,
+                      float t) noexcept RAKS_NONBLOCKING {
     // q and -q are the same rotation: take the one on the shorter arc.
     const float sign = glm::dot(from, to) < 0.0F ? -t : t;
     return glm::normalize(from * (1.0F - t) + to * sign);
 }
 
-Pose interpolate(const Pose& from, const Pose& to, float t) noexcept {
+Pose interpolate(const Pose& from, const Pose& to, float t) noexcept RAKS_NONBLOCKING {
     Pose result;
     for (std::size_t i = 0; i < from.local_rotations.size(); ++i) {
         result.local_rotations[i] = interpolate(from.local_rotations[i], to.local_rotations[i], t);
@@ -66,7 +68,7 @@ bool is_thumb(Bone left) noexcept {
 
 }  // namespace
 
-void set_hand_shape(Side side, double fist, Pose& pose) noexcept {
+void set_hand_shape(Side side, double fist, Pose& pose) noexcept RAKS_NONBLOCKING {
     // Axes of the left hand, palms down in T-pose; the right one is the mirror image.
     constexpr glm::dvec3 kFingerAxis{0.0, 0.0, -1.0};
     constexpr glm::dvec3 kThumbAxis{0.0, -0.70710678, -0.70710678};

@@ -3,6 +3,7 @@
 #include <array>
 #include <type_traits>
 
+#include "base/realtime.hpp"
 #include "motion/skeleton/humanoid.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -44,11 +45,13 @@ static_assert(std::is_trivially_copyable_v<Pose>);
 
 /// Interpolates two rotations along the shorter arc (normalised linear); `t` in [0, 1]. Threads:
 /// any. Real-time: yes.
-[[nodiscard]] glm::quat interpolate(const glm::quat& from, const glm::quat& to, float t) noexcept;
+[[nodiscard]] glm::quat interpolate(const glm::quat& from,
+                                    const glm::quat& to,
+                                    float t) noexcept RAKS_NONBLOCKING;
 
 /// Interpolates two poses: rotations along the shorter arc (normalised linear), position linear,
 /// contacts those of the nearer pose; `t` in [0, 1]. Threads: any. Real-time: yes.
-[[nodiscard]] Pose interpolate(const Pose& from, const Pose& to, float t) noexcept;
+[[nodiscard]] Pose interpolate(const Pose& from, const Pose& to, float t) noexcept RAKS_NONBLOCKING;
 
 /// The mirror image (plane x = 0): left and right exchanged. Threads: any. Real-time: yes.
 [[nodiscard]] Pose mirrored(const Pose& pose) noexcept;
@@ -57,6 +60,6 @@ static_assert(std::is_trivially_copyable_v<Pose>);
 
 /// Sets the fingers of a hand, from open and flat (`fist` 0) to a fist with the thumb beside it
 /// (1).
-void set_hand_shape(Side side, double fist, Pose& pose) noexcept;
+void set_hand_shape(Side side, double fist, Pose& pose) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

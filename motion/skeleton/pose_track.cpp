@@ -7,7 +7,7 @@
 
 namespace raks::motion {
 
-void PoseTrack::append_final(HopIndex hop, const Pose& pose) noexcept {
+void PoseTrack::append_final(HopIndex hop, const Pose& pose) noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(hop >= 0 && (is_empty() || hop == newest_final_ + 1));
     if (is_empty()) {
         first_ = hop;
@@ -17,23 +17,23 @@ void PoseTrack::append_final(HopIndex hop, const Pose& pose) noexcept {
     predicted_ = 0;
 }
 
-void PoseTrack::set_predicted(int ahead, const Pose& pose) noexcept {
+void PoseTrack::set_predicted(int ahead, const Pose& pose) noexcept RAKS_NONBLOCKING {
     // In order: a gap would leave old poses between the new ones.
     RAKS_ASSERT(!is_empty() && ahead >= 1 && ahead <= kPredictedPoses && ahead <= predicted_ + 1);
     poses_[static_cast<std::size_t>(newest_final_ + ahead) % kSlots] = pose;
     predicted_ = std::max(predicted_, ahead);
 }
 
-void PoseTrack::replace(HopIndex hop, const Pose& pose) noexcept {
+void PoseTrack::replace(HopIndex hop, const Pose& pose) noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(!is_empty() && hop >= oldest_final() && hop <= newest());
     poses_[static_cast<std::size_t>(hop) % kSlots] = pose;
 }
 
-HopIndex PoseTrack::oldest_final() const noexcept {
+HopIndex PoseTrack::oldest_final() const noexcept RAKS_NONBLOCKING {
     return std::max(first_, newest_final_ - kFinalPoses + 1);
 }
 
-const Pose& PoseTrack::at_hop(HopIndex hop) const noexcept {
+const Pose& PoseTrack::at_hop(HopIndex hop) const noexcept RAKS_NONBLOCKING {
     if (is_empty()) {
         return poses_[0];
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <type_traits>
 
+#include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "motion/skeleton/pose.hpp"
 
@@ -28,26 +29,26 @@ class PoseTrack {
 
     /// Appends the final pose of the hop after the newest one (or of any hop when empty) and drops
     /// all predicted ones. Real-time: yes.
-    void append_final(HopIndex hop, const Pose& pose) noexcept;
+    void append_final(HopIndex hop, const Pose& pose) noexcept RAKS_NONBLOCKING;
 
     /// Sets the predicted pose of hop newest_final() + ahead, ahead = 1..kPredictedPoses, in
     /// order. Real-time: yes.
-    void set_predicted(int ahead, const Pose& pose) noexcept;
+    void set_predicted(int ahead, const Pose& pose) noexcept RAKS_NONBLOCKING;
 
     /// Replaces a pose of the track, final or predicted. Real-time: yes.
-    void replace(HopIndex hop, const Pose& pose) noexcept;
+    void replace(HopIndex hop, const Pose& pose) noexcept RAKS_NONBLOCKING;
 
     /// Whether there is no pose.
     [[nodiscard]] bool is_empty() const noexcept { return newest_final_ < 0; }
     /// Hop of the newest final pose; -1 when empty.
     [[nodiscard]] HopIndex newest_final() const noexcept { return newest_final_; }
     /// Hop of the oldest final pose; the track must not be empty.
-    [[nodiscard]] HopIndex oldest_final() const noexcept;
+    [[nodiscard]] HopIndex oldest_final() const noexcept RAKS_NONBLOCKING;
     /// Hop of the last pose, final or predicted.
     [[nodiscard]] HopIndex newest() const noexcept { return newest_final_ + predicted_; }
 
     /// The pose of one hop; hops outside the track give its nearest end. A T-pose when empty.
-    [[nodiscard]] const Pose& at_hop(HopIndex hop) const noexcept;
+    [[nodiscard]] const Pose& at_hop(HopIndex hop) const noexcept RAKS_NONBLOCKING;
 
     /// The pose at a moment, interpolated between two hops; clamped to the track's ends.
     [[nodiscard]] Pose at(StreamTime time) const noexcept;

@@ -86,7 +86,7 @@ Skeleton scaled(Skeleton skeleton, float factor) noexcept {
     return skeleton;
 }
 
-WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept {
+WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept RAKS_NONBLOCKING {
     WorldPose world;
     world.positions[0] = pose.hips_position;
     world.rotations[0] = pose.local_rotations[0];
@@ -100,14 +100,18 @@ WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept {
     return world;
 }
 
-glm::vec3 foot_point(const WorldPose& world, Side side, glm::vec3 left_local) noexcept {
+glm::vec3 foot_point(const WorldPose& world,
+                     Side side,
+                     glm::vec3 left_local) noexcept RAKS_NONBLOCKING {
     if (side == Side::right) {
         left_local.x = -left_local.x;
     }
     return world.point(on_side(Bone::left_foot, side), left_local);
 }
 
-glm::vec3 toe_tip(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
+glm::vec3 toe_tip(const Skeleton& skeleton,
+                  const WorldPose& world,
+                  Side side) noexcept RAKS_NONBLOCKING {
     // From the toes' own joint: they bend at the ball.
     glm::vec3 from_joint = skeleton.toe_tip - skeleton.offsets[index_of(Bone::left_toes)];
     if (side == Side::right) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/realtime.hpp"
 #include "motion/skeleton/humanoid.hpp"
 #include "motion/skeleton/pose.hpp"
 
@@ -54,16 +55,17 @@ struct WorldPose {
 };
 
 /// Forward kinematics. Threads: any. Real-time: yes (52 products).
-[[nodiscard]] WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept;
+[[nodiscard]] WorldPose world_pose(const Skeleton& skeleton,
+                                   const Pose& pose) noexcept RAKS_NONBLOCKING;
 
 /// A point fixed to the foot's bone (ball or heel of the skeleton) on one side, in the world.
 [[nodiscard]] glm::vec3 foot_point(const WorldPose& world,
                                    Side side,
-                                   glm::vec3 left_local) noexcept;
+                                   glm::vec3 left_local) noexcept RAKS_NONBLOCKING;
 
 /// The tip of the toes of one side, which bend by the ball of the foot, in the world.
 [[nodiscard]] glm::vec3 toe_tip(const Skeleton& skeleton,
                                 const WorldPose& world,
-                                Side side) noexcept;
+                                Side side) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

@@ -284,7 +284,7 @@ FigurePassage::Place FigurePassage::place_of(double beat) const noexcept {
     return {samples_[i], samples_[i + 1], static_cast<float>(at - static_cast<double>(i))};
 }
 
-void FigurePassage::at(double beat, Pose& pose) const noexcept {
+void FigurePassage::at(double beat, Pose& pose) const noexcept RAKS_NONBLOCKING {
     const Place place = place_of(beat);
     for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
         pose.rotation(kBones[bone]) =
@@ -294,7 +294,7 @@ void FigurePassage::at(double beat, Pose& pose) const noexcept {
     pose.foot_contact = place.share < 0.5F ? place.before.contact : place.after.contact;
 }
 
-void FigurePassage::arms_at(double beat, Pose& pose) const noexcept {
+void FigurePassage::arms_at(double beat, Pose& pose) const noexcept RAKS_NONBLOCKING {
     const Place place = place_of(beat);
     for (std::size_t bone = kBones.size() - kArmBones; bone < kBones.size(); ++bone) {
         pose.rotation(kBones[bone]) =

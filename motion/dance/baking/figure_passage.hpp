@@ -13,6 +13,7 @@
 #include "base/beats.hpp"
 #include "base/packer.hpp"
 #include "base/random.hpp"
+#include "base/realtime.hpp"
 #include "motion/dance/baking/foot_lock.hpp"
 #include "motion/dance/baking/free_figure.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -63,9 +64,9 @@ class FigurePassage {
 
     /// Sets hips, body and contacts of `pose` at a beat in [-kMargin, beats + kMargin] (clamped);
     /// fingers stay. Threads: any. Real-time: yes.
-    void at(double beat, Pose& pose) const noexcept;
+    void at(double beat, Pose& pose) const noexcept RAKS_NONBLOCKING;
     /// Sets the arms' rotations alone, at such a beat. Threads: any. Real-time: yes.
-    void arms_at(double beat, Pose& pose) const noexcept;
+    void arms_at(double beat, Pose& pose) const noexcept RAKS_NONBLOCKING;
 
     /// Appends the samples in this machine's byte order, for a cache. Threads: any. Real-time: no.
     void pack(Packer& packer) const;

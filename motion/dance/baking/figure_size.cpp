@@ -93,7 +93,7 @@ FigureMiddle middle_of(const FigurePassage& passage,
     return middle;
 }
 
-FigureSize figure_size(const SizeByTempo& law, Bpm learnt, Bpm tempo) noexcept {
+FigureSize figure_size(const SizeByTempo& law, Bpm learnt, Bpm tempo) noexcept RAKS_NONBLOCKING {
     constexpr double kLowestFlight = 0.5;    // lower limit: half
     constexpr double kHighestFlight = 1.15;  // no higher than a casual leap
     FigureSize size;
@@ -110,7 +110,7 @@ FigureSize figure_size(const SizeByTempo& law, Bpm learnt, Bpm tempo) noexcept {
 void resize(const FigureMiddle& middle,
             const FigureSize& size,
             const Skeleton& skeleton,
-            Pose& pose) noexcept {
+            Pose& pose) noexcept RAKS_NONBLOCKING {
     Feet feet = feet_of(skeleton, pose);
     for (std::size_t i = 0; i < FigurePassage::kBones.size(); ++i) {
         const Bone bone = FigurePassage::kBones[i];

@@ -5,6 +5,7 @@
 #include <bitset>
 
 #include "base/beats.hpp"
+#include "base/realtime.hpp"
 #include "motion/dance/baking/figure_passage.hpp"
 #include "motion/figures/size_by_tempo.hpp"
 #include "motion/skeleton/pose.hpp"
@@ -44,7 +45,9 @@ struct FigureMiddle {
 /// The size at `tempo` of a figure learnt at `learnt`, by its law. When the music is slower, body
 /// and arms stay as learnt, because the legs were planned to reach no farther. Threads: any.
 /// Real-time: yes.
-[[nodiscard]] FigureSize figure_size(const SizeByTempo& law, Bpm learnt, Bpm tempo) noexcept;
+[[nodiscard]] FigureSize figure_size(const SizeByTempo& law,
+                                     Bpm learnt,
+                                     Bpm tempo) noexcept RAKS_NONBLOCKING;
 
 /// Scales the movements of a pose of the figure: rotations by their distance from the mean, hips
 /// and feet by that from their mean places. A standing foot stays in place as long as the size
@@ -53,6 +56,6 @@ struct FigureMiddle {
 void resize(const FigureMiddle& middle,
             const FigureSize& size,
             const Skeleton& skeleton,
-            Pose& pose) noexcept;
+            Pose& pose) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

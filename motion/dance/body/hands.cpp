@@ -41,7 +41,7 @@ constexpr glm::vec3 kThumbAxis{0.0F, -0.70711F, -0.70711F};
 
 }  // namespace
 
-void relax_hands(Pose& pose) noexcept {
+void relax_hands(Pose& pose) noexcept RAKS_NONBLOCKING {
     for (const Bend& bend : kBends) {
         const bool is_thumb = bend.bone == Bone::left_thumb_metacarpal ||
                               bend.bone == Bone::left_thumb_proximal ||
@@ -147,7 +147,7 @@ std::vector<glm::vec3> smooth_pushes(const std::vector<glm::vec3>& pushes, doubl
 
 }  // namespace
 
-void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept {
+void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {
     const WorldPose world = world_pose(skeleton, pose);
     const BodyCapsules body = body_capsules(world);
     for (const Side side : kSides) {

@@ -16,7 +16,7 @@ constexpr float kStraight = 0.02F;
 
 }  // namespace
 
-glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept {
+glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept RAKS_NONBLOCKING {
     const glm::vec3 a = glm::normalize(from);
     const glm::vec3 b = glm::normalize(to);
     const float w = 1.0F + glm::dot(a, b);
@@ -29,7 +29,7 @@ glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept 
     return glm::normalize(glm::quat(w, axis.x, axis.y, axis.z));
 }
 
-Limb arm_of(const WorldPose& world, Side side) noexcept {
+Limb arm_of(const WorldPose& world, Side side) noexcept RAKS_NONBLOCKING {
     Limb arm;
     arm.upper = on_side(Bone::left_upper_arm, side);
     arm.lower = on_side(Bone::left_lower_arm, side);
@@ -43,7 +43,7 @@ Limb arm_of(const WorldPose& world, Side side) noexcept {
 glm::quat solve_limb(const Skeleton& skeleton,
                      const Limb& limb,
                      const glm::vec3& target,
-                     Pose& pose) noexcept {
+                     Pose& pose) noexcept RAKS_NONBLOCKING {
     const glm::quat upper_world = limb.parent * pose.rotation(limb.upper);
     const glm::quat lower_world = upper_world * pose.rotation(limb.lower);
     const glm::vec3 upper_vector = upper_world * skeleton.offsets[index_of(limb.lower)];
@@ -86,7 +86,7 @@ glm::quat solve_limb(const Skeleton& skeleton,
 
 glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
                            Side side,
-                           const glm::quat& rotation) noexcept {
+                           const glm::quat& rotation) noexcept RAKS_NONBLOCKING {
     // Share of the toes' length ahead of the ball. At 0, the ball's joint itself, the tip of the
     // toes slips 3.1 cm where people's slips 2.4 (90th percentile).
     constexpr float kBeforeBall = 0.65F;
@@ -107,7 +107,10 @@ float leg_length(const Skeleton& skeleton) noexcept {
            glm::length(skeleton.offsets[index_of(Bone::left_foot)]);
 }
 
-void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Pose& pose) noexcept {
+void solve_leg(const Skeleton& skeleton,
+               Side side,
+               const FootTarget& target,
+               Pose& pose) noexcept RAKS_NONBLOCKING {
     const glm::quat hips = pose.rotation(Bone::hips);
     Limb leg;
     leg.upper = on_side(Bone::left_upper_leg, side);
@@ -123,7 +126,7 @@ void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Po
 float lowest_of_sole(const Skeleton& skeleton,
                      Side side,
                      const glm::quat& foot_rotation,
-                     const glm::quat& toes_rotation) noexcept {
+                     const glm::quat& toes_rotation) noexcept RAKS_NONBLOCKING {
     const glm::vec3& toes = skeleton.offsets[index_of(Bone::left_toes)];
     const glm::quat mirrored_toes =
         side == Side::left
@@ -141,7 +144,7 @@ float lowest_of_sole(const Skeleton& skeleton,
     return lowest;
 }
 
-void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept {
+void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {
     const WorldPose world = world_pose(skeleton, pose);
     for (const Side side : kSides) {
         const Bone foot = on_side(Bone::left_foot, side);

@@ -1,6 +1,7 @@
 // Two-bone inverse kinematics of arms and legs.
 #pragma once
 
+#include "base/realtime.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -11,7 +12,8 @@ inline constexpr float kLongestReach = 0.997F;
 
 /// Shortest rotation that turns direction `from` to direction `to`, both of any length but 0.
 /// Threads: any. Real-time: yes.
-[[nodiscard]] glm::quat rotation_between(const glm::vec3& from, const glm::vec3& to) noexcept;
+[[nodiscard]] glm::quat rotation_between(const glm::vec3& from,
+                                         const glm::vec3& to) noexcept RAKS_NONBLOCKING;
 
 /// Two bones in a row and what hangs on them: thigh, shin and foot, or arm, forearm and hand.
 struct Limb {
@@ -25,7 +27,7 @@ struct Limb {
 
 /// One arm of a pose; from a straight arm the elbow goes backward, as the upper arm is turned.
 /// Threads: any. Real-time: yes.
-[[nodiscard]] Limb arm_of(const WorldPose& world, Side side) noexcept;
+[[nodiscard]] Limb arm_of(const WorldPose& world, Side side) noexcept RAKS_NONBLOCKING;
 
 /// Turns both bones so that the end's joint reaches `target` in the world, as far as they do; the
 /// middle joint keeps its side of the line from root to end. Returns the lower bone's new rotation
@@ -33,7 +35,7 @@ struct Limb {
 glm::quat solve_limb(const Skeleton& skeleton,
                      const Limb& limb,
                      const glm::vec3& target,
-                     Pose& pose) noexcept;
+                     Pose& pose) noexcept RAKS_NONBLOCKING;
 
 // Leg inverse kinematics, and where the sole is.
 
@@ -48,24 +50,27 @@ struct FootTarget {
 /// any. Real-time: yes.
 [[nodiscard]] glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
                                          Side side,
-                                         const glm::quat& rotation) noexcept;
+                                         const glm::quat& rotation) noexcept RAKS_NONBLOCKING;
 
 /// Turns thigh, shin and foot of one side so that the ankle reaches the target (as far as the leg
 /// does) and the foot has its rotation. The knee keeps its direction about the line from hip to
 /// ankle. Hips and the rest of the body stay.
 /// Threads: any. Real-time: yes.
-void solve_leg(const Skeleton& skeleton, Side side, const FootTarget& target, Pose& pose) noexcept;
+void solve_leg(const Skeleton& skeleton,
+               Side side,
+               const FootTarget& target,
+               Pose& pose) noexcept RAKS_NONBLOCKING;
 
 /// Lifts each foot whose sole is below the floor onto it, by the leg alone.
 /// Threads: any. Real-time: yes.
-void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept;
+void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING;
 
 /// Lowest point of a sole under the ankle, when the foot has this rotation in the world and the
 /// toes theirs in the foot's frame; metres, negative. Threads: any. Real-time: yes.
 [[nodiscard]] float lowest_of_sole(const Skeleton& skeleton,
                                    Side side,
                                    const glm::quat& foot_rotation,
-                                   const glm::quat& toes_rotation) noexcept;
+                                   const glm::quat& toes_rotation) noexcept RAKS_NONBLOCKING;
 
 /// Length of thigh and shin together; metres.
 [[nodiscard]] float leg_length(const Skeleton& skeleton) noexcept;

@@ -17,7 +17,7 @@ class Counter final : public StreamCallback {
  public:
     void on_input(std::span<const float> interleaved,
                   int width,
-                  const BlockTime& time) noexcept override {
+                  const BlockTime& time) noexcept RAKS_NONBLOCKING override {
         ++inputs;
         samples = interleaved.size();
         channels = width;
@@ -25,7 +25,7 @@ class Counter final : public StreamCallback {
     }
     void on_output(std::span<float> interleaved,
                    int width,
-                   const BlockTime& time) noexcept override {
+                   const BlockTime& time) noexcept RAKS_NONBLOCKING override {
         ++outputs;
         channels = width;
         first_frame = time.first_frame;

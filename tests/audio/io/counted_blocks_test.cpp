@@ -13,10 +13,14 @@ namespace {
 /// Keeps the times it got, and answers with ones.
 class Listener final : public StreamCallback {
  public:
-    void on_input(std::span<const float>, int, const BlockTime& time) noexcept override {
+    void on_input(std::span<const float>,
+                  int,
+                  const BlockTime& time) noexcept RAKS_NONBLOCKING override {
         last = time;
     }
-    void on_output(std::span<float> block, int, const BlockTime& time) noexcept override {
+    void on_output(std::span<float> block,
+                   int,
+                   const BlockTime& time) noexcept RAKS_NONBLOCKING override {
         last = time;
         was_silent = std::all_of(block.begin(), block.end(), [](float x) { return x == 0.0F; });
         std::fill(block.begin(), block.end(), 1.0F);

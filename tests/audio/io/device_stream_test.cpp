@@ -15,6 +15,7 @@
 #include <limits>
 #include <vector>
 
+#include "audio/io/bell.hpp"
 #include "base/random.hpp"
 #include "tests/audio/io/long_block.hpp"
 #include "tests/support/jack_server.hpp"
@@ -63,7 +64,9 @@ float noise_at(std::int64_t frame) {
 /// Plays noise that says at every sample which frame it is.
 class NoisePlayer final : public StreamCallback {
  public:
-    void on_output(std::span<float> out, int channels, const BlockTime& time) noexcept override {
+    void on_output(std::span<float> out,
+                   int channels,
+                   const BlockTime& time) noexcept RAKS_NONBLOCKING override {
         const auto width = static_cast<std::size_t>(channels);
         for (std::size_t i = 0; i < out.size(); ++i) {
             out[i] = noise_at(time.first_frame + static_cast<std::int64_t>(i / width));
@@ -78,7 +81,7 @@ class Recorder final : public StreamCallback {
 
     void on_input(std::span<const float> in,
                   int channels,
-                  const BlockTime& time) noexcept override {
+                  const BlockTime& time) noexcept RAKS_NONBLOCKING override {
         const auto width = static_cast<std::size_t>(channels);
         if (seen_ < 0) {
             seen_ = time.first_frame;  // blocks pass by before the stream is connected
@@ -91,14 +94,13 @@ class Recorder final : public StreamCallback {
             samples_[count++] = in[i];
         }
         count_.store(count, std::memory_order_release);
-        count_.notify_one();
+        bell_.ring();
     }
 
     /// Blocks until `frames` are recorded.
-    void wait_for(std::size_t frames) const {
-        for (std::size_t count = 0; count < frames;) {
-            count_.wait(count, std::memory_order_acquire);
-            count = count_.load(std::memory_order_acquire);
+    void wait_for(std::size_t frames) {
+        while (count_.load(std::memory_order_acquire) < frames) {
+            bell_.wait();
         }
     }
     [[nodiscard]] std::span<const float> samples() const { return samples_; }
@@ -107,6 +109,7 @@ class Recorder final : public StreamCallback {
  private:
     std::vector<float> samples_;
     std::atomic<std::size_t> count_{0};
+    Bell bell_;
     std::int64_t seen_ = -1;
     bool is_time_right_ = true;
 };

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "audio/io/bell.hpp"
 #include "audio/io/device_stream.hpp"
 
 namespace raks::audio::test {
@@ -9,21 +10,27 @@ namespace raks::audio::test {
 /// A block that is on its way until it may end.
 class LongBlock final : public StreamCallback {
  public:
-    void on_input(std::span<const float>, int, const BlockTime&) noexcept override {
+    // Turns round and round: a callback that waited would break the rules.
+    void on_input(std::span<const float>,
+                  int,
+                  const BlockTime&) noexcept RAKS_NONBLOCKING override {
         has_begun_.store(true);
-        has_begun_.notify_one();
-        may_end_.wait(false);
+        begun_.ring();
+        while (!may_end_.load()) {
+        }
         has_ended_.store(true);
     }
 
-    void wait_for_begin() const { has_begun_.wait(false); }
-    void let_end() {
-        may_end_.store(true);
-        may_end_.notify_all();
+    void wait_for_begin() {
+        while (!has_begun_.load()) {
+            begun_.wait();
+        }
     }
+    void let_end() { may_end_.store(true); }
     [[nodiscard]] bool has_ended() const { return has_ended_.load(); }
 
  private:
+    Bell begun_;
     std::atomic<bool> has_begun_{false};
     std::atomic<bool> may_end_{false};
     std::atomic<bool> has_ended_{false};

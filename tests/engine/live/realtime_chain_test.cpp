@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -84,7 +85,8 @@ void give_commands(std::int64_t block, AnalysisStage& analysis, MotionStage& mot
 }
 
 /// RAKS_REALTIME=whole tries every dance in every form, and holds what depends on the machine to
-/// its bounds, too: page faults and the longest run.
+/// its bounds, too: page faults and the longest run. All is done twice then, and the shorter time
+/// of each run counts.
 bool is_whole() { return test::is_whole("RAKS_REALTIME"); }
 
 /// Many runs of one real-time function.
@@ -102,10 +104,18 @@ class GuardedRuns {
         ASSERT_FALSE(is_broken_) << "run " << runs_ << ": " << counts.describe();
         page_faults_ += ++runs_ > kWarmUp ? counts.page_faults : 0;
     }
+    /// The time of the last one counts: it did the work that is judged.
+    void keep_time() { times_.keep(); }
+    /// The same runs are made once more.
+    void start_again() noexcept {
+        times_.start_again();
+        runs_ = 0;
+    }
     /// The last one broke the rules.
     [[nodiscard]] bool is_broken() const noexcept { return is_broken_; }
     /// To be called at the end.
     void judge(const std::string& name) const {
+        ASSERT_GT(times_.count(), 0U) << name;
         const auto per_hundred = static_cast<int>(100.0 * times_.worst_over_median());
         ::testing::Test::RecordProperty(name + "_worst_in_hundredths_of_median", per_hundred);
         ::testing::Test::RecordProperty(name + "_page_faults", static_cast<int>(page_faults_));
@@ -130,68 +140,121 @@ class GuardedRuns {
     bool is_broken_ = false;
 };
 
-TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
-    const test::TemporaryFolder folder;
-    const auto path = folder / "minute.wav";
-    const audio::GeneratedMusic music = minute_of_music(SampleRate(44'100));
-    ASSERT_TRUE(audio::write_wav(path, music.samples, music.channels, music.rate));
+/// The ticks of a stage with one reader, as in the program. Only the time of those counts in which
+/// a figure is danced: standing, and waiting for the next hop, cost nearly nothing.
+class GuardedTicks {
+ public:
+    /// The channel that the stage is to publish to.
+    [[nodiscard]] StageChannel& reader() noexcept { return *reader_; }
+    void tick(MotionStage& motion) {
+        const std::int64_t before = motion.danced_hops();
+        ASSERT_NO_FATAL_FAILURE(runs_.run([&] { motion.tick(); }));
+        if (motion.danced_hops() > before && reader_->read().dancer.is_dancing) {
+            runs_.keep_time();
+        }
+    }
+    void start_again() noexcept { runs_.start_again(); }
+    [[nodiscard]] bool is_broken() const noexcept { return runs_.is_broken(); }
+    void judge(const std::string& name) const { runs_.judge(name); }
+
+ private:
+    std::unique_ptr<StageChannel> reader_ = std::make_unique<StageChannel>();
+    GuardedRuns runs_;
+};
+
+/// Both threads of a show, in turn. Of the blocks only the time of those counts that end a hop.
+struct GuardedShow {
+    template <typename Block>
+    void step(AnalysisStage& analysis, MotionStage& motion, Block&& block) {
+        ASSERT_NO_FATAL_FAILURE(blocks.run(block));
+        if (analysis.states().size() > 0) {
+            blocks.keep_time();
+        }
+        ASSERT_NO_FATAL_FAILURE(ticks.tick(motion));
+    }
+    void start_again() noexcept {
+        blocks.start_again();
+        ticks.start_again();
+    }
+
+    GuardedRuns blocks;
+    GuardedTicks ticks;
+};
+
+/// How often the same is done: whole tests compare the times of each run.
+int passes() { return is_whole() ? 2 : 1; }
+
+/// Plays the file to its end.
+void play_guarded(const std::filesystem::path& path, GuardedShow& show) {
     auto player = audio::FilePlayer::start({path});
     ASSERT_TRUE(player) << player.error().message;
     auto playback = Playback::create(std::move(*player), installed::models());
     ASSERT_TRUE(playback) << playback.error().message;
     ASSERT_TRUE((*playback)->prepare(SampleRate(48'000)));
     AnalysisStage& analysis = (*playback)->analysis();
-    MotionStage motion(salsa_dancer(), {analysis.states()});
+    MotionStage motion(salsa_dancer(), {analysis.states(), {&show.ticks.reader()}});
     std::vector<float> block(2 * kFrames);
     static_cast<void>(lock_memory());
-    GuardedRuns blocks;
-    GuardedRuns ticks;
     for (std::int64_t i = 0; !(*playback)->is_finished(); ++i) {
         (*playback)->player().wait_until_ready(4096);
         give_commands(i, analysis, motion);
-        ASSERT_NO_FATAL_FAILURE(blocks.run([&] {
-            (*playback)->on_output(
-                block, 2, {i * static_cast<std::int64_t>(kFrames), HostClock::now(), false});
-        }));
-        ASSERT_NO_FATAL_FAILURE(ticks.run([&] { motion.tick(); }));
+        const audio::BlockTime time{i * static_cast<std::int64_t>(kFrames), host_now(), false};
+        ASSERT_NO_FATAL_FAILURE(
+            show.step(analysis, motion, [&] { (*playback)->on_output(block, 2, time); }));
     }
-    blocks.judge("playing_block");
-    ticks.judge("playing_tick");
     EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
     EXPECT_EQ(analysis.states().dropped(), 0U);
     EXPECT_EQ((*playback)->player().underruns(), 0U);
 }
 
-TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
-    const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
+TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
+    const test::TemporaryFolder folder;
+    const auto path = folder / "minute.wav";
+    const audio::GeneratedMusic music = minute_of_music(SampleRate(44'100));
+    ASSERT_TRUE(audio::write_wav(path, music.samples, music.channels, music.rate));
+    GuardedShow show;
+    for (int pass = 0; pass < passes(); ++pass) {
+        show.start_again();
+        ASSERT_NO_FATAL_FAILURE(play_guarded(path, show));
+    }
+    show.blocks.judge("playing_block");
+    show.ticks.judge("playing_tick");
+}
+
+/// Listens to the music, with a block lost every ten seconds.
+void listen_guarded(const audio::GeneratedMusic& music, GuardedShow& show) {
     auto listening = LiveInput::create(music.rate, installed::models());
     ASSERT_TRUE(listening) << listening.error().message;
     AnalysisStage& analysis = (*listening)->analysis();
-    MotionStage motion(salsa_dancer(), {analysis.states()});
+    MotionStage motion(salsa_dancer(), {analysis.states(), {&show.ticks.reader()}});
     const std::span<const float> samples = music.samples;
-    HostTime clock = HostClock::now();
+    HostTime clock = host_now();
     static_cast<void>(lock_memory());
-    GuardedRuns blocks;
-    GuardedRuns ticks;
     for (std::size_t at = 0; at + 2 * kFrames <= samples.size(); at += 2 * kFrames) {
         const auto block = static_cast<std::int64_t>(at / (2 * kFrames));
         give_commands(block, analysis, motion);
         clock += music.rate.time_of(kFrames).time_since_epoch();
         const bool is_xrun = block % 2'000 == 1'999;
         clock += is_xrun ? std::chrono::milliseconds(40) : Nanos(0);
-        ASSERT_NO_FATAL_FAILURE(blocks.run([&] {
-            (*listening)
-                ->on_input(samples.subspan(at, 2 * kFrames),
-                           2,
-                           {block * static_cast<std::int64_t>(kFrames), clock, is_xrun});
+        const audio::BlockTime time{block * static_cast<std::int64_t>(kFrames), clock, is_xrun};
+        ASSERT_NO_FATAL_FAILURE(show.step(analysis, motion, [&] {
+            (*listening)->on_input(samples.subspan(at, 2 * kFrames), 2, time);
         }));
-        ASSERT_NO_FATAL_FAILURE(ticks.run([&] { motion.tick(); }));
     }
-    blocks.judge("listening_block");
-    ticks.judge("listening_tick");
     EXPECT_GT(motion.danced_hops(), 100 * kChainSeconds - 20);
     EXPECT_GT((*listening)->lost_frames(), 0);
     EXPECT_EQ(analysis.states().dropped(), 0U);
+}
+
+TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
+    const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
+    GuardedShow show;
+    for (int pass = 0; pass < passes(); ++pass) {
+        show.start_again();
+        ASSERT_NO_FATAL_FAILURE(listen_guarded(music, show));
+    }
+    show.blocks.judge("listening_block");
+    show.ticks.judge("listening_tick");
 }
 
 /// The states of the minute, with a lost block in it, as the analyzer makes them.
@@ -239,6 +302,22 @@ struct DancedForm {
     std::string figures;
 };
 
+/// Dances to all states.
+void dance_to_the_minute(const Cast& cast, GuardedTicks& ticks) {
+    motion::Ensemble ensemble;
+    ASSERT_TRUE(ensemble.prepare(cast.members, cast.skeleton));
+    EventQueue<MusicState> states(8);
+    MotionStage motion(std::move(ensemble), {states, {&ticks.reader()}});
+    const std::vector<MusicState>& all = states_of_a_minute();
+    static_cast<void>(lock_memory());
+    for (std::size_t hop = 0; hop < all.size(); ++hop) {
+        ask_dancers(hop, motion);
+        ASSERT_TRUE(states.push(all[hop]));
+        ASSERT_NO_FATAL_FAILURE(ticks.tick(motion));
+    }
+    EXPECT_EQ(motion.danced_hops(), std::ssize(all));
+}
+
 /// False for a dance that has no figures of that kind, or none for two.
 bool dance_guarded(const DancedForm& form) {
     Settings settings;
@@ -249,20 +328,12 @@ bool dance_guarded(const DancedForm& form) {
     if (!dancers) {
         return false;
     }
-    motion::Ensemble ensemble;
-    EXPECT_TRUE(ensemble.prepare(dancers->cast().members, dancers->cast().skeleton));
-    EventQueue<MusicState> states(8);
-    MotionStage motion(std::move(ensemble), {states});
-    const std::vector<MusicState>& all = states_of_a_minute();
-    static_cast<void>(lock_memory());
-    GuardedRuns ticks;
-    for (std::size_t hop = 0; hop < all.size() && !ticks.is_broken(); ++hop) {
-        ask_dancers(hop, motion);
-        EXPECT_TRUE(states.push(all[hop]));
-        ticks.run([&] { motion.tick(); });
+    GuardedTicks ticks;
+    for (int pass = 0; pass < passes() && !ticks.is_broken(); ++pass) {
+        ticks.start_again();
+        dance_to_the_minute(dancers->cast(), ticks);
     }
     ticks.judge(form.dance + "_" + form.formation + "_" + form.figures);
-    EXPECT_EQ(motion.danced_hops(), std::ssize(all));
     return true;
 }
 
@@ -279,7 +350,7 @@ std::vector<DancedForm> forms_of(std::string_view dance, std::size_t number) {
     return forms;
 }
 
-/// Each dance in the first form that it has; RAKS_REALTIME=whole: in every form, which takes 2
+/// Each dance in the first form that it has; RAKS_REALTIME=whole: in every form, which takes 4
 /// minutes.
 TEST(RealtimeChain, every_dance_keeps_the_rules_on_the_motion_thread) {
     std::size_t number = 0;
