@@ -18,8 +18,8 @@
 namespace raks::apps {
 namespace {
 
-// Poses on all sheets of one command: drawing in software takes 20 ms of computing for each, and of
-// more nobody looks at.
+// Poses on all sheets of one command: each is two pictures, of some 20 ms of computing in software,
+// and more nobody looks at.
 constexpr int kMostPoses = 192;
 
 // One sheet of the figure that the preview shows, so many poses a beat.
