@@ -1,7 +1,9 @@
 #include "base/pending_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -77,6 +79,19 @@ Expected<fs::path> make_part(const fs::path& path, Make make) {
         }
     }
     return fail(cannot_write(path, errno));
+}
+
+// What a part bears that was left behind, and no file of a person.
+constexpr const char* kMark = "user.raks.part";
+
+// As long as a marked part is locked, its process is about to rename it.
+bool mark(int file) {
+    return ::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fsetxattr(file, kMark, "", 0, 0) == 0;
+}
+
+// "x.bvh" -> "x.bvh.raks.part": the first name for a file that replaces another.
+fs::path marked_part_of(const fs::path& path) {
+    return path.parent_path() / (path.filename().string().substr(0, kLongestStem) + ".raks.part");
 }
 
 // Fails where something exists that must not be replaced by a file: anything but a plain file.
@@ -207,7 +222,6 @@ PendingFile::~PendingFile() { remove_part(); }
 bool PendingFile::close() noexcept { return file_ < 0 || ::close(std::exchange(file_, -1)) == 0; }
 
 void PendingFile::remove_part() noexcept {
-    static_cast<void>(close());
     if (is_named_ && !part_.empty()) {
         const std::lock_guard lock(pending_files().mutex);
         std::error_code ignored;
@@ -215,6 +229,7 @@ void PendingFile::remove_part() noexcept {
         pending_files().forget(part_);
     }
     part_.clear();
+    static_cast<void>(close());  // last: the lock says that the part is ours
 }
 
 // The file is made at once: an error shows before the long work. It has the rights of the file that
@@ -286,6 +301,20 @@ Expected<void> PendingFile::write(std::string_view bytes) {
     return {};
 }
 
+// Whoever has the lock and still finds the file under the name knows that it was left: only a
+// living process would rename it, and that has the lock.
+void remove_abandoned_part(const fs::path& part) {
+    const Descriptor file(::open(part.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW));
+    struct stat held {};
+    struct stat named {};
+    if (file.get() >= 0 && ::fgetxattr(file.get(), kMark, nullptr, 0) >= 0 &&
+        ::flock(file.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file.get(), &held) == 0 &&
+        ::lstat(part.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
+        held.st_ino == named.st_ino) {
+        ::unlink(part.c_str());
+    }
+}
+
 // Under its own name at once where nothing has it yet, else under a part's, to be renamed.
 bool PendingFile::give_name() {
     const std::string file = part_.string();
@@ -298,6 +327,15 @@ bool PendingFile::give_name() {
     }
     if (errno != EEXIST) {
         return false;
+    }
+    if (mark(file_)) {
+        const fs::path part = marked_part_of(path_);
+        remove_abandoned_part(part);
+        if (link_to(part.c_str())) {
+            part_ = part;
+            is_named_ = true;
+            return true;
+        }
     }
     auto part = make_part(path_, link_to);
     if (part) {
@@ -326,6 +364,9 @@ Expected<void> PendingFile::commit() {
     }
     pending_files().forget(part_);
     part_.clear();
+    if (file_ >= 0) {
+        ::fremovexattr(file_, kMark);  // where it has none nothing happens
+    }
     static_cast<void>(close());
     static_cast<void>(sync_folder_of(path_));
     return {};
@@ -350,6 +391,12 @@ Expected<void> check_output(const fs::path& output, const std::vector<fs::path>&
     // Tries to create the part; the destructor removes it again.
     const auto probe = PendingFile::create(output);
     return probe ? Expected<void>() : fail(probe.error());
+}
+
+Expected<void> make_folders(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    return error ? Expected<void>(fail(cannot_write(folder, error.value()))) : Expected<void>();
 }
 
 Expected<void> write_file(const fs::path& path, std::string_view bytes) {

@@ -13,10 +13,12 @@ namespace raks {
 /// A file that appears under its name only when it is complete. Until commit() it has no name at
 /// all where the file system allows that (O_TMPFILE), so that nothing is left of it however the
 /// process ends; else it is `NAME.XXXXXX.part` (six letters of our own choice) in the same folder,
-/// which the destructor removes. A process that is killed while commit() replaces a file may leave
-/// the new one, whole, under such a name. Nothing else is ever touched: two that write the same
-/// name do not meet, and where the name is a link the file that it leads to is replaced. Threads:
-/// one. Real-time: no.
+/// which the destructor removes. A process that is killed just while commit() replaces a file
+/// leaves the new one, whole, as `NAME.raks.part`, which the next that replaces NAME removes: it
+/// bears our mark (an extended attribute; where the file system has none the name is as above, and
+/// it stays) and no process holds it. Nothing else is ever touched: two that write the same name do
+/// not meet, and where the name is a link the file that it leads to is replaced. Threads: one.
+/// Real-time: no.
 class PendingFile {
  public:
     /// What becomes of the part where the process is told to end before it is committed.
@@ -75,6 +77,9 @@ struct EndOfWriting {
 /// now. Threads: any.
 [[nodiscard]] EndOfWriting remove_pending_files();
 
+/// Removes this file if it is a part that a killed process left (PendingFile); nothing else.
+void remove_abandoned_part(const std::filesystem::path& part);
+
 /// Checks before long work that its output can be written at the end. Errors: as
 /// PendingFile::create; `output` is one of the `inputs` (by whatever name), which it would replace.
 [[nodiscard]] Expected<void> check_output(const std::filesystem::path& output,
@@ -82,6 +87,9 @@ struct EndOfWriting {
 /// The second of these checks alone, for outputs that may be folders.
 [[nodiscard]] Expected<void> check_is_no_input(const std::filesystem::path& output,
                                                const std::vector<std::filesystem::path>& inputs);
+
+/// Makes a folder and those above it; one that is there stays. Errors: the system's.
+[[nodiscard]] Expected<void> make_folders(const std::filesystem::path& folder);
 
 /// Writes all of `bytes` to `path`, or leaves what was there. Errors: as PendingFile, and a full
 /// disk.

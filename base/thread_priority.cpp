@@ -17,6 +17,7 @@ namespace {
 
 // Below JACK's own threads (70 and more) and above everything that is ordinary.
 constexpr std::array kPriorities = {50, 55, 58};  // in the order of RealtimeThread
+constexpr std::array kNames = {"raks-motion", "raks-audio", "raks-transport"};  // likewise
 // PulseAudio's own choice where real time is refused.
 constexpr int kPreferredNice = -11;
 constexpr int kBehindNice = 10;
@@ -24,6 +25,7 @@ constexpr int kBehindNice = 10;
 }  // namespace
 
 bool prefer_this_thread(RealtimeThread kind) noexcept {
+    pthread_setname_np(pthread_self(), kNames[static_cast<std::size_t>(kind)]);
     sched_param parameters{};
     parameters.sched_priority = kPriorities[static_cast<std::size_t>(kind)];
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0 ||

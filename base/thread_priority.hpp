@@ -8,7 +8,8 @@ namespace raks {
 enum class RealtimeThread { motion, callback, transport };
 
 /// Asks the system to run the calling thread before all ordinary ones (SCHED_FIFO), or, where that
-/// is refused, before most of them (nice -11). True when either was granted.
+/// is refused, before most of them (nice -11). True when either was granted. The thread gets a name
+/// by which `top -H` and the like show it: raks-motion, raks-audio, raks-transport.
 /// Threads: any. Real-time: no.
 bool prefer_this_thread(RealtimeThread kind) noexcept;
 

@@ -26,8 +26,9 @@ ExitCode config(const ConfigArguments& arguments) {
         if (std::filesystem::exists(path, error)) {
             return fail(path.string() + ": is there already; edit it, or remove it first");
         }
-        // An error shows when the file is written.
-        std::filesystem::create_directories(path.parent_path(), error);
+        if (auto made = make_folders(path.parent_path()); !made) {
+            return fail(made.error());
+        }
         if (auto written = write_file(path, engine::to_toml({})); !written) {
             return fail(written.error());
         }

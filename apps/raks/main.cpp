@@ -116,6 +116,7 @@ int main(int argc, char** argv) {
     const auto parse = [argc, argv] {
         raks::apps::ParsedCommand command = raks::apps::parse_arguments(argc, argv);
         if (command.run) {
+            raks::apps::silence_libraries();
             raks::apps::catch_signals();
         }
         return command;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -51,9 +52,12 @@ Expected<std::unique_ptr<audio::PipeReader>> open_pipe(const Path& path, const S
     return open_sound_pipe(path);
 }
 
+// Whether what waits for a file is to stop.
+using IsStopped = std::function<bool()>;
+
 // Whether a file can be played from the section's start on. Errors: why not.
-Expected<void> check_file(const Path& path, const Section& section) {
-    const auto file = audio::open_audio_file(path);
+Expected<void> check_file(const Path& path, const Section& section, const IsStopped& is_stopped) {
+    const auto file = audio::open_audio_file(path, is_stopped);
     if (!file) {
         return fail(file.error());
     }
@@ -123,11 +127,13 @@ class PlaySet {
         order_.drop_current();
     }
     [[nodiscard]] const engine::SkippedFiles& skipped() const noexcept { return list_.skipped; }
+    // Asked while a file's decoder keeps one waiting; until this is called, signals end that.
+    void stop_when(IsStopped is_stopped) { is_stopped_ = std::move(is_stopped); }
 
  private:
     // Pipes are opened once, when they are played.
     [[nodiscard]] Expected<void> check(const Path& path) const {
-        return engine::is_pipe(path) ? Expected<void>() : check_file(path, section_);
+        return engine::is_pipe(path) ? Expected<void>() : check_file(path, section_, is_stopped_);
     }
     [[nodiscard]] Expected<void> open_first();
 
@@ -135,6 +141,7 @@ class PlaySet {
     const Section& section_;
     engine::PlayOrder order_;
     std::unique_ptr<audio::PipeReader> pipe_;
+    IsStopped is_stopped_ = [] { return stop_signal().has_value(); };
 };
 
 Expected<void> PlaySet::open_first() {
@@ -172,7 +179,7 @@ const Path* PlaySet::current() const {
 bool PlaySet::has_next() {
     while (const auto next = order_.next()) {
         const auto checked = check(list_.files[*next]);
-        if (checked || stop_signal()) {
+        if (checked || is_stopped_()) {
             break;
         }
         list_.skipped.add(checked.error().message);
@@ -232,6 +239,7 @@ class Player {
 
 // A file that ends, or that cannot be played, is followed by the next one.
 void Player::play(PlaySet& files) {
+    files.stop_when([this] { return loop_.is_end_wanted(); });
     while (const Path* const file = files.current()) {
         const auto behind = files.has_next()   ? StageSource::Behind::next_file
                             : arguments_.quits ? StageSource::Behind::end
@@ -240,8 +248,9 @@ void Player::play(PlaySet& files) {
         auto player = open(files);
         const Expected<StageEnd> end =
             player ? play(*file, std::move(*player), behind, next) : fail(player.error());
-        has_played_ = has_played_ || end || stop_signal();
-        if (stop_signal()) {
+        const bool is_end_wanted = loop_.is_end_wanted();
+        has_played_ = has_played_ || end || is_end_wanted;
+        if (is_end_wanted) {
             return;
         }
         if (!end) {
@@ -272,14 +281,15 @@ Expected<Player::FilePlayerPtr> Player::open(PlaySet& files) const {
         }
         return audio::FilePlayer::start(std::move(*pipe), file);
     }
-    if (auto checked = check_file(file, section); !checked) {
+    const IsStopped is_stopped = [this] { return loop_.is_end_wanted(); };
+    if (auto checked = check_file(file, section, is_stopped); !checked) {
         return fail(checked.error());
     }
     // The file is decoded from the section's start on.
     auto player = audio::FilePlayer::start({file}, {.start_seconds = section.start});
     if (player) {
         // The first callback must not find an empty ring.
-        (*player)->wait_until_ready(4096);
+        (*player)->wait_until_ready(4096, is_stopped);
     }
     return player;
 }

@@ -92,17 +92,16 @@ ExitCode sheet(const SheetArguments& given) {
     if (!danced) {
         return fail(danced.error());
     }
-    const std::string title = fmt::format("{}, {:g} BPM", danced->name, arguments.bpm);
-    if (auto written = is_sheet ? write_sheet(arguments.output,
-                                              *look,
-                                              danced->poses,
-                                              figure_sheet(),
-                                              figure_labels(title, danced->poses.size()))
-                                : write_film(arguments.output, *look, danced->poses, fps);
-        !written) {
-        return fail(written.error());
+    auto studio = SheetStudio::open(*look, best_quality(*look));
+    if (!studio) {
+        return fail(studio.error());
     }
-    return kExitDone;
+    const std::string title = fmt::format("{}, {:g} BPM", danced->name, arguments.bpm);
+    return exit_code_of(is_sheet ? studio->write_sheet(arguments.output,
+                                                       danced->poses,
+                                                       figure_sheet(),
+                                                       figure_labels(title, danced->poses.size()))
+                                 : studio->write_film(arguments.output, danced->poses, fps));
 }
 
 }  // namespace raks::apps

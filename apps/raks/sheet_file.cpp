@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
 #include "render/overlay/picture_text.hpp"
 #include "render/video/png.hpp"
@@ -16,29 +15,6 @@
 
 namespace raks::apps {
 namespace {
-
-// What sheets and films are drawn with. The context is destroyed after the renderer, which needs
-// it.
-struct Studio {
-    render::OffscreenContext context;
-    render::Renderer renderer;
-};
-
-// Errors: no OpenGL context, or the driver refuses.
-Expected<Studio> open_studio(const engine::Look& look) {
-    auto context = render::OffscreenContext::create();
-    if (!context) {
-        return fail(context.error());
-    }
-    // Sheets and films are not in a hurry: shadows and smooth edges, unless somebody wants it fast.
-    const render::Quality quality =
-        look.quality == render::Quality::fast ? look.quality : render::Quality::high;
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = quality});
-    if (!renderer) {
-        return fail(renderer.error());
-    }
-    return Studio{std::move(*context), std::move(*renderer)};
-}
 
 constexpr int kTitleHeight = 44;       // pixels
 constexpr float kTitlePixels = 24.0F;  // height of a line
@@ -97,29 +73,6 @@ void write_labels(render::PoseSheet& sheet,
     }
 }
 
-// Poses and clip figures alike: the sheet is a template over what is drawn.
-template <typename Body>
-Expected<void> write(const Path& output,
-                     const engine::Look& look,
-                     std::span<const Body> bodies,
-                     const render::PoseSheetConfig& config,
-                     const SheetLabels& labels) {
-    auto studio = open_studio(look);
-    if (!studio) {
-        return fail(studio.error());
-    }
-    const auto picture = render::draw_pose_sheet(studio->renderer, look.scene, bodies, config);
-    if (!picture) {
-        return fail(picture.error());
-    }
-    if (labels.title.empty()) {
-        return render::write_png(output, picture->width, picture->height, picture->rgba);
-    }
-    render::PoseSheet labelled = with_title(*picture, labels.title);
-    write_labels(labelled, config, labels, bodies.size());
-    return render::write_png(output, labelled.width, labelled.height, labelled.rgba);
-}
-
 }  // namespace
 
 SheetLabels figure_labels(std::string title, std::size_t poses, int per_beat) {
@@ -135,36 +88,64 @@ SheetLabels figure_labels(std::string title, std::size_t poses, int per_beat) {
     return labels;
 }
 
-Expected<void> write_sheet(const Path& output,
-                           const engine::Look& look,
-                           std::span<const motion::Pose> poses,
-                           const render::PoseSheetConfig& config,
-                           const SheetLabels& labels) {
-    return write(output, look, poses, config, labels);
+SheetStudio::SheetStudio(render::OffscreenContext context,
+                         render::Renderer renderer,
+                         const render::Scene& scene)
+    : context_(std::move(context)), renderer_(std::move(renderer)), scene_(scene) {}
+
+Expected<SheetStudio> SheetStudio::open(const engine::Look& look, render::Quality quality) {
+    auto context = render::OffscreenContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = quality});
+    if (!renderer) {
+        return fail(renderer.error());
+    }
+    return SheetStudio(std::move(*context), std::move(*renderer), look.scene);
 }
 
-Expected<void> write_sheet(const Path& output,
-                           const engine::Look& look,
-                           std::span<const render::ClipFigure> figures,
-                           const render::PoseSheetConfig& config,
-                           const SheetLabels& labels) {
-    return write(output, look, figures, config, labels);
+// Poses and clip figures alike: the sheet is a template over what is drawn.
+template <typename Body>
+Expected<void> SheetStudio::write(const Path& output,
+                                  std::span<const Body> bodies,
+                                  const render::PoseSheetConfig& config,
+                                  const SheetLabels& labels) {
+    const auto picture = render::draw_pose_sheet(renderer_, scene_, bodies, config);
+    if (!picture) {
+        return fail(picture.error());
+    }
+    if (labels.title.empty()) {
+        return render::write_png(output, picture->width, picture->height, picture->rgba);
+    }
+    render::PoseSheet labelled = with_title(*picture, labels.title);
+    write_labels(labelled, config, labels, bodies.size());
+    return render::write_png(output, labelled.width, labelled.height, labelled.rgba);
 }
 
-Expected<void> write_film(const Path& output,
-                          const engine::Look& look,
-                          std::span<const motion::Pose> poses,
-                          double fps) {
+Expected<void> SheetStudio::write_sheet(const Path& output,
+                                        std::span<const motion::Pose> poses,
+                                        const render::PoseSheetConfig& config,
+                                        const SheetLabels& labels) {
+    return write(output, poses, config, labels);
+}
+
+Expected<void> SheetStudio::write_sheet(const Path& output,
+                                        std::span<const render::ClipFigure> figures,
+                                        const render::PoseSheetConfig& config,
+                                        const SheetLabels& labels) {
+    return write(output, figures, config, labels);
+}
+
+Expected<void> SheetStudio::write_film(const Path& output,
+                                       std::span<const motion::Pose> poses,
+                                       double fps) {
     // The sheet's layout also says size and cameras of one view.
     const render::PoseSheetConfig config;
     const auto views = static_cast<int>(config.cameras.size());
-    auto studio = open_studio(look);
-    if (!studio) {
-        return fail(studio.error());
-    }
     auto target = render::OffscreenTarget::create({.width = views * config.tile_width,
                                                    .height = config.tile_height,
-                                                   .samples = studio->renderer.samples()});
+                                                   .samples = renderer_.samples()});
     if (!target) {
         return fail(target.error());
     }
@@ -178,7 +159,7 @@ Expected<void> write_film(const Path& output,
     }
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(target->width()) *
                                    static_cast<std::size_t>(target->height()) * 4U);
-    render::Scene scene = look.scene;
+    render::Scene scene = scene_;
     // One pose a picture; the views lie side by side.
     for (const motion::Pose& pose : poses) {
         for (int view = 0; view < views; ++view) {
@@ -188,7 +169,7 @@ Expected<void> write_film(const Path& output,
             render::FrameTarget tile = target->frame();
             tile.x = view * config.tile_width;
             tile.width = config.tile_width;
-            studio->renderer.draw(scene, pose, tile);
+            renderer_.draw(scene, pose, tile);
         }
         auto added = target->read_rgba(rgba);
         if (added) {

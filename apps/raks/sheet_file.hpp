@@ -9,7 +9,10 @@
 #include "base/expected.hpp"
 #include "engine/show/picture.hpp"
 #include "motion/skeleton/pose.hpp"
+#include "render/gl/offscreen.hpp"
 #include "render/pose_sheet.hpp"
+#include "render/renderer.hpp"
+#include "render/scene/scene.hpp"
 
 namespace raks::apps {
 
@@ -24,6 +27,12 @@ constexpr int kPosesPerBeat = 8;
     return config;
 }
 
+/// Of sheets and films that are not in a hurry: shadows and smooth edges, unless somebody wants it
+/// fast.
+[[nodiscard]] inline render::Quality best_quality(const engine::Look& look) {
+    return look.quality == render::Quality::fast ? look.quality : render::Quality::high;
+}
+
 /// What is written on a sheet.
 struct SheetLabels {
     std::string title;               ///< above all pictures; empty: nothing is written at all
@@ -34,25 +43,44 @@ struct SheetLabels {
                                         std::size_t poses,
                                         int per_beat = kPosesPerBeat);
 
-/// Draws a pose sheet without a window and writes it as PNG: poses of the mannequin, with labels,
-/// and the names of the views at the left. Errors: no OpenGL, those of the sheet and of the file.
-[[nodiscard]] Expected<void> write_sheet(const Path& output,
-                                         const engine::Look& look,
-                                         std::span<const motion::Pose> poses,
-                                         const render::PoseSheetConfig& config,
-                                         const SheetLabels& labels);
-/// The same for frames of a recorded clip, as stick figures.
-[[nodiscard]] Expected<void> write_sheet(const Path& output,
-                                         const engine::Look& look,
-                                         std::span<const render::ClipFigure> figures,
-                                         const render::PoseSheetConfig& config,
-                                         const SheetLabels& labels);
+/// What draws sheets and films without a window. To open it takes some tenths of a second: one
+/// serves all that a command draws. Threads: one.
+class SheetStudio {
+ public:
+    /// `quality`: of the drawing, in place of the look's. Errors: no OpenGL, or the driver refuses.
+    [[nodiscard]] static Expected<SheetStudio> open(const engine::Look& look,
+                                                    render::Quality quality);
 
-/// Films poses without a window, one a picture: from the front and, beside it, from the side; no
-/// sound. `output`: as VideoWriter has it. Errors: no OpenGL, those of the film.
-[[nodiscard]] Expected<void> write_film(const Path& output,
-                                        const engine::Look& look,
-                                        std::span<const motion::Pose> poses,
-                                        double fps);
+    /// Draws a pose sheet and writes it as PNG: poses of the mannequin, with labels, and the names
+    /// of the views at the left. Errors: those of the sheet and of the file.
+    [[nodiscard]] Expected<void> write_sheet(const Path& output,
+                                             std::span<const motion::Pose> poses,
+                                             const render::PoseSheetConfig& config,
+                                             const SheetLabels& labels);
+    /// The same for frames of a recorded clip, as stick figures.
+    [[nodiscard]] Expected<void> write_sheet(const Path& output,
+                                             std::span<const render::ClipFigure> figures,
+                                             const render::PoseSheetConfig& config,
+                                             const SheetLabels& labels);
+    /// Films poses, one a picture: from the front and, beside it, from the side; no sound.
+    /// `output`: as VideoWriter has it. Errors: those of the film.
+    [[nodiscard]] Expected<void> write_film(const Path& output,
+                                            std::span<const motion::Pose> poses,
+                                            double fps);
+
+ private:
+    SheetStudio(render::OffscreenContext context,
+                render::Renderer renderer,
+                const render::Scene& scene);
+    template <typename Body>
+    [[nodiscard]] Expected<void> write(const Path& output,
+                                       std::span<const Body> bodies,
+                                       const render::PoseSheetConfig& config,
+                                       const SheetLabels& labels);
+
+    render::OffscreenContext context_;
+    render::Renderer renderer_;  // destroyed before the context, which it needs
+    render::Scene scene_;
+};
 
 }  // namespace raks::apps

@@ -101,6 +101,10 @@ StageLoop::StageLoop(const engine::Settings& settings,
                     [this](const std::string& line) { say(line); }),
       formation_(formations.name()) {}
 
+bool StageLoop::is_end_wanted() {
+    return is_stop_requested() || (window_ && window_->is_end_wanted());
+}
+
 void StageLoop::say(const std::string& line) {
     if (window_) {
         window_->say(line);

@@ -58,6 +58,9 @@ class StageLoop final : private engine::WindowContent {
     /// outlive the call. Returns why it ended.
     [[nodiscard]] StageEnd run(engine::LiveGraph& graph, const StageSource& source);
 
+    /// Between two files: whether a person or a signal has asked for the end.
+    [[nodiscard]] bool is_end_wanted();
+
     /// Prints a line for people on stderr, and shows it over the picture for a while.
     void say(const std::string& line);
     /// Shows it over the picture alone; without a window it does nothing.

@@ -94,7 +94,11 @@ Expected<void> write_frames(const Path& output,
             labels.poses.push_back(std::to_string(frame));
         }
     }
-    if (auto written = write_sheet(output, look, bodies, config, labels); !written) {
+    auto studio = SheetStudio::open(look, best_quality(look));
+    if (!studio) {
+        return fail(studio.error());
+    }
+    if (auto written = studio->write_sheet(output, bodies, config, labels); !written) {
         return written;
     }
     std::string numbers;

@@ -1,5 +1,6 @@
 // `raks stick dance.toml`: shows a written dance in a window while it is being written, or draws it
 // on sheets.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,26 +18,18 @@
 namespace raks::apps {
 namespace {
 
-// One sheet of the figure that the preview shows.
-Expected<void> write_figure(engine::DancePreview& preview,
-                            const engine::Look& look,
-                            const Path& output) {
-    // Of a long figure fewer poses a beat: a sheet of 1,000 pictures takes a minute and nobody
-    // looks at it.
-    constexpr std::size_t kMostPoses = 128;
-    int per_beat = kPosesPerBeat;
-    auto poses = preview.sheet(per_beat);
-    while (poses.size() > kMostPoses && per_beat > 1) {
-        per_beat /= 2;
-        poses = preview.sheet(per_beat);
-    }
-    if (auto written =
-            write_sheet(output,
-                        look,
-                        poses,
-                        figure_sheet(),
-                        figure_labels(std::string(preview.figure()), poses.size(), per_beat));
-        !written) {
+// Poses on all sheets of one command: each is two pictures, of some 20 ms of computing in software,
+// and more nobody looks at.
+constexpr int kMostPoses = 192;
+
+// One sheet of the figure that the preview shows, so many poses a beat.
+Expected<void> write_figure(const engine::DancePreview& preview,
+                            SheetStudio& studio,
+                            const Path& output,
+                            int per_beat) {
+    const auto poses = preview.sheet(per_beat);
+    const SheetLabels labels = figure_labels(std::string(preview.figure()), poses.size(), per_beat);
+    if (auto written = studio.write_sheet(output, poses, figure_sheet(), labels); !written) {
         return written;
     }
     print_text(fmt::format("{}: front and side of {}, {}\n",
@@ -47,24 +40,60 @@ Expected<void> write_figure(engine::DancePreview& preview,
     return {};
 }
 
-// Sheets: one of the figure asked for, or one of each figure as X_FIGURE.png.
-Expected<void> write_figures(engine::DancePreview& preview,
-                             const engine::Look& look,
-                             const Path& output,
-                             const std::string& wanted) {
-    if (!wanted.empty()) {
-        return write_figure(preview, look, output);
+// Eighths of a beat, or as many as keep all sheets within bounds; at least one.
+int poses_per_beat(int beats) {
+    int per_beat = kPosesPerBeat;
+    while (beats * per_beat > kMostPoses && per_beat > 1) {
+        per_beat /= 2;
     }
+    return per_beat;
+}
+
+// One sheet of each figure as X_FIGURE.png. Of very long dances the last figures are left out.
+Expected<void> write_all(engine::DancePreview& preview, SheetStudio& studio, const Path& output) {
     const std::vector<std::string> figures = preview.figures();
+    int beats = 0;
     for (std::size_t i = 0; i < figures.size(); ++i) {
+        beats += preview.beats_of_sheet(i);
+    }
+    const int per_beat = poses_per_beat(beats);
+    int poses = 0;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        poses += per_beat * preview.beats_of_sheet(i);
+        if (i > 0 && poses > kMostPoses) {
+            say(fmt::format(
+                "the sheets of {} figures from {} on are left out; --figure NAME draws one",
+                figures.size() - i,
+                figures[i]));
+            return {};
+        }
         preview.show(i);
         Path path = output;
         path.replace_filename(fmt::format("{}_{}.png", output.stem().string(), figures[i]));
-        if (auto written = write_figure(preview, look, path); !written) {
+        if (auto written = write_figure(preview, studio, path, per_beat); !written) {
             return written;
         }
     }
     return {};
+}
+
+// Sheets: one of the figure asked for, or one of each. Drawn as a window would be: on software
+// drivers fast.
+Expected<void> write_figures(engine::DancePreview& preview,
+                             const engine::Look& look,
+                             const Path& output,
+                             const std::string& wanted) {
+    auto studio = SheetStudio::open(look, look.quality);
+    if (!studio) {
+        return fail(studio.error());
+    }
+    if (wanted.empty()) {
+        return write_all(preview, *studio, output);
+    }
+    const std::vector<std::string> figures = preview.figures();
+    const auto shown = std::find(figures.begin(), figures.end(), wanted) - figures.begin();
+    const int beats = preview.beats_of_sheet(static_cast<std::size_t>(shown));
+    return write_figure(preview, *studio, output, poses_per_beat(beats));
 }
 
 // Shows the dance in a window, and its newer text as soon as it is saved; the camera follows the

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/raks/command_table.hpp"
+#include "apps/terminal/say.hpp"
 
 namespace raks::apps {
 namespace {
@@ -24,6 +25,7 @@ ExitCode become_trainer(const std::string& command, const std::vector<std::strin
         argv.push_back(word.data());
     }
     argv.push_back(nullptr);
+    let_libraries_speak();
     execv(program.c_str(), argv.data());
     return fail({program + ": is not there; it is installed with raks and has to lie beside it"});
 }

@@ -1,9 +1,11 @@
 #include "apps/terminal/program.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -145,10 +147,15 @@ namespace {
         reason = "raks: out of memory\n";
     } catch (...) {  // nothing that needs memory is safe here
     }
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, reason, std::strlen(reason));
+    [[maybe_unused]] const auto written =
+        ::write(descriptor_of_lines(), reason, std::strlen(reason));
     ::_exit(kExitFailed);
 }
 
+}  // namespace
+
+namespace {
+std::atomic<bool> g_has_come_back{false};  // what was to run has ended
 }  // namespace
 
 // The outermost frame: no exception leaves the program as a crash.
@@ -162,10 +169,13 @@ int run_program(const std::function<ParsedCommand()>& parse) {
             return end_with(command.exit_code);
         }
         const ExitCode code = command.run();
+        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
         return code ? end_with(*code) : report(code.error().message);
     } catch (const std::bad_alloc&) {
+        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: as above
         return report("out of memory");
     } catch (const std::exception& error) {
+        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: as above
         return report(std::string("internal error: ") + error.what());
     }
 }
@@ -195,6 +205,15 @@ void wait_for_signal(const timespec* until) {
     }
 }
 
+// Leaves nothing half-written, and says where what is kept lies.
+[[noreturn]] void end_now() {
+    const EndOfWriting end = remove_pending_files();
+    for (const std::filesystem::path& part : end.kept) {
+        complain("stopped before it was finished: what was written lies in " + part.string());
+    }
+    _exit(exit_code_after_signals(kExitFailed));
+}
+
 // A command has so long to end by itself after a signal; then the process ends, and leaves nothing
 // half-written. Runs on a thread of its own.
 void end_in_time() {
@@ -206,11 +225,43 @@ void end_in_time() {
     until.tv_sec += (until.tv_nsec + kPatience) / kSecond;
     until.tv_nsec = (until.tv_nsec + kPatience) % kSecond;
     wait_for_signal(&until);
-    const EndOfWriting end = remove_pending_files();
-    for (const std::filesystem::path& part : end.kept) {
-        complain("stopped before it was finished: what was written lies in " + part.string());
+    end_now();
+}
+
+// A fault of ours, or of a library that ran out of memory: one line in place of silence. Only what
+// a handler may do; the signal then ends the process as it would have.
+extern "C" void say_fault(int number) {
+    const char* const line =
+        number == SIGABRT
+            ? "raks: a library gave up; with -v it says why\n"
+            : "raks: ended by a fault in the program or a library, or there is no memory left\n";
+    [[maybe_unused]] const auto written = ::write(descriptor_of_lines(), line, std::strlen(line));
+    std::raise(number);
+}
+
+// Sanitizers have handlers of their own, which stay. The main thread's stack may be what is used
+// up.
+void catch_faults() noexcept {
+    static std::array<std::byte, 16'384> spare{};
+    const stack_t stack{.ss_sp = spare.data(), .ss_flags = 0, .ss_size = spare.size()};
+    sigaltstack(&stack, nullptr);
+    for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+        struct sigaction action {};
+        if (sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_DFL) {
+            action.sa_handler = say_fault;
+            action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER | SA_ONSTACK);
+            sigaction(number, &action, nullptr);
+        }
     }
-    _exit(exit_code_after_signals(kExitFailed));
+}
+
+// Xlib ends a program by exit() when its display is gone: nothing comes back to run_program().
+void end_by_library() {
+    if (g_has_come_back.load(std::memory_order_relaxed)) {  // relaxed: orders nothing
+        return;
+    }
+    complain("a library ended the program: as a rule its display is gone; with -v it says why");
+    end_now();
 }
 
 }  // namespace
@@ -224,6 +275,8 @@ void catch_signals() noexcept {
     }
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
+    catch_faults();
+    std::atexit(end_by_library);
     // Its end is the process's.
     std::thread(end_in_time).detach();
 }

@@ -47,7 +47,8 @@ struct ParsedCommand {
 /// the process, SIGXFSZ (a file grew over its limit) and SIGPIPE become errors of the write. A
 /// command looks at stop_signal() and ends by itself; where it has not within 0.7 s, or at a second
 /// signal, the process ends and what is half-written is removed (base/pending_file.hpp). Starts a
-/// thread. Threads: main, once.
+/// thread. A fault of a library, or its exit() of the whole program, is said in one line. Threads:
+/// main, once.
 void catch_signals() noexcept;
 
 /// While one lives, these signals end the process at once, with the exit code that they always

@@ -1,5 +1,6 @@
 #include "apps/terminal/say.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,14 +23,50 @@ std::atomic<Talk> g_talk{Talk::usual};
 // relaxed: set once, before any other thread
 Talk talk() noexcept { return g_talk.load(std::memory_order_relaxed); }
 
+#if defined(RAKS_ASSERTS) || defined(RAKS_SANITIZED)
+constexpr bool kMaySilence = false;
+#else
+constexpr bool kMaySilence = true;
+#endif
+
+// Where our own lines go while stderr goes nowhere; null: stderr.
+std::FILE* g_lines = nullptr;
+std::atomic<int> g_descriptor{STDERR_FILENO};
+
+// Set once, before any other thread.
+std::FILE* lines() noexcept { return g_lines != nullptr ? g_lines : stderr; }
+
 double seconds_now() { return to_seconds(Nanos(HostClock::now().time_since_epoch())); }
 
 }  // namespace
 
 void set_talk(Talk talk) noexcept { g_talk.store(talk, std::memory_order_relaxed); }
 
+void silence_libraries() noexcept {
+    if (!kMaySilence || talk() == Talk::verbose) {
+        return;
+    }
+    const int own = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    std::FILE* const file = own >= 0 && nothing >= 0 ? fdopen(own, "w") : nullptr;
+    if (file != nullptr) {
+        std::setvbuf(file, nullptr, _IONBF, 0);
+        g_lines = file;
+        g_descriptor.store(own, std::memory_order_relaxed);  // relaxed: no other thread yet
+        dup2(nothing, STDERR_FILENO);
+    }
+    if (nothing >= 0) {
+        close(nothing);
+    }
+}
+
+void let_libraries_speak() noexcept { dup2(descriptor_of_lines(), STDERR_FILENO); }
+
+// relaxed: set once, before any other thread
+int descriptor_of_lines() noexcept { return g_descriptor.load(std::memory_order_relaxed); }
+
 void complain(std::string_view line) {
-    std::fprintf(stderr, "raks: %s\n", printable(line).c_str());
+    std::fprintf(lines(), "raks: %s\n", printable(line).c_str());
 }
 
 void say(std::string_view line) {
@@ -72,12 +109,12 @@ constexpr double kLeastSeconds = 2.0;
 
 ProgressLine::ProgressLine(std::string_view what)
     : what_(printable(what, 60)),
-      is_terminal_(isatty(STDERR_FILENO) == 1 && talk() != Talk::quiet),
+      is_terminal_(isatty(descriptor_of_lines()) == 1 && talk() != Talk::quiet),
       start_seconds_(seconds_now()) {}
 
 ProgressLine::~ProgressLine() {
     if (has_shown_) {
-        std::fputs("\r\033[K", stderr);
+        std::fputs("\r\033[K", lines());
     }
 }
 
@@ -98,8 +135,8 @@ void ProgressLine::show(const std::string& text) {
     }
     last_seconds_ = now;
     has_shown_ = true;
-    std::fprintf(stderr, "\r\033[K%s %s", what_.c_str(), text.c_str());
-    std::fflush(stderr);
+    std::fprintf(lines(), "\r\033[K%s %s", what_.c_str(), text.c_str());
+    std::fflush(lines());
 }
 
 std::string time_in_words(double seconds) {

@@ -10,6 +10,16 @@ enum class Talk { quiet, usual, verbose };
 /// Sets it for the whole program; `usual` until then. Threads: main, before any other.
 void set_talk(Talk talk) noexcept;
 
+/// From here on nothing reaches the terminal but the lines of this page: what libraries print on
+/// stderr by themselves (PortAudio, ALSA, JACK, X, EGL) is lost, unless `verbose`. Builds with
+/// asserts or sanitizers, which print there, too, are left as they are. Threads: main, before any
+/// other.
+void silence_libraries() noexcept;
+/// Gives stderr back: before another program takes this one's place. Threads: main.
+void let_libraries_speak() noexcept;
+/// The descriptor that the lines go to. Threads: any. Real-time: yes; in a handler of signals, too.
+[[nodiscard]] int descriptor_of_lines() noexcept;
+
 /// One line for people on stderr, behind "raks: ": a warning, what is being done; not where
 /// `quiet`. Names and words that files and the command line bring along cannot break it
 /// (base/printable.hpp). Threads: any. Real-time: no.

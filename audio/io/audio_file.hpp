@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -72,8 +73,10 @@ class AudioFileReader {
 /// Errors, one line each: missing, empty, a folder, not audio, no sound track, cut off before its
 /// index, a rate outside 1 kHz to 3 MHz (0 Hz too), too many channels; raks-decode is not there,
 /// broke off or hung.
+/// `is_stopped` is asked every 50 ms while that program keeps one waiting, by whoever opens, reads
+/// or seeks: once it is true, that fails, or the sound ends, at once and without a warning.
 [[nodiscard]] Expected<std::unique_ptr<AudioFileReader>> open_audio_file(
-    const std::filesystem::path& path);
+    const std::filesystem::path& path, std::function<bool()> is_stopped = {});
 
 /// A whole file as mono at its own rate: the average of the left and right channel; more than two
 /// channels are mixed down first (downmix.hpp); then as its Hearing says.

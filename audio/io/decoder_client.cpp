@@ -236,7 +236,8 @@ Expected<void> DecoderClient::seek(std::int64_t frame) {
     return {};
 }
 
-Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const std::filesystem::path& path) {
+Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const std::filesystem::path& path,
+                                                           std::function<bool()> is_stopped) {
     // Says what is missing, a folder, not a plain file.
     const auto head = read_file_start(path, 1);
     if (!head) {
@@ -254,6 +255,9 @@ Expected<std::unique_ptr<AudioFileReader>> open_audio_file(const std::filesystem
     DecodedSource source;
     source.name = path.string();
     source.descriptor = descriptor;
+    if (is_stopped) {
+        source.is_stop_requested = std::move(is_stopped);
+    }
     auto client = DecoderClient::open(std::move(source));
     ::close(descriptor);
     return client;

@@ -24,6 +24,9 @@ constexpr int kMostStepsPerPull = 64;  // segments and drops: bounds the loops o
 // room in the ring at this interval.
 constexpr auto kLookForRoom = std::chrono::milliseconds(5);
 
+// How often whoever waits looks whether it is to stop.
+constexpr auto kLookForStop = std::chrono::milliseconds(50);
+
 // Describes the samples in the ring from position `start` up to the next segment.
 struct Segment {
     std::uint64_t start = 0;       ///< frames written to the ring before it
@@ -54,6 +57,7 @@ struct FilePlayer::Impl {
     void run();
     [[nodiscard]] bool wait_for_work(std::unique_lock<std::mutex>& lock);
     void go_to(const SeekCommand& command);
+    [[nodiscard]] Expected<std::unique_ptr<AudioFileReader>> open(int wanted_track) const;
     bool open_track(int wanted_track, double seconds);
     void open_next_or_end(int next_track);
     void decode_chunk();
@@ -83,8 +87,8 @@ struct FilePlayer::Impl {
     // Under the mutex:
     std::optional<SeekCommand> command;
     std::vector<std::string> messages;
-    bool is_stopping = false;
-    bool is_idle = false;  // all is decoded, or there is no room
+    std::atomic<bool> is_stopping{false};  // also looked at while a decoder hangs
+    bool is_idle = false;                  // all is decoded, or there is no room
     std::uint64_t frames_since_seek = 0;
     // Decoder thread only:
     std::unique_ptr<AudioFileReader> reader;
@@ -160,6 +164,13 @@ void FilePlayer::Impl::push_segment(std::int64_t position, bool is_end) {
     segments.push(segment);
 }
 
+// A decoder that hangs does not hold stop() back.
+Expected<std::unique_ptr<AudioFileReader>> FilePlayer::Impl::open(int wanted_track) const {
+    return open_audio_file(files[static_cast<std::size_t>(wanted_track)], [this] {
+        return is_stopping.load(std::memory_order_relaxed);  // relaxed: orders nothing
+    });
+}
+
 // Opens a file, or keeps it open for a seek within it, and goes to the given time. On an error the
 // reader is closed and the user told.
 bool FilePlayer::Impl::open_track(int wanted_track, double seconds) {
@@ -167,7 +178,7 @@ bool FilePlayer::Impl::open_track(int wanted_track, double seconds) {
     const bool is_at_start = std::exchange(is_fresh, false) && is_same;
     track = wanted_track;
     if (!is_same) {
-        auto opened = open_audio_file(files[static_cast<std::size_t>(track)]);
+        auto opened = open(track);
         if (!opened) {
             say(opened.error().message);
             reader.reset();
@@ -261,11 +272,11 @@ Expected<std::unique_ptr<FilePlayer>> FilePlayer::start(std::vector<std::filesys
         return fail("no file to play");
     }
     // Opened here, so that its head and its faults are known; the decoder thread goes on with it.
-    auto first = open_audio_file(files.front());
+    auto impl = std::make_unique<Impl>(std::move(files), config);
+    auto first = impl->open(0);
     if (!first) {
         return fail(first.error());
     }
-    auto impl = std::make_unique<Impl>(std::move(files), config);
     impl->first_info = (*first)->info();
     impl->reader = std::move(*first);
     impl->is_fresh = true;
@@ -358,7 +369,7 @@ void FilePlayer::stop() {
     }
     {
         const std::lock_guard lock(impl_->mutex);
-        impl_->is_stopping = true;
+        impl_->is_stopping.store(true, std::memory_order_relaxed);  // relaxed: the mutex orders
         impl_->changed.notify_all();
     }
     if (impl_->decoder.joinable()) {
@@ -371,15 +382,18 @@ std::vector<std::string> FilePlayer::take_messages() {
     return std::exchange(impl_->messages, {});
 }
 
-void FilePlayer::wait_until_ready(std::size_t frames) {
+void FilePlayer::wait_until_ready(std::size_t frames, const std::function<bool()>& is_stopped) {
     std::unique_lock lock(impl_->mutex);
     impl_->changed.notify_all();
-    impl_->changed.wait(lock, [this, frames] {
+    const auto is_ready = [this, frames] {
         const bool is_enough = !impl_->command && impl_->frames_since_seek >= frames &&
                                impl_->ring.readable() >= 2 * frames;
         // A decoder that is idle may not have noticed yet that there is room again.
         return is_enough || (impl_->is_idle && !impl_->can_work()) || impl_->is_stopping;
-    });
+    };
+    while (!impl_->changed.wait_for(lock, kLookForStop, is_ready) &&
+           !(is_stopped && is_stopped())) {
+    }
 }
 
 int FilePlayer::track_count() const noexcept { return static_cast<int>(impl_->files.size()); }

@@ -69,7 +69,8 @@ class FilePlayer {
     void seek(int track, double seconds);
     /// Whether there is going back and ahead: not in a pipe.
     [[nodiscard]] bool can_seek() const noexcept;
-    /// Ends the decoder thread and waits for it. What is decoded can still be pulled.
+    /// Ends the decoder thread and waits for it, at most 0.1 s where a decoder hangs. What is
+    /// decoded can still be pulled.
     void stop();
     /// Messages for the user since the last call: files that were skipped or are damaged.
     [[nodiscard]] std::vector<std::string> take_messages();
@@ -84,8 +85,9 @@ class FilePlayer {
     [[nodiscard]] bool is_seeking() const noexcept RAKS_NONBLOCKING;
     /// Number of pulls for which too little was decoded. Threads: any.
     [[nodiscard]] std::uint64_t underruns() const noexcept;
-    /// Blocks the caller until at least `frames` are decoded ahead, or all that remains.
-    void wait_until_ready(std::size_t frames);
+    /// Blocks the caller until at least `frames` are decoded ahead, or all that remains, or
+    /// `is_stopped`, asked every 50 ms, says that it is to stop.
+    void wait_until_ready(std::size_t frames, const std::function<bool()>& is_stopped = {});
 
  private:
     struct Impl;

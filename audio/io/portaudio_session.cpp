@@ -10,6 +10,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string>
 
 namespace raks::audio {
 namespace {
@@ -27,6 +29,21 @@ void silence_libraries() {
     snd_lib_error_set_handler(ignore_alsa);
     jack_set_info_function(ignore_jack);
     jack_set_error_function(ignore_jack);  // PortAudio replaces it and keeps the last error
+}
+
+// PortAudio ends the program where ALSA's settings name no device at all: it is not asked then.
+Expected<void> check_alsa() {
+    const int updated = snd_config_update();
+    snd_config_t* devices = nullptr;
+    if (updated >= 0 && snd_config != nullptr &&
+        snd_config_search(snd_config, "pcm", &devices) == 0) {
+        return {};
+    }
+    const char* const file = std::getenv("ALSA_CONFIG_PATH");  // NOLINT(concurrency-mt-unsafe)
+    return fail(std::string("ALSA's settings (") +
+                (file != nullptr ? file : "/usr/share/alsa/alsa.conf, ~/.asoundrc") +
+                (updated < 0 ? ") cannot be read" : ") name no device") +
+                "; mend them, or start JACK, PulseAudio or PipeWire");
 }
 
 }  // namespace
@@ -57,6 +74,9 @@ Expected<void> acquire_portaudio() {
     }
     const SilentStderr silence;
     silence_libraries();
+    if (auto checked = check_alsa(); !checked) {
+        return checked;
+    }
     PaJack_SetClientName("raks");
     // On a busy machine JACK may refuse one start without a reason and accept the next.
     constexpr int kTries = 3;

@@ -12,7 +12,8 @@ namespace raks::audio {
 /// last release_portaudio() terminates it. After leak_portaudio() it is never terminated, as that
 /// call would not return.
 /// Threads: one. Real-time: no.
-/// One user more. Errors: PortAudio cannot be initialized.
+/// One user more. Errors: PortAudio cannot be initialized; ALSA's settings cannot be used, with
+/// which it would end the program.
 [[nodiscard]] Expected<void> acquire_portaudio();
 /// One user fewer; once for each successful acquire_portaudio().
 void release_portaudio() noexcept;

@@ -36,8 +36,9 @@ MusicSource::MusicSource(std::unique_ptr<audio::AudioFileReader> reader)
 
 Expected<MusicSource> MusicSource::open(const fs::path& path,
                                         double start,
-                                        std::optional<double> duration) {
-    auto reader = audio::open_audio_file(path);
+                                        std::optional<double> duration,
+                                        std::function<bool()> is_stopped) {
+    auto reader = audio::open_audio_file(path, std::move(is_stopped));
     if (!reader) {
         return fail(reader.error());
     }

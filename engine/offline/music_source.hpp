@@ -20,10 +20,11 @@ namespace raks::engine {
 class MusicSource {
  public:
     /// `start` in seconds, >= 0; `duration` in seconds, > 0, to the end when absent. Errors: those
-    /// of audio::open_audio_file; a start behind the file's end.
+    /// of audio::open_audio_file, which gets `is_stopped`; a start behind the file's end.
     [[nodiscard]] static Expected<MusicSource> open(const std::filesystem::path& path,
                                                     double start = 0.0,
-                                                    std::optional<double> duration = std::nullopt);
+                                                    std::optional<double> duration = std::nullopt,
+                                                    std::function<bool()> is_stopped = {});
 
     /// All that an open reader gives, such as one of a pipe.
     [[nodiscard]] static MusicSource of(std::unique_ptr<audio::AudioFileReader> reader);

@@ -23,7 +23,7 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
                                const AnalyzerModels& models,
                                const std::function<void(double)>& progress,
                                const std::function<bool()>& is_stopped) {
-    auto source = MusicSource::open(file);
+    auto source = MusicSource::open(file, 0.0, std::nullopt, is_stopped);
     if (!source) {
         return fail(std::move(source.error()));
     }
@@ -39,6 +39,10 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
         if (source->given() > kLongest || (is_stopped && is_stopped())) {
             return PlanOfSong();
         }
+    }
+    // One that was stopped while it waited for its decoder ends as a file does.
+    if (is_stopped && is_stopped()) {
+        return PlanOfSong();
     }
     return std::make_shared<const audio::SongPlan>(analyzer->finish());
 }

@@ -18,10 +18,10 @@ namespace raks::engine {
 using PlanOfSong = std::shared_ptr<const audio::SongPlan>;
 
 /// Analyzes a whole file, from its first sample to its last. `progress` gets the share that is
-/// done, [0, 1], where the file says how long it is; `is_stopped`, asked after every block, ends it
-/// early. Both may be empty. Null where it was stopped, and for more than an hour of music: so much
-/// is danced to as it comes. Errors: those of MusicSource::open, and of the analyzer. Threads:
-/// workers.
+/// done, [0, 1], where the file says how long it is; `is_stopped`, asked after every block and
+/// while a decoder keeps one waiting, ends it early. Both may be empty. Null where it was stopped,
+/// and for more than an hour of music: so much is danced to as it comes. Errors: those of
+/// MusicSource::open, and of the analyzer. Threads: workers.
 [[nodiscard]] Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
                                              const AnalyzerModels& models,
                                              const std::function<void(double)>& progress = {},

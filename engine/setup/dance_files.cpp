@@ -1,7 +1,6 @@
 #include "engine/setup/dance_files.hpp"
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -121,17 +120,8 @@ void DanceCache::keep(const fs::path& path, const motion::DanceLibrary& library)
     }
     std::error_code ignored;
     fs::create_directories(path.parent_path(), ignored);
-    // Written under a name of this process and then renamed: other processes see a whole file or
-    // none.
-    fs::path part = path;
-    part += fmt::format(".{}", getpid());
-    if (!write_file(part, library.packed())) {
-        return;
-    }
-    fs::rename(part, path, ignored);
-    // What was not renamed must not stay behind.
-    if (ignored) {
-        fs::remove(part, ignored);
+    // Other processes see a whole file or none.
+    if (!write_file(path, library.packed())) {
         return;
     }
     // All but the hash at the end: the same for every version of this dance, role and form.
@@ -145,6 +135,8 @@ void DanceCache::keep(const fs::path& path, const motion::DanceLibrary& library)
                               other_name.size() == name.size() && other_name != name;
         if (is_older) {
             fs::remove(other, ignored);
+        } else if (other_name.ends_with(".part")) {
+            remove_abandoned_part(other);
         }
     }
 }

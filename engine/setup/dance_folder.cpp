@@ -1,7 +1,6 @@
 #include "engine/setup/dance_folder.hpp"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include "base/file.hpp"
@@ -107,9 +106,9 @@ Expected<void> add_to_folder(const fs::path& folder,
             return fail("figure " + motion::why_no_figure_name(figure.model->name));
         }
     }
-    // An error shows when a file is written into the folder.
-    std::error_code problem;
-    fs::create_directories(folder, problem);
+    if (auto made = make_folders(folder); !made) {
+        return made;
+    }
     for (const LearntFigure& figure : figures) {
         const motion::FigureModel& model = *figure.model;
         const fs::path path =

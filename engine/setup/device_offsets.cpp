@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 #include <utility>
 
 #include "base/file.hpp"
@@ -146,12 +145,8 @@ Expected<void> DeviceOffsets::save() const {
     if (file.empty()) {
         return fail("there is no place for it: set HOME or XDG_STATE_HOME");
     }
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    if (error) {
-        return fail(fmt::format("{}: {}", file.parent_path().string(), error.message()));
-    }
-    return write_file(file, to_toml());
+    auto made = make_folders(file.parent_path());
+    return made ? write_file(file, to_toml()) : made;
 }
 
 fs::path DeviceOffsets::path() {

@@ -164,14 +164,18 @@ motion::Pose DancePreview::at_beat(double beat) const {
 motion::Pose DancePreview::pose() const { return at_beat(beat_); }
 
 std::vector<motion::Pose> DancePreview::sheet(int per_beat) const {
-    const int sides = dance_.figures[shown_].is_mirrored ? 2 : 1;
     // The second repeat: it begins from the figure itself and not from the margin before it.
-    const int first = sides * evaluated_.beats;
+    const int first = beats_of_sheet(shown_);
     std::vector<motion::Pose> poses;
     for (int i = 0; i < first * per_beat; ++i) {
         poses.push_back(at_beat(first + static_cast<double>(i) / per_beat));
     }
     return poses;
+}
+
+int DancePreview::beats_of_sheet(std::size_t number) const {
+    const motion::AuthoredFigure& figure = dance_.figures.at(number);
+    return (figure.is_mirrored ? 2 : 1) * figure.beats;
 }
 
 std::string DancePreview::status() const {

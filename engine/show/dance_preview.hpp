@@ -44,6 +44,8 @@ class DancePreview {
     /// Poses of one repeat (of a mirrored figure both sides), `per_beat` a beat, for a contact
     /// sheet.
     [[nodiscard]] std::vector<motion::Pose> sheet(int per_beat) const;
+    /// Beats of the sheet of figure `number` (of figures()).
+    [[nodiscard]] int beats_of_sheet(std::size_t number) const;
 
     /// "hip_drop   108 BPM   beat 2.4 of 4", or the fault of the file that was saved last.
     [[nodiscard]] std::string status() const;

@@ -140,6 +140,16 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
     }
 }
 
+bool WindowLoop::is_end_wanted() {
+    for (const render::WindowEvent& event : window_.poll_events()) {
+        const auto* const key = std::get_if<KeyEvent>(&event);
+        const auto request = key != nullptr ? request_of(*key) : std::nullopt;
+        wants_to_quit_ = wants_to_quit_ || (request && request->action == Action::quit);
+        waiting_.push_back(event);
+    }
+    return options_.is_stop_requested() || window_.should_close() || wants_to_quit_;
+}
+
 // On the terminal and over the picture.
 void WindowLoop::say(const std::string& line) {
     options_.say(line);
@@ -172,16 +182,25 @@ void WindowLoop::bind_window(ActionDispatcher& actions) {
 
 // Mouse and wheel act on the camera at once; keys become actions.
 void WindowLoop::handle_events(WindowContent& content, const ActionDispatcher& actions) {
+    for (const render::WindowEvent& event : std::exchange(waiting_, {})) {
+        handle(event, content, actions);
+    }
     for (const render::WindowEvent& event : window_.poll_events()) {
-        if (const auto* key = std::get_if<KeyEvent>(&event)) {
-            handle(*key, content, actions);
-        } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
-            handle(*drag, content);
-        } else if (const auto* button = std::get_if<render::MouseButtonEvent>(&event)) {
-            handle(*button, content);
-        } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
-            move_camera(scene_.camera, *scroll);
-        }
+        handle(event, content, actions);
+    }
+}
+
+void WindowLoop::handle(const render::WindowEvent& event,
+                        WindowContent& content,
+                        const ActionDispatcher& actions) {
+    if (const auto* key = std::get_if<KeyEvent>(&event)) {
+        handle(*key, content, actions);
+    } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
+        handle(*drag, content);
+    } else if (const auto* button = std::get_if<render::MouseButtonEvent>(&event)) {
+        handle(*button, content);
+    } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
+        move_camera(scene_.camera, *scroll);
     }
 }
 

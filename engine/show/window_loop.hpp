@@ -91,6 +91,10 @@ class WindowLoop {
     /// every window does: camera, theme, cards, full screen, screenshot, help, quit.
     [[nodiscard]] WindowEnd run(WindowContent& content, ActionDispatcher& actions);
 
+    /// Between two contents: whether the end is asked for already. What else people ask for
+    /// meanwhile waits for the next content.
+    [[nodiscard]] bool is_end_wanted();
+
     /// Passes a line for people on, and shows it over the picture for 4 s.
     void say(const std::string& line);
     /// Shows a line over the picture alone, for 4 s.
@@ -106,6 +110,9 @@ class WindowLoop {
     void bind(WindowContent& content, ActionDispatcher& actions);
     void bind_window(ActionDispatcher& actions);
     void handle_events(WindowContent& content, const ActionDispatcher& actions);
+    void handle(const render::WindowEvent& event,
+                WindowContent& content,
+                const ActionDispatcher& actions);
     void handle(const KeyEvent& key, WindowContent& content, const ActionDispatcher& actions);
     void handle(const render::MouseButtonEvent& button, WindowContent& content);
     void handle(const render::MouseDragEvent& drag, WindowContent& content);
@@ -134,6 +141,7 @@ class WindowLoop {
     float pointer_x_ = 0.0F;             // while a button is held, in pixels
     bool wants_screenshot_ = false;
     bool wants_to_quit_ = false;
+    std::vector<render::WindowEvent> waiting_;  // came between two contents
     std::string message_;
     HostTime message_until_{};
     HostTime last_picture_{};

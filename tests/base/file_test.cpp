@@ -1,9 +1,13 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -176,6 +180,39 @@ TEST_F(FileTest, two_that_write_one_name_do_not_meet) {
     ASSERT_TRUE(first->commit());
     EXPECT_EQ(read_file(folder_ / "x").value(), "first") << "the last one that was finished";
     EXPECT_EQ(count(), 1);
+}
+
+/// A file that bears the mark of a part; false where the file system has no such marks.
+bool write_marked(const fs::path& path) {
+    return write_file(path, "left") && setxattr(path.c_str(), "user.raks.part", "", 0, 0) == 0;
+}
+
+TEST_F(FileTest, what_a_killed_process_left_is_removed_by_the_next_that_replaces_the_file) {
+    ASSERT_TRUE(write_file(folder_ / "x", "old"));
+    if (!write_marked(folder_ / "x.raks.part")) {
+        GTEST_SKIP() << "this file system has no extended attributes";
+    }
+    ASSERT_TRUE(write_file(folder_ / "x", "new"));
+    EXPECT_EQ(read_file(folder_ / "x").value(), "new");
+    EXPECT_EQ(count(), 1) << "no part is left";
+    EXPECT_LT(getxattr((folder_ / "x").c_str(), "user.raks.part", nullptr, 0), 0);
+}
+
+TEST_F(FileTest, a_part_without_our_mark_or_in_use_stays) {
+    ASSERT_TRUE(write_file(folder_ / "x", "old"));
+    ASSERT_TRUE(write_file(folder_ / "x.raks.part", "of a person"));
+    ASSERT_TRUE(write_file(folder_ / "x", "new"));
+    EXPECT_EQ(read_file(folder_ / "x.raks.part").value(), "of a person");
+    ASSERT_TRUE(write_file(folder_ / "y", "old"));
+    if (!write_marked(folder_ / "y.raks.part")) {
+        GTEST_SKIP() << "this file system has no extended attributes";
+    }
+    const int writer = open((folder_ / "y.raks.part").c_str(), O_RDONLY | O_CLOEXEC);
+    ASSERT_EQ(flock(writer, LOCK_EX | LOCK_NB), 0);
+    ASSERT_TRUE(write_file(folder_ / "y", "new"));
+    EXPECT_EQ(read_file(folder_ / "y").value(), "new");
+    EXPECT_TRUE(fs::exists(folder_ / "y.raks.part"));
+    close(writer);
 }
 
 TEST_F(FileTest, a_process_that_must_end_removes_what_is_not_complete) {

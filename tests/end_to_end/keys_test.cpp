@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <utility>
 
@@ -50,6 +51,30 @@ class Keys : public WindowTest {
 
     std::optional<CapturedProcess> raks_;
 };
+
+TEST_F(Keys, q_does_not_wait_for_a_decoder_that_hangs) {
+    start("--no-overlay");
+    const std::string standing = picture();
+    ASSERT_TRUE(shows([&](const std::string& now) { return difference(now, standing) > 0.5; }));
+    for (const pid_t child : children_of(raks_->pid())) {
+        ::kill(child, SIGSTOP);
+    }
+    press({"Right", "q"});
+    const ProcessResult result = raks_->wait();
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err.find("hung"), std::string::npos) << result.err;
+}
+
+TEST_F(Keys, a_display_that_is_gone_ends_it_with_a_line_of_ours) {
+    start("--no-overlay");
+    const std::string standing = picture();
+    ASSERT_TRUE(shows([&](const std::string& now) { return difference(now, standing) > 0.5; }));
+    display_.reset();
+    const ProcessResult result = raks_->wait();
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(count_of("display is gone", result.err), 1) << result.err;
+    EXPECT_EQ(count_of("raks: ", result.err), count_of("\n", result.err)) << result.err;
+}
 
 TEST_F(Keys, space_stops_the_picture_and_lets_it_go_on) {
     const std::string still = start_and_pause("--no-overlay");

@@ -75,6 +75,26 @@ TEST_F(Signals, end_every_command_with_their_code_and_leave_nothing_half_written
     EXPECT_EQ(files(), before);
 }
 
+/// Stops all decoders of the program, as if they hung.
+void stop_decoders(pid_t program) {
+    for (const pid_t child : children_of(program)) {
+        ::kill(child, SIGSTOP);
+    }
+}
+
+TEST_F(Signals, do_not_wait_for_decoders_that_hang) {
+    for (const int signal : {SIGTERM, SIGINT}) {
+        CapturedProcess raks(plan({"play", path("song.wav"), "--headless", "--no-sound"}));
+        ASSERT_TRUE(raks.wait_for_output("playing"));
+        ASSERT_FALSE(children_of(raks.pid()).empty());
+        stop_decoders(raks.pid());
+        raks.send(signal);
+        const ProcessResult result = raks.wait();
+        EXPECT_EQ(result.exit_code, 128 + signal);
+        EXPECT_EQ(result.err.find("hung"), std::string::npos) << result.err;
+    }
+}
+
 TEST_F(Signals, end_every_command_within_a_second_at_any_moment) {
     const auto count = number_from("RAKS_SIGNALS");
     if (!count) {

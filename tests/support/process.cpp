@@ -12,7 +12,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace raks::test {
 namespace {
@@ -189,6 +192,20 @@ bool CapturedProcess::wait_for_output(const std::string& text) {
         return so_far.out.find(text) != std::string::npos ||
                so_far.err.find(text) != std::string::npos;
     });
+}
+
+std::vector<pid_t> children_of(pid_t pid) {
+    namespace fs = std::filesystem;
+    std::vector<pid_t> found;
+    std::error_code ended;
+    for (const auto& task :
+         fs::directory_iterator("/proc/" + std::to_string(pid) + "/task", ended)) {
+        std::ifstream list(task.path() / "children");
+        for (pid_t child = 0; list >> child;) {
+            found.push_back(child);
+        }
+    }
+    return found;
 }
 
 ProcessResult run_process(const ProcessPlan& plan) {

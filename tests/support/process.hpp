@@ -64,6 +64,9 @@ class CapturedProcess {
     ProcessResult result_;
 };
 
+/// The processes that this one started and that still run.
+std::vector<pid_t> children_of(pid_t pid);
+
 /// Runs to the end.
 ProcessResult run_process(const ProcessPlan& plan);
 

@@ -10,13 +10,13 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "audio/io/decoders.hpp"
 #include "audio/io/file_player.hpp"
 #include "tests/audio/io/sound_files.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
@@ -24,17 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The processes that this one started, by /proc.
-std::vector<pid_t> children() {
-    std::vector<pid_t> found;
-    for (const auto& task : fs::directory_iterator("/proc/self/task")) {
-        std::ifstream list(task.path() / "children");
-        for (pid_t child = 0; list >> child;) {
-            found.push_back(child);
-        }
-    }
-    return found;
-}
+std::vector<pid_t> children() { return raks::test::children_of(::getpid()); }
 
 std::size_t count_of(const char* folder) {
     return static_cast<std::size_t>(
@@ -98,6 +88,33 @@ TEST_F(Decoders, one_that_is_stopped_is_ended_and_said) {
     EXPECT_NE(sought.error().message.find("its decoder hung and was ended"), std::string::npos)
         << sought.error().message;
     EXPECT_TRUE(children().empty());
+}
+
+TEST_F(Decoders, one_that_hangs_holds_nobody_back_who_wants_to_stop) {
+    const fs::path path = noise();
+    auto player = FilePlayer::start({path}, {});
+    ASSERT_TRUE(player);
+    (*player)->wait_until_ready(4'096);
+    ASSERT_EQ(children().size(), 1U);
+    ::kill(children().front(), SIGSTOP);
+    (*player)->seek(0, 3.0);
+    // Waits for what the decoder does not give.
+    (*player)->wait_until_ready(4'096, [] { return true; });
+    (*player)->stop();
+    EXPECT_TRUE((*player)->take_messages().empty()) << "nobody waited until it counted as hung";
+    player->reset();
+    EXPECT_TRUE(children().empty());
+}
+
+TEST_F(Decoders, a_file_whose_decoder_never_answers_can_be_given_up) {
+    const fs::path path = noise();
+    const std::string program = std::getenv("RAKS_DECODER");
+    setenv("RAKS_DECODER", "/usr/bin/yes", 1);
+    const auto reader = open_audio_file(path, [] { return true; });
+    setenv("RAKS_DECODER", program.c_str(), 1);
+    ASSERT_FALSE(reader);
+    EXPECT_NE(reader.error().message.find("was stopped before its first sound"), std::string::npos)
+        << reader.error().message;
 }
 
 TEST_F(Decoders, a_player_whose_decoder_is_killed_goes_on_with_the_next_file) {
