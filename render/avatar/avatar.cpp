@@ -80,6 +80,10 @@ glm::mat4 matrix_of(const glm::quat& rotation, glm::vec3 position) noexcept {
 
 }  // namespace
 
+float size_of(const Avatar& avatar) noexcept {
+    return avatar.skeleton.hips_height() / motion::mannequin_skeleton().hips_height();
+}
+
 glm::quat helper_rotation(const HelperJoint& helper, const glm::quat& source) noexcept {
     if (helper.kind == HelperKind::half_rotation) {
         return half_of(source);

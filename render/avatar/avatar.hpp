@@ -12,6 +12,8 @@
 #include "motion/skeleton/humanoid.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "render/avatar/joint_tree.hpp"
+#include "render/avatar/surface.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -98,10 +100,17 @@ struct HelperJoint {
     float lift = 0.0F;
 };
 
-/// Immutable once built.
+/// Immutable once built. Its body is a painted skin (the mannequin), a textured surface (from a
+/// file), or both.
 struct Avatar {
     std::string name;
     motion::Skeleton skeleton;
+
+    // A surface and the joints that move it.
+    Surface surface;
+    std::vector<Joint> joints;  ///< parents first; `surface` names them
+
+    // A painted skin and the bones and helpers that move it.
     motion::Pose bind_pose;  ///< an A-pose: the posture in which vertices and normals are given
     std::vector<AvatarVertex> vertices;  ///< fewer than 65,536
     std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from outside
@@ -109,6 +118,15 @@ struct Avatar {
     std::array<HelperJoint, kHelperCount> helpers{};
     std::string licence;  ///< SPDX identifier
 };
+
+/// Where an avatar with a surface is in one picture: what its drivers made of a pose.
+struct AvatarState {
+    JointState joints;
+    std::vector<float> morph_weights;  ///< by Surface::morphs
+};
+
+/// Its size against the mannequin's: the ratio of the heights of the hips.
+[[nodiscard]] float size_of(const Avatar& avatar) noexcept;
 
 /// Rotation of a helper against its parent, from the local rotation of its source bone.
 /// Threads: any. Real-time: yes.
