@@ -35,7 +35,7 @@ std::size_t AvatarPainter::take(const Dancer& dancer, View view) {
 
 /// The vertices of faces are one set for all dancers of an avatar.
 void AvatarPainter::prepare(std::size_t number) {
-    surface_->set_morphs(states_[number]->morph_weights);
+    surface_->set_face(states_[number]->face);
 }
 
 void AvatarPainter::draw_solid(std::size_t number, const Scene& scene, BodyPainter::Image image) {

@@ -43,7 +43,7 @@ class AvatarPainter {
     motion::Skeleton skeleton_;
     BodyPainter body_;
     std::optional<SurfacePainter> surface_;
-    std::vector<const AvatarState*> states_;  // of this picture's dancers
+    std::vector<const RigState*> states_;  // of this picture's dancers
     View view_ = View::skin;
 };
 

@@ -15,8 +15,8 @@ namespace raks::render {
 
 /// The body to draw; render/avatar/avatar.hpp.
 struct Avatar;
-/// Where it is in a picture; the same header.
-struct AvatarState;
+/// What moves it, in one picture; render/avatar/avatar_rig.hpp.
+struct RigState;
 
 /// How much work a picture may be. `automatic` is `fast` on software drivers (llvmpipe, softpipe,
 /// swrast), else `high`.
@@ -41,7 +41,7 @@ struct Dancer {
     AvatarHandle avatar;
     motion::Pose pose;
     /// What the drivers of an avatar with a surface made of the pose; never null for such a one.
-    const AvatarState* state = nullptr;
+    const RigState* state = nullptr;
 };
 
 /// Draws avatars on their stage with OpenGL 3.3 core: works in whatever context is current when it

@@ -152,6 +152,36 @@ SurfaceUniforms surface_uniforms(const ModelMaterial& material, Quality quality)
     return u;
 }
 
+ModelMaterial with_face(ModelMaterial material, const MaterialFace& face) noexcept {
+    const auto colour = [&](ColourBindKind kind) {
+        return face.colours[static_cast<std::size_t>(kind)];
+    };
+    material.base_colour = colour(ColourBindKind::base);
+    material.emissive = glm::vec3(colour(ColourBindKind::emission));
+    for (TextureUse* const use : {&material.base_texture,
+                                  &material.normal_texture,
+                                  &material.emissive_texture,
+                                  &material.occlusion_texture,
+                                  &material.metallic_roughness_texture}) {
+        *use = face.moved(*use);
+    }
+    if (material.mtoon) {
+        MToon& toon = *material.mtoon;
+        toon.shade_colour = glm::vec3(colour(ColourBindKind::shade));
+        toon.matcap_factor = glm::vec3(colour(ColourBindKind::matcap));
+        toon.rim_colour = glm::vec3(colour(ColourBindKind::rim));
+        toon.outline_colour = glm::vec3(colour(ColourBindKind::outline));
+        for (TextureUse* const use : {&toon.shade_texture,
+                                      &toon.shading_shift_texture,
+                                      &toon.rim_texture,
+                                      &toon.outline_width_texture,
+                                      &toon.uv_mask_texture}) {
+            *use = face.moved(*use);
+        }
+    }
+    return material;
+}
+
 std::vector<std::string_view> surface_macros(const ModelMaterial& material,
                                              SurfacePass pass,
                                              Quality quality) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/avatar/expressions.hpp"
 #include "render/avatar/surface.hpp"
 #include "render/renderer.hpp"
 
@@ -56,6 +57,9 @@ struct SurfaceUniforms {
 /// A material's numbers as the shaders of `quality` (fast or high) take them. Pure.
 [[nodiscard]] SurfaceUniforms surface_uniforms(const ModelMaterial& material,
                                                Quality quality) noexcept;
+
+/// The material as expressions change it. Pure.
+[[nodiscard]] ModelMaterial with_face(ModelMaterial material, const MaterialFace& face) noexcept;
 
 /// How a surface is drawn: which pass wants a program of its own.
 enum class SurfacePass : std::uint8_t { colour, outline, depth };

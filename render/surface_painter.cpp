@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -121,13 +122,14 @@ SurfacePainter::SurfacePainter(const Surface& surface, Quality quality)
             std::span<const std::uint32_t>(surface.indices)),
       skin_joints_(surface.skins),
       morphs_(surface.morphs),
-      weights_(surface.morphs.size(), 0.0F) {
+      made_of_(surface.materials) {
     if (!morphs_.empty()) {
         rest_ = surface.vertices;
         morphed_ = surface.vertices;
     }
     for (const ModelMaterial& material : surface.materials) {
-        const SurfaceUniforms uniforms = surface_uniforms(material, quality);
+        const SurfaceUniforms& uniforms =
+            uniforms_.emplace_back(surface_uniforms(material, quality));
         glBindBuffer(GL_UNIFORM_BUFFER, materials_.emplace_back().name());
         glBufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STATIC_DRAW);
     }
@@ -191,12 +193,12 @@ std::size_t SurfacePainter::texture_for(const Surface& surface,
     const auto [place, is_new] = texture_of_.try_emplace({use.texture, is_srgb}, textures_.size());
     if (is_new) {
         const ModelTexture& texture = surface.textures[static_cast<std::size_t>(use.texture)];
-        static const PlainImage kWhite{1, 1, {255, 255, 255, 255}};
-        const PlainImage& image =
+        static const Image kWhite{1, 1, {255, 255, 255, 255}};
+        const Image& image =
             texture.image < 0 ? kWhite : surface.images[static_cast<std::size_t>(texture.image)];
         textures_.emplace_back(image.width,
                                image.height,
-                               image.rgba,
+                               image.pixels,
                                gl::TextureSampling{.is_srgb = is_srgb,
                                                    .wrap_u = wrap_of(texture.wrap_u),
                                                    .wrap_v = wrap_of(texture.wrap_v),
@@ -228,6 +230,26 @@ void SurfacePainter::set_joints(std::size_t dancer, std::span<const glm::mat4> w
     }
 }
 
+void SurfacePainter::set_face(const FaceState& face) {
+    if (!morphs_.empty()) {
+        set_morphs(face.morphs);
+    }
+    set_materials(face.materials);
+}
+
+void SurfacePainter::set_materials(std::span<const MaterialFace> faces) {
+    for (const MaterialFace& face : faces) {
+        const auto place = static_cast<std::size_t>(face.material);
+        const SurfaceUniforms uniforms =
+            surface_uniforms(with_face(made_of_[place], face), quality_);
+        if (std::memcmp(&uniforms, &uniforms_[place], sizeof(uniforms)) != 0) {
+            uniforms_[place] = uniforms;
+            glBindBuffer(GL_UNIFORM_BUFFER, materials_[place].name());
+            glBufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
+        }
+    }
+}
+
 void SurfacePainter::set_morphs(std::span<const float> weights) {
     if (std::equal(weights.begin(), weights.end(), weights_.begin(), weights_.end())) {
         return;
@@ -243,9 +265,9 @@ void SurfacePainter::set_morphs(std::span<const float> weights) {
             end = std::max<std::size_t>(end, vertex + 1);
         }
     }
-    for (std::size_t i = 0; i < morphs_.size(); ++i) {
-        if (weights_[i] != 0.0F) {
-            add_morph(morphs_[i], weights_[i], morphed_);
+    for (const SurfaceMorph& morph : morphs_) {
+        if (weights_[morph.weight] != 0.0F) {
+            add_morph(morph, weights_[morph.weight], morphed_);
         }
     }
     if (first < end) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "render/avatar/expressions.hpp"
 #include "render/avatar/surface.hpp"
 #include "render/gl/mesh.hpp"
 #include "render/gl/program.hpp"
@@ -46,9 +47,9 @@ class SurfacePainter {
     /// Uploads the matrices of a dancer. `world`: of the avatar's joints.
     void set_joints(std::size_t dancer, std::span<const glm::mat4> world);
 
-    /// Weights of the surface's morph targets, in their order, for what is drawn until the next
-    /// call: moves the vertices where they differ.
-    void set_morphs(std::span<const float> weights);
+    /// The face of what is drawn until the next call: moves vertices, colours and textures where
+    /// they differ from the last one's.
+    void set_face(const FaceState& face);
 
     /// What of the surface: what hides all behind it, or what lets it through.
     enum class Layer { solid, blended };
@@ -78,6 +79,8 @@ class SurfacePainter {
     [[nodiscard]] std::size_t texture_for(const Surface& surface,
                                           const TextureUse& use,
                                           bool is_colour);
+    void set_morphs(std::span<const float> weights);
+    void set_materials(std::span<const MaterialFace> faces);
     void bind(std::size_t dancer, const Part& part) const noexcept;
     void draw_part(const Part& part,
                    const gl::Program& program,
@@ -96,7 +99,9 @@ class SurfacePainter {
     std::vector<SurfaceMorph> morphs_;
     std::vector<SurfaceVertex> rest_;
     std::vector<SurfaceVertex> morphed_;
-    std::vector<float> weights_;
+    std::vector<float> weights_;  // of FaceState::morphs
+    std::vector<ModelMaterial> made_of_;
+    std::vector<SurfaceUniforms> uniforms_;  // by material, as they are in the driver
 };
 
 }  // namespace raks::render

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,7 +13,7 @@
 #include "motion/skeleton/humanoid.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
-#include "render/avatar/joint_tree.hpp"
+#include "render/avatar/avatar_rig.hpp"
 #include "render/avatar/surface.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -106,9 +107,10 @@ struct Avatar {
     std::string name;
     motion::Skeleton skeleton;
 
-    // A surface and the joints that move it.
+    // A surface and what moves it; none: `rig` is null.
     Surface surface;
-    std::vector<Joint> joints;  ///< parents first; `surface` names them
+    std::shared_ptr<const AvatarRig> rig;
+    float soles = 0.0F;  ///< height of the soles in the rig's T-pose; metres
 
     // A painted skin and the bones and helpers that move it.
     motion::Pose bind_pose;  ///< an A-pose: the posture in which vertices and normals are given
@@ -119,14 +121,14 @@ struct Avatar {
     std::string licence;  ///< SPDX identifier
 };
 
-/// Where an avatar with a surface is in one picture: what its drivers made of a pose.
-struct AvatarState {
-    JointState joints;
-    std::vector<float> morph_weights;  ///< by Surface::morphs
-};
-
 /// Its size against the mannequin's: the ratio of the heights of the hips.
 [[nodiscard]] float size_of(const Avatar& avatar) noexcept;
+
+/// A pose that was made for another body, on this one: the hips' place by the ratio of their
+/// heights. Threads: any. Real-time: yes.
+[[nodiscard]] motion::Pose retargeted(motion::Pose pose,
+                                      const motion::Skeleton& made_for,
+                                      const Avatar& avatar) noexcept;
 
 /// Rotation of a helper against its parent, from the local rotation of its source bone.
 /// Threads: any. Real-time: yes.

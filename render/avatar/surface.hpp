@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "render/model/image.hpp"
 #include "render/model/material.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -36,13 +37,6 @@ struct SurfaceVertex {
 };
 static_assert(sizeof(SurfaceVertex) == 68 && std::is_trivially_copyable_v<SurfaceVertex>);
 
-/// An image, unpacked: rows from top to bottom, four bytes a pixel (red, green, blue, alpha).
-struct PlainImage {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgba;
-};
-
 /// Joints that move one part: a vertex's joint k is `joints[k]` of the avatar.
 struct SurfaceSkin {
     /// What the uniform block of one part holds: 16 KiB of 3x4 matrices.
@@ -62,8 +56,7 @@ struct SurfacePart {
 
 /// What a morph target adds to the vertices named: for an expression's bind.
 struct SurfaceMorph {
-    int node = -1;    ///< of the model, as expressions name it
-    int target = -1;  ///< of that node's mesh
+    std::size_t weight = 0;  ///< in FaceState::morphs
     std::vector<std::uint32_t> vertices;
     std::vector<glm::vec3> positions;  ///< for each of them, in the vertex's own space
     std::vector<glm::vec3> normals;    ///< the same, or empty
@@ -78,7 +71,7 @@ struct Surface {
     std::vector<SurfaceMorph> morphs;
     std::vector<ModelMaterial> materials;
     std::vector<ModelTexture> textures;
-    std::vector<PlainImage> images;
+    std::vector<Image> images;
 };
 
 }  // namespace raks::render
