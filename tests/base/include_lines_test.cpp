@@ -63,6 +63,8 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
 
     {"render/gl", {"base"}},
     {"render/video", {"base"}},
+    {"render/model", {"base", "motion/skeleton"}},
+    {"render/import", {"base", "motion/skeleton", "render/model"}},
     {"render/scene", {"base", "motion/skeleton"}},
     {"render/model", {"motion/skeleton"}},
     {"render/avatar", {"base", "motion/skeleton", "render/model"}},
