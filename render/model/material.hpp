@@ -21,6 +21,7 @@ struct ModelImage {
     std::vector<std::byte> packed;  ///< PNG, JPEG or WebP; empty: it could not be read
     int width = 0;                  ///< pixels
     int height = 0;
+    int halvings = 0;  ///< so many times its sides are halved when it is unpacked
 };
 
 enum class TextureWrap : std::uint8_t { repeat, mirror, clamp };

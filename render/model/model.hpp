@@ -30,6 +30,7 @@ struct ModelNode {
     glm::vec3 scale{1.0F};
     int mesh = -1;
     int skin = -1;
+    std::vector<float> morph_weights;  ///< at rest, instead of the mesh's; empty: the mesh's
 };
 
 /// What a morph target adds to the vertices named.
@@ -87,6 +88,7 @@ struct ModelAnimation {
 
 /// VRMC_vrm_animation: nodes that stand for what is no node.
 struct AnimatedFace {
+    bool is_vrma = false;  ///< the file is one: its humanoid is what its animation moves
     std::vector<std::pair<std::string, int>> expressions;  ///< name, node: weight is translation x
     int look_at = -1;                                      ///< node: the gaze's target
 };

@@ -1,0 +1,88 @@
+#include "render/import/gltf_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "render/import/gltf_accessors.hpp"
+#include "render/import/gltf_animations.hpp"
+#include "render/import/gltf_buffers.hpp"
+#include "render/import/gltf_file.hpp"
+#include "render/import/gltf_materials.hpp"
+#include "render/import/gltf_meshes.hpp"
+#include "render/import/gltf_nodes.hpp"
+#include "render/import/json_field.hpp"
+#include "render/import/notes.hpp"
+#include "render/import/vrm.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{700} << 20U;  // of one model in memory
+
+/// What the file has and Raks does not show.
+void note_left_out(const JsonField& root, Model& model) {
+    if (const std::size_t cameras = root["cameras"].size(); root["cameras"].exists()) {
+        warn(model, fmt::format("{} cameras are left out", cameras));
+    }
+    for (const std::string_view list : {"accessors",
+                                        "animations",
+                                        "buffers",
+                                        "bufferViews",
+                                        "images",
+                                        "materials",
+                                        "meshes",
+                                        "nodes",
+                                        "samplers",
+                                        "scenes",
+                                        "skins",
+                                        "textures"}) {
+        if (root[list].is_array() && root[list].size() == 0) {
+            warn(model, root[list].line("an empty list"));
+        }
+    }
+    if (model.meshes.empty() && model.animations.empty()) {
+        warn(model, "nothing to show in it");
+    }
+}
+
+/// Reads part after part; goes on after faults, of which the first counts.
+void read_parts(const GltfFile& file, const SideFiles& side, const JsonField& root, Model& model) {
+    ImportBudget budget(kMostBytes);
+    GltfBuffers buffers(file, side, root, budget, model);
+    GltfAccessors accessors(root, buffers, budget, model);
+    read_materials(root, buffers, side, budget, model);
+    const std::vector<MeshJoints> joints = read_meshes(root, accessors, budget, model);
+    read_nodes(root, root["skins"].size(), model);
+    read_skins(root, accessors, joints, model);
+    read_animations(root, accessors, model);
+    accessors.check_unread();
+    note_left_out(root, model);
+}
+
+}  // namespace
+
+Expected<Model> read_gltf(std::span<const std::byte> bytes, const SideFiles& side) {
+    Model model;
+    const auto file = open_gltf(bytes, model);
+    if (!file) {
+        return fail(file.error());
+    }
+    JsonFaults faults;
+    const JsonField root = file->json.root(faults);
+    check_gltf_needs(root, model);
+    if (!faults.any()) {
+        read_parts(*file, side, root, model);
+    }
+    if (const auto good = faults.finish(); !good) {
+        return fail(good.error());
+    }
+    model.animated_face.is_vrma = root["extensions"]["VRMC_vrm_animation"].exists();
+    if (const auto good = read_character(root, model); !good) {
+        return fail(good.error());
+    }
+    if (const auto good = faults.finish(); !good) {
+        return fail(good.error());
+    }
+    return model;
+}
+
+}  // namespace raks::render

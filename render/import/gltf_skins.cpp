@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "render/import/gltf_nodes.hpp"
+#include "render/import/notes.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr std::size_t kMostSkins = 2'000;
+constexpr std::size_t kMostJoints = 20'000;
+
+std::vector<glm::mat4> read_inverse_binds(const JsonField& field,
+                                          std::size_t joints,
+                                          GltfAccessors& accessors,
+                                          Model& model) {
+    const int index = field.index_or_none(accessors.size());
+    std::vector<glm::mat4> matrices(joints, glm::mat4(1.0F));
+    if (index < 0 || accessors.size() == 0) {
+        return matrices;
+    }
+    const GltfAccessor& accessor = accessors[index];
+    if (accessor.element != ElementType::mat4 || accessor.component != ComponentType::float32 ||
+        accessor.count < joints) {
+        field.complain(fmt::format("not {} matrices of floats", joints));
+        return matrices;
+    }
+    if (accessor.count > joints) {
+        warn(model, field.line("more matrices than joints"));
+    }
+    std::vector<glm::mat4> all = accessors.elements<glm::mat4>(index);
+    all.resize(joints, glm::mat4(1.0F));
+    constexpr float kSlack = 1e-4F;
+    for (glm::mat4& matrix : all) {
+        const float off = std::abs(matrix[0][3]) + std::abs(matrix[1][3]) + std::abs(matrix[2][3]) +
+                          std::abs(matrix[3][3] - 1.0F);
+        if (off > kSlack) {
+            warn(model, field.line("a matrix whose last row is not 0 0 0 1"));
+        }
+        for (int column = 0; column < 4; ++column) {
+            matrix[column][3] = column == 3 ? 1.0F : 0.0F;
+        }
+    }
+    return all;
+}
+
+int top_of(int node, const Model& model) {
+    while (model.nodes[static_cast<std::size_t>(node)].parent >= 0) {
+        node = model.nodes[static_cast<std::size_t>(node)].parent;
+    }
+    return node;
+}
+
+bool is_below(int node, int above, const Model& model) {
+    while (node >= 0 && node != above) {
+        node = model.nodes[static_cast<std::size_t>(node)].parent;
+    }
+    return node == above;
+}
+
+/// What the specification asks for of a skin's joints, and what can be drawn without it.
+void note_joints(const JsonField& field, const ModelSkin& skin, Model& model) {
+    if (std::set<int>(skin.joints.begin(), skin.joints.end()).size() != skin.joints.size()) {
+        warn(model, field["joints"].line("a joint stands twice"));
+    }
+    std::set<int> tops;
+    for (const int joint : skin.joints) {
+        tops.insert(top_of(joint, model));
+    }
+    if (tops.size() > 1) {
+        warn(model, field["joints"].line("without a common root"));
+    }
+    const bool is_shown = std::any_of(
+        model.roots.begin(), model.roots.end(), [&](int root) { return tops.count(root) > 0; });
+    if (!is_shown) {
+        warn(model, field["joints"].line("not in the scene"));
+    }
+    const JsonField skeleton = field["skeleton"];
+    if (!skeleton.exists()) {
+        return;
+    }
+    const std::int64_t top = skeleton.whole(-1'000'000'000, 1'000'000'000);
+    const bool is_above = top >= 0 && static_cast<std::size_t>(top) < model.nodes.size() &&
+                          std::all_of(skin.joints.begin(), skin.joints.end(), [&](int joint) {
+                              return is_below(joint, static_cast<int>(top), model);
+                          });
+    if (!is_above) {
+        warn(model, skeleton.line("not above all joints"));
+    }
+}
+
+ModelSkin read_skin(const JsonField& field, GltfAccessors& accessors, Model& model) {
+    ModelSkin skin;
+    for (const JsonField& joint : field["joints"].items(kMostJoints)) {
+        skin.joints.push_back(joint.index(model.nodes.size()));
+    }
+    if (skin.joints.empty() || model.nodes.empty()) {
+        field.complain("has no joints");
+        return skin;
+    }
+    skin.inverse_bind =
+        read_inverse_binds(field["inverseBindMatrices"], skin.joints.size(), accessors, model);
+    return skin;
+}
+
+/// Joints without weight that are not in the skin: never looked at, but indices all the same.
+void drop_unused_joints(ModelMesh& mesh, std::size_t joints) {
+    for (ModelPrimitive& primitive : mesh.primitives) {
+        for (auto& four : primitive.joints) {
+            for (std::uint16_t& joint : four) {
+                joint = joint < joints ? joint : std::uint16_t{0};
+            }
+        }
+    }
+}
+
+bool has_joints(const ModelMesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), [](const auto& primitive) {
+        return !primitive.joints.empty();
+    });
+}
+
+/// That a node's mesh and skin fit.
+void check_node(const JsonField& field,
+                const ModelNode& node,
+                const std::vector<MeshJoints>& asked,
+                Model& model) {
+    if (node.mesh < 0) {
+        return;
+    }
+    const auto mesh = static_cast<std::size_t>(node.mesh);
+    if (node.skin < 0) {
+        if (has_joints(model.meshes[mesh])) {
+            warn(model, field.line("a skinned mesh without a skin stands still"));
+        }
+        return;
+    }
+    if (!has_joints(model.meshes[mesh]) && !model.meshes[mesh].primitives.empty()) {
+        warn(model, field.line("a skin for a mesh without joints"));
+    }
+    const auto count =
+        static_cast<int>(model.skins[static_cast<std::size_t>(node.skin)].joints.size());
+    if (asked[mesh].used >= count) {
+        field.complain(fmt::format(
+            "meshes[{}] names joint {}, its skin has {}", mesh, asked[mesh].used, count));
+    } else if (asked[mesh].unused >= count) {
+        warn(model, field.line("its mesh names joints that its skin has not, without weight"));
+        drop_unused_joints(model.meshes[mesh], static_cast<std::size_t>(count));
+    }
+}
+
+}  // namespace
+
+void read_skins(const JsonField& root,
+                GltfAccessors& accessors,
+                const std::vector<MeshJoints>& joints,
+                Model& model) {
+    for (const JsonField& field : root["skins"].items(kMostSkins)) {
+        model.skins.push_back(read_skin(field, accessors, model));
+        if (!model.skins.back().inverse_bind.empty()) {
+            note_joints(field, model.skins.back(), model);
+        }
+    }
+    const std::vector<JsonField> nodes = root["nodes"].items();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        check_node(nodes[i], model.nodes[i], joints, model);
+    }
+}
+
+}  // namespace raks::render
