@@ -9,11 +9,12 @@ namespace raks::render {
 AvatarPainter::AvatarPainter(const Avatar& avatar, const BodyPrograms& programs)
     : size_(size_of(avatar)), skeleton_(avatar.skeleton), body_(avatar, programs) {}
 
-Expected<void> AvatarPainter::add_surface(const Surface& surface, SurfacePrograms& programs) {
-    if (surface.parts.empty()) {
+Expected<void> AvatarPainter::add_surface(const Avatar& avatar, SurfacePrograms& programs) {
+    if (avatar.rig == nullptr) {
         return {};
     }
-    Expected<SurfacePainter> painter = SurfacePainter::create(surface, programs);
+    rig_ = avatar.rig;
+    Expected<SurfacePainter> painter = SurfacePainter::create(avatar.surface, programs);
     if (!painter) {
         return fail(std::move(painter.error()));
     }
@@ -21,12 +22,26 @@ Expected<void> AvatarPainter::add_surface(const Surface& surface, SurfaceProgram
     return {};
 }
 
+/// What a dancer brings, or the pose alone with face and tails at rest.
+const RigState* AvatarPainter::state_of(const Dancer& dancer) {
+    if (dancer.state != nullptr || rig_ == nullptr) {
+        return dancer.state;
+    }
+    const std::size_t number = states_.size();
+    while (own_states_.size() <= number) {
+        own_states_.push_back(std::make_unique<RigState>(*rig_));
+    }
+    RigState& state = *own_states_[number];
+    pose_avatar(*rig_, dancer.pose, {}, 1.0F, state);
+    return &state;
+}
+
 std::size_t AvatarPainter::take(const Dancer& dancer, View view) {
     const std::size_t number = states_.size();
     view_ = view;
-    states_.push_back(dancer.state);
+    states_.push_back(state_of(dancer));
     if (is_surface(view)) {
-        surface_->set_joints(number, dancer.state->joints.world);
+        surface_->set_joints(number, states_.back()->joints.world);
     } else {
         body_.set_pose(number, dancer.pose, view);
     }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/expected.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "render/avatar/avatar_rig.hpp"
 #include "render/body_painter.hpp"
 #include "render/renderer.hpp"
 #include "render/surface_painter.hpp"
@@ -17,8 +19,8 @@ class AvatarPainter {
  public:
     /// Uploads what is painted; `programs` must outlive it.
     AvatarPainter(const Avatar& avatar, const BodyPrograms& programs);
-    /// Uploads a surface, too, if it has parts. Errors: a shader that the driver refuses.
-    [[nodiscard]] Expected<void> add_surface(const Surface& surface, SurfacePrograms& programs);
+    /// Uploads its surface, too, if it has one. Errors: a shader that the driver refuses.
+    [[nodiscard]] Expected<void> add_surface(const Avatar& avatar, SurfacePrograms& programs);
 
     [[nodiscard]] float size() const noexcept { return size_; }
     [[nodiscard]] const motion::Skeleton& skeleton() const noexcept { return skeleton_; }
@@ -37,13 +39,17 @@ class AvatarPainter {
     [[nodiscard]] bool is_surface(View view) const noexcept {
         return surface_.has_value() && view == View::skin;
     }
+    [[nodiscard]] const RigState* state_of(const Dancer& dancer);
     void prepare(std::size_t number);
 
     float size_;
     motion::Skeleton skeleton_;
     BodyPainter body_;
     std::optional<SurfacePainter> surface_;
-    std::vector<const RigState*> states_;  // of this picture's dancers
+    std::shared_ptr<const AvatarRig> rig_;  // of the surface
+    std::vector<const RigState*> states_;   // of this picture's dancers
+    // Of those that bring none; what `states_` points to stays where it is.
+    std::vector<std::unique_ptr<RigState>> own_states_;
     View view_ = View::skin;
 };
 

@@ -341,7 +341,7 @@ Expected<Renderer> Renderer::create(const Avatar& avatar, const RendererConfig& 
 
 Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
     auto painter = std::make_unique<AvatarPainter>(avatar, parts_->body_programs);
-    Expected<void> added = painter->add_surface(avatar.surface, parts_->surface_programs);
+    Expected<void> added = painter->add_surface(avatar, parts_->surface_programs);
     if (!added) {
         return fail(std::move(added.error()));
     }
@@ -376,8 +376,10 @@ void Renderer::draw(const Scene& scene,
                     const FrameTarget& target) {
     std::vector<Dancer> dancers;
     dancers.reserve(poses.size());
+    const AvatarPainter* const painter = parts_->find({});
     for (const motion::Pose& pose : poses) {
         dancers.push_back({.avatar = {}, .pose = pose});
+        dancers.back().pose.hips_position *= painter != nullptr ? painter->size() : 1.0F;
     }
     draw(scene, std::span<const Dancer>(dancers), target);
 }

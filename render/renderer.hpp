@@ -39,8 +39,8 @@ struct AvatarHandle {
 /// One dancer of a picture.
 struct Dancer {
     AvatarHandle avatar;
-    motion::Pose pose;
-    /// What the drivers of an avatar with a surface made of the pose; never null for such a one.
+    motion::Pose pose;  ///< on this avatar's own body
+    /// What the drivers of an avatar from a file made of the pose; null: face and tails at rest.
     const RigState* state = nullptr;
 };
 
@@ -75,7 +75,7 @@ class Renderer {
     /// blending, face culling and scissor off. Dancers with a handle that there is none of are left
     /// out.
     void draw(const Scene& scene, std::span<const Dancer> dancers, const FrameTarget& target);
-    /// Dancers that are all the first avatar.
+    /// Dancers that are all the first avatar, in poses of the mannequin's body.
     void draw(const Scene& scene, std::span<const motion::Pose> poses, const FrameTarget& target);
     /// One dancer.
     void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/avatar/avatar.hpp"
 #include "render/gl/offscreen.hpp"
-#include "render/mannequin/mannequin.hpp"
 #include "render/overlay/picture_text.hpp"
 #include "render/video/png.hpp"
 #include "render/video/video_writer.hpp"
@@ -33,7 +33,7 @@ Expected<Studio> open_studio(const engine::Look& look) {
     // Sheets and films are not in a hurry: shadows and smooth edges, unless somebody wants it fast.
     const render::Quality quality =
         look.quality == render::Quality::fast ? look.quality : render::Quality::high;
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = quality});
+    auto renderer = render::Renderer::create(*look.avatar.avatar, {.quality = quality});
     if (!renderer) {
         return fail(renderer.error());
     }

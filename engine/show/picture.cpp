@@ -1,5 +1,9 @@
 #include "engine/show/picture.hpp"
 
+#include <utility>
+
+#include "render/avatar/avatar.hpp"
+
 namespace raks::engine {
 namespace {
 
@@ -20,6 +24,12 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(camera.error());
     }
     look.scene.camera = *camera;
+    Expected<LoadedAvatar> avatar = load_avatar(settings.avatar);
+    if (!avatar) {
+        return fail(std::move(avatar.error()));
+    }
+    look.avatar = std::move(*avatar);
+    look.scene.camera = camera_for(look.scene.camera, render::size_of(*look.avatar.avatar));
     // zoom() multiplies the camera's distance.
     look.scene.camera.zoom(distance_for(settings.formation));
     look.camera = settings.camera;
@@ -37,6 +47,12 @@ Expected<Look> read_look(const Settings& settings) {
                    : settings.quality == "high" ? render::Quality::high
                                                 : render::Quality::automatic;
     return look;
+}
+
+render::Camera camera_for(render::Camera preset, float size) noexcept {
+    preset.target *= size;
+    preset.zoom(size);
+    return preset;
 }
 
 float distance_for(std::string_view formation) noexcept {

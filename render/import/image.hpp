@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "render/model/image.hpp"
 
 /// Pictures of unknown origin: PNG, JPEG, WebP. What a head claims is checked before anything is
 /// unpacked; what a library's error handler would jump out of stays inside. Threads: any.
@@ -20,14 +21,6 @@ struct ImageHead {
     ImageFormat format = ImageFormat::png;
     int width = 0;  ///< pixels, 1 .. kLargestImageSide
     int height = 0;
-};
-
-/// Pixels from the upper left on, row by row; four bytes each: red, green, blue, opacity, as they
-/// lie in the file (no colour profile is applied).
-struct Image {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> pixels;
 };
 
 /// Looks at the first bytes. Errors: none of the formats, cut, a side of 0 or above
