@@ -72,6 +72,9 @@ float sole_height(const Surface& surface, const AvatarRig& rig, const JointState
 motion::Skeleton skeleton_of(const AvatarRig& rig, float soles) {
     const auto& places = rig.humanoid.rest_places();
     motion::Skeleton skeleton = motion::mannequin_skeleton();
+    if (rig.humanoid.joint(Bone::hips) < 0) {
+        return skeleton;  // a thing, no figure
+    }
     const float size =
         (places[0].y - soles) / std::max(skeleton.hips_height(), 1e-3F);
     skeleton = motion::scaled(skeleton, size);

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <optional>
 
-#include "render/avatar/avatar.hpp"
+#include "render/avatar/model_avatar.hpp"
 #include "render/renderer.hpp"
 #include "render/scene/stage_light.hpp"
 
@@ -26,14 +26,9 @@ constexpr int kSide = 240;
 const glm::vec3 kMiddle{0.0F, 0.9F, 0.0F};
 constexpr float kRadius = 0.5F;
 
-std::int16_t snorm(float x) { return static_cast<std::int16_t>(std::lround(x * 32767.0F)); }
-
-/// A sphere of one joint and one material; u runs round it, v from the top down.
-Avatar sphere(const ModelMaterial& material) {
-    Avatar avatar;
-    avatar.skeleton = motion::mannequin_skeleton();
-    avatar.joints.push_back({.name = "middle"});
-    Surface& surface = avatar.surface;
+/// A sphere of one material; u runs round it, v from the top down.
+Model sphere_model(const ModelMaterial& material) {
+    ModelPrimitive sphere{.material = 0};
     constexpr std::uint32_t kRings = 64;
     constexpr std::uint32_t kSegments = 128;
     for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
@@ -42,14 +37,11 @@ Avatar sphere(const ModelMaterial& material) {
             const float v = static_cast<float>(ring) / kRings;
             const float around = 2.0F * std::numbers::pi_v<float> * u;
             const float down = std::numbers::pi_v<float> * v;
-            const glm::vec3 n{std::sin(down) * std::sin(around),
-                              std::cos(down),
-                              std::sin(down) * std::cos(around)};
-            const glm::vec3 p = kMiddle + kRadius * n;
-            surface.vertices.push_back({.position = {p.x, p.y, p.z},
-                                        .normal = {snorm(n.x), snorm(n.y), snorm(n.z), 0},
-                                        .weights = {65'535, 0, 0, 0},
-                                        .uv = {u, v, u, v}});
+            sphere.normals.emplace_back(std::sin(down) * std::sin(around),
+                                        std::cos(down),
+                                        std::sin(down) * std::cos(around));
+            sphere.positions.push_back(kMiddle + kRadius * sphere.normals.back());
+            sphere.uv[0].emplace_back(u, v);
         }
     }
     for (std::uint32_t ring = 0; ring < kRings; ++ring) {
@@ -57,15 +49,19 @@ Avatar sphere(const ModelMaterial& material) {
             const std::uint32_t a = ring * (kSegments + 1) + segment;
             const std::uint32_t b = a + kSegments + 1;
             for (const std::uint32_t i : {a, b, a + 1, a + 1, b, b + 1}) {
-                surface.indices.push_back(i);
+                sphere.indices.push_back(i);
             }
         }
     }
-    surface.skins.push_back({.joints = {0}, .inverse_bind = {glm::mat4(1.0F)}});
-    surface.materials.push_back(material);
-    surface.parts.push_back({.index_count = static_cast<std::uint32_t>(surface.indices.size())});
-    return avatar;
+    Model model;
+    model.nodes.push_back({.name = "sphere", .mesh = 0});
+    model.roots = {0};
+    model.materials.push_back(material);
+    model.meshes.push_back({.name = "sphere", .primitives = {sphere}});
+    return model;
 }
+
+Avatar sphere(const ModelMaterial& material) { return build_avatar(sphere_model(material), {}); }
 
 Scene plain_scene() {
     Scene scene;
@@ -106,10 +102,7 @@ class SurfaceTest : public OffscreenTest {
         Expected<Renderer> renderer = Renderer::create(avatar, {.quality = quality});
         EXPECT_TRUE(renderer.has_value()) << (renderer ? "" : renderer.error().message);
         OffscreenTarget target = make_target(kSide, kSide, 1);
-        AvatarState state{.joints = rest_state(avatar.joints),
-                          .morph_weights = std::vector<float>(avatar.surface.morphs.size())};
-        const Dancer dancer{.avatar = {}, .pose = standing_pose(), .state = &state};
-        renderer->draw(scene, std::span(&dancer, 1), target.frame());
+        renderer->draw(scene, standing_pose(), target.frame());
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
         return read_picture(target);
     }
@@ -181,15 +174,14 @@ TEST_F(SurfaceTest, toon_steps_and_rims_follow_their_formula) {
 }
 
 TEST_F(SurfaceTest, a_texture_lies_where_its_coordinates_say) {
-    Avatar avatar = sphere([] {
-        ModelMaterial material;
-        material.is_unlit = true;
-        material.base_texture.texture = 0;
-        return material;
-    }());
+    ModelMaterial material;
+    material.is_unlit = true;
+    material.base_texture.texture = 0;
+    Model model = sphere_model(material);
+    model.textures.push_back({.image = 0, .is_smooth = false, .has_mipmaps = false});
+    model.images.emplace_back();
     // Red above, green below.
-    avatar.surface.images.push_back({1, 2, {255, 0, 0, 255, 0, 255, 0, 255}});
-    avatar.surface.textures.push_back({.image = 0, .is_smooth = false, .has_mipmaps = false});
+    const Avatar avatar = build_avatar(model, {{1, 2, {255, 0, 0, 255, 0, 255, 0, 255}}});
     for (const Quality quality : {Quality::fast, Quality::high}) {
         const Picture picture = draw(avatar, plain_scene(), quality);
         EXPECT_EQ(picture.at(kSide / 2, kSide / 2 - 40)[0], 255);
@@ -245,20 +237,22 @@ TEST_F(SurfaceTest, outlines_are_as_wide_as_they_say) {
 TEST_F(SurfaceTest, morph_targets_move_their_vertices_and_back) {
     ModelMaterial material;
     material.is_unlit = true;
-    Avatar avatar = sphere(material);
-    SurfaceMorph away;
-    for (std::uint32_t i = 0; i < avatar.surface.vertices.size(); ++i) {
+    Model model = sphere_model(material);
+    MorphTarget& away = model.meshes[0].primitives[0].morphs.emplace_back();
+    for (std::uint32_t i = 0; i < model.meshes[0].primitives[0].positions.size(); ++i) {
         away.vertices.push_back(i);
         away.positions.emplace_back(0.0F, -5.0F, 0.0F);
     }
-    avatar.surface.morphs.push_back(away);
+    model.meshes[0].morph_names = {"away"};
+    model.meshes[0].morph_weights = {0.0F};
+    const Avatar avatar = build_avatar(model, {});
     Expected<Renderer> renderer = Renderer::create(avatar, {.quality = Quality::fast});
     ASSERT_TRUE(renderer.has_value());
     OffscreenTarget target = make_target(kSide, kSide, 1);
-    AvatarState state{.joints = rest_state(avatar.joints), .morph_weights = {0.0F}};
+    RigState state(*avatar.rig);
     const Dancer dancer{.avatar = {}, .pose = standing_pose(), .state = &state};
     const auto middle = [&](float weight) {
-        state.morph_weights[0] = weight;
+        state.face.morphs.at(0) = weight;
         renderer->draw(plain_scene(), std::span(&dancer, 1), target.frame());
         return read_picture(target).at(kSide / 2, kSide / 2)[0];
     };
