@@ -43,18 +43,7 @@ TextureUse MaterialFace::moved(TextureUse use) const noexcept {
 ExpressionRig ExpressionRig::build(const Model& model) {
     ExpressionRig rig;
     for (const ModelNode& node : model.nodes) {
-        MorphRange range{.first = rig.rest_.morphs.size()};
-        if (node.mesh >= 0) {
-            const ModelMesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
-            for (const ModelPrimitive& primitive : mesh.primitives) {
-                range.count = std::max(range.count, primitive.morphs.size());
-            }
-            rig.rest_.morphs.resize(range.first + range.count, 0.0F);
-            std::copy_n(mesh.morph_weights.begin(),
-                        std::min(range.count, mesh.morph_weights.size()),
-                        rig.rest_.morphs.begin() + static_cast<std::ptrdiff_t>(range.first));
-        }
-        rig.ranges_.push_back(range);
+        rig.add_morphs(model, node);
     }
     for (const Expression& expression : model.character.expressions) {
         rig.add(model, expression);
@@ -68,6 +57,23 @@ ExpressionRig ExpressionRig::build(const Model& model) {
         rig.rest_.morphs[slot] = 0.0F;
     }
     return rig;
+}
+
+void ExpressionRig::add_morphs(const Model& model, const ModelNode& node) {
+    MorphRange range{.first = rest_.morphs.size()};
+    if (node.mesh >= 0) {
+        const ModelMesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
+        for (const ModelPrimitive& primitive : mesh.primitives) {
+            range.count = std::max(range.count, primitive.morphs.size());
+        }
+        const std::vector<float>& rest =
+            node.morph_weights.empty() ? mesh.morph_weights : node.morph_weights;
+        rest_.morphs.resize(range.first + range.count, 0.0F);
+        std::copy_n(rest.begin(),
+                    std::min(range.count, rest.size()),
+                    rest_.morphs.begin() + static_cast<std::ptrdiff_t>(range.first));
+    }
+    ranges_.push_back(range);
 }
 
 ExpressionRig::Group ExpressionRig::group_of(const Expression& expression) noexcept {

@@ -103,6 +103,7 @@ class ExpressionRig {
     };
 
     static Group group_of(const Expression& expression) noexcept;
+    void add_morphs(const Model& model, const ModelNode& node);
     void add(const Model& model, const Expression& expression);
     std::size_t material_face(const Model& model, int material);
     void weigh(std::span<const float> weights, std::span<float> out) const noexcept;

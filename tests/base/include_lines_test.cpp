@@ -66,7 +66,6 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"render/model", {"base", "motion/skeleton"}},
     {"render/import", {"base", "motion/skeleton", "render/model"}},
     {"render/scene", {"base", "motion/skeleton"}},
-    {"render/model", {"motion/skeleton"}},
     {"render/avatar", {"base", "motion/skeleton", "render/model"}},
     {"render/mannequin", {"base", "motion/skeleton", "render/avatar"}},
     {"render/overlay", {"base", "render/gl"}},
