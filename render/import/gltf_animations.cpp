@@ -78,6 +78,8 @@ class AnimationReader {
 
     void check_times(const Sampler& sampler) {
         const GltfAccessor& times = accessors_[sampler.times];
+        accessors_.use(sampler.times, ViewUse::animation);
+        accessors_.use(sampler.values, ViewUse::animation);
         if (times.element != ElementType::scalar || times.component != ComponentType::float32) {
             sampler.field["input"].complain("times are SCALAR of floats");
         }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <vector>
+
 #include "render/import/gltf_accessors.hpp"
 #include "render/import/gltf_animations.hpp"
 #include "render/import/gltf_buffers.hpp"
@@ -44,18 +47,35 @@ void note_left_out(const JsonField& root, Model& model) {
     }
 }
 
-/// Reads part after part; goes on after faults, of which the first counts.
-void read_parts(const GltfFile& file, const SideFiles& side, const JsonField& root, Model& model) {
+/// Reads part after part, each of which may take those before it for good.
+Expected<void> read_parts(const GltfFile& file,
+                          const SideFiles& side,
+                          const JsonField& root,
+                          const JsonFaults& faults,
+                          Model& model) {
     ImportBudget budget(kMostBytes);
     GltfBuffers buffers(file, side, root, budget, model);
+    if (faults.any()) {
+        return faults.finish();
+    }
     GltfAccessors accessors(root, buffers, budget, model);
-    read_materials(root, buffers, side, budget, model);
-    const std::vector<MeshJoints> joints = read_meshes(root, accessors, budget, model);
-    read_nodes(root, root["skins"].size(), model);
-    read_skins(root, accessors, joints, model);
-    read_animations(root, accessors, model);
-    accessors.check_unread();
-    note_left_out(root, model);
+    std::vector<MeshJoints> joints;
+    const std::function<void()> parts[] = {
+        [&] { read_materials(root, buffers, side, budget, model); },
+        [&] { joints = read_meshes(root, accessors, budget, model); },
+        [&] { read_nodes(root, root["skins"].size(), model); },
+        [&] { read_skins(root, accessors, joints, model); },
+        [&] { read_animations(root, accessors, model); },
+        [&] { accessors.check_unread(); },
+        [&] { note_left_out(root, model); },
+    };
+    for (const auto& read_part : parts) {
+        if (faults.any()) {
+            break;
+        }
+        read_part();
+    }
+    return faults.finish();
 }
 
 }  // namespace
@@ -69,10 +89,10 @@ Expected<Model> read_gltf(std::span<const std::byte> bytes, const SideFiles& sid
     JsonFaults faults;
     const JsonField root = file->json.root(faults);
     check_gltf_needs(root, model);
-    if (!faults.any()) {
-        read_parts(*file, side, root, model);
-    }
     if (const auto good = faults.finish(); !good) {
+        return fail(good.error());
+    }
+    if (const auto good = read_parts(*file, side, root, faults, model); !good) {
         return fail(good.error());
     }
     model.animated_face.is_vrma = root["extensions"]["VRMC_vrm_animation"].exists();

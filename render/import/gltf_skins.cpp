@@ -32,6 +32,7 @@ std::vector<glm::mat4> read_inverse_binds(const JsonField& field,
     if (accessor.count > joints) {
         warn(model, field.line("more matrices than joints"));
     }
+    accessors.use(index, ViewUse::matrices);
     std::vector<glm::mat4> all = accessors.elements<glm::mat4>(index);
     all.resize(joints, glm::mat4(1.0F));
     constexpr float kSlack = 1e-4F;
