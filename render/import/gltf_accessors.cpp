@@ -160,14 +160,14 @@ GltfAccessor GltfAccessors::read(const JsonField& field) {
     if (accessor.is_normalized && info(accessor.component).largest == 1.0F) {
         warn(model_, field.line("normalized, though not of small integers"));
     }
-    if (accessor.view >= 0) {
+    if (accessor.view >= 0 && buffers_.view_count() > 0) {
         check_range(field,
                     accessor.view,
                     accessor.offset,
                     accessor.count,
                     element_size(accessor.element, accessor.component),
                     info(accessor.component).size);
-    } else if (field["byteOffset"].exists()) {
+    } else if (accessor.view < 0 && field["byteOffset"].exists()) {
         warn(model_, field.line("byteOffset without bufferView"));
     }
     if (const JsonField sparse = field["sparse"]; sparse.exists()) {

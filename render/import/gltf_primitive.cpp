@@ -234,12 +234,14 @@ void PrimitiveReader::read_colours(const JsonField& attributes, ModelPrimitive& 
             primitive.colours.emplace_back(colour, 1.0F);
         }
     }
+    bool is_odd = false;
     for (glm::vec4& colour : primitive.colours) {
         const glm::vec4 fit = glm::clamp(colour, 0.0F, 1.0F);
-        if (fit != colour) {
-            warn(model_, attributes["COLOR_0"].line("colours that are not in 0 .. 1"));
-        }
+        is_odd = is_odd || fit != colour;
         colour = fit;
+    }
+    if (is_odd) {
+        warn(model_, attributes.line("colours that are not in 0 .. 1"));
     }
 }
 

@@ -16,6 +16,8 @@ namespace {
 namespace dom = simdjson::dom;
 
 constexpr std::size_t kDeepestJson = 64;
+/// So many paths are remembered, 100 MB; of what is read later, the path of the whole is told.
+constexpr std::size_t kMostSteps = 4'000'000;
 /// Above so many keys, those that stand twice are found by sorting.
 constexpr std::size_t kFewKeys = 16;
 
@@ -107,6 +109,9 @@ void JsonFaults::add(std::string line) {
 }
 
 std::uint32_t JsonFaults::step(const Step& step) {
+    if (steps_.size() >= kMostSteps) {
+        return step.parent;
+    }
     steps_.push_back(step);
     return static_cast<std::uint32_t>(steps_.size() - 1);
 }
