@@ -143,8 +143,10 @@ JsonField JsonField::operator[](std::string_view key) const {
 }
 
 JsonField JsonField::noting_to(JsonFaults& faults, std::string_view prefix) const {
-    const std::uint32_t step =
-        prefix.empty() ? 0 : faults.step({.parent = 0, .index = 0, .key = prefix});
+    std::uint32_t step = 0;
+    if (!prefix.empty()) {
+        step = faults.step({.parent = 0, .index = 0, .key = faults.prefixes_.emplace_back(prefix)});
+    }
     return {document_, place_, faults, step};
 }
 

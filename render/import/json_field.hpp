@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,7 @@ class JsonFaults {
 
     std::optional<Error> first_;
     std::vector<Step> steps_{1};
+    std::list<std::string> prefixes_;  // steps look into them
 };
 
 /// One value of a document and the path to it, or none: a field that is not there. What asks for a
