@@ -131,15 +131,20 @@ std::string JsonFaults::path(std::uint32_t step) const {
 // ---- JsonField
 
 JsonField JsonField::operator[](std::string_view key) const {
-    const std::uint32_t step = faults_->step({.parent = step_, .index = 0, .key = key});
     dom::object object;
-    dom::element value;
-    if (!exists() || element_of(document_, place_).get(object) != simdjson::SUCCESS ||
-        object.at_key(key).get(value) != simdjson::SUCCESS) {
-        return {nullptr, 0, *faults_, step};
+    if (exists() && element_of(document_, place_).get(object) == simdjson::SUCCESS) {
+        for (const auto field : object) {
+            if (field.key == key) {
+                const Place place = place_of(field.value);
+                // The document's own key: it lives as long as the path may be asked for.
+                return {place.document,
+                        place.index,
+                        *faults_,
+                        faults_->step({.parent = step_, .index = 0, .key = field.key})};
+            }
+        }
     }
-    const Place place = place_of(value);
-    return {place.document, place.index, *faults_, step};
+    return {nullptr, 0, *faults_, faults_->step({.parent = step_, .index = 0, .key = key})};
 }
 
 JsonField JsonField::noting_to(JsonFaults& faults, std::string_view prefix) const {

@@ -55,7 +55,8 @@ class JsonFaults {
 /// document and the faults, which must outlive it.
 class JsonField {
  public:
-    /// A member of an object; also of a field that is not there.
+    /// A member of an object; also of a field that is not there. Where there is none, `key` must
+    /// live as long as the field that is returned: a literal does.
     [[nodiscard]] JsonField operator[](std::string_view key) const;
     /// The same field, whose faults (and its parts') go to others: a part of the file that may be
     /// bad without the file being bad. `prefix`: path of this field in those faults.
