@@ -23,8 +23,8 @@ struct ImageHead {
     int height = 0;
 };
 
-/// Looks at the first bytes. Errors: none of the formats, cut, a side of 0 or above
-/// kLargestImageSide, moving pictures.
+/// Looks at the head, and whether a PNG is whole. Errors: none of the formats, cut, a side of 0 or
+/// above kLargestImageSide, moving pictures.
 [[nodiscard]] Expected<ImageHead> look_at_image(std::span<const std::byte> packed);
 
 /// Unpacks. `halvings`: so many times each side is halved, by the mean of four pixels (never below
