@@ -177,6 +177,9 @@ render::VideoOptions video_options(const RenderArguments& arguments, const engin
     render::VideoOptions options;
     options.width = look.size.width;
     options.height = look.size.height;
+    if (!look.avatar.credit.empty()) {
+        options.comment = "Avatar: " + look.avatar.credit;
+    }
     // The nearest rate that the format can express.
     options.rate = render::FrameRate::nearest(arguments.settings.fps);
     options.quality = arguments.settings.quality == "fast" ? render::VideoQuality::draft
@@ -192,7 +195,7 @@ ExitCode render(const RenderArguments& given) {
     if (arguments.settings.quality == "auto") {
         arguments.settings.quality = "high";
     }
-    const auto look = engine::read_look(arguments.settings);
+    const auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
     }

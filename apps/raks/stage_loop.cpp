@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/locked_memory.hpp"
@@ -69,7 +70,7 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
                                                        const Options& options,
                                                        std::shared_ptr<const DanceList> dances,
                                                        engine::Formations& formations) {
-    const auto look = engine::read_look(settings);
+    const auto look = open_look(settings);
     if (!look) {
         return fail(look.error());
     }

@@ -24,12 +24,6 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(camera.error());
     }
     look.scene.camera = *camera;
-    Expected<LoadedAvatar> avatar = load_avatar(settings.avatar);
-    if (!avatar) {
-        return fail(std::move(avatar.error()));
-    }
-    look.avatar = std::move(*avatar);
-    look.scene.camera = camera_for(look.scene.camera, render::size_of(*look.avatar.avatar));
     // zoom() multiplies the camera's distance.
     look.scene.camera.zoom(distance_for(settings.formation));
     look.camera = settings.camera;
@@ -47,6 +41,11 @@ Expected<Look> read_look(const Settings& settings) {
                    : settings.quality == "high" ? render::Quality::high
                                                 : render::Quality::automatic;
     return look;
+}
+
+void put_on(LoadedAvatar avatar, Look& look) noexcept {
+    look.scene.camera = camera_for(look.scene.camera, render::size_of(*avatar.avatar));
+    look.avatar = std::move(avatar);
 }
 
 render::Camera camera_for(render::Camera preset, float size) noexcept {

@@ -12,6 +12,8 @@
 
 // libpng and libjpeg leave by longjmp. Each jump here ends in the function that called the library,
 // which holds nothing with a destructor: what must be freed is the caller's.
+#include <string_view>
+
 namespace raks::render {
 namespace {
 
@@ -21,7 +23,10 @@ constexpr png_alloc_size_t kLargestPngChunk = 8U << 20U;
 constexpr int kMostJpegScans = 200;
 
 void keep(CodecFault& fault, const char* text) {
-    std::snprintf(fault.text.data(), fault.text.size(), "%s", text);
+    const std::string_view said(text);
+    const std::size_t kept = std::min(said.size(), fault.text.size() - 1);
+    std::copy_n(said.begin(), kept, fault.text.begin());
+    fault.text[kept] = 0;
 }
 
 // ---- PNG

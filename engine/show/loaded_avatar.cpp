@@ -1,14 +1,13 @@
-#include "engine/show/avatar_file.hpp"
+#include "engine/show/loaded_avatar.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <system_error>
+#include <filesystem>
 #include <utility>
 
 #include "base/printable.hpp"
-#include "engine/setup/user_folders.hpp"
+#include "engine/show/avatar_files.hpp"
 #include "engine/show/standing_model.hpp"
 #include "render/avatar/model_avatar.hpp"
 #include "render/import/humanoid_map.hpp"
@@ -56,40 +55,6 @@ Expected<void> find_bones(render::Model& model) {
 
 }  // namespace
 
-fs::path user_avatars_path() {
-    const fs::path folder = xdg_folder("XDG_DATA_HOME", ".local/share");
-    return folder.empty() ? folder : folder / "avatars";
-}
-
-std::vector<fs::path> user_avatars() {
-    std::vector<fs::path> files;
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(user_avatars_path(), ignored)) {
-        if (render::is_model_name(entry.path()) && entry.path().extension() != ".vrma") {
-            files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-Expected<fs::path> find_avatar(const std::string& name) {
-    std::error_code ignored;
-    if (fs::exists(name, ignored)) {
-        return fs::path(name);
-    }
-    std::vector<std::string> known = {std::string(kMannequinName)};
-    for (const fs::path& file : user_avatars()) {
-        if (file.filename() == name || file.stem() == name) {
-            return file;
-        }
-        known.push_back(printable(file.stem().string()));
-    }
-    return fail(fmt::format("avatar \"{}\": no such file, and none of {}",
-                            printable(name),
-                            fmt::join(known, ", ")));
-}
-
 std::string credit_line(const render::Licence& licence, const std::string& file) {
     std::string line = printable(licence.title.empty() ? file : licence.title);
     if (!licence.authors.empty()) {
@@ -105,15 +70,15 @@ std::string credit_line(const render::Licence& licence, const std::string& file)
 }
 
 Expected<LoadedAvatar> load_avatar(const std::string& name, std::optional<float> height) {
-    if (name == kMannequinName) {
+    const Expected<fs::path> path = find_avatar(name);
+    if (!path) {
+        return fail(path.error());
+    }
+    if (path->empty()) {
         return LoadedAvatar{.avatar = std::make_shared<render::Avatar>(render::build_mannequin()),
                             .credit = {},
                             .is_credit_required = false,
                             .warnings = {}};
-    }
-    const Expected<fs::path> path = find_avatar(name);
-    if (!path) {
-        return fail(path.error());
     }
     Expected<render::Model> model = render::load_model(*path);
     if (!model) {
