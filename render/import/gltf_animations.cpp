@@ -39,10 +39,10 @@ class AnimationReader {
         ModelAnimation animation;
         animation.name = printable(field["name"].text_or(""), 100);
         std::vector<Sampler> samplers;
-        for (const JsonField& sampler : field["samplers"].items(kMostChannels)) {
+        for (const JsonField& sampler : field["samplers"].objects(kMostChannels)) {
             samplers.push_back(read_sampler(sampler));
         }
-        const std::vector<JsonField> channels = field["channels"].items(kMostChannels);
+        const std::vector<JsonField> channels = field["channels"].objects(kMostChannels);
         if (samplers.empty() || channels.empty()) {
             field.complain("without samplers or channels");
             return animation;
@@ -137,6 +137,9 @@ class AnimationReader {
                                        GltfAccessors::name_of(wanted)));
             return 0;
         }
+        if (values.component != ComponentType::float32 && !values.is_normalized) {
+            warn(model_, values.field.line("values of integers that are not normalized"));
+        }
         if (!is_weights) {
             return GltfAccessors::width(wanted);
         }
@@ -214,7 +217,7 @@ class AnimationReader {
 
 void read_animations(const JsonField& root, GltfAccessors& accessors, Model& model) {
     AnimationReader reader(accessors, root["nodes"], model);
-    for (const JsonField& field : root["animations"].items(kMostAnimations)) {
+    for (const JsonField& field : root["animations"].objects(kMostAnimations)) {
         model.animations.push_back(reader.read(field));
     }
 }

@@ -82,11 +82,12 @@ std::uint64_t GltfBuffers::offset(int view) const {
 }
 
 void GltfBuffers::read_buffers(const JsonField& list) {
-    for (const JsonField& field : list.items(kMostBuffers)) {
+    for (const JsonField& field : list.objects(kMostBuffers)) {
         Buffer buffer{.field = field, .length = 0, .is_fetched = false, .own = {}, .bytes = {}};
         buffer.length = static_cast<std::uint64_t>(field["byteLength"].whole(1, kLongestBuffer));
         const bool is_first_of_glb = file_.is_glb && buffers_.empty();
         const JsonField packing = field["extensions"]["EXT_meshopt_compression"];
+        buffer.is_fallback = packing["fallback"].truth_or(false);
         if (is_first_of_glb && !field["uri"].exists() && !packing.exists()) {
             const std::size_t size = file_.binary ? file_.binary->size() : 0;
             if (size < buffer.length) {
@@ -115,7 +116,7 @@ void GltfBuffers::check_range(const JsonField& field,
 }
 
 void GltfBuffers::read_views(const JsonField& list) {
-    const std::vector<JsonField> fields = list.items(kMostViews);
+    const std::vector<JsonField> fields = list.objects(kMostViews);
     views_.reserve(fields.size());
     for (const JsonField& field : fields) {
         View view;
@@ -127,6 +128,7 @@ void GltfBuffers::read_views(const JsonField& list) {
         if (field["byteStride"].exists() && (view.stride < 4 || view.stride % 4 != 0)) {
             field["byteStride"].complain(fmt::format("{} is not 4, 8 .. 252", view.stride));
         }
+        view.target = field["target"].whole_or(0, 0, 100'000);
         const JsonField packing = field["extensions"]["EXT_meshopt_compression"];
         if (packing.exists()) {
             view.packed = read_packed(packing, view);
@@ -207,6 +209,15 @@ std::vector<std::byte> GltfBuffers::fetched(Buffer& buffer, const JsonField& /*u
         return {};
     }
     return std::move(*bytes);
+}
+
+void GltfBuffers::check_unread() {
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const Buffer& buffer = buffers_[i];
+        if (!buffer.is_fetched && !buffer.is_fallback && buffer.field["uri"].exists()) {
+            (void)fetch(static_cast<int>(i), buffer.field);
+        }
+    }
 }
 
 std::span<const std::byte> GltfBuffers::unpack(Packed& packed, const JsonField& user) {

@@ -58,7 +58,7 @@ ModelMesh read_mesh(const JsonField& field,
                     Model& model) {
     ModelMesh mesh;
     mesh.name = printable(field["name"].text_or(""), 100);
-    const std::vector<JsonField> primitives = field["primitives"].items(kMostPrimitives);
+    const std::vector<JsonField> primitives = field["primitives"].objects(kMostPrimitives);
     if (primitives.empty()) {
         field.complain("has no primitives");
         return mesh;
@@ -86,7 +86,7 @@ std::vector<MeshJoints> read_meshes(const JsonField& root,
         is_quantized = is_quantized || name.text() == "KHR_mesh_quantization";
     }
     PrimitiveReader reader(accessors, budget, model, is_quantized);
-    for (const JsonField& field : root["meshes"].items(kMostMeshes)) {
+    for (const JsonField& field : root["meshes"].objects(kMostMeshes)) {
         joints.emplace_back();
         model.meshes.push_back(read_mesh(field, reader, joints.back(), model));
     }

@@ -92,7 +92,7 @@ void read_transform(const JsonField& field, ModelNode& node, Model& model) {
     }
 }
 
-ModelNode read_node(const JsonField& field, std::size_t skins, Model& model) {
+ModelNode read_node(const JsonField& field, std::size_t skins, std::size_t cameras, Model& model) {
     ModelNode node;
     const std::string_view name = field["name"].text_or("");
     node.name = printable(name, 200);
@@ -102,6 +102,7 @@ ModelNode read_node(const JsonField& field, std::size_t skins, Model& model) {
     read_transform(field, node, model);
     node.mesh = field["mesh"].index_or_none(model.meshes.size());
     node.skin = field["skin"].index_or_none(skins);
+    (void)field["camera"].index_or_none(cameras);
     if (node.mesh < 0 && (node.skin >= 0 || field["weights"].exists())) {
         warn(model, field.line("skin or weights without a mesh"));
         node.skin = -1;
@@ -169,7 +170,7 @@ void take_all_roots(Model& model) {
 }
 
 void read_scene(const JsonField& root, Model& model) {
-    const std::vector<JsonField> scenes = root["scenes"].items(kMostNodes);
+    const std::vector<JsonField> scenes = root["scenes"].objects(kMostNodes);
     const int shown = root["scene"].index_or_none(scenes.size());
     if (scenes.empty()) {
         warn(model, "has no scene: all of it is shown");
@@ -215,9 +216,10 @@ void note_names(Model& model) {
 
 void read_nodes(const JsonField& root, std::size_t skins, Model& model) {
     const JsonField list = root["nodes"];
-    const std::vector<JsonField> fields = list.items(kMostNodes);
+    const std::vector<JsonField> fields = list.objects(kMostNodes);
+    const std::size_t cameras = root["cameras"].size();
     for (const JsonField& field : fields) {
-        model.nodes.push_back(read_node(field, skins, model));
+        model.nodes.push_back(read_node(field, skins, cameras, model));
     }
     for (std::size_t i = 0; i < fields.size(); ++i) {
         read_children(fields[i], i, model);
