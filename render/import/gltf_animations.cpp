@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostAnimations = 10'000;
 constexpr std::size_t kMostChannels = 100'000;
-constexpr float kRotationSlack = 5e-3F;
+constexpr float kKeySlack = 5e-3F;
 
 struct Sampler {
     JsonField field;
@@ -197,7 +197,7 @@ class AnimationReader {
         for (std::size_t i = is_cubic ? 4 : 0; i + 3 < q.size(); i += is_cubic ? 12 : 4) {
             const float length = std::sqrt(q[i] * q[i] + q[i + 1] * q[i + 1] + q[i + 2] * q[i + 2] +
                                            q[i + 3] * q[i + 3]);
-            is_odd = is_odd || std::abs(length - 1.0F) > kRotationSlack;
+            is_odd = is_odd || std::abs(length - 1.0F) > kKeySlack;
             const bool has_direction = length > 1e-6F && length < 1e6F;
             for (std::size_t c = 0; c < 4; ++c) {
                 q[i + c] = has_direction ? q[i + c] / length : (c == 3 ? 1.0F : 0.0F);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostMeshes = 20'000;
 constexpr std::size_t kMostPrimitives = 20'000;
-constexpr std::size_t kMostMorphs = 5'000;
+constexpr std::size_t kMostMorphNames = 5'000;
 
 /// Names that exporters agreed on: extras.targetNames of the mesh or of its first primitive.
 std::vector<std::string> morph_names(const JsonField& mesh, const JsonField& primitive) {
@@ -23,7 +23,7 @@ std::vector<std::string> morph_names(const JsonField& mesh, const JsonField& pri
         if (!list.is_array()) {
             continue;
         }
-        for (const JsonField& name : list.items(kMostMorphs)) {
+        for (const JsonField& name : list.items(kMostMorphNames)) {
             names.push_back(name.is_text() ? printable(name.text(), 100) : std::string());
         }
         break;
@@ -69,7 +69,7 @@ ModelMesh read_mesh(const JsonField& field,
         }
     }
     mesh.morph_names = morph_names(field, primitives.front());
-    mesh.morph_weights = field["weights"].numbers(kMostMorphs);
+    mesh.morph_weights = field["weights"].numbers(kMostMorphNames);
     even_out(mesh, field, model);
     return mesh;
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostNodes = 20'000;
 constexpr int kDeepest = 1'000;
-constexpr float kFarthest = 1e7F;  // translations and scales beyond are no figure
+constexpr float kFarthestNode = 1e7F;  // translations and scales beyond are no figure
 constexpr float kRotationSlack = 1e-3F;
 
 /// A rotation of length 1; identity for one of length 0, and not a number.
@@ -63,7 +63,8 @@ void take_apart(const std::array<float, 16>& m,
 }
 
 bool is_within(const glm::vec3& v) {
-    return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
+    return std::abs(v.x) < kFarthestNode && std::abs(v.y) < kFarthestNode &&
+           std::abs(v.z) < kFarthestNode;
 }
 
 void read_transform(const JsonField& field, ModelNode& node, Model& model) {
@@ -85,7 +86,7 @@ void read_transform(const JsonField& field, ModelNode& node, Model& model) {
                    model);
     }
     if (!is_within(node.translation) || !is_within(node.scale)) {
-        field.complain(fmt::format("moved or scaled by more than {}", kFarthest));
+        field.complain(fmt::format("moved or scaled by more than {}", kFarthestNode));
     }
     if (node.scale.x == 0.0F || node.scale.y == 0.0F || node.scale.z == 0.0F) {
         warn(model, field.line("a scale of 0"));
