@@ -146,9 +146,9 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
         attributes["POSITION"].complain(fmt::format("a vertex farther than {} away", kFarthest));
     }
     read_normals(attributes, primitive);
-    constexpr std::string_view kUv[] = {"TEXCOORD_0", "TEXCOORD_1"};
+    constexpr std::string_view kUvSets[] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < 2; ++set) {
-        if (const int uv = attribute(attributes, kUv[set], {ElementType::vec2}, count); uv >= 0) {
+        if (const int uv = attribute(attributes, kUvSets[set], {ElementType::vec2}, count); uv >= 0) {
             primitive.uv[set] = accessors_.elements<glm::vec2>(uv);
         }
     }
