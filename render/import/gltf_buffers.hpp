@@ -25,6 +25,8 @@ class ImportBudget {
         left_ -= static_cast<std::size_t>(count) * size;
         return true;
     }
+    /// What was claimed and is freed again.
+    void give_back(std::size_t count, std::size_t size) noexcept { left_ += count * size; }
     [[nodiscard]] std::size_t left() const noexcept { return left_; }
 
  private:

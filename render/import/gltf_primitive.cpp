@@ -148,7 +148,8 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
     read_normals(attributes, primitive);
     constexpr std::string_view kUvSets[] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < 2; ++set) {
-        if (const int uv = attribute(attributes, kUvSets[set], {ElementType::vec2}, count); uv >= 0) {
+        if (const int uv = attribute(attributes, kUvSets[set], {ElementType::vec2}, count);
+            uv >= 0) {
             primitive.uv[set] = accessors_.elements<glm::vec2>(uv);
         }
     }
@@ -350,6 +351,7 @@ MorphTarget PrimitiveReader::read_morph(const JsonField& field, std::size_t coun
     if (std::any_of(positions.begin(), positions.end(), is_too_far)) {
         field.complain(fmt::format("moves a vertex farther than {}", kFarthest));
     }
+    const std::size_t read = positions.size() + normals.size();
     positions.resize(positions.empty() ? normals.size() : positions.size(), glm::vec3(0.0F));
     const glm::vec3 still(0.0F);
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -361,6 +363,10 @@ MorphTarget PrimitiveReader::read_morph(const JsonField& field, std::size_t coun
         if (!normals.empty()) {
             morph.normals.push_back(normals[v]);
         }
+    }
+    budget_.give_back(read, sizeof(glm::vec3));
+    if (!budget_.claim(morph.vertices.size(), sizeof(std::uint32_t) + 2 * sizeof(glm::vec3))) {
+        field.complain("the model needs too much memory");
     }
     return morph;
 }
