@@ -19,7 +19,14 @@
 namespace raks::render {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{700} << 20U;  // of one model in memory
+constexpr std::size_t kMostBytes = std::size_t{900} << 20U;  // of one model and its file in memory
+constexpr std::size_t kBytesPerJson = 14;  // that the parser takes for a byte of JSON at most
+
+/// What is left for the model's own arrays.
+std::size_t bytes_for_model(std::span<const std::byte> bytes, const GltfFile& file) {
+    const std::size_t taken = bytes.size() + kBytesPerJson * file.json_bytes;
+    return taken < kMostBytes ? kMostBytes - taken : 0;
+}
 
 /// What the file has and Raks does not show.
 void note_left_out(const JsonField& root, Model& model) {
@@ -52,8 +59,8 @@ Expected<void> read_parts(const GltfFile& file,
                           const SideFiles& side,
                           const JsonField& root,
                           const JsonFaults& faults,
+                          ImportBudget budget,
                           Model& model) {
-    ImportBudget budget(kMostBytes);
     GltfBuffers buffers(file, side, root, budget, model);
     if (faults.any()) {
         return faults.finish();
@@ -67,6 +74,7 @@ Expected<void> read_parts(const GltfFile& file,
         [&] { read_skins(root, accessors, joints, model); },
         [&] { read_animations(root, accessors, model); },
         [&] { accessors.check_unread(); },
+        [&] { buffers.check_unread(); },
         [&] { note_left_out(root, model); },
     };
     for (const auto& read_part : parts) {
@@ -92,7 +100,9 @@ Expected<Model> read_gltf(std::span<const std::byte> bytes, const SideFiles& sid
     if (const auto good = faults.finish(); !good) {
         return fail(good.error());
     }
-    if (const auto good = read_parts(*file, side, root, faults, model); !good) {
+    if (const auto good = read_parts(
+            *file, side, root, faults, ImportBudget(bytes_for_model(bytes, *file)), model);
+        !good) {
         return fail(good.error());
     }
     model.animated_face.is_vrma = root["extensions"]["VRMC_vrm_animation"].exists();
