@@ -148,7 +148,8 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
     read_normals(attributes, primitive);
     constexpr std::string_view kUvSets[] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < 2; ++set) {
-        if (const int uv = attribute(attributes, kUvSets[set], {ElementType::vec2}, count); uv >= 0) {
+        if (const int uv = attribute(attributes, kUvSets[set], {ElementType::vec2}, count);
+            uv >= 0) {
             primitive.uv[set] = accessors_.elements<glm::vec2>(uv);
         }
     }

@@ -196,7 +196,7 @@ Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
     }
     const HumanoidMap named = map_by_names(model, places);
     const std::vector<Bone> all = all_bones();
-    fill(map, named, labels == nullptr ? std::span<const Bone>(all) : kRequiredBones);
+    fill(map, named, all);
     map.left_eye = named.left_eye;
     map.right_eye = named.right_eye;
     map.jaw = named.jaw;

@@ -1,7 +1,7 @@
 // Which nodes of a model are the bones of its figure.
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
 #include <string_view>
 

@@ -1,7 +1,7 @@
 // VRMC_node_constraint 1.0.
 #include <array>
 #include <cstdint>
-#include <string_view>
+#include <string>
 #include <utility>
 #include <vector>
 
