@@ -196,7 +196,7 @@ Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
     }
     const HumanoidMap named = map_by_names(model, places);
     const std::vector<Bone> all = all_bones();
-    fill(map, named, all);
+    fill(map, named, std::span<const Bone>(all));
     map.left_eye = named.left_eye;
     map.right_eye = named.right_eye;
     map.jaw = named.jaw;
