@@ -122,8 +122,7 @@ std::string JsonFaults::path(std::uint32_t step) const {
         const Step& here = steps_[step];
         path = here.key.data() == nullptr
                    ? fmt::format("[{}]{}", here.index, path)
-                   : fmt::format(
-                         "{}{}{}", here.key, path.empty() || path.front() == '[' ? "" : ".", path);
+                   : fmt::format("{}{}{}", here.parent == 0 ? "" : ".", here.key, path);
     }
     return path;
 }
