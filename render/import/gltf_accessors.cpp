@@ -61,6 +61,12 @@ std::size_t element_size(ElementType element, ComponentType component) {
     return info(element).columns * column_size(element, component);
 }
 
+/// Bytes of an element without what may follow its last column.
+std::size_t last_element_size(ElementType element, ComponentType component) {
+    return element_size(element, component) - column_size(element, component) +
+           info(element).rows * info(component).size;
+}
+
 ComponentType component_of(const JsonField& field) {
     const std::int64_t code = field.whole(0, std::numeric_limits<int>::max());
     for (std::size_t i = 0; i < kComponents.size(); ++i) {
@@ -136,7 +142,7 @@ GltfAccessors::GltfAccessors(const JsonField& root,
                              ImportBudget& budget,
                              Model& model)
     : buffers_(buffers), budget_(budget), model_(model), uses_(buffers.view_count()) {
-    const std::vector<JsonField> fields = root["accessors"].items(kMostAccessors);
+    const std::vector<JsonField> fields = root["accessors"].objects(kMostAccessors);
     accessors_.reserve(fields.size());
     for (const JsonField& field : fields) {
         accessors_.push_back(read(field));
@@ -165,8 +171,8 @@ GltfAccessor GltfAccessors::read(const JsonField& field) {
                     accessor.view,
                     accessor.offset,
                     accessor.count,
-                    element_size(accessor.element, accessor.component),
-                    info(accessor.component).size);
+                    accessor.element,
+                    accessor.component);
     } else if (accessor.view < 0 && field["byteOffset"].exists()) {
         warn(model_, field.line("byteOffset without bufferView"));
     }
@@ -198,15 +204,18 @@ void GltfAccessors::read_sparse(GltfAccessor& accessor, const JsonField& field) 
     if (buffers_.view_count() == 0) {
         return;  // noted
     }
-    const std::size_t index_size = info(sparse.index_component).size;
-    check_range(
-        indices, sparse.index_view, sparse.index_offset, sparse.count, index_size, index_size);
+    check_range(indices,
+                sparse.index_view,
+                sparse.index_offset,
+                sparse.count,
+                ElementType::scalar,
+                sparse.index_component);
     check_range(field["values"],
                 sparse.value_view,
                 sparse.value_offset,
                 sparse.count,
-                element_size(accessor.element, accessor.component),
-                info(accessor.component).size);
+                accessor.element,
+                accessor.component);
     for (const int view : {sparse.index_view, sparse.value_view}) {
         if (buffers_.stride(view) != 0) {
             warn(model_, field.line("a view with byteStride"));
@@ -218,17 +227,20 @@ void GltfAccessors::check_range(const JsonField& field,
                                 int view,
                                 std::uint64_t offset,
                                 std::uint64_t count,
-                                std::size_t element_size,
-                                std::size_t component_size) {
+                                ElementType element,
+                                ComponentType component) {
     const std::uint64_t length = buffers_.length(view);
-    const std::size_t stride = buffers_.stride(view) != 0 ? buffers_.stride(view) : element_size;
-    if (stride < element_size) {
-        field.complain(fmt::format(
-            "elements of {} bytes, {} bytes apart", element_size, buffers_.stride(view)));
+    const std::size_t component_size = info(component).size;
+    const std::size_t size = element_size(element, component);
+    const std::size_t stride = buffers_.stride(view) != 0 ? buffers_.stride(view) : size;
+    if (stride < size) {
+        field.complain(
+            fmt::format("elements of {} bytes, {} bytes apart", size, buffers_.stride(view)));
         return;
     }
     // Both factors are below 2^30, so that nothing wraps.
-    const std::uint64_t needed = count == 0 ? 0 : offset + stride * (count - 1) + element_size;
+    const std::uint64_t needed =
+        count == 0 ? 0 : offset + stride * (count - 1) + last_element_size(element, component);
     if (needed > length) {
         field.complain(fmt::format(
             "{} elements need {} bytes; bufferViews[{}] has {}", count, needed, view, length));
@@ -264,8 +276,9 @@ std::vector<T> GltfAccessors::raw(GltfAccessor& accessor) {
     const std::size_t size = element_size(accessor.element, accessor.component);
     const std::size_t stride =
         buffers_.stride(accessor.view) != 0 ? buffers_.stride(accessor.view) : size;
-    if (accessor.count == 0 ||
-        accessor.offset + stride * (accessor.count - 1) + size > bytes.size()) {
+    if (accessor.count == 0 || accessor.offset + stride * (accessor.count - 1) +
+                                       last_element_size(accessor.element, accessor.component) >
+                                   bytes.size()) {
         return {};  // noted
     }
     std::vector<T> numbers(accessor.count * width(accessor.element));
@@ -388,7 +401,17 @@ void GltfAccessors::use(int index, ViewUse use) {
     if (accessor.view < 0) {
         return;
     }
-    const bool has_stride = buffers_.stride(accessor.view) != 0;
+    const std::size_t stride = buffers_.stride(accessor.view);
+    const bool has_stride = stride != 0;
+    const std::int64_t target = buffers_.target(accessor.view);
+    if (target != 0 && target != (use == ViewUse::indices ? 34963 : 34962)) {
+        warn(model_, accessor.field.line("its view is said to be for something else"));
+    }
+    if (use == ViewUse::vertices &&
+        (accessor.offset % 4 != 0 ||
+         (has_stride ? stride : element_size(accessor.element, accessor.component)) % 4 != 0)) {
+        warn(model_, accessor.field.line("vertices that do not begin at multiples of 4 bytes"));
+    }
     auto& first = uses_[static_cast<std::size_t>(accessor.view)];
     if (!first) {
         first = {use, index};

@@ -93,8 +93,8 @@ class GltfAccessors {
                      int view,
                      std::uint64_t offset,
                      std::uint64_t count,
-                     std::size_t element_size,
-                     std::size_t component_size);
+                     ElementType element,
+                     ComponentType component);
     bool claim(const GltfAccessor& accessor, std::size_t size);
     template <typename T>
     std::vector<T> raw(GltfAccessor& accessor);

@@ -144,6 +144,9 @@ Expected<GltfFile> open_container(std::span<const std::byte> file, Model& model)
     if (!chunks) {
         return fail(chunks.error());
     }
+    if (chunks->binary && chunks->binary->empty()) {
+        warn(model, "an empty BIN chunk");
+    }
     auto json = parse_json(text_of(*chunks->json), model);
     if (!json) {
         return fail(json.error());

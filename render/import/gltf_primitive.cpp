@@ -81,7 +81,7 @@ std::optional<ModelPrimitive> PrimitiveReader::read(const JsonField& field, Mesh
     }
     read_influences(attributes, primitive, joints);
     read_indices(field, mode, primitive);
-    read_morphs(field["targets"], primitive);
+    read_morphs(field["targets"], attributes, primitive);
     return primitive;
 }
 
@@ -146,9 +146,10 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
         attributes["POSITION"].complain(fmt::format("a vertex farther than {} away", kFarthest));
     }
     read_normals(attributes, primitive);
-    constexpr std::string_view kUv[] = {"TEXCOORD_0", "TEXCOORD_1"};
+    constexpr std::string_view kUvSets[] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < 2; ++set) {
-        if (const int uv = attribute(attributes, kUv[set], {ElementType::vec2}, count); uv >= 0) {
+        if (const int uv = attribute(attributes, kUvSets[set], {ElementType::vec2}, count);
+            uv >= 0) {
             primitive.uv[set] = accessors_.elements<glm::vec2>(uv);
         }
     }
@@ -324,18 +325,21 @@ void PrimitiveReader::read_indices(const JsonField& field,
     }
 }
 
-void PrimitiveReader::read_morphs(const JsonField& field, ModelPrimitive& primitive) {
-    for (const JsonField& target : field.items(kMostMorphs)) {
+void PrimitiveReader::read_morphs(const JsonField& field,
+                                  const JsonField& attributes,
+                                  ModelPrimitive& primitive) {
+    for (const JsonField& target : field.objects(kMostMorphs)) {
+        for (const auto& [name, moved] : target.entries()) {
+            if (!attributes[name].exists()) {
+                warn(model_, moved.line("moves what the primitive has not"));
+            }
+        }
         primitive.morphs.push_back(read_morph(target, primitive.positions.size()));
     }
 }
 
 MorphTarget PrimitiveReader::read_morph(const JsonField& field, std::size_t count) {
     MorphTarget morph;
-    if (!field.is_object()) {
-        field.complain("is no object");
-        return morph;
-    }
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     if (const int moved = attribute(field, "POSITION", {ElementType::vec3}, count); moved >= 0) {
@@ -347,6 +351,7 @@ MorphTarget PrimitiveReader::read_morph(const JsonField& field, std::size_t coun
     if (std::any_of(positions.begin(), positions.end(), is_too_far)) {
         field.complain(fmt::format("moves a vertex farther than {}", kFarthest));
     }
+    const std::size_t read = positions.size() + normals.size();
     positions.resize(positions.empty() ? normals.size() : positions.size(), glm::vec3(0.0F));
     const glm::vec3 still(0.0F);
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -358,6 +363,10 @@ MorphTarget PrimitiveReader::read_morph(const JsonField& field, std::size_t coun
         if (!normals.empty()) {
             morph.normals.push_back(normals[v]);
         }
+    }
+    budget_.give_back(read, sizeof(glm::vec3));
+    if (!budget_.claim(morph.vertices.size(), sizeof(std::uint32_t) + 2 * sizeof(glm::vec3))) {
+        field.complain("the model needs too much memory");
     }
     return morph;
 }

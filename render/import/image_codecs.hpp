@@ -10,7 +10,7 @@ namespace raks::render {
 
 /// What a library said, kept where a jump out of it may pass.
 struct CodecFault {
-    std::array<char, 120> text{};
+    std::array<char, 200> text{};  ///< what libjpeg says at most
 };
 
 /// Unpack into `image`, which has the size of the head and room for its pixels. False: broken, and

@@ -122,8 +122,7 @@ std::string JsonFaults::path(std::uint32_t step) const {
         const Step& here = steps_[step];
         path = here.key.data() == nullptr
                    ? fmt::format("[{}]{}", here.index, path)
-                   : fmt::format(
-                         "{}{}{}", here.key, path.empty() || path.front() == '[' ? "" : ".", path);
+                   : fmt::format("{}{}{}", here.parent == 0 ? "" : ".", here.key, path);
     }
     return path;
 }
@@ -184,6 +183,16 @@ std::vector<JsonField> JsonField::items(std::size_t most) const {
         items.push_back({place.document, place.index, *faults_, step});
     }
     return items;
+}
+
+std::vector<JsonField> JsonField::objects(std::size_t most) const {
+    std::vector<JsonField> all = items(most);
+    for (const JsonField& item : all) {
+        if (!item.is_object()) {
+            item.complain_of_kind("an object");
+        }
+    }
+    return all;
 }
 
 std::vector<std::pair<std::string_view, JsonField>> JsonField::entries() const {
