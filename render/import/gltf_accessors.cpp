@@ -135,7 +135,7 @@ GltfAccessors::GltfAccessors(const JsonField& root,
                              GltfBuffers& buffers,
                              ImportBudget& budget,
                              Model& model)
-    : buffers_(buffers), budget_(budget), model_(model) {
+    : buffers_(buffers), budget_(budget), model_(model), uses_(buffers.view_count()) {
     const std::vector<JsonField> fields = root["accessors"].items(kMostAccessors);
     accessors_.reserve(fields.size());
     for (const JsonField& field : fields) {
@@ -160,14 +160,14 @@ GltfAccessor GltfAccessors::read(const JsonField& field) {
     if (accessor.is_normalized && info(accessor.component).largest == 1.0F) {
         warn(model_, field.line("normalized, though not of small integers"));
     }
-    if (accessor.view >= 0) {
+    if (accessor.view >= 0 && buffers_.view_count() > 0) {
         check_range(field,
                     accessor.view,
                     accessor.offset,
                     accessor.count,
                     element_size(accessor.element, accessor.component),
                     info(accessor.component).size);
-    } else if (field["byteOffset"].exists()) {
+    } else if (accessor.view < 0 && field["byteOffset"].exists()) {
         warn(model_, field.line("byteOffset without bufferView"));
     }
     if (const JsonField sparse = field["sparse"]; sparse.exists()) {
@@ -381,6 +381,26 @@ std::vector<std::uint32_t> GltfAccessors::wholes(int index) {
         return {};
     }
     return raw<std::uint32_t>(accessor);
+}
+
+void GltfAccessors::use(int index, ViewUse use) {
+    const GltfAccessor& accessor = accessors_[static_cast<std::size_t>(index)];
+    if (accessor.view < 0) {
+        return;
+    }
+    const bool has_stride = buffers_.stride(accessor.view) != 0;
+    auto& first = uses_[static_cast<std::size_t>(accessor.view)];
+    if (!first) {
+        first = {use, index};
+        if (has_stride && use != ViewUse::vertices) {
+            warn(model_,
+                 accessor.field.line("its view has a byteStride, which only vertices have"));
+        }
+    } else if (first->first != use) {
+        warn(model_, accessor.field.line("its view is used for something else, too"));
+    } else if (first->second != index && use == ViewUse::vertices && !has_stride) {
+        warn(model_, accessor.field.line("shares its view, which has no byteStride"));
+    }
 }
 
 void GltfAccessors::check_unread() {

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "render/import/gltf_buffers.hpp"
@@ -17,6 +19,9 @@ enum class ComponentType : std::uint8_t { int8, uint8, int16, uint16, uint32, fl
 
 /// "SCALAR" ... "MAT4"
 enum class ElementType : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
+
+/// What the bytes of a view are used for.
+enum class ViewUse : std::uint8_t { vertices, indices, matrices, animation };
 
 /// What an accessor says, checked: it lies within its view.
 struct GltfAccessor {
@@ -74,6 +79,9 @@ class GltfAccessors {
     }
     /// All numbers of unsigned integers. Empty after a fault.
     [[nodiscard]] std::vector<std::uint32_t> wholes(int index);
+    /// Notes what an accessor is used for; warns where its view may not be used so: for two things,
+    /// with a stride that only vertices have, by vertices of two accessors without one.
+    void use(int index, ViewUse use);
     /// Looks at the numbers of those that nothing asked for: what is bad in them is a warning.
     void check_unread();
 
@@ -99,6 +107,8 @@ class GltfAccessors {
     ImportBudget& budget_;
     Model& model_;
     std::vector<GltfAccessor> accessors_;
+    /// By view: its first use, and the accessor that it had.
+    std::vector<std::optional<std::pair<ViewUse, int>>> uses_;
 };
 
 }  // namespace raks::render

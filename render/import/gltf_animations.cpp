@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMostAnimations = 10'000;
 constexpr std::size_t kMostChannels = 100'000;
+constexpr float kRotationSlack = 5e-3F;
 
 struct Sampler {
     JsonField field;
@@ -78,6 +79,8 @@ class AnimationReader {
 
     void check_times(const Sampler& sampler) {
         const GltfAccessor& times = accessors_[sampler.times];
+        accessors_.use(sampler.times, ViewUse::animation);
+        accessors_.use(sampler.values, ViewUse::animation);
         if (times.element != ElementType::scalar || times.component != ComponentType::float32) {
             sampler.field["input"].complain("times are SCALAR of floats");
         }
@@ -187,21 +190,18 @@ class AnimationReader {
     void make_unit(AnimationChannel& channel, const JsonField& field) {
         const bool is_cubic = channel.interpolation == Interpolation::cubic;
         std::vector<float>& q = channel.values;
+        bool is_odd = false;
         for (std::size_t i = is_cubic ? 4 : 0; i + 3 < q.size(); i += is_cubic ? 12 : 4) {
             const float length = std::sqrt(q[i] * q[i] + q[i + 1] * q[i + 1] + q[i + 2] * q[i + 2] +
                                            q[i + 3] * q[i + 3]);
-            if (!(length > 1e-6F && length < 1e6F)) {
-                warn(model_, field.line("rotations of length 0: none"));
-                q[i] = q[i + 1] = q[i + 2] = 0.0F;
-                q[i + 3] = 1.0F;
-                continue;
-            }
-            if (std::abs(length - 1.0F) > 5e-3F) {
-                warn(model_, field.line("rotations that are not of length 1"));
-            }
+            is_odd = is_odd || std::abs(length - 1.0F) > kRotationSlack;
+            const bool has_direction = length > 1e-6F && length < 1e6F;
             for (std::size_t c = 0; c < 4; ++c) {
-                q[i + c] /= length;
+                q[i + c] = has_direction ? q[i + c] / length : (c == 3 ? 1.0F : 0.0F);
             }
+        }
+        if (is_odd) {
+            warn(model_, field.line("rotations that are not of length 1"));
         }
     }
 

@@ -21,6 +21,8 @@ constexpr std::uint32_t kJson = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t kBinary = 0x004E4942;  // "BIN\0"
 constexpr std::size_t kHeader = 12;
 constexpr std::size_t kChunkHeader = 8;
+/// The parser takes up to 14 times as much memory.
+constexpr std::size_t kLongestJson = std::size_t{32} << 20U;
 
 /// What may stand in extensionsRequired.
 constexpr std::array<std::string_view, 14> kExtensions = {
@@ -62,6 +64,10 @@ Expected<JsonDocument> parse_json(std::string_view text, Model& model) {
     if (!text.empty() && text.back() == '\0') {
         text = text.substr(0, text.find_last_not_of('\0') + 1);
         warn(model, "zero bytes behind the JSON");
+    }
+    if (text.size() > kLongestJson) {
+        return fail(fmt::format("JSON of more than {} MiB; keep buffers and images beside it",
+                                kLongestJson >> 20U));
     }
     return JsonDocument::parse(text);
 }
@@ -142,7 +148,10 @@ Expected<GltfFile> open_container(std::span<const std::byte> file, Model& model)
     if (!json) {
         return fail(json.error());
     }
-    return GltfFile{.json = std::move(*json), .binary = chunks->binary, .is_glb = true};
+    return GltfFile{.json = std::move(*json),
+                    .binary = chunks->binary,
+                    .is_glb = true,
+                    .json_bytes = chunks->json->size()};
 }
 
 /// "2.0" as (2, 0); none: no version.
@@ -202,7 +211,10 @@ Expected<GltfFile> open_gltf(std::span<const std::byte> file, Model& model) {
     if (!json) {
         return fail(fmt::format("no glTF: {}", json.error().message));
     }
-    return GltfFile{.json = std::move(*json), .binary = std::nullopt, .is_glb = false};
+    return GltfFile{.json = std::move(*json),
+                    .binary = std::nullopt,
+                    .is_glb = false,
+                    .json_bytes = file.size()};
 }
 
 void check_gltf_needs(const JsonField& root, Model& model) {

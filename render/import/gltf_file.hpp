@@ -17,6 +17,7 @@ struct GltfFile {
     JsonDocument json;
     std::optional<std::span<const std::byte>> binary;  ///< the BIN chunk
     bool is_glb = false;
+    std::size_t json_bytes = 0;
 };
 
 /// Takes a file apart: one of JSON, or a container "glTF" of version 2. Warnings: what follows the

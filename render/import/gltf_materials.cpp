@@ -37,7 +37,14 @@ std::vector<std::byte> packed_image(const JsonField& field,
         if (!field["mimeType"].exists()) {
             warn(model, field.line("bufferView without mimeType"));
         }
-        const auto bytes = buffers.bytes(view.index(buffers.view_count()), view);
+        const int index = view.index(buffers.view_count());
+        if (buffers.view_count() == 0) {
+            return {};  // noted
+        }
+        if (buffers.stride(index) != 0) {
+            warn(model, view.line("a view with byteStride"));
+        }
+        const auto bytes = buffers.bytes(index, view);
         if (!budget.claim(bytes.size(), 1)) {
             field.complain("the model needs too much memory");
             return {};

@@ -81,7 +81,11 @@ std::vector<MeshJoints> read_meshes(const JsonField& root,
                                     ImportBudget& budget,
                                     Model& model) {
     std::vector<MeshJoints> joints;
-    PrimitiveReader reader(accessors, budget, model);
+    bool is_quantized = false;
+    for (const JsonField& name : root["extensionsUsed"].items()) {
+        is_quantized = is_quantized || name.text() == "KHR_mesh_quantization";
+    }
+    PrimitiveReader reader(accessors, budget, model, is_quantized);
     for (const JsonField& field : root["meshes"].items(kMostMeshes)) {
         joints.emplace_back();
         model.meshes.push_back(read_mesh(field, reader, joints.back(), model));

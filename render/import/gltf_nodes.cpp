@@ -199,13 +199,12 @@ void read_scene(const JsonField& root, Model& model) {
 }
 
 void note_names(Model& model) {
-    std::multiset<std::string_view> names;
+    std::set<std::string_view> names;
     std::string_view twice;
     for (const ModelNode& node : model.nodes) {
-        if (!node.name.empty() && names.count(node.name) > 0) {
+        if (!node.name.empty() && !names.insert(node.name).second) {
             twice = node.name;
         }
-        names.insert(node.name);
     }
     if (!twice.empty()) {
         warn(model, fmt::format("nodes of one name, such as \"{}\"", twice));

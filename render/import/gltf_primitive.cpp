@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "render/import/notes.hpp"
 #include "render/import/vertex_influences.hpp"
+
+#include <glm/geometric.hpp>
 
 namespace raks::render {
 namespace {
@@ -15,6 +18,8 @@ constexpr std::size_t kMostVertices = 2'000'000;
 constexpr std::size_t kMostMorphs = 5'000;
 constexpr std::size_t kMostSets = 4;  // of joints: 16 influences
 constexpr float kFarthest = 1e7F;     // a vertex beyond is no figure
+
+constexpr float kUnitSlack = 0.05F;  // of a squared length: what eight bits leave
 
 enum Mode : std::int64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
 
@@ -31,6 +36,19 @@ std::vector<std::uint32_t> taken_apart(const std::vector<std::uint32_t>& corners
         triangles.insert(triangles.end(), {first, second, corners[i]});
     }
     return triangles;
+}
+
+/// A direction of length 1; up where it has none. `is_odd`: becomes true where it had another.
+glm::vec3 made_unit(const glm::vec3& direction, bool& is_odd) {
+    const float square = glm::dot(direction, direction);
+    constexpr float kExact = 1e-5F;
+    if (std::abs(square - 1.0F) < kExact) {
+        return direction;
+    }
+    is_odd = is_odd || std::abs(square - 1.0F) > kUnitSlack;
+    constexpr float kShort = 1e-12F;
+    return square > kShort && std::isfinite(square) ? direction / std::sqrt(square)
+                                                    : glm::vec3(0.0F, 1.0F, 0.0F);
 }
 
 bool is_too_far(const glm::vec3& point) {
@@ -89,15 +107,19 @@ int PrimitiveReader::attribute(const JsonField& attributes,
         return -1;
     }
     check_component(accessor, name);
+    accessors_.use(index, ViewUse::vertices);
     return index;
 }
 
 /// What glTF asks for beyond what can be read: a warning, since the numbers are clear.
 void PrimitiveReader::check_component(const GltfAccessor& accessor, std::string_view name) {
     const bool is_float = accessor.component == ComponentType::float32;
+    if (accessor.component == ComponentType::uint32) {
+        accessor.field.complain(fmt::format("{} of 32-bit integers", name));
+    }
     if (name == "TANGENT" || name == "POSITION" || name == "NORMAL") {
-        if (accessor.component == ComponentType::uint32) {
-            accessor.field.complain(fmt::format("{} of 32-bit integers", name));
+        if (!is_float && !is_quantized_) {
+            warn(model_, accessor.field.line("integers without KHR_mesh_quantization"));
         }
     } else if (!is_float && !accessor.is_normalized && name.substr(0, 6) != "JOINTS" &&
                name.substr(0, 8) != "TEXCOORD") {
@@ -123,14 +145,7 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
     if (std::any_of(primitive.positions.begin(), primitive.positions.end(), is_too_far)) {
         attributes["POSITION"].complain(fmt::format("a vertex farther than {} away", kFarthest));
     }
-    if (const int normals = attribute(attributes, "NORMAL", {ElementType::vec3}, count);
-        normals >= 0) {
-        primitive.normals = accessors_.elements<glm::vec3>(normals);
-    }
-    if (const int tangents = attribute(attributes, "TANGENT", {ElementType::vec4}, count);
-        tangents >= 0) {
-        primitive.tangents = accessors_.elements<glm::vec4>(tangents);
-    }
+    read_normals(attributes, primitive);
     constexpr std::string_view kUv[] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < 2; ++set) {
         if (const int uv = attribute(attributes, kUv[set], {ElementType::vec2}, count); uv >= 0) {
@@ -138,6 +153,72 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
         }
     }
     read_colours(attributes, primitive);
+    note_names(attributes);
+    note_missing_uv(attributes, primitive);
+}
+
+/// Normals and tangents, made of length 1.
+void PrimitiveReader::read_normals(const JsonField& attributes, ModelPrimitive& primitive) {
+    const std::size_t count = primitive.positions.size();
+    bool is_odd = false;
+    if (const int normals = attribute(attributes, "NORMAL", {ElementType::vec3}, count);
+        normals >= 0) {
+        primitive.normals = accessors_.elements<glm::vec3>(normals);
+        for (glm::vec3& normal : primitive.normals) {
+            normal = made_unit(normal, is_odd);
+        }
+    }
+    if (const int tangents = attribute(attributes, "TANGENT", {ElementType::vec4}, count);
+        tangents >= 0) {
+        primitive.tangents = accessors_.elements<glm::vec4>(tangents);
+        for (glm::vec4& tangent : primitive.tangents) {
+            is_odd = is_odd || std::abs(std::abs(tangent.w) - 1.0F) > kUnitSlack;
+            tangent =
+                glm::vec4(made_unit(glm::vec3(tangent), is_odd), tangent.w < 0.0F ? -1.0F : 1.0F);
+        }
+    }
+    if (is_odd) {
+        warn(model_, attributes.line("normals or tangents that are not of length 1"));
+    }
+}
+
+/// Attributes of no known name are left out, as those that begin with '_' are.
+void PrimitiveReader::note_names(const JsonField& attributes) {
+    for (const auto& [name, field] : attributes.entries()) {
+        const std::size_t bar = name.rfind('_');
+        const std::string_view stem = bar == 0 ? "" : name.substr(0, bar);
+        const std::string_view number = bar == std::string_view::npos ? "" : name.substr(bar + 1);
+        const bool is_plain = name == "POSITION" || name == "NORMAL" || name == "TANGENT";
+        const bool is_numbered =
+            (stem == "TEXCOORD" || stem == "COLOR" || stem == "JOINTS" || stem == "WEIGHTS") &&
+            number.size() == 1 && number[0] >= '0' && number[0] <= '9';
+        if (is_numbered && number != "0") {
+            const std::string before = fmt::format("{}_{}", stem, static_cast<char>(number[0] - 1));
+            if (!attributes[before].exists()) {
+                warn(model_, field.line(fmt::format("without {}", before)));
+            }
+        } else if (!is_plain && !is_numbered && name.substr(0, 1) != "_") {
+            warn(model_, field.line("an attribute that is not known"));
+        }
+    }
+}
+
+void PrimitiveReader::note_missing_uv(const JsonField& attributes,
+                                      const ModelPrimitive& primitive) {
+    if (primitive.material < 0 || model_.materials.empty()) {
+        return;
+    }
+    const ModelMaterial& material = model_.materials[static_cast<std::size_t>(primitive.material)];
+    for (const TextureUse* const use : {&material.base_texture,
+                                        &material.metallic_roughness_texture,
+                                        &material.normal_texture,
+                                        &material.occlusion_texture,
+                                        &material.emissive_texture}) {
+        if (use->texture >= 0 && primitive.uv[static_cast<std::size_t>(use->uv_set)].empty()) {
+            warn(model_,
+                 attributes.line(fmt::format("its material needs TEXCOORD_{}", use->uv_set)));
+        }
+    }
 }
 
 void PrimitiveReader::read_colours(const JsonField& attributes, ModelPrimitive& primitive) {
@@ -153,12 +234,14 @@ void PrimitiveReader::read_colours(const JsonField& attributes, ModelPrimitive& 
             primitive.colours.emplace_back(colour, 1.0F);
         }
     }
+    bool is_odd = false;
     for (glm::vec4& colour : primitive.colours) {
         const glm::vec4 fit = glm::clamp(colour, 0.0F, 1.0F);
-        if (fit != colour) {
-            warn(model_, attributes["COLOR_0"].line("colours that are not in 0 .. 1"));
-        }
+        is_odd = is_odd || fit != colour;
         colour = fit;
+    }
+    if (is_odd) {
+        warn(model_, attributes.line("colours that are not in 0 .. 1"));
     }
 }
 
@@ -220,6 +303,7 @@ void PrimitiveReader::read_indices(const JsonField& field,
             accessors_[accessor].field.complain("indices are SCALAR");
             return;
         }
+        accessors_.use(accessor, ViewUse::indices);
         indices = accessors_.wholes(accessor);
     }
     const auto beyond = std::find_if(

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostSkins = 2'000;
 constexpr std::size_t kMostJoints = 20'000;
+constexpr std::size_t kMostJointsInAll = 200'000;
 
 std::vector<glm::mat4> read_inverse_binds(const JsonField& field,
                                           std::size_t joints,
@@ -32,6 +33,7 @@ std::vector<glm::mat4> read_inverse_binds(const JsonField& field,
     if (accessor.count > joints) {
         warn(model, field.line("more matrices than joints"));
     }
+    accessors.use(index, ViewUse::matrices);
     std::vector<glm::mat4> all = accessors.elements<glm::mat4>(index);
     all.resize(joints, glm::mat4(1.0F));
     constexpr float kSlack = 1e-4F;
@@ -48,28 +50,60 @@ std::vector<glm::mat4> read_inverse_binds(const JsonField& field,
     return all;
 }
 
-int top_of(int node, const Model& model) {
-    while (model.nodes[static_cast<std::size_t>(node)].parent >= 0) {
-        node = model.nodes[static_cast<std::size_t>(node)].parent;
+/// Answers what lies below what, in no time: nodes numbered as a walk meets them.
+class NodeOrder {
+ public:
+    explicit NodeOrder(const Model& model)
+        : first_(model.nodes.size()), last_(model.nodes.size()), top_(model.nodes.size()) {
+        std::vector<int> open;
+        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+            if (model.nodes[i].parent < 0) {
+                open.push_back(static_cast<int>(i));
+            }
+        }
+        std::vector<int> order;
+        while (!open.empty()) {
+            const int node = open.back();
+            open.pop_back();
+            const ModelNode& here = model.nodes[at(node)];
+            first_[at(node)] = static_cast<int>(order.size());
+            top_[at(node)] = here.parent < 0 ? node : top_[at(here.parent)];
+            order.push_back(node);
+            open.insert(open.end(), here.children.begin(), here.children.end());
+        }
+        // Children are met behind their parent: from the end on, all below a node are known.
+        for (std::size_t i = order.size(); i-- > 0;) {
+            const auto node = at(order[i]);
+            last_[node] = std::max(last_[node], first_[node]);
+            if (const int parent = model.nodes[node].parent; parent >= 0) {
+                last_[at(parent)] = std::max(last_[at(parent)], last_[node]);
+            }
+        }
     }
-    return node;
-}
+    [[nodiscard]] int top_of(int node) const { return top_[at(node)]; }
+    /// A node is below itself.
+    [[nodiscard]] bool is_below(int node, int above) const {
+        return first_[at(node)] >= first_[at(above)] && first_[at(node)] <= last_[at(above)];
+    }
 
-bool is_below(int node, int above, const Model& model) {
-    while (node >= 0 && node != above) {
-        node = model.nodes[static_cast<std::size_t>(node)].parent;
-    }
-    return node == above;
-}
+ private:
+    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+    std::vector<int> first_;  ///< number of the node
+    std::vector<int> last_;   ///< largest number below it
+    std::vector<int> top_;
+};
 
 /// What the specification asks for of a skin's joints, and what can be drawn without it.
-void note_joints(const JsonField& field, const ModelSkin& skin, Model& model) {
+void note_joints(const JsonField& field,
+                 const ModelSkin& skin,
+                 const NodeOrder& order,
+                 Model& model) {
     if (std::set<int>(skin.joints.begin(), skin.joints.end()).size() != skin.joints.size()) {
         warn(model, field["joints"].line("a joint stands twice"));
     }
     std::set<int> tops;
     for (const int joint : skin.joints) {
-        tops.insert(top_of(joint, model));
+        tops.insert(order.top_of(joint));
     }
     if (tops.size() > 1) {
         warn(model, field["joints"].line("without a common root"));
@@ -86,7 +120,7 @@ void note_joints(const JsonField& field, const ModelSkin& skin, Model& model) {
     const std::int64_t top = skeleton.whole(-1'000'000'000, 1'000'000'000);
     const bool is_above = top >= 0 && static_cast<std::size_t>(top) < model.nodes.size() &&
                           std::all_of(skin.joints.begin(), skin.joints.end(), [&](int joint) {
-                              return is_below(joint, static_cast<int>(top), model);
+                              return order.is_below(joint, static_cast<int>(top));
                           });
     if (!is_above) {
         warn(model, skeleton.line("not above all joints"));
@@ -159,10 +193,17 @@ void read_skins(const JsonField& root,
                 GltfAccessors& accessors,
                 const std::vector<MeshJoints>& joints,
                 Model& model) {
+    const NodeOrder order(model);
+    std::size_t count = 0;
     for (const JsonField& field : root["skins"].items(kMostSkins)) {
+        count += field["joints"].size();
+        if (count > kMostJointsInAll) {
+            field.complain(fmt::format("more than {} joints in all", kMostJointsInAll));
+            return;
+        }
         model.skins.push_back(read_skin(field, accessors, model));
         if (!model.skins.back().inverse_bind.empty()) {
-            note_joints(field, model.skins.back(), model);
+            note_joints(field, model.skins.back(), order, model);
         }
     }
     const std::vector<JsonField> nodes = root["nodes"].items();

@@ -46,11 +46,27 @@ Expected<ImageHead> look_at_jpeg(std::span<const std::byte> bytes) {
     return fail("a JPEG that is cut");
 }
 
+/// Whether all chunks of a PNG are there, up to its end.
+bool is_whole_png(std::span<const std::byte> bytes) {
+    constexpr std::uint32_t kEnd = 0x49454E44;  // "IEND"
+    for (std::size_t at = 8; at + 12 <= bytes.size();) {
+        const std::size_t length = big_endian(bytes, at, 4);
+        if (length > bytes.size() - at - 12) {
+            return false;
+        }
+        if (big_endian(bytes, at + 4, 4) == kEnd) {
+            return true;
+        }
+        at += length + 12;
+    }
+    return false;
+}
+
 Expected<ImageHead> look_by_format(std::span<const std::byte> bytes) {
     using namespace std::string_view_literals;
     constexpr std::size_t kPngHead = 33;
     if (begins_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
-        if (bytes.size() < kPngHead) {
+        if (bytes.size() < kPngHead || !is_whole_png(bytes)) {
             return fail("a PNG that is cut");
         }
         constexpr std::uint32_t kNoInt = 0x80000000U;

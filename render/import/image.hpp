@@ -30,8 +30,8 @@ struct Image {
     std::vector<std::uint8_t> pixels;
 };
 
-/// Looks at the first bytes. Errors: none of the formats, cut, a side of 0 or above
-/// kLargestImageSide, moving pictures.
+/// Looks at the head, and whether a PNG is whole. Errors: none of the formats, cut, a side of 0 or
+/// above kLargestImageSide, moving pictures.
 [[nodiscard]] Expected<ImageHead> look_at_image(std::span<const std::byte> packed);
 
 /// Unpacks. `halvings`: so many times each side is halved, by the mean of four pixels (never below

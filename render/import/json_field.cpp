@@ -16,6 +16,8 @@ namespace {
 namespace dom = simdjson::dom;
 
 constexpr std::size_t kDeepestJson = 64;
+/// So many paths are remembered, 100 MB; of what is read later, the path of the whole is told.
+constexpr std::size_t kMostSteps = 4'000'000;
 /// Above so many keys, those that stand twice are found by sorting.
 constexpr std::size_t kFewKeys = 16;
 
@@ -107,6 +109,9 @@ void JsonFaults::add(std::string line) {
 }
 
 std::uint32_t JsonFaults::step(const Step& step) {
+    if (steps_.size() >= kMostSteps) {
+        return step.parent;
+    }
     steps_.push_back(step);
     return static_cast<std::uint32_t>(steps_.size() - 1);
 }
@@ -126,20 +131,27 @@ std::string JsonFaults::path(std::uint32_t step) const {
 // ---- JsonField
 
 JsonField JsonField::operator[](std::string_view key) const {
-    const std::uint32_t step = faults_->step({.parent = step_, .index = 0, .key = key});
     dom::object object;
-    dom::element value;
-    if (!exists() || element_of(document_, place_).get(object) != simdjson::SUCCESS ||
-        object.at_key(key).get(value) != simdjson::SUCCESS) {
-        return {nullptr, 0, *faults_, step};
+    if (exists() && element_of(document_, place_).get(object) == simdjson::SUCCESS) {
+        for (const auto field : object) {
+            if (field.key == key) {
+                const Place place = place_of(field.value);
+                // The document's own key: it lives as long as the path may be asked for.
+                return {place.document,
+                        place.index,
+                        *faults_,
+                        faults_->step({.parent = step_, .index = 0, .key = field.key})};
+            }
+        }
     }
-    const Place place = place_of(value);
-    return {place.document, place.index, *faults_, step};
+    return {nullptr, 0, *faults_, faults_->step({.parent = step_, .index = 0, .key = key})};
 }
 
 JsonField JsonField::noting_to(JsonFaults& faults, std::string_view prefix) const {
-    const std::uint32_t step =
-        prefix.empty() ? 0 : faults.step({.parent = 0, .index = 0, .key = prefix});
+    std::uint32_t step = 0;
+    if (!prefix.empty()) {
+        step = faults.step({.parent = 0, .index = 0, .key = faults.prefixes_.emplace_back(prefix)});
+    }
     return {document_, place_, faults, step};
 }
 

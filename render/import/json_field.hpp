@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,7 @@ class JsonFaults {
 
     std::optional<Error> first_;
     std::vector<Step> steps_{1};
+    std::list<std::string> prefixes_;  // steps look into them
 };
 
 /// One value of a document and the path to it, or none: a field that is not there. What asks for a
@@ -53,7 +55,8 @@ class JsonFaults {
 /// document and the faults, which must outlive it.
 class JsonField {
  public:
-    /// A member of an object; also of a field that is not there.
+    /// A member of an object; also of a field that is not there. Where there is none, `key` must
+    /// live as long as the field that is returned: a literal does.
     [[nodiscard]] JsonField operator[](std::string_view key) const;
     /// The same field, whose faults (and its parts') go to others: a part of the file that may be
     /// bad without the file being bad. `prefix`: path of this field in those faults.

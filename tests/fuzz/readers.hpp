@@ -40,5 +40,6 @@ bool read_faults(std::string_view text);        ///< of takes
 bool read_index(std::string_view text);         ///< of a beat corpus
 bool read_beat_list(std::string_view text);     ///< annotated beats
 bool read_playlist(std::string_view text);      ///< in all forms
+bool read_model_file(std::string_view text);    ///< glTF and VRM; and unpacks its pictures
 
 }  // namespace raks::fuzz

@@ -1,0 +1,76 @@
+// `raks avatar`: what is in a model, told to people and programs.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/file.hpp"
+#include "base/pending_file.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
+
+class Avatar : public ProgramTest {
+ protected:
+    /// Puts a model into the user's folder of avatars.
+    void give(const std::string& name, const std::string& as) const {
+        const fs::path folder = folder_ / "share" / "raks" / "avatars";
+        fs::create_directories(folder);
+        fs::copy_file(kModels / name, folder / as);
+    }
+};
+
+TEST_F(Avatar, show_tells_programs_what_is_in_a_model) {
+    const auto result = run({"avatar", "show", (kModels / "RiggedFigure.glb").string(), "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["format"], "raks-avatar");
+    EXPECT_EQ(json["version"], 1);
+    EXPECT_EQ(json["model_format"], "glTF 2.0");
+    EXPECT_EQ(json["joints_or_bones"], 19);
+    EXPECT_EQ(json["triangles"], 256);
+    EXPECT_NEAR(json["height_m"].get<double>(), 1.45, 0.001);
+    EXPECT_EQ(json["materials"].size(), 1U);
+    EXPECT_TRUE(json["humanoid"].is_object());
+    EXPECT_TRUE(json["warnings"].is_array());
+    EXPECT_TRUE(json["meta"].contains("credit_required"));
+}
+
+TEST_F(Avatar, show_tells_people_the_same) {
+    const auto result = run({"avatar", "show", (kModels / "RiggedFigure.glb").string()});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("(glTF 2.0)"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("370 vertices, 256 triangles"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("1.45 m tall"), std::string::npos) << result.out;
+}
+
+TEST_F(Avatar, list_and_show_know_the_users_own) {
+    EXPECT_NE(run({"avatar", "list"}).out.find("put .vrm or .glb files into"), std::string::npos);
+    give("smoke_spring.vrm", "Anna.vrm");
+    EXPECT_NE(run({"avatar", "list"}).out.find("Anna\n"), std::string::npos);
+    const auto json = nlohmann::json::parse(run({"avatar", "list", "--json"}).out);
+    ASSERT_EQ(json["avatars"].size(), 2U);
+    EXPECT_EQ(json["avatars"][0]["name"], "mannequin");
+    EXPECT_EQ(json["avatars"][1]["name"], "Anna");
+    EXPECT_EQ(run({"avatar", "show", "Anna"}).exit_code, 0);
+    EXPECT_EQ(run({"avatar", "show", "Anna.vrm"}).exit_code, 0);
+}
+
+TEST_F(Avatar, that_cannot_be_read_is_told_in_one_line) {
+    give("smoke_spring.vrm", "Anna.vrm");
+    expect_one_line({"avatar", "show", "Ana"}, 1, "no avatar \"Ana\": neither a file nor one of");
+    ASSERT_TRUE(write_file(path("x.glb"), "glTF"));
+    expect_one_line({"avatar", "show", path("x.glb")}, 1, "x.glb: cut within its head");
+    ASSERT_TRUE(write_file(path("x.fbx"), "Kaydara"));
+    expect_one_line({"avatar", "show", path("x.fbx")}, 1, "x.fbx: no model that is read");
+    expect_one_line({"avatar", "show", "mannequin"}, 1, "the mannequin is no file");
+}
+
+}  // namespace
+}  // namespace raks::test

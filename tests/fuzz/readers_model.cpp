@@ -1,0 +1,109 @@
+// What is done with models: read, measured, their pictures unpacked; every index is what its type
+// promises.
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "render/import/image.hpp"
+#include "render/import/model_reader.hpp"
+#include "render/model/model_survey.hpp"
+#include "tests/fuzz/readers.hpp"
+
+namespace raks::fuzz {
+namespace {
+
+/// Ends the program where a promise is broken: a find of the fuzzer.
+void promise(bool is_kept) {
+    if (!is_kept) {
+        __builtin_trap();
+    }
+}
+
+/// An index into an array of `count`, or -1.
+void promise_index(int index, std::size_t count) {
+    promise(index >= -1 && index < static_cast<int>(count));
+}
+
+void check(const render::ModelPrimitive& primitive, const render::Model& model) {
+    const std::size_t count = primitive.positions.size();
+    promise_index(primitive.material, model.materials.size());
+    promise(primitive.indices.size() % 3 == 0);
+    for (const std::uint32_t index : primitive.indices) {
+        promise(index < count);
+    }
+    for (const glm::vec3& place : primitive.positions) {
+        promise(std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z));
+    }
+    for (const auto& weights : primitive.weights) {
+        const float sum = weights[0] + weights[1] + weights[2] + weights[3];
+        promise(std::abs(sum - 1.0F) < 1e-3F);
+    }
+    promise(primitive.joints.size() == primitive.weights.size());
+    for (const std::size_t size : {primitive.normals.size(),
+                                   primitive.tangents.size(),
+                                   primitive.uv[0].size(),
+                                   primitive.uv[1].size(),
+                                   primitive.colours.size(),
+                                   primitive.joints.size()}) {
+        promise(size == 0 || size == count);
+    }
+    for (const render::MorphTarget& morph : primitive.morphs) {
+        promise(std::is_sorted(morph.vertices.begin(), morph.vertices.end()));
+        promise(morph.vertices.empty() || morph.vertices.back() < count);
+        promise(morph.positions.size() == morph.vertices.size());
+    }
+}
+
+void check(const render::ModelNode& node, const render::Model& model) {
+    promise_index(node.parent, model.nodes.size());
+    promise_index(node.mesh, model.meshes.size());
+    promise_index(node.skin, model.skins.size());
+    if (node.mesh < 0 || node.skin < 0) {
+        return;
+    }
+    const std::size_t joints = model.skins[static_cast<std::size_t>(node.skin)].joints.size();
+    for (const auto& primitive : model.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+        for (const auto& four : primitive.joints) {
+            promise(*std::max_element(four.begin(), four.end()) < joints);
+        }
+    }
+}
+
+void check(const render::Model& model) {
+    for (const render::ModelMesh& mesh : model.meshes) {
+        for (const render::ModelPrimitive& primitive : mesh.primitives) {
+            check(primitive, model);
+            promise(primitive.morphs.size() == mesh.morph_weights.size());
+        }
+    }
+    for (const render::ModelNode& node : model.nodes) {
+        check(node, model);
+    }
+    for (const int node : model.character.humanoid.nodes) {
+        promise_index(node, model.nodes.size());
+    }
+    for (const render::ModelTexture& texture : model.textures) {
+        promise_index(texture.image, model.images.size());
+    }
+}
+
+}  // namespace
+
+bool read_model_file(std::string_view text) {
+    // A text may be either: the ending says nothing to the reader.
+    const auto model = render::read_model(
+        std::as_bytes(std::span(text.data(), text.size())), "x.vrm", render::SideFiles());
+    if (!model) {
+        return false;
+    }
+    check(*model);
+    static_cast<void>(render::survey(*model));
+    for (const render::ModelImage& image : model->images) {
+        if (!image.packed.empty()) {
+            static_cast<void>(render::decode_image(image.packed, image.halvings));
+        }
+    }
+    return true;
+}
+
+}  // namespace raks::fuzz
