@@ -148,7 +148,8 @@ void pose_vertices(const ModelPrimitive& primitive,
             add_morph(primitive.morphs[i], morph_weights[i], out);
         }
     }
-    if (primitive.joints.empty()) {
+    // A mesh with joints may hang from a node without a skin, too.
+    if (primitive.joints.empty() || matrices.size() == 1) {
         const Columns only = blend(matrices, Joints{}, Weights{1.0F});
         move_all([&](std::size_t) { return only; }, out);
         return;
