@@ -136,7 +136,7 @@ GltfAccessors::GltfAccessors(const JsonField& root,
                              ImportBudget& budget,
                              Model& model)
     : buffers_(buffers), budget_(budget), model_(model), uses_(buffers.view_count()) {
-    const std::vector<JsonField> fields = root["accessors"].items(kMostAccessors);
+    const std::vector<JsonField> fields = root["accessors"].objects(kMostAccessors);
     accessors_.reserve(fields.size());
     for (const JsonField& field : fields) {
         accessors_.push_back(read(field));
@@ -388,7 +388,17 @@ void GltfAccessors::use(int index, ViewUse use) {
     if (accessor.view < 0) {
         return;
     }
-    const bool has_stride = buffers_.stride(accessor.view) != 0;
+    const std::size_t stride = buffers_.stride(accessor.view);
+    const bool has_stride = stride != 0;
+    const std::int64_t target = buffers_.target(accessor.view);
+    if (target != 0 && target != (use == ViewUse::indices ? 34963 : 34962)) {
+        warn(model_, accessor.field.line("its view is said to be for something else"));
+    }
+    if (use == ViewUse::vertices &&
+        (accessor.offset % 4 != 0 ||
+         (has_stride ? stride : element_size(accessor.element, accessor.component)) % 4 != 0)) {
+        warn(model_, accessor.field.line("vertices that do not begin at multiples of 4 bytes"));
+    }
     auto& first = uses_[static_cast<std::size_t>(accessor.view)];
     if (!first) {
         first = {use, index};

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostAnimations = 10'000;
 constexpr std::size_t kMostChannels = 100'000;
-constexpr float kRotationSlack = 5e-3F;
+constexpr float kKeySlack = 5e-3F;
 
 struct Sampler {
     JsonField field;
@@ -39,10 +39,10 @@ class AnimationReader {
         ModelAnimation animation;
         animation.name = printable(field["name"].text_or(""), 100);
         std::vector<Sampler> samplers;
-        for (const JsonField& sampler : field["samplers"].items(kMostChannels)) {
+        for (const JsonField& sampler : field["samplers"].objects(kMostChannels)) {
             samplers.push_back(read_sampler(sampler));
         }
-        const std::vector<JsonField> channels = field["channels"].items(kMostChannels);
+        const std::vector<JsonField> channels = field["channels"].objects(kMostChannels);
         if (samplers.empty() || channels.empty()) {
             field.complain("without samplers or channels");
             return animation;
@@ -137,6 +137,9 @@ class AnimationReader {
                                        GltfAccessors::name_of(wanted)));
             return 0;
         }
+        if (values.component != ComponentType::float32 && !values.is_normalized) {
+            warn(model_, values.field.line("values of integers that are not normalized"));
+        }
         if (!is_weights) {
             return GltfAccessors::width(wanted);
         }
@@ -194,7 +197,7 @@ class AnimationReader {
         for (std::size_t i = is_cubic ? 4 : 0; i + 3 < q.size(); i += is_cubic ? 12 : 4) {
             const float length = std::sqrt(q[i] * q[i] + q[i + 1] * q[i + 1] + q[i + 2] * q[i + 2] +
                                            q[i + 3] * q[i + 3]);
-            is_odd = is_odd || std::abs(length - 1.0F) > kRotationSlack;
+            is_odd = is_odd || std::abs(length - 1.0F) > kKeySlack;
             const bool has_direction = length > 1e-6F && length < 1e6F;
             for (std::size_t c = 0; c < 4; ++c) {
                 q[i + c] = has_direction ? q[i + c] / length : (c == 3 ? 1.0F : 0.0F);
@@ -214,7 +217,7 @@ class AnimationReader {
 
 void read_animations(const JsonField& root, GltfAccessors& accessors, Model& model) {
     AnimationReader reader(accessors, root["nodes"], model);
-    for (const JsonField& field : root["animations"].items(kMostAnimations)) {
+    for (const JsonField& field : root["animations"].objects(kMostAnimations)) {
         model.animations.push_back(reader.read(field));
     }
 }

@@ -14,24 +14,29 @@ constexpr std::int64_t kLongestBuffer = std::int64_t{1} << 30U;  // bytes
 constexpr std::size_t kMostBuffers = 10'000;
 constexpr std::size_t kMostViews = 500'000;
 
-enum PackMode : std::size_t { kAttributes, kTriangles, kIndices };
-enum PackFilter : std::size_t { kNone, kOctahedral, kQuaternion, kExponential };
+enum PackMode : std::size_t { kPackedVertices, kPackedTriangles, kPackedIndices };
+enum PackFilter : std::size_t {
+    kNoFilter,
+    kOctahedralFilter,
+    kQuaternionFilter,
+    kExponentialFilter
+};
 
 /// Whether meshopt's decoders may be called with it: they assert what they need.
 bool can_be_unpacked(std::size_t mode,
                      std::size_t filter,
                      std::size_t stride,
                      std::uint64_t count) {
-    if (mode != kAttributes) {
-        return (stride == 2 || stride == 4) && filter == kNone &&
-               (mode != kTriangles || count % 3 == 0);
+    if (mode != kPackedVertices) {
+        return (stride == 2 || stride == 4) && filter == kNoFilter &&
+               (mode != kPackedTriangles || count % 3 == 0);
     }
     if (stride == 0 || stride % 4 != 0 || stride > 256) {
         return false;
     }
-    return filter == kNone || filter == kExponential ||
-           (filter == kOctahedral && (stride == 4 || stride == 8)) ||
-           (filter == kQuaternion && stride == 8);
+    return filter == kNoFilter || filter == kExponentialFilter ||
+           (filter == kOctahedralFilter && (stride == 4 || stride == 8)) ||
+           (filter == kQuaternionFilter && stride == 8);
 }
 
 /// Unpacks into `out`, which has room for it. False: it is not packed so.
@@ -42,9 +47,9 @@ bool unpack_into(std::vector<std::byte>& out,
                  std::span<const std::byte> packed) {
     const auto* const bytes = reinterpret_cast<const unsigned char*>(packed.data());
     switch (mode) {
-        case kAttributes:
+        case kPackedVertices:
             return meshopt_decodeVertexBuffer(out.data(), count, stride, bytes, packed.size()) == 0;
-        case kTriangles:
+        case kPackedTriangles:
             return meshopt_decodeIndexBuffer(out.data(), count, stride, bytes, packed.size()) == 0;
         default:
             return meshopt_decodeIndexSequence(out.data(), count, stride, bytes, packed.size()) ==
@@ -56,11 +61,11 @@ void filter_in_place(std::vector<std::byte>& bytes,
                      std::size_t filter,
                      std::size_t count,
                      std::size_t stride) {
-    if (filter == kOctahedral) {
+    if (filter == kOctahedralFilter) {
         meshopt_decodeFilterOct(bytes.data(), count, stride);
-    } else if (filter == kQuaternion) {
+    } else if (filter == kQuaternionFilter) {
         meshopt_decodeFilterQuat(bytes.data(), count, stride);
-    } else if (filter == kExponential) {
+    } else if (filter == kExponentialFilter) {
         meshopt_decodeFilterExp(bytes.data(), count, stride);
     }
 }
@@ -82,11 +87,12 @@ std::uint64_t GltfBuffers::offset(int view) const {
 }
 
 void GltfBuffers::read_buffers(const JsonField& list) {
-    for (const JsonField& field : list.items(kMostBuffers)) {
+    for (const JsonField& field : list.objects(kMostBuffers)) {
         Buffer buffer{.field = field, .length = 0, .is_fetched = false, .own = {}, .bytes = {}};
         buffer.length = static_cast<std::uint64_t>(field["byteLength"].whole(1, kLongestBuffer));
         const bool is_first_of_glb = file_.is_glb && buffers_.empty();
         const JsonField packing = field["extensions"]["EXT_meshopt_compression"];
+        buffer.is_fallback = packing["fallback"].truth_or(false);
         if (is_first_of_glb && !field["uri"].exists() && !packing.exists()) {
             const std::size_t size = file_.binary ? file_.binary->size() : 0;
             if (size < buffer.length) {
@@ -115,7 +121,7 @@ void GltfBuffers::check_range(const JsonField& field,
 }
 
 void GltfBuffers::read_views(const JsonField& list) {
-    const std::vector<JsonField> fields = list.items(kMostViews);
+    const std::vector<JsonField> fields = list.objects(kMostViews);
     views_.reserve(fields.size());
     for (const JsonField& field : fields) {
         View view;
@@ -127,6 +133,7 @@ void GltfBuffers::read_views(const JsonField& list) {
         if (field["byteStride"].exists() && (view.stride < 4 || view.stride % 4 != 0)) {
             field["byteStride"].complain(fmt::format("{} is not 4, 8 .. 252", view.stride));
         }
+        view.target = field["target"].whole_or(0, 0, 100'000);
         const JsonField packing = field["extensions"]["EXT_meshopt_compression"];
         if (packing.exists()) {
             view.packed = read_packed(packing, view);
@@ -144,11 +151,12 @@ GltfBuffers::Packed GltfBuffers::read_packed(const JsonField& field, const View&
     packed.length = static_cast<std::uint64_t>(field["byteLength"].whole(1, kLongestBuffer));
     packed.stride = static_cast<std::size_t>(field["byteStride"].whole(2, 256));
     packed.count = static_cast<std::uint64_t>(field["count"].whole(1, kLongestBuffer));
-    packed.mode = field["mode"].choice_or(kIndices + 1, {"ATTRIBUTES", "TRIANGLES", "INDICES"});
+    packed.mode =
+        field["mode"].choice_or(kPackedIndices + 1, {"ATTRIBUTES", "TRIANGLES", "INDICES"});
     packed.filter =
-        field["filter"].choice_or(kNone, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"});
+        field["filter"].choice_or(kNoFilter, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"});
     check_range(field, packed.buffer, packed.offset, packed.length);
-    if (packed.mode > kIndices ||
+    if (packed.mode > kPackedIndices ||
         !can_be_unpacked(packed.mode, packed.filter, packed.stride, packed.count)) {
         field.complain("mode, filter, stride and count do not fit");
     } else if (packed.stride * packed.count != view.length) {
@@ -207,6 +215,15 @@ std::vector<std::byte> GltfBuffers::fetched(Buffer& buffer, const JsonField& /*u
         return {};
     }
     return std::move(*bytes);
+}
+
+void GltfBuffers::check_unread() {
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const Buffer& buffer = buffers_[i];
+        if (!buffer.is_fetched && !buffer.is_fallback && buffer.field["uri"].exists()) {
+            (void)fetch(static_cast<int>(i), buffer.field);
+        }
+    }
 }
 
 std::span<const std::byte> GltfBuffers::unpack(Packed& packed, const JsonField& user) {

@@ -48,17 +48,22 @@ class GltfBuffers {
     [[nodiscard]] std::uint64_t length(int view) const { return views_[at(view)].length; }
     /// Where it begins in its buffer; of unpacked ones 0.
     [[nodiscard]] std::uint64_t offset(int view) const;
+    /// 34962: vertices, 34963: indices; 0: it does not say.
+    [[nodiscard]] std::int64_t target(int view) const { return views_[at(view)].target; }
     /// Bytes from element to element; 0: they touch.
     [[nodiscard]] std::size_t stride(int view) const { return views_[at(view)].stride; }
     /// All bytes of a view. Empty after a fault, which is noted at `user`: the buffer is not
     /// there, too short, packed wrongly.
     [[nodiscard]] std::span<const std::byte> bytes(int view, const JsonField& user);
+    /// Fetches what nothing asked for: a buffer that cannot be had is a fault all the same.
+    void check_unread();
 
  private:
     struct Buffer {
         JsonField field;
         std::uint64_t length = 0;
         bool is_fetched = false;
+        bool is_fallback = false;          ///< for readers without meshopt
         std::vector<std::byte> own;        ///< what was read for it
         std::span<const std::byte> bytes;  ///< in `own` or in the file
     };
@@ -79,6 +84,7 @@ class GltfBuffers {
         std::uint64_t offset = 0;
         std::uint64_t length = 0;
         std::size_t stride = 0;
+        std::int64_t target = 0;
         std::optional<Packed> packed;
     };
     static std::size_t at(int index) { return static_cast<std::size_t>(index); }

@@ -157,10 +157,10 @@ ModelTexture read_sampler(const JsonField& field) {
 
 void read_textures(const JsonField& root, Model& model) {
     std::vector<ModelTexture> samplers;
-    for (const JsonField& field : root["samplers"].items(kMostMaterials)) {
+    for (const JsonField& field : root["samplers"].objects(kMostMaterials)) {
         samplers.push_back(read_sampler(field));
     }
-    for (const JsonField& field : root["textures"].items(kMostMaterials)) {
+    for (const JsonField& field : root["textures"].objects(kMostMaterials)) {
         const int sampler = field["sampler"].index_or_none(samplers.size());
         ModelTexture texture = sampler >= 0 && !samplers.empty()
                                    ? samplers[static_cast<std::size_t>(sampler)]
@@ -264,12 +264,12 @@ void read_materials(const JsonField& root,
                     const SideFiles& side,
                     ImportBudget& budget,
                     Model& model) {
-    for (const JsonField& field : root["images"].items(kMostImages)) {
+    for (const JsonField& field : root["images"].objects(kMostImages)) {
         model.images.push_back(read_image(field, buffers, side, budget, model));
     }
     keep_within_memory(model);
     read_textures(root, model);
-    for (const JsonField& field : root["materials"].items(kMostMaterials)) {
+    for (const JsonField& field : root["materials"].objects(kMostMaterials)) {
         model.materials.push_back(read_material(field, model));
     }
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostMeshes = 20'000;
 constexpr std::size_t kMostPrimitives = 20'000;
-constexpr std::size_t kMostMorphs = 5'000;
+constexpr std::size_t kMostMorphNames = 5'000;
 
 /// Names that exporters agreed on: extras.targetNames of the mesh or of its first primitive.
 std::vector<std::string> morph_names(const JsonField& mesh, const JsonField& primitive) {
@@ -23,7 +23,7 @@ std::vector<std::string> morph_names(const JsonField& mesh, const JsonField& pri
         if (!list.is_array()) {
             continue;
         }
-        for (const JsonField& name : list.items(kMostMorphs)) {
+        for (const JsonField& name : list.items(kMostMorphNames)) {
             names.push_back(name.is_text() ? printable(name.text(), 100) : std::string());
         }
         break;
@@ -58,7 +58,7 @@ ModelMesh read_mesh(const JsonField& field,
                     Model& model) {
     ModelMesh mesh;
     mesh.name = printable(field["name"].text_or(""), 100);
-    const std::vector<JsonField> primitives = field["primitives"].items(kMostPrimitives);
+    const std::vector<JsonField> primitives = field["primitives"].objects(kMostPrimitives);
     if (primitives.empty()) {
         field.complain("has no primitives");
         return mesh;
@@ -69,7 +69,7 @@ ModelMesh read_mesh(const JsonField& field,
         }
     }
     mesh.morph_names = morph_names(field, primitives.front());
-    mesh.morph_weights = field["weights"].numbers(kMostMorphs);
+    mesh.morph_weights = field["weights"].numbers(kMostMorphNames);
     even_out(mesh, field, model);
     return mesh;
 }
@@ -86,7 +86,7 @@ std::vector<MeshJoints> read_meshes(const JsonField& root,
         is_quantized = is_quantized || name.text() == "KHR_mesh_quantization";
     }
     PrimitiveReader reader(accessors, budget, model, is_quantized);
-    for (const JsonField& field : root["meshes"].items(kMostMeshes)) {
+    for (const JsonField& field : root["meshes"].objects(kMostMeshes)) {
         joints.emplace_back();
         model.meshes.push_back(read_mesh(field, reader, joints.back(), model));
     }

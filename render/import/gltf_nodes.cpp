@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostNodes = 20'000;
 constexpr int kDeepest = 1'000;
-constexpr float kFarthest = 1e7F;  // translations and scales beyond are no figure
+constexpr float kFarthestNode = 1e7F;  // translations and scales beyond are no figure
 constexpr float kRotationSlack = 1e-3F;
 
 /// A rotation of length 1; identity for one of length 0, and not a number.
@@ -63,7 +63,8 @@ void take_apart(const std::array<float, 16>& m,
 }
 
 bool is_within(const glm::vec3& v) {
-    return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
+    return std::abs(v.x) < kFarthestNode && std::abs(v.y) < kFarthestNode &&
+           std::abs(v.z) < kFarthestNode;
 }
 
 void read_transform(const JsonField& field, ModelNode& node, Model& model) {
@@ -85,14 +86,14 @@ void read_transform(const JsonField& field, ModelNode& node, Model& model) {
                    model);
     }
     if (!is_within(node.translation) || !is_within(node.scale)) {
-        field.complain(fmt::format("moved or scaled by more than {}", kFarthest));
+        field.complain(fmt::format("moved or scaled by more than {}", kFarthestNode));
     }
     if (node.scale.x == 0.0F || node.scale.y == 0.0F || node.scale.z == 0.0F) {
         warn(model, field.line("a scale of 0"));
     }
 }
 
-ModelNode read_node(const JsonField& field, std::size_t skins, Model& model) {
+ModelNode read_node(const JsonField& field, std::size_t skins, std::size_t cameras, Model& model) {
     ModelNode node;
     const std::string_view name = field["name"].text_or("");
     node.name = printable(name, 200);
@@ -102,6 +103,7 @@ ModelNode read_node(const JsonField& field, std::size_t skins, Model& model) {
     read_transform(field, node, model);
     node.mesh = field["mesh"].index_or_none(model.meshes.size());
     node.skin = field["skin"].index_or_none(skins);
+    (void)field["camera"].index_or_none(cameras);
     if (node.mesh < 0 && (node.skin >= 0 || field["weights"].exists())) {
         warn(model, field.line("skin or weights without a mesh"));
         node.skin = -1;
@@ -169,7 +171,7 @@ void take_all_roots(Model& model) {
 }
 
 void read_scene(const JsonField& root, Model& model) {
-    const std::vector<JsonField> scenes = root["scenes"].items(kMostNodes);
+    const std::vector<JsonField> scenes = root["scenes"].objects(kMostNodes);
     const int shown = root["scene"].index_or_none(scenes.size());
     if (scenes.empty()) {
         warn(model, "has no scene: all of it is shown");
@@ -215,9 +217,10 @@ void note_names(Model& model) {
 
 void read_nodes(const JsonField& root, std::size_t skins, Model& model) {
     const JsonField list = root["nodes"];
-    const std::vector<JsonField> fields = list.items(kMostNodes);
+    const std::vector<JsonField> fields = list.objects(kMostNodes);
+    const std::size_t cameras = root["cameras"].size();
     for (const JsonField& field : fields) {
-        model.nodes.push_back(read_node(field, skins, model));
+        model.nodes.push_back(read_node(field, skins, cameras, model));
     }
     for (std::size_t i = 0; i < fields.size(); ++i) {
         read_children(fields[i], i, model);

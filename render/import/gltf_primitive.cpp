@@ -81,7 +81,7 @@ std::optional<ModelPrimitive> PrimitiveReader::read(const JsonField& field, Mesh
     }
     read_influences(attributes, primitive, joints);
     read_indices(field, mode, primitive);
-    read_morphs(field["targets"], primitive);
+    read_morphs(field["targets"], attributes, primitive);
     return primitive;
 }
 
@@ -146,9 +146,9 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
         attributes["POSITION"].complain(fmt::format("a vertex farther than {} away", kFarthest));
     }
     read_normals(attributes, primitive);
-    constexpr std::string_view kUv[] = {"TEXCOORD_0", "TEXCOORD_1"};
+    constexpr std::string_view kUvSets[] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < 2; ++set) {
-        if (const int uv = attribute(attributes, kUv[set], {ElementType::vec2}, count); uv >= 0) {
+        if (const int uv = attribute(attributes, kUvSets[set], {ElementType::vec2}, count); uv >= 0) {
             primitive.uv[set] = accessors_.elements<glm::vec2>(uv);
         }
     }
@@ -324,18 +324,21 @@ void PrimitiveReader::read_indices(const JsonField& field,
     }
 }
 
-void PrimitiveReader::read_morphs(const JsonField& field, ModelPrimitive& primitive) {
-    for (const JsonField& target : field.items(kMostMorphs)) {
+void PrimitiveReader::read_morphs(const JsonField& field,
+                                  const JsonField& attributes,
+                                  ModelPrimitive& primitive) {
+    for (const JsonField& target : field.objects(kMostMorphs)) {
+        for (const auto& [name, moved] : target.entries()) {
+            if (!attributes[name].exists()) {
+                warn(model_, moved.line("moves what the primitive has not"));
+            }
+        }
         primitive.morphs.push_back(read_morph(target, primitive.positions.size()));
     }
 }
 
 MorphTarget PrimitiveReader::read_morph(const JsonField& field, std::size_t count) {
     MorphTarget morph;
-    if (!field.is_object()) {
-        field.complain("is no object");
-        return morph;
-    }
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     if (const int moved = attribute(field, "POSITION", {ElementType::vec3}, count); moved >= 0) {

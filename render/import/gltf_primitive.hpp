@@ -37,7 +37,9 @@ class PrimitiveReader {
     void read_colours(const JsonField& attributes, ModelPrimitive& primitive);
     void read_influences(const JsonField& field, ModelPrimitive& primitive, MeshJoints& joints);
     void read_indices(const JsonField& field, std::int64_t mode, ModelPrimitive& primitive);
-    void read_morphs(const JsonField& field, ModelPrimitive& primitive);
+    void read_morphs(const JsonField& field,
+                     const JsonField& attributes,
+                     ModelPrimitive& primitive);
     MorphTarget read_morph(const JsonField& field, std::size_t count);
 
     GltfAccessors& accessors_;

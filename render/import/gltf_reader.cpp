@@ -74,6 +74,7 @@ Expected<void> read_parts(const GltfFile& file,
         [&] { read_skins(root, accessors, joints, model); },
         [&] { read_animations(root, accessors, model); },
         [&] { accessors.check_unread(); },
+        [&] { buffers.check_unread(); },
         [&] { note_left_out(root, model); },
     };
     for (const auto& read_part : parts) {

@@ -195,7 +195,7 @@ void read_skins(const JsonField& root,
                 Model& model) {
     const NodeOrder order(model);
     std::size_t count = 0;
-    for (const JsonField& field : root["skins"].items(kMostSkins)) {
+    for (const JsonField& field : root["skins"].objects(kMostSkins)) {
         count += field["joints"].size();
         if (count > kMostJointsInAll) {
             field.complain(fmt::format("more than {} joints in all", kMostJointsInAll));

@@ -186,6 +186,16 @@ std::vector<JsonField> JsonField::items(std::size_t most) const {
     return items;
 }
 
+std::vector<JsonField> JsonField::objects(std::size_t most) const {
+    std::vector<JsonField> all = items(most);
+    for (const JsonField& item : all) {
+        if (!item.is_object()) {
+            item.complain_of_kind("an object");
+        }
+    }
+    return all;
+}
+
 std::vector<std::pair<std::string_view, JsonField>> JsonField::entries() const {
     std::vector<std::pair<std::string_view, JsonField>> entries;
     if (!exists()) {

@@ -70,6 +70,8 @@ class JsonField {
 
     /// All of an array; empty where there is none. Faults: not an array, more than `most`.
     [[nodiscard]] std::vector<JsonField> items(std::size_t most = 1'000'000) const;
+    /// The same of objects. Faults: an entry that is none.
+    [[nodiscard]] std::vector<JsonField> objects(std::size_t most = 1'000'000) const;
     /// All of an object, with their keys; empty where there is none. Faults: not an object.
     [[nodiscard]] std::vector<std::pair<std::string_view, JsonField>> entries() const;
     /// Entries of an array or object; 0 of all else.
