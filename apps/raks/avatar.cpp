@@ -3,6 +3,7 @@
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,13 @@ using Json = nlohmann::ordered_json;
 // Names in files need not be UTF-8.
 std::string text_of(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Finds the bones of a model that does not name them. One without a figure is shown, too.
+void find_bones(render::Model& model) {
+    if (const auto mapped = render::map_humanoid(model); !mapped) {
+        model.warnings.push_back("it cannot dance: " + mapped.error().message);
+    }
 }
 
 }  // namespace
@@ -54,10 +62,11 @@ ExitCode avatar_show(const AvatarShowArguments& arguments) {
     if (file->empty()) {
         return fail("the mannequin is no file: it is made by Raks itself");
     }
-    const auto model = render::load_model(*file);
+    auto model = render::load_model(*file);
     if (!model) {
         return fail(model.error());
     }
+    find_bones(*model);
     if (arguments.as_json) {
         print_json(text_of(avatar_document(*model, file->string())));
     } else {

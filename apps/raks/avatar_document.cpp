@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/printable.hpp"
+#include "render/import/humanoid_map.hpp"
 #include "render/model/model_survey.hpp"
 
 #include <fmt/format.h>
@@ -58,8 +59,10 @@ struct MappedBone {
 };
 
 std::vector<MappedBone> mapped_bones(const Model& model) {
-    constexpr std::string_view kStated = "named in the file";
     const render::HumanoidMap& humanoid = model.character.humanoid;
+    const bool is_stated = humanoid.reasons[0] == render::BoneReason::stated;
+    const std::string_view face =
+        render::words_of(is_stated ? render::BoneReason::stated : render::BoneReason::name);
     std::vector<MappedBone> bones;
     const auto add = [&](std::string_view name, int node, std::string_view reason) {
         if (node >= 0) {
@@ -67,11 +70,11 @@ std::vector<MappedBone> mapped_bones(const Model& model) {
         }
     };
     for (std::size_t i = 0; i < humanoid.nodes.size(); ++i) {
-        add(motion::kBoneNames[i], humanoid.nodes[i], kStated);
+        add(motion::kBoneNames[i], humanoid.nodes[i], render::words_of(humanoid.reasons[i]));
     }
-    add("leftEye", humanoid.left_eye, kStated);
-    add("rightEye", humanoid.right_eye, kStated);
-    add("jaw", humanoid.jaw, kStated);
+    add("leftEye", humanoid.left_eye, face);
+    add("rightEye", humanoid.right_eye, face);
+    add("jaw", humanoid.jaw, face);
     return bones;
 }
 

@@ -17,6 +17,16 @@
 
 namespace raks::render {
 
+/// How the node of a bone was found.
+enum class BoneReason : std::uint8_t {
+    none,     ///< it was not
+    stated,   ///< the file says so
+    label,    ///< a label file says so
+    name,     ///< by the node's name
+    shape,    ///< by the tree of nodes and where they are
+    swapped,  ///< by its name, on the other side than the name says
+};
+
 /// The humanoid bones of a file: node of each motion::Bone, -1 where it has none, and the bones
 /// that dances do not move.
 struct HumanoidMap {
@@ -25,6 +35,7 @@ struct HumanoidMap {
         none.fill(-1);
         return none;
     }();
+    std::array<BoneReason, motion::kBoneCount> reasons{};
     int left_eye = -1;
     int right_eye = -1;
     int jaw = -1;

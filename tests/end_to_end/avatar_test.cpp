@@ -37,7 +37,10 @@ TEST_F(Avatar, show_tells_programs_what_is_in_a_model) {
     EXPECT_EQ(json["triangles"], 256);
     EXPECT_NEAR(json["height_m"].get<double>(), 1.45, 0.001);
     EXPECT_EQ(json["materials"].size(), 1U);
-    EXPECT_TRUE(json["humanoid"].is_object());
+    EXPECT_EQ(json["humanoid"]["hips"]["name"], "torso_joint_1");
+    EXPECT_EQ(json["humanoid"]["hips"]["reason"], "by its place in the skeleton");
+    EXPECT_EQ(json["humanoid"]["leftHand"]["name"], "arm_joint_L_3");
+    EXPECT_EQ(json["humanoid"]["leftHand"]["reason"], "by its name");
     EXPECT_TRUE(json["warnings"].is_array());
     EXPECT_TRUE(json["meta"].contains("credit_required"));
 }

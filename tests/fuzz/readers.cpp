@@ -25,6 +25,7 @@ std::span<const Reader> readers() {
         {"index", read_index, {}, 2000},
         {"beat_list", read_beat_list, {}, 2000},
         {"playlist", read_playlist, {}, 2000},
+        {"bone_labels", read_bone_label_file, {}, 2000},
         {"model",
          read_model_file,
          {"tests/data/avatars/SimpleSkin.gltf", "tests/data/avatars/RiggedFigure.glb"},

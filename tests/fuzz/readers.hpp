@@ -26,20 +26,21 @@ struct Reader {
 
 /// What each reader does; definitions in readers_*.cpp. True: the text was good.
 bool read_settings(std::string_view text);
-bool read_devices(std::string_view text);       ///< what `raks calibrate` keeps
-bool read_dances(std::string_view text);        ///< and writes them again
-bool read_grammar(std::string_view text);       ///< and chooses figures by it
-bool read_styles(std::string_view text);        ///< of music
-bool read_choreography(std::string_view text);  ///< and bakes every figure
-bool read_figure(std::string_view text);        ///< of angles or positions; dances it for 2 s
-bool read_genre(std::string_view text);         ///< and analyses one second with it
-bool read_beats(std::string_view text);         ///< networks; and analyses one second with them
-bool read_labels(std::string_view text);        ///< of figures in takes
-bool read_counts(std::string_view text);        ///< of figures in takes
-bool read_faults(std::string_view text);        ///< of takes
-bool read_index(std::string_view text);         ///< of a beat corpus
-bool read_beat_list(std::string_view text);     ///< annotated beats
-bool read_playlist(std::string_view text);      ///< in all forms
-bool read_model_file(std::string_view text);    ///< glTF and VRM; and unpacks its pictures
+bool read_devices(std::string_view text);          ///< what `raks calibrate` keeps
+bool read_dances(std::string_view text);           ///< and writes them again
+bool read_grammar(std::string_view text);          ///< and chooses figures by it
+bool read_styles(std::string_view text);           ///< of music
+bool read_choreography(std::string_view text);     ///< and bakes every figure
+bool read_figure(std::string_view text);           ///< of angles or positions; dances it for 2 s
+bool read_genre(std::string_view text);            ///< and analyses one second with it
+bool read_beats(std::string_view text);            ///< networks; and analyses one second with them
+bool read_labels(std::string_view text);           ///< of figures in takes
+bool read_counts(std::string_view text);           ///< of figures in takes
+bool read_faults(std::string_view text);           ///< of takes
+bool read_index(std::string_view text);            ///< of a beat corpus
+bool read_beat_list(std::string_view text);        ///< annotated beats
+bool read_playlist(std::string_view text);         ///< in all forms
+bool read_bone_label_file(std::string_view text);  ///< labels of avatars
+bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
 
 }  // namespace raks::fuzz

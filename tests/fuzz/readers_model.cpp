@@ -8,8 +8,11 @@
 #include "motion/skeleton/pose.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/avatar/skin_vertices.hpp"
+#include "render/import/humanoid_labels.hpp"
+#include "render/import/humanoid_map.hpp"
 #include "render/import/image.hpp"
 #include "render/import/model_reader.hpp"
+#include "render/import/standing_figure.hpp"
 #include "render/model/model_survey.hpp"
 #include "tests/fuzz/readers.hpp"
 
@@ -73,6 +76,69 @@ void check(const render::ModelNode& node, const render::Model& model) {
     }
 }
 
+void check(const render::Expression& expression, const render::Model& model) {
+    for (const render::MorphBind& bind : expression.morphs) {
+        promise(bind.node >= 0 && bind.node < static_cast<int>(model.nodes.size()));
+        promise(bind.weight >= 0.0F && bind.weight <= 1.0F);
+    }
+    for (const render::ColourBind& bind : expression.colours) {
+        promise(bind.material >= 0 && bind.material < static_cast<int>(model.materials.size()));
+    }
+    for (const render::TextureBind& bind : expression.textures) {
+        promise(bind.material >= 0 && bind.material < static_cast<int>(model.materials.size()));
+    }
+}
+
+void check(const render::SpringChain& chain, const render::Model& model) {
+    promise(!chain.joints.empty());
+    promise_index(chain.center, model.nodes.size());
+    for (const render::SpringJoint& joint : chain.joints) {
+        promise(joint.node >= 0 && joint.node < static_cast<int>(model.nodes.size()));
+        promise(joint.drag >= 0.0F && joint.drag <= 1.0F && std::isfinite(joint.stiffness));
+    }
+    for (const int collider : chain.colliders) {
+        promise(collider >= 0 && collider < static_cast<int>(model.character.colliders.size()));
+    }
+}
+
+void check(const render::Character& character, const render::Model& model) {
+    for (const render::Expression& expression : character.expressions) {
+        check(expression, model);
+    }
+    for (const render::SpringChain& chain : character.springs) {
+        check(chain, model);
+    }
+    for (const render::SpringCollider& collider : character.colliders) {
+        promise(collider.node >= 0 && collider.node < static_cast<int>(model.nodes.size()));
+        promise(collider.radius >= 0.0F);
+    }
+    for (const render::NodeConstraint& constraint : character.constraints) {
+        promise(constraint.node >= 0 && constraint.node < static_cast<int>(model.nodes.size()));
+        promise(constraint.source >= 0 && constraint.source < static_cast<int>(model.nodes.size()));
+    }
+    for (const int node : character.humanoid.nodes) {
+        promise_index(node, model.nodes.size());
+    }
+}
+
+/// A figure that is found stands: finite, with parents that end.
+void check_standing(render::Model model) {
+    if (!render::map_humanoid(model)) {
+        return;
+    }
+    promise(render::missing_bones(model.character.humanoid).empty() ||
+            model.character.vrm == render::VrmVersion::none);
+    const render::StandingFigure figure = render::stand_up(model);
+    promise(figure.world.size() == model.nodes.size() && figure.height > 0.0F);
+    for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+        std::size_t steps = 0;
+        for (int up = static_cast<int>(node); up >= 0;
+             up = figure.parents[static_cast<std::size_t>(up)]) {
+            promise(++steps <= model.nodes.size());
+        }
+    }
+}
+
 void check(const render::Model& model) {
     for (const render::ModelMesh& mesh : model.meshes) {
         for (const render::ModelPrimitive& primitive : mesh.primitives) {
@@ -83,9 +149,7 @@ void check(const render::Model& model) {
     for (const render::ModelNode& node : model.nodes) {
         check(node, model);
     }
-    for (const int node : model.character.humanoid.nodes) {
-        promise_index(node, model.nodes.size());
-    }
+    check(model.character, model);
     for (const render::ModelTexture& texture : model.textures) {
         promise_index(texture.image, model.images.size());
     }
@@ -136,11 +200,22 @@ bool read_model_file(std::string_view text) {
     check(*model);
     static_cast<void>(render::survey(*model));
     move(*model);
+    check_standing(*model);
     for (const render::ModelImage& image : model->images) {
         if (!image.packed.empty()) {
             static_cast<void>(render::decode_image(image.packed, image.halvings));
         }
     }
+    return true;
+}
+
+bool read_bone_label_file(std::string_view text) {
+    const auto labels = render::read_bone_labels(text, "x.toml");
+    if (!labels) {
+        promise(labels.error().message.find('\n') == std::string::npos);
+        return false;
+    }
+    promise(!labels->bones.empty());
     return true;
 }
 
