@@ -43,7 +43,7 @@ Place in_repository() {
 }
 
 Place in_shared_data() {
-    const fs::path data = test::shared_data() / "avatars";
+    const fs::path data = raks::test::shared_data() / "avatars";
     const fs::path models = data / "models";
     return {"shared",
             {models / "vrm0", models / "vrm1"},
