@@ -21,7 +21,11 @@ constexpr png_alloc_size_t kLargestPngChunk = 8U << 20U;
 constexpr int kMostJpegScans = 200;
 
 void keep(CodecFault& fault, const char* text) {
-    std::snprintf(fault.text.data(), fault.text.size(), "%.*s", static_cast<int>(fault.text.size()) - 1, text);
+    std::snprintf(fault.text.data(),
+                  fault.text.size(),
+                  "%.*s",
+                  static_cast<int>(fault.text.size()) - 1,
+                  text);
 }
 
 // ---- PNG
