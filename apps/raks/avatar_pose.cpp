@@ -158,31 +158,61 @@ Expected<std::vector<double>> times_of(const std::string& text, const Motion& mo
     return times;
 }
 
-// Joints as they are at a time, springs as they have swung since the start.
-void pose_at(double seconds,
-             bool has_springs,
-             const Motion& motion,
-             const render::AvatarRig& rig,
-             render::RigState& state) {
-    const auto at = [&](StreamTime time) { return motion.pose_at(to_seconds(time)); };
-    const StreamTime time = stream_time_from_seconds(seconds);
-    if (has_springs) {
-        // From the last time on in steps, so that nothing is leapt over.
-        render::advance(rig, time, motion.hips_scale, at, state);
+// A model that moves by a motion.
+class Mover {
+ public:
+    // `has_springs`: they swing with the motion; else they are at rest.
+    Mover(const Posed& posed, const Motion& motion, bool has_springs)
+        : posed_(posed), motion_(motion), has_springs_(has_springs), state_(posed.rig) {}
+
+    // Goes on to a time; springs have swung since the start of the motion.
+    const render::RigState& at(double seconds) {
+        const auto pose_at = [&](StreamTime time) { return motion_.pose_at(to_seconds(time)); };
+        // In steps that springs take for going on: after a longer one they would begin anew.
+        constexpr double kStep = 0.1;
+        for (; has_springs_ && reached_ < seconds; reached_ += kStep) {
+            render::advance(posed_.rig,
+                            stream_time_from_seconds(reached_),
+                            motion_.hips_scale,
+                            pose_at,
+                            state_);
+        }
+        const StreamTime time = stream_time_from_seconds(seconds);
+        if (has_springs_) {
+            render::advance(posed_.rig, time, motion_.hips_scale, pose_at, state_);
+        }
+        render::pose_avatar(posed_.rig, pose_at(time), {}, motion_.hips_scale, state_);
+        return state_;
     }
-    render::pose_avatar(rig, at(time), {}, motion.hips_scale, state);
-}
 
-}  // namespace
+ private:
+    const Posed& posed_;
+    const Motion& motion_;
+    bool has_springs_;
+    render::RigState state_;
+    double reached_ = 0.0;
+};
 
-ExitCode avatar_pose(const AvatarPoseArguments& arguments) {
+// Errors: what can be said before anything is read.
+Expected<void> check(const AvatarPoseArguments& arguments) {
     const std::string ending = arguments.output.extension().string();
     if (ending != ".obj" && ending != ".tsv") {
         return fail(fmt::format("{}: a posed avatar is written as .obj or .tsv",
                                 printable(arguments.output.string())));
     }
-    if (auto possible = check_output(arguments.output, {arguments.model, arguments.motion});
-        !possible) {
+    if (arguments.pose.empty() && arguments.motion.empty()) {
+        return fail("give --pose FILE.json#NAME, or --motion with a clip");
+    }
+    if (ending == ".obj" && arguments.time == "all") {
+        return fail("an .obj holds one time: give --time in seconds, or write a .tsv");
+    }
+    return check_output(arguments.output, {arguments.model, arguments.motion});
+}
+
+}  // namespace
+
+ExitCode avatar_pose(const AvatarPoseArguments& arguments) {
+    if (auto possible = check(arguments); !possible) {
         return fail(possible.error());
     }
     const auto posed = load_posed(arguments.model);
@@ -197,24 +227,16 @@ ExitCode avatar_pose(const AvatarPoseArguments& arguments) {
     if (!times) {
         return fail(times.error());
     }
-    if (ending == ".obj" && times->size() > 1) {
-        return fail("an .obj holds one time: give --time in seconds, or write a .tsv");
+    Mover mover(*posed, *motion, arguments.pose.empty());
+    if (arguments.output.extension() == ".obj") {
+        return exit_code_of(
+            write_file(arguments.output,
+                       render::obj_text(
+                           posed->model, posed->rig, mover.at(times->front()), posed->model.name)));
     }
-    render::RigState state(posed->rig);
-    const bool has_springs = arguments.pose.empty();
-    std::string text = ending == ".tsv" ? render::joint_heads() : std::string();
-    // Springs swing from the start of the clip, also to a time within it.
-    for (double seconds = 0.0; has_springs && times->size() == 1 && seconds < times->front();
-         seconds += 0.1) {
-        pose_at(seconds, true, *motion, posed->rig, state);
-    }
+    std::string text = render::joint_heads();
     for (std::size_t i = 0; i < times->size(); ++i) {
-        pose_at((*times)[i], has_springs, *motion, posed->rig, state);
-        if (ending == ".tsv") {
-            text += render::joint_lines(posed->rig, state, i);
-        } else {
-            text = render::obj_text(posed->model, posed->rig, state, posed->model.name);
-        }
+        text += render::joint_lines(posed->rig, mover.at((*times)[i]), i);
     }
     return exit_code_of(write_file(arguments.output, text));
 }

@@ -71,6 +71,18 @@ struct AvatarShowArguments {
 /// Tells what is in a model. Errors: no such model; those of reading it.
 [[nodiscard]] ExitCode avatar_show(const AvatarShowArguments& arguments);
 
+/// Arguments of `raks avatar pose`.
+struct AvatarPoseArguments {
+    std::string model;       ///< file, or a name of `raks avatar list`
+    std::string pose;        ///< "FILE.json" or "FILE.json#NAME"; empty: `motion` is given
+    Path motion;             ///< clip; empty: `pose` is given
+    std::string time = "0";  ///< seconds into the clip, or "all"
+    Path output;             ///< .obj or .tsv
+};
+/// Writes a model's posed mesh or its joints. Errors: no model or not a figure, no posture, no clip
+/// or not a figure's, a time that it does not have, the output's ending.
+[[nodiscard]] ExitCode avatar_pose(const AvatarPoseArguments& arguments);
+
 /// Arguments of `raks calibrate`.
 struct CalibrateArguments {
     engine::Settings settings;  ///< of the files and the options

@@ -73,6 +73,25 @@ glm::vec4 raw_sample(const AnimationChannel& channel, float seconds) noexcept {
     return between(channel, key, (seconds - times[key]) / (times[key + 1] - times[key]));
 }
 
+// Rotation of what a bone's rotation counts from: its node's parent; in VRMA the next bone above.
+glm::quat above_bone(const Model& model,
+                     const JointTree& tree,
+                     const JointState& rest,
+                     motion::Bone bone,
+                     std::size_t joint) {
+    if (!model.animated_face.is_vrma || bone == motion::Bone::hips) {
+        return rotation_of(rest.world[joint]) * glm::inverse(rest.rotations[joint]);
+    }
+    const auto& nodes = model.character.humanoid.nodes;
+    auto above = motion::index_of(bone);
+    do {
+        above = motion::kBoneParents[above];
+    } while (above != 0 && tree.joint_of(nodes[above]) < 0);
+    const int parent = tree.joint_of(nodes[above]);
+    return parent < 0 ? motion::kNoRotation
+                      : rotation_of(rest.world[static_cast<std::size_t>(parent)]);
+}
+
 glm::quat rotation_at(const AnimationChannel& channel, float seconds) noexcept {
     const glm::vec4 q = sample_channel(channel, seconds);
     return {q.w, q.x, q.y, q.z};
@@ -115,22 +134,22 @@ AnimationSampler::AnimationSampler(const Model& model,
         duration_ = std::max(duration_, channel.times.back());
         for (std::size_t b = 0; b < nodes.size(); ++b) {
             if (nodes[b] >= 0 && nodes[b] == channel.node) {
-                add_bone(tree, rest, static_cast<motion::Bone>(b), nodes[b], channel);
+                add_bone(model, tree, rest, static_cast<motion::Bone>(b), channel);
             }
         }
         add_face(model, channel);
     }
 }
 
-void AnimationSampler::add_bone(const JointTree& tree,
+void AnimationSampler::add_bone(const Model& model,
+                                const JointTree& tree,
                                 const JointState& rest,
                                 motion::Bone bone,
-                                int node,
                                 const AnimationChannel& channel) {
-    if (tree.joint_of(node) < 0) {
+    if (tree.joint_of(channel.node) < 0) {
         return;
     }
-    const auto joint = static_cast<std::size_t>(tree.joint_of(node));
+    const auto joint = static_cast<std::size_t>(tree.joint_of(channel.node));
     if (channel.path == ChannelPath::translation && bone == motion::Bone::hips) {
         hips_ = &channel;
         has_travel_ = true;
@@ -138,11 +157,10 @@ void AnimationSampler::add_bone(const JointTree& tree,
     if (channel.path != ChannelPath::rotation) {
         return;
     }
-    const glm::quat world = rotation_of(rest.world[joint]);
     turned_.push_back({.channel = &channel,
                        .bone = bone,
-                       .before = world * glm::inverse(rest.rotations[joint]),
-                       .after = glm::inverse(world)});
+                       .before = above_bone(model, tree, rest, bone, joint),
+                       .after = glm::inverse(rotation_of(rest.world[joint]))});
 }
 
 void AnimationSampler::add_face(const Model& model, const AnimationChannel& channel) {

@@ -15,7 +15,9 @@ namespace raks::render {
 
 /// Samples one clip of a model whose humanoid is mapped. With L the local and W the world rotation
 /// of a node at rest, a node's rotation r is the pose's W L^-1 r W^-1
-/// (VRMC_vrm_animation 1.0, how_to_transform_human_pose). The model must outlive it.
+/// (VRMC_vrm_animation 1.0, how_to_transform_human_pose). In VRMA the rotation counts from the next
+/// bone above, as three-vrm has it: nodes between two bones are taken not to turn. The model must
+/// outlive it.
 class AnimationSampler {
  public:
     /// `animation`: index in Model::animations. `t_pose`: local rotations of the T-pose by node;
@@ -42,14 +44,14 @@ class AnimationSampler {
     struct Turned {
         const AnimationChannel* channel = nullptr;
         motion::Bone bone = motion::Bone::hips;
-        glm::quat before{1.0F, 0.0F, 0.0F, 0.0F};  // W L^-1
+        glm::quat before{1.0F, 0.0F, 0.0F, 0.0F};  // W L^-1, or W of the bone above
         glm::quat after{1.0F, 0.0F, 0.0F, 0.0F};   // W^-1
     };
 
-    void add_bone(const JointTree& tree,
+    void add_bone(const Model& model,
+                  const JointTree& tree,
                   const JointState& rest,
                   motion::Bone bone,
-                  int node,
                   const AnimationChannel& channel);
     void add_face(const Model& model, const AnimationChannel& channel);
 

@@ -42,6 +42,7 @@ TextureUse MaterialFace::moved(TextureUse use) const noexcept {
 
 ExpressionRig ExpressionRig::build(const Model& model) {
     ExpressionRig rig;
+    rig.face_of_material_.assign(model.materials.size(), -1);
     for (const ModelNode& node : model.nodes) {
         rig.add_morphs(model, node);
     }
@@ -96,16 +97,15 @@ ExpressionRig::Group ExpressionRig::group_of(const Expression& expression) noexc
 }
 
 std::size_t ExpressionRig::material_face(const Model& model, int material) {
-    for (std::size_t i = 0; i < rest_.materials.size(); ++i) {
-        if (rest_.materials[i].material == material) {
-            return i;
-        }
+    int& index = face_of_material_[static_cast<std::size_t>(material)];
+    if (index < 0) {
+        index = static_cast<int>(rest_.materials.size());
+        MaterialFace face;
+        face.material = material;
+        face.colours = colours_of(model.materials[static_cast<std::size_t>(material)]);
+        rest_.materials.push_back(face);
     }
-    MaterialFace face;
-    face.material = material;
-    face.colours = colours_of(model.materials[static_cast<std::size_t>(material)]);
-    rest_.materials.push_back(face);
-    return rest_.materials.size() - 1;
+    return static_cast<std::size_t>(index);
 }
 
 void ExpressionRig::add(const Model& model, const Expression& expression) {
@@ -117,27 +117,34 @@ void ExpressionRig::add(const Model& model, const Expression& expression) {
                        expression.override_blink,
                        expression.override_look_at,
                        expression.override_mouth};
+    add_morph_binds(expression, built);
+    for (const ColourBind& bind : expression.colours) {
+        if (bind.material >= 0) {
+            const std::size_t face = material_face(model, bind.material);
+            const auto kind = static_cast<std::size_t>(bind.kind);
+            const glm::vec4 change = bind.target - rest_.materials[face].colours[kind];
+            built.colours.push_back({.material = face, .kind = bind.kind, .change = change});
+        }
+    }
+    for (const TextureBind& bind : expression.textures) {
+        if (bind.material >= 0) {
+            built.textures.push_back({.material = material_face(model, bind.material),
+                                      .scale = bind.scale,
+                                      .offset = bind.offset});
+        }
+    }
+    expressions_.push_back(std::move(built));
+}
+
+void ExpressionRig::add_morph_binds(const Expression& expression, Built& built) {
     for (const MorphBind& bind : expression.morphs) {
-        const MorphRange range = morphs_of(bind.node);
+        const MorphRange range = bind.node < 0 ? MorphRange() : morphs_of(bind.node);
         const auto target = static_cast<std::size_t>(bind.target);
         if (target < range.count) {
             built.morphs.push_back({.index = range.first + target, .weight = bind.weight});
             bound_.push_back(range.first + target);
         }
     }
-    for (const ColourBind& bind : expression.colours) {
-        const std::size_t material = material_face(model, bind.material);
-        const glm::vec4 from =
-            rest_.materials[material].colours[static_cast<std::size_t>(bind.kind)];
-        built.colours.push_back(
-            {.material = material, .kind = bind.kind, .change = bind.target - from});
-    }
-    for (const TextureBind& bind : expression.textures) {
-        built.textures.push_back({.material = material_face(model, bind.material),
-                                  .scale = bind.scale,
-                                  .offset = bind.offset});
-    }
-    expressions_.push_back(std::move(built));
 }
 
 int ExpressionRig::find(std::string_view name) const noexcept {

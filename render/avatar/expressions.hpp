@@ -65,6 +65,11 @@ class ExpressionRig {
         return ranges_[static_cast<std::size_t>(node)];
     }
 
+    /// Index in FaceState::materials of a material; -1: expressions leave it as it is.
+    [[nodiscard]] int face_of_material(int material) const noexcept {
+        return face_of_material_[static_cast<std::size_t>(material)];
+    }
+
     /// Puts the weights of a face into `weights`, by expression of the model; its own others are 0.
     /// Threads: any. Real-time: yes.
     void spread(const Face& face, std::span<float> weights) const noexcept;
@@ -105,6 +110,7 @@ class ExpressionRig {
     static Group group_of(const Expression& expression) noexcept;
     void add_morphs(const Model& model, const ModelNode& node);
     void add(const Model& model, const Expression& expression);
+    void add_morph_binds(const Expression& expression, Built& built);
     std::size_t material_face(const Model& model, int material);
     void weigh(std::span<const float> weights, std::span<float> out) const noexcept;
     void add_binds(const Built& expression, float weight, FaceState& state) const noexcept;
@@ -113,6 +119,7 @@ class ExpressionRig {
     std::vector<MorphRange> ranges_;                   // by node
     std::vector<std::size_t> bound_;                   // morphs that expressions set
     std::array<int, kFaceExpressionCount> presets_{};  // expression; -1: none
+    std::vector<int> face_of_material_;                // in rest_.materials; -1: none
     FaceState rest_;
 };
 

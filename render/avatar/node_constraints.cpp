@@ -68,6 +68,13 @@ class Ordering {
         if (marks_[i] != Mark::fresh) {
             return marks_[i] != Mark::open;
         }
+        // Files that mean harm could wait too deep for the stack.
+        constexpr int kDeepest = 500;
+        if (depth_ >= kDeepest) {
+            leave_out(i, "too many wait for each other");
+            return true;
+        }
+        ++depth_;
         marks_[i] = Mark::open;
         const auto source = static_cast<std::size_t>(tree_.joint_of(constraints_[i].source));
         const auto own = static_cast<std::size_t>(tree_.joint_of(constraints_[i].node));
@@ -78,6 +85,7 @@ class Ordering {
         } else {
             is_free = visit_joint(source);
         }
+        --depth_;
         if (is_free) {
             marks_[i] = Mark::done;
             order_.push_back(i);
@@ -108,6 +116,7 @@ class Ordering {
     std::vector<int> constraint_of_;  // by joint; -1: none
     std::vector<Mark> marks_;
     std::vector<std::size_t> order_;
+    int depth_ = 0;
 };
 
 }  // namespace

@@ -32,7 +32,10 @@ Columns blend(std::span<const glm::mat4> matrices,
     for (int i = 0; i < 4; ++i) {
         sum.c[i] = _mm_mul_ps(w, _mm_loadu_ps(column(first, i)));
     }
-    for (std::size_t k = 1; k < 4 && weights[k] > 0.0F; ++k) {
+    for (std::size_t k = 1; k < 4; ++k) {
+        if (weights[k] == 0.0F) {
+            continue;
+        }
         const glm::mat4& matrix = matrices[joints[k]];
         const __m128 part = _mm_set1_ps(weights[k]);
         for (int i = 0; i < 4; ++i) {
@@ -68,7 +71,7 @@ Columns blend(std::span<const glm::mat4> matrices,
               const Joints& joints,
               const Weights& weights) noexcept {
     glm::mat4 sum = weights[0] * matrices[joints[0]];
-    for (std::size_t k = 1; k < 4 && weights[k] > 0.0F; ++k) {
+    for (std::size_t k = 1; k < 4; ++k) {
         sum += weights[k] * matrices[joints[k]];
     }
     return sum;
@@ -148,7 +151,8 @@ void pose_vertices(const ModelPrimitive& primitive,
             add_morph(primitive.morphs[i], morph_weights[i], out);
         }
     }
-    if (primitive.joints.empty()) {
+    // A mesh with joints may hang from a node without a skin, too.
+    if (primitive.joints.empty() || matrices.size() == 1) {
         const Columns only = blend(matrices, Joints{}, Weights{1.0F});
         move_all([&](std::size_t) { return only; }, out);
         return;

@@ -30,7 +30,8 @@ void skinning_matrices(const Model& model,
                        std::span<glm::mat4> matrices) noexcept;
 
 /// Moves the vertices of a primitive by its morph targets (weights by target; too few: the others
-/// are 0) and by linear blend skinning; a primitive without joints goes with the first matrix.
+/// are 0) and by linear blend skinning; where there is one matrix alone, or the primitive has no
+/// joints, it goes with the first matrix.
 /// `out` is made as long as the primitive; it grows at the first use alone. Threads: one caller an
 /// `out`. Real-time: yes, when `out` was used for a primitive as long.
 void pose_vertices(const ModelPrimitive& primitive,

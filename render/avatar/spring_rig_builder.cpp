@@ -28,6 +28,7 @@ class SpringRigBuilder {
         rig.colliders_ = colliders_;
         rig.colliders_of_ = colliders_of_;
         is_placed_.assign(found_.size(), false);
+        is_path_placed_.assign(tree_.joints.size(), false);
         for (std::size_t i = 0; i < found_.size(); ++i) {
             place(i, rig);
         }
@@ -152,41 +153,52 @@ class SpringRigBuilder {
             return;
         }
         is_placed_[i] = true;
-        const SwingJoint swing = found_[i];
+        const SwingJoint& swing = found_[i];
         place_path(tree_.joints[swing.joint].parent, rig);
-        place_path(swing.center, rig);
-        for (std::size_t c = swing.first_collider; c < swing.last_collider; ++c) {
-            place_path(static_cast<int>(colliders_[colliders_of_[c]].joint), rig);
+        // Files that mean harm could wait too deep for the stack.
+        constexpr int kDeepest = 500;
+        if (++depth_ < kDeepest) {
+            place_path(swing.center, rig);
+            for (std::size_t c = swing.first_collider; c < swing.last_collider; ++c) {
+                place_path(static_cast<int>(colliders_[colliders_of_[c]].joint), rig);
+            }
         }
+        --depth_;
         rig.swings_.push_back(swing);
     }
 
+    // Places all swings from the root to a joint, those nearer to the root first.
     void place_path(int joint, SpringRig& rig) {
-        for (int above = joint; above >= 0;) {
-            const auto j = static_cast<std::size_t>(above);
-            if (swing_of_[j] >= 0) {
-                place(static_cast<std::size_t>(swing_of_[j]), rig);
+        std::vector<std::size_t> path;
+        for (int above = joint; above >= 0 && !is_path_placed_[static_cast<std::size_t>(above)];
+             above = tree_.joints[static_cast<std::size_t>(above)].parent) {
+            path.push_back(static_cast<std::size_t>(above));
+        }
+        for (auto j = path.rbegin(); j != path.rend(); ++j) {
+            is_path_placed_[*j] = true;
+            if (swing_of_[*j] >= 0) {
+                place(static_cast<std::size_t>(swing_of_[*j]), rig);
             }
-            above = tree_.joints[j].parent;
         }
     }
 
     // Joints between a swing and the next ones, which move with it.
     void add_behind(SpringRig& rig) {
-        for (SwingJoint& swing : rig.swings_) {
-            swing.first_behind = rig.behind_.size();
-            std::vector<bool> is_behind(tree_.joints.size(), false);
-            is_behind[swing.joint] = true;
-            for (std::size_t j = swing.joint + 1; j < tree_.joints.size(); ++j) {
-                const int parent = tree_.joints[j].parent;
-                if (parent < static_cast<int>(swing.joint)) {
-                    break;  // all that hangs from a joint follows it in the tree
-                }
-                if (is_behind[static_cast<std::size_t>(parent)] && swing_of_[j] < 0) {
-                    is_behind[j] = true;
-                    rig.behind_.push_back(j);
-                }
+        std::vector<int> swing_above(tree_.joints.size(), -1);  // the joint of the nearest swing
+        std::vector<std::vector<std::size_t>> behind(tree_.joints.size());
+        for (std::size_t j = 0; j < tree_.joints.size(); ++j) {
+            const int parent = tree_.joints[j].parent;
+            if (swing_of_[j] >= 0) {
+                swing_above[j] = static_cast<int>(j);
+            } else if (parent >= 0 && swing_above[static_cast<std::size_t>(parent)] >= 0) {
+                swing_above[j] = swing_above[static_cast<std::size_t>(parent)];
+                behind[static_cast<std::size_t>(swing_above[j])].push_back(j);
             }
+        }
+        for (SwingJoint& swing : rig.swings_) {
+            const std::vector<std::size_t>& joints = behind[swing.joint];
+            swing.first_behind = rig.behind_.size();
+            rig.behind_.insert(rig.behind_.end(), joints.begin(), joints.end());
             swing.last_behind = rig.behind_.size();
         }
     }
@@ -195,9 +207,11 @@ class SpringRigBuilder {
     const Character& character_;
     const JointState& rest_;
     std::vector<std::string>& warnings_;
-    std::vector<int> swing_of_;      // in found_, by joint; -1: none
-    std::vector<SwingJoint> found_;  // in the order of the file
-    std::vector<bool> is_placed_;
+    std::vector<int> swing_of_;         // in found_, by joint; -1: none
+    std::vector<SwingJoint> found_;     // in the order of the file
+    std::vector<bool> is_placed_;       // by found_
+    std::vector<bool> is_path_placed_;  // by joint: all swings from the root to it
+    int depth_ = 0;
     std::vector<int> collider_index_;  // in colliders_, by collider of the file
     std::vector<JointCollider> colliders_;
     std::vector<std::size_t> colliders_of_;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostNodes = 20'000;
 constexpr int kDeepest = 1'000;
 constexpr float kFarthestNode = 1e7F;  // translations and scales beyond are no figure
-constexpr float kRotationSlack = 1e-3F;
+constexpr float kUnitSlack = 1e-3F;
 
 /// A rotation of length 1; identity for one of length 0, and not a number.
 glm::quat unit(const std::array<float, 4>& q, const JsonField& field, Model& model) {
@@ -27,7 +27,7 @@ glm::quat unit(const std::array<float, 4>& q, const JsonField& field, Model& mod
         warn(model, field.line("a rotation of length 0: none"));
         return {1.0F, 0.0F, 0.0F, 0.0F};
     }
-    if (std::abs(length - 1.0F) > kRotationSlack) {
+    if (std::abs(length - 1.0F) > kUnitSlack) {
         warn(model, field.line("a rotation that is not of length 1"));
     }
     return {q[3] / length, q[0] / length, q[1] / length, q[2] / length};
@@ -56,7 +56,7 @@ void take_apart(const std::array<float, 16>& m,
     const float shear = std::max({std::abs(glm::dot(turn[0], turn[1])),
                                   std::abs(glm::dot(turn[1], turn[2])),
                                   std::abs(glm::dot(turn[0], turn[2]))});
-    if (shear > kRotationSlack || m[3] != 0.0F || m[7] != 0.0F || m[11] != 0.0F || m[15] != 1.0F) {
+    if (shear > kUnitSlack || m[3] != 0.0F || m[7] != 0.0F || m[11] != 0.0F || m[15] != 1.0F) {
         warn(model, field.line("a matrix that is no translation, rotation and scale"));
     }
     node.rotation = glm::normalize(glm::quat_cast(turn));

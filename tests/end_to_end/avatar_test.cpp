@@ -75,5 +75,52 @@ TEST_F(Avatar, that_cannot_be_read_is_told_in_one_line) {
     expect_one_line({"avatar", "show", "mannequin"}, 1, "the mannequin is no file");
 }
 
+TEST_F(Avatar, pose_writes_the_mesh_of_a_posture) {
+    const std::string model = (kModels / "Godette_vrm_v4.vrm").string();
+    const std::string poses = (kModels / "three_vrm" / "poses.json").string();
+    const auto result =
+        run({"avatar", "pose", model, "--pose", poses + "#squat", "-o", path("x.obj")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string text = read_file(path("x.obj")).value();
+    EXPECT_NE(text.find("\no node68.mesh0.primitive0\nv "), std::string::npos);
+    EXPECT_NE(text.find("\nf "), std::string::npos);
+}
+
+TEST_F(Avatar, pose_writes_all_joints_of_a_clip) {
+    const std::string model = (kModels / "smoke_spring.vrm").string();
+    const std::string clip = (kModels / "six_poses.vrma").string();
+    const auto result =
+        run({"avatar", "pose", model, "--motion", clip, "--time", "all", "-o", path("x.tsv")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string text = read_file(path("x.tsv")).value();
+    EXPECT_EQ(text.rfind("frame\tnode\tname\tx\ty\tz\n0\t", 0), 0U);
+    EXPECT_NE(text.find("\n60\t"), std::string::npos);
+}
+
+TEST_F(Avatar, what_cannot_be_posed_is_told_in_one_line) {
+    const std::string model = (kModels / "smoke_spring.vrm").string();
+    const std::string clip = (kModels / "test.vrma").string();
+    const std::string poses = (kModels / "three_vrm" / "poses.json").string();
+    expect_one_line(
+        {"avatar", "pose", model, "-o", path("x.obj")}, 1, "give --pose FILE.json#NAME");
+    expect_one_line({"avatar", "pose", model, "--pose", poses + "#squad", "-o", path("x.obj")},
+                    1,
+                    "poses.json: pose \"squad\" is unknown; did you mean \"squat\"?");
+    expect_one_line({"avatar", "pose", model, "--motion", clip, "-o", path("x.png")},
+                    1,
+                    "a posed avatar is written as .obj or .tsv");
+    expect_one_line(
+        {"avatar", "pose", model, "--motion", clip, "--time", "99", "-o", path("x.obj")},
+        1,
+        "--time is 99, but the clip ends at");
+    expect_one_line(
+        {"avatar", "pose", model, "--motion", clip, "--time", "all", "-o", path("x.obj")},
+        1,
+        "an .obj holds one time");
+    expect_one_line({"avatar", "pose", model, "--motion", model, "-o", path("x.obj")},
+                    1,
+                    "there is no clip in it");
+}
+
 }  // namespace
 }  // namespace raks::test

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <span>
 
+#include "base/time.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "render/avatar/avatar_rig.hpp"
+#include "render/avatar/skin_vertices.hpp"
 #include "render/import/humanoid_labels.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/image.hpp"
@@ -151,6 +155,39 @@ void check(const render::Model& model) {
     }
 }
 
+/// A second of a turn, with all that swings and every vertex.
+void move(const render::Model& model) {
+    const render::AvatarRig rig = render::build_rig(model);
+    render::RigState state(rig);
+    const auto pose_at = [](StreamTime time) {
+        motion::Pose pose;
+        pose.rotation(motion::Bone::hips) =
+            glm::angleAxis(static_cast<float>(to_seconds(time)), glm::vec3(0.0F, 1.0F, 0.0F));
+        return pose;
+    };
+    render::Face face;
+    face.weights.fill(0.6F);
+    face.gaze = 1.0F;
+    for (const double seconds : {0.0, 0.2, 0.4}) {
+        const StreamTime time = stream_time_from_seconds(seconds);
+        render::advance(rig, time, 1.0F, pose_at, state);
+        render::pose_avatar(rig, pose_at(time), face, 1.0F, state);
+    }
+    std::vector<glm::mat4> matrices;
+    render::PosedVertices posed;
+    for (const int node : rig.tree.nodes) {
+        const int mesh = model.nodes[static_cast<std::size_t>(node)].mesh;
+        if (mesh < 0) {
+            continue;
+        }
+        matrices.resize(render::matrix_count(model, node));
+        render::skinning_matrices(model, rig.tree, state.joints, node, matrices);
+        for (const auto& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives) {
+            render::pose_vertices(primitive, state.face.morphs, matrices, posed);
+        }
+    }
+}
+
 }  // namespace
 
 bool read_model_file(std::string_view text) {
@@ -162,6 +199,7 @@ bool read_model_file(std::string_view text) {
     }
     check(*model);
     static_cast<void>(render::survey(*model));
+    move(*model);
     check_standing(*model);
     for (const render::ModelImage& image : model->images) {
         if (!image.packed.empty()) {

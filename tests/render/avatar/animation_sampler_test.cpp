@@ -57,10 +57,12 @@ TEST(AnimationSampler, values_lie_between_their_keys_and_are_held_at_the_ends) {
 
 TEST(AnimationSampler, a_clip_of_a_crooked_body_is_the_pose_of_a_straight_one) {
     Model model = crooked_humanoid_model();
-    const JointState rest = rest_state(build_joint_tree(model).joints);
+    const JointTree tree = build_joint_tree(model);
+    const JointState rest = rest_state(tree.joints);
     const auto arm = motion::index_of(Bone::left_upper_arm);
-    const glm::quat world = rotation_of(rest.world[arm]);
-    const glm::quat above = rotation_of(rest.world[motion::index_of(Bone::left_shoulder)]);
+    const auto joint = static_cast<std::size_t>(tree.joint_of(static_cast<int>(arm)));
+    const glm::quat world = rotation_of(rest.world[joint]);
+    const glm::quat above = rotation_of(rest.world[static_cast<std::size_t>(tree.joints[joint].parent)]);
     // The arm turned by half a radian about z, in the body's axes.
     const glm::quat turned = glm::inverse(above) * turn_about_z(0.5F) * world;
     ModelAnimation animation;

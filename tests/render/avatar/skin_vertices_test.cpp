@@ -39,7 +39,7 @@ ModelPrimitive some_primitive(std::size_t count) {
         std::array<float, 4> weights{};
         float left = 1.0F;
         for (std::size_t k = 0; k < 3; ++k) {
-            weights[k] = i % 4 < k ? 0.0F : left * static_cast<float>(number(6 + k));
+            weights[k] = i % 4 == k ? 0.0F : left * static_cast<float>(number(6 + k));
             left -= weights[k];
         }
         weights[0] += left;
