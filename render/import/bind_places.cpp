@@ -47,19 +47,16 @@ std::vector<glm::mat4> bound_joints(const ModelSkin& skin) {
     return says_something && bound.size() == skin.joints.size() ? bound : std::vector<glm::mat4>();
 }
 
-/// World from the skin's space. It is not written in a file: skins are bound in the world, in the
-/// space of what carries the skeleton, or wherever their first joint is at rest. The one that
-/// leaves the joints nearest to their places at rest is taken.
+/// World from the skin's space. It is not written in a file: skins are bound in the world, or in
+/// the space of what carries the skeleton. The one that leaves the joints nearer to their places
+/// at rest is taken.
 glm::mat4 world_from_skin(const Model& model,
                           const ModelSkin& skin,
                           std::span<const glm::mat4> bound,
                           std::span<const glm::mat4> rest) {
-    const int first = skin.joints.front();
-    const int carrier = node_of(model, first).parent;
-    const std::array<glm::mat4, 3> candidates = {
-        glm::mat4(1.0F),
-        carrier >= 0 ? rest[static_cast<std::size_t>(carrier)] : glm::mat4(1.0F),
-        rest[static_cast<std::size_t>(first)] * skin.inverse_bind.front()};
+    const int carrier = node_of(model, skin.joints.front()).parent;
+    const std::array<glm::mat4, 2> candidates = {
+        glm::mat4(1.0F), carrier >= 0 ? rest[static_cast<std::size_t>(carrier)] : glm::mat4(1.0F)};
     float least = std::numeric_limits<float>::infinity();
     glm::mat4 best = candidates.front();
     for (const glm::mat4& candidate : candidates) {

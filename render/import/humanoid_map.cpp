@@ -194,7 +194,7 @@ Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
         }
         map = *said;
     }
-    const HumanoidMap named = map_by_names(model, places);
+    const HumanoidMap named = map_by_names(model);
     const std::vector<Bone> all = all_bones();
     fill(map, named, std::span<const Bone>(all));
     map.left_eye = named.left_eye;

@@ -4,14 +4,11 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "render/import/bone_words.hpp"
 #include "render/import/node_tree.hpp"
-
-#include <glm/geometric.hpp>
 
 namespace raks::render {
 namespace {
@@ -43,10 +40,7 @@ std::vector<bool> joints_of(const Model& model) {
 
 class NameMapper {
  public:
-    NameMapper(const Model& model, std::span<const glm::vec3> places)
-        : model_(model), places_(places), tree_(model) {
-        collect();
-    }
+    explicit NameMapper(const Model& model) : model_(model), tree_(model) { collect(); }
 
     HumanoidMap map() {
         for (const Side side : motion::kSides) {
@@ -97,25 +91,25 @@ class NameMapper {
         return found;
     }
 
-    /// Of candidates that are alike the one nearest to their middle; -1: there is none.
+    /// The one with the least doubt, nearest to the root; of several that are alike ("Palm1" to
+    /// "Palm3") the middle one by name. -1: there is none.
     int best_of(const std::vector<Candidate>& found, int most_doubt = 1000) const {
-        const Candidate* best = nullptr;
-        glm::vec3 middle(0.0F);
+        std::vector<Candidate> best;
         for (const Candidate& one : found) {
-            middle += place(one.node) / static_cast<float>(found.size());
-        }
-        for (const Candidate& one : found) {
-            if (one.words.doubt > most_doubt) {
+            const auto rank = std::pair(one.words.doubt, one.depth);
+            if (one.words.doubt > most_doubt ||
+                (!best.empty() && rank > std::pair(best[0].words.doubt, best[0].depth))) {
                 continue;
             }
-            const auto rank = [&](const Candidate& c) {
-                return std::tuple(c.words.doubt, c.depth, glm::length(place(c.node) - middle));
-            };
-            if (best == nullptr || rank(one) < rank(*best)) {
-                best = &one;
+            if (!best.empty() && rank < std::pair(best[0].words.doubt, best[0].depth)) {
+                best.clear();
             }
+            best.push_back(one);
         }
-        return best != nullptr ? best->node : -1;
+        std::stable_sort(best.begin(), best.end(), [this](const Candidate& a, const Candidate& b) {
+            return node_of(model_, a.node).name < node_of(model_, b.node).name;
+        });
+        return best.empty() ? -1 : best[(best.size() - 1) / 2].node;
     }
 
     int best(BodyPart part, std::optional<Side> side, int most_doubt = 1000) const {
@@ -138,8 +132,6 @@ class NameMapper {
         }
         return best_of(found);
     }
-
-    glm::vec3 place(int node) const { return places_[static_cast<std::size_t>(node)]; }
 
     int node(Bone bone) const { return map_.nodes[motion::index_of(bone)]; }
 
@@ -352,7 +344,6 @@ class NameMapper {
     }
 
     const Model& model_;
-    std::span<const glm::vec3> places_;
     TreeOrder tree_;
     std::vector<Candidate> all_;
     HumanoidMap map_;
@@ -360,8 +351,6 @@ class NameMapper {
 
 }  // namespace
 
-HumanoidMap map_by_names(const Model& model, std::span<const glm::vec3> places) {
-    return NameMapper(model, places).map();
-}
+HumanoidMap map_by_names(const Model& model) { return NameMapper(model).map(); }
 
 }  // namespace raks::render

@@ -10,7 +10,7 @@
 namespace raks::render {
 namespace {
 
-constexpr std::size_t kLongestText = 400;  // bytes of a line that says who made a model
+constexpr std::size_t kLongestText = 397;  // bytes of a line that says who made a model
 constexpr float kMost = std::numeric_limits<float>::max();
 
 /// Reads by `read(field)`, with `remedy` as a warning after a fault.

@@ -157,36 +157,68 @@ void read_material_value(const JsonField& from,
     }
 }
 
-/// Reads each of a list on its own; a bad one is left out with a warning.
-template <typename Read>
-void read_each(const JsonField& list, std::size_t most, Model& model, const Read& read) {
+/// Reads each of a list on its own by `read(field, part)`, and hands the good parts to `take`; a
+/// bad one is left out with a warning.
+template <typename Part, typename Read, typename Take>
+void read_each(
+    const JsonField& list, std::size_t most, Model& model, const Read& read, const Take& take) {
     const bool is_list = read_part(list, model, [&](const JsonField& own) {
         for (const JsonField& item : own.items(most)) {
-            const bool is_good = read_part(item, model, read);
-            static_cast<void>(is_good);  // what is bad was not added
+            Part part;
+            if (read_part(item, model, [&](const JsonField& one) { read(one, part); })) {
+                take(std::move(part));
+            }
         }
     });
     static_cast<void>(is_list);  // said in a warning
 }
 
-void read_group(const JsonField& group, const BindTargets& targets, Model& model) {
-    std::vector<Expression>& all = model.character.expressions;
-    Expression expression;
+void add_binds(const Expression& part, Expression& expression) {
+    if (expression.morphs.size() + part.morphs.size() <= kMostBinds) {
+        expression.morphs.insert(expression.morphs.end(), part.morphs.begin(), part.morphs.end());
+    }
+    expression.colours.insert(expression.colours.end(), part.colours.begin(), part.colours.end());
+    expression.textures.insert(
+        expression.textures.end(), part.textures.begin(), part.textures.end());
+}
+
+void read_group(const JsonField& group,
+                const BindTargets& targets,
+                Expression& expression,
+                Model& model) {
     const std::string_view preset = preset_in_vrm1(group["presetName"].text_or({}));
     expression.is_preset = !preset.empty();
     expression.name = printable(preset.empty() ? group["name"].text() : preset, 100);
+    expression.is_binary = lenient_truth(group["isBinary"], false, model);
+    const auto take = [&](const Expression& part) { add_binds(part, expression); };
+    read_each<Expression>(
+        group["binds"],
+        kMostBinds,
+        model,
+        [&](const JsonField& bind, Expression& part) {
+            read_mesh_bind(bind, targets, part, model);
+        },
+        take);
+    read_each<Expression>(
+        group["materialValues"],
+        kMostBinds,
+        model,
+        [&](const JsonField& value, Expression& part) {
+            read_material_value(value, targets, part);
+        },
+        take);
+}
+
+/// Adds an expression, unless one of its name is there.
+void add_expression(Expression expression, Model& model) {
+    std::vector<Expression>& all = model.character.expressions;
     const auto same = [&](const Expression& one) { return one.name == expression.name; };
     if (std::any_of(all.begin(), all.end(), same)) {
-        group.complain(fmt::format("the expression {} is there already", expression.name));
+        warn(model,
+             fmt::format("blendShapeGroups: the expression {} is there already; left out",
+                         expression.name));
         return;
     }
-    expression.is_binary = lenient_truth(group["isBinary"], false, model);
-    read_each(group["binds"], kMostBinds, model, [&](const JsonField& bind) {
-        read_mesh_bind(bind, targets, expression, model);
-    });
-    read_each(group["materialValues"], kMostBinds, model, [&](const JsonField& value) {
-        read_material_value(value, targets, expression);
-    });
     all.push_back(std::move(expression));
 }
 
@@ -281,10 +313,14 @@ Expected<void> read_vrm0(const JsonField& vrm, Model& model) {
     }
     read_meta0(own["meta"], model);
     const BindTargets targets(model);
-    read_each(own["blendShapeMaster"]["blendShapeGroups"],
-              kMostExpressions,
-              model,
-              [&](const JsonField& group) { read_group(group, targets, model); });
+    read_each<Expression>(
+        own["blendShapeMaster"]["blendShapeGroups"],
+        kMostExpressions,
+        model,
+        [&](const JsonField& group, Expression& expression) {
+            read_group(group, targets, expression, model);
+        },
+        [&](Expression expression) { add_expression(std::move(expression), model); });
     if (const JsonField gaze = own["firstPerson"]; gaze.exists()) {
         read_look_at0(gaze, model);
     }

@@ -240,7 +240,7 @@ TEST(HumanoidNames, limbs_of_all_schemes_are_found) {
     for (const Scheme& scheme : schemes()) {
         SCOPED_TRACE(scheme.tool);
         const Model model = figure_of(scheme);
-        const HumanoidMap map = map_by_names(model, places_of(rest_world(model)));
+        const HumanoidMap map = map_by_names(model);
         EXPECT_EQ(missing_bones(map), "");
         EXPECT_EQ(name_at(model, map, Bone::hips), scheme.trunk.front());
         EXPECT_EQ(name_at(model, map, Bone::spine), scheme.trunk[1]);
@@ -268,7 +268,7 @@ TEST(HumanoidNames, trunks_and_heads_of_all_schemes_are_found) {
     for (const Scheme& scheme : schemes()) {
         SCOPED_TRACE(scheme.tool);
         const Model model = figure_of(scheme);
-        const HumanoidMap map = map_by_names(model, places_of(rest_world(model)));
+        const HumanoidMap map = map_by_names(model);
         const bool is_biped = scheme.neck.back() == "Bip01 HeadNub";
         EXPECT_EQ(name_at(model, map, Bone::head), is_biped ? scheme.neck[1] : last(scheme.neck));
         EXPECT_EQ(name_at(model, map, Bone::neck),
@@ -285,7 +285,7 @@ TEST(HumanoidNames, fingers_are_counted_from_the_palm) {
     for (const Scheme& scheme : schemes()) {
         SCOPED_TRACE(scheme.tool);
         const Model model = figure_of(scheme);
-        const HumanoidMap map = map_by_names(model, places_of(rest_world(model)));
+        const HumanoidMap map = map_by_names(model);
         constexpr std::array kThumb = {
             Bone::left_thumb_metacarpal, Bone::left_thumb_proximal, Bone::left_thumb_distal};
         constexpr std::array kIndex = {
@@ -310,7 +310,7 @@ TEST(HumanoidNames, joints_come_before_meshes_of_the_same_name) {
         model.skins[0].joints.push_back(node);
         model.skins[0].inverse_bind.emplace_back(1.0F);
     }
-    const HumanoidMap map = map_by_names(model, places_of(rest_world(model)));
+    const HumanoidMap map = map_by_names(model);
     EXPECT_EQ(map.nodes[motion::index_of(Bone::head)], 2);
 }
 
@@ -330,7 +330,7 @@ TEST(HumanoidNames, hips_are_what_carries_legs_and_trunk) {
         test::add_node(
             model, "Foot" + end, test::add_node(model, "LowerLeg" + end, leg, {0, -0.5F, 0}));
     }
-    const HumanoidMap map = map_by_names(model, places_of(rest_world(model)));
+    const HumanoidMap map = map_by_names(model);
     EXPECT_EQ(map.nodes[motion::index_of(Bone::hips)], body);
     EXPECT_EQ(map.nodes[motion::index_of(Bone::spine)], abdomen);
     EXPECT_EQ(map.nodes[motion::index_of(Bone::head)], head);

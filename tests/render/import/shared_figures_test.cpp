@@ -96,7 +96,7 @@ TEST_F(SharedFigures, of_vrm_are_found_by_their_names_too) {
         SCOPED_TRACE(file);
         const auto model = load_model(figures() / "models" / file);
         ASSERT_TRUE(model);
-        const HumanoidMap named = map_by_names(*model, places_of(bind_world(*model)));
+        const HumanoidMap named = map_by_names(*model);
         for (const auto& [bone, node] : as_map(named)) {
             const auto found = stated.find(bone);
             if (found != stated.end()) {
