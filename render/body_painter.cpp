@@ -60,15 +60,16 @@ gl::Mesh stick_mesh(const Shape<StickVertex>& stick) {
 
 /// Skeleton, helpers and inverse bind matrices: what posing needs once the mesh is in the driver.
 Avatar without_mesh(const Avatar& avatar) {
-    Avatar joints = avatar;
-    joints.vertices = {};
-    joints.indices = {};
+    Avatar joints;
+    joints.skeleton = avatar.skeleton;
+    joints.inverse_bind = avatar.inverse_bind;
+    joints.helpers = avatar.helpers;
     return joints;
 }
 
 }  // namespace
 
-Expected<BodyPainter::Programs> BodyPainter::build_programs(Quality quality) {
+Expected<BodyPrograms> BodyPrograms::build(Quality quality) {
     static constexpr std::array<std::string_view, 4> kVertex = {
         "frame.glsl", "skin.glsl", "light.glsl", "body.vert"};
     static constexpr std::array<std::string_view, 5> kFragmentHigh = {
@@ -105,25 +106,17 @@ Expected<BodyPainter::Programs> BodyPainter::build_programs(Quality quality) {
     if (!depth) {
         return fail(std::move(depth.error()));
     }
-    return Programs{
+    return BodyPrograms{
         std::move(*dancer), std::move(*mannequin), std::move(*stick), std::move(*depth)};
 }
 
-Expected<BodyPainter> BodyPainter::create(const Avatar& avatar, Quality quality) {
-    Expected<Programs> programs = build_programs(quality);
-    if (!programs) {
-        return fail(std::move(programs.error()));
-    }
-    return BodyPainter(avatar, std::move(*programs));
-}
-
-BodyPainter::BodyPainter(const Avatar& avatar, Programs programs)
+BodyPainter::BodyPainter(const Avatar& avatar, const BodyPrograms& programs)
     : joints_(without_mesh(avatar)),
       skin_(skin_mesh(avatar)),
       stick_(stick_mesh(stick_figure(avatar.skeleton))),
-      programs_(std::move(programs)) {}
+      programs_(&programs) {}
 
-void BodyPainter::set_pose(const motion::Pose& pose, View view) noexcept {
+void BodyPainter::set_pose(std::size_t dancer, const motion::Pose& pose, View view) {
     view_ = view;
     figure_.reset();
     std::array<glm::mat4, kPaletteSize> world_from_joint{};
@@ -139,7 +132,7 @@ void BodyPainter::set_pose(const motion::Pose& pose, View view) noexcept {
                                   glm::mat4_cast(world.rotations[i]);
         }
     }
-    upload_bones(world_from_joint);
+    upload_bones(dancer, world_from_joint);
 }
 
 void BodyPainter::set_figure(const Shape<StickVertex>& in_world) {
@@ -148,17 +141,21 @@ void BodyPainter::set_figure(const Shape<StickVertex>& in_world) {
     std::array<glm::mat4, kPaletteSize> world_from_joint{};
     // The figure's vertices are in the world: one identity for all.
     world_from_joint.fill(glm::mat4(1.0F));
-    upload_bones(world_from_joint);
+    upload_bones(0, world_from_joint);
 }
 
-void BodyPainter::upload_bones(std::span<const glm::mat4, kPaletteSize> world_from_joint) noexcept {
+void BodyPainter::upload_bones(std::size_t dancer,
+                               std::span<const glm::mat4, kPaletteSize> world_from_joint) {
     std::array<glm::mat3x4, kPaletteSize> rows{};  // three rows a joint, as skin.glsl reads them
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i] = glm::mat3x4(glm::transpose(world_from_joint[i]));
     }
     // The fourth row of these matrices is constant: three rows for each of 66 joints.
     static_assert(sizeof(rows) == 198 * sizeof(glm::vec4));
-    glBindBuffer(GL_UNIFORM_BUFFER, bones_.name());
+    while (bones_.size() <= dancer) {
+        bones_.emplace_back();
+    }
+    glBindBuffer(GL_UNIFORM_BUFFER, bones_[dancer].name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(rows), rows.data(), GL_STREAM_DRAW);
 }
 
@@ -169,22 +166,22 @@ const gl::Mesh& BodyPainter::mesh() const noexcept {
     return view_ == View::skin ? skin_ : stick_;
 }
 
-void BodyPainter::draw(Dress dress, Image image) const noexcept {
+void BodyPainter::draw(std::size_t dancer, Dress dress, Image image) const noexcept {
     const gl::Program& skin_program =
-        dress == Dress::dancer ? programs_.dancer : programs_.mannequin;
-    const gl::Program& program = view_ == View::stick ? programs_.stick : skin_program;
+        dress == Dress::dancer ? programs_->dancer : programs_->mannequin;
+    const gl::Program& program = view_ == View::stick ? programs_->stick : skin_program;
     program.use();
     // The shader multiplies the height by it: -1 mirrors at the floor.
     glUniform1f(program.uniform("mirror"), image == Image::upright ? 1.0F : -1.0F);
-    glBindBufferBase(GL_UNIFORM_BUFFER, gl::kBonesBinding, bones_.name());
+    glBindBufferBase(GL_UNIFORM_BUFFER, gl::kBonesBinding, bones_[dancer].name());
     mesh().draw();
 }
 
-void BodyPainter::draw_depth(const glm::mat4& clip_from_light) const noexcept {
-    programs_.depth.use();
+void BodyPainter::draw_depth(std::size_t dancer, const glm::mat4& clip_from_light) const noexcept {
+    programs_->depth.use();
     glUniformMatrix4fv(
-        programs_.depth.uniform("clip_from_light"), 1, GL_FALSE, &clip_from_light[0][0]);
-    glBindBufferBase(GL_UNIFORM_BUFFER, gl::kBonesBinding, bones_.name());
+        programs_->depth.uniform("clip_from_light"), 1, GL_FALSE, &clip_from_light[0][0]);
+    glBindBufferBase(GL_UNIFORM_BUFFER, gl::kBonesBinding, bones_[dancer].name());
     mesh().draw();
 }
 

@@ -21,9 +21,13 @@ constexpr glm::vec4 kStillRing{1.25F, 0.22F, 0.008F, 0.0F};
 glm::vec4 direction(glm::vec3 d) noexcept { return {d, 0.0F}; }
 glm::vec4 colour(glm::vec3 c) noexcept { return {c, 1.0F}; }
 
-/// A light's hue at luminance 1. (Rec. 709)
+float luminance(glm::vec3 light) noexcept {
+    return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b;  // Rec. 709
+}
+
+/// A light's hue at luminance 1; of no light white.
 glm::vec3 hue(glm::vec3 light) noexcept {
-    return light / (0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b);
+    return luminance(light) > 0.0F ? light / luminance(light) : glm::vec3(1.0F);
 }
 
 /// The order of the colours is that of the material numbers in materials.glsl.
@@ -45,6 +49,18 @@ void set_materials(FrameUniforms& u, const Theme& theme, View view) noexcept {
     }
 }
 
+/// Drawn surfaces are shown as their makers painted them: a white one that faces the key light is
+/// white in the light's hue. So ambient light has a share and the key light the rest.
+void set_toon_lights(FrameUniforms& u, const Theme& theme) noexcept {
+    constexpr float kAmbientShare = 0.25F;
+    const float around = 0.5F * luminance(theme.sky_light + theme.ground_light);
+    const float share = around > 0.0F ? kAmbientShare : 0.0F;
+    u.toon_key = colour((1.0F - share) * hue(theme.key_light));
+    const float scale = around > 0.0F ? share / around : 0.0F;
+    u.toon_sky = colour(scale * theme.sky_light);
+    u.toon_ground = colour(scale * theme.ground_light);
+}
+
 /// Directions come from the camera, colours from the theme.
 void set_lights(FrameUniforms& u, const Theme& theme, const LightDirections& lights) noexcept {
     u.key_direction = direction(lights.key);
@@ -55,6 +71,7 @@ void set_lights(FrameUniforms& u, const Theme& theme, const LightDirections& lig
     u.rim_light = colour(theme.rim_light);
     u.sky_light = colour(theme.sky_light);
     u.ground_light = colour(theme.ground_light);
+    set_toon_lights(u, theme);
 }
 
 /// Backdrop, floor and rings. The floor takes only the lights' hue; its brightness is the theme's.
@@ -93,8 +110,51 @@ glm::vec3 display_colour(glm::vec3 linear) noexcept {
     return glm::pow(linear, glm::vec3(1.0F / 2.2F));
 }
 
+namespace {
+
+/// Blobs of all dancers one after another; frame.glsl sees their number in `counts`.
+void set_blobs(FrameView& view,
+               std::span<const motion::WorldPose> dancers,
+               std::span<const float> scales,
+               glm::vec3 key) noexcept {
+    auto next = view.blobs.blobs.begin();
+    for (std::size_t i = 0; i < std::min(dancers.size(), kMostShadowed); ++i) {
+        const auto blobs = shadow_blobs(dancers[i], scales[i], key);
+        next = std::transform(blobs.begin(), blobs.end(), next, [](const ShadowBlob& blob) {
+            // Inverse squared, so that the shader does not divide.
+            return glm::vec4(blob.x, blob.z, 1.0F / (blob.radius * blob.radius), blob.strength);
+        });
+    }
+    view.uniforms.counts.x = static_cast<float>(next - view.blobs.blobs.begin());
+}
+
+/// The shadow map covers every dancer: it is centred between them and as wide as the farthest
+/// needs.
+void set_shadow_map(FrameView& view,
+                    std::span<const motion::WorldPose> dancers,
+                    std::span<const float> scales,
+                    glm::vec3 key) noexcept {
+    glm::vec3 centre{};
+    for (const motion::WorldPose& dancer : dancers) {
+        centre += dancer.position(motion::Bone::hips) / static_cast<float>(dancers.size());
+    }
+    float spread = 0.0F;
+    for (std::size_t i = 0; i < dancers.size(); ++i) {
+        const float away = glm::distance(dancers[i].position(motion::Bone::hips), centre);
+        // A figure larger than the mannequin needs more to each side.
+        spread = std::max(spread, away + std::max(scales[i] - 1.0F, 0.0F));
+    }
+    view.clip_from_light = light_clip_from_world(centre, spread, key);
+    const glm::mat4 half_up = glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)),
+                                         glm::vec3(0.5F));  // [-1,1] to [0,1]
+    view.uniforms.shadow_from_world = half_up * view.clip_from_light;
+}
+
+}  // namespace
+
 FrameView frame_view(const Scene& scene,
                      std::span<const motion::WorldPose> dancers,
+                     std::span<const float> scales,
                      const FrameTarget& target) noexcept {
     FrameView view;
     FrameUniforms& u = view.uniforms;
@@ -107,35 +167,14 @@ FrameView frame_view(const Scene& scene,
     set_lights(u, *scene.theme, lights);
     set_materials(u, *scene.theme, scene.view);
     set_stage(u, scene);
-
-    // Blobs of all dancers one after another; frame.glsl sees their number in `counts`.
-    auto next = u.blobs.begin();
-    glm::vec3 centre{};
-    for (const motion::WorldPose& dancer : dancers) {
-        const auto blobs = shadow_blobs(dancer, lights.key);
-        next = std::transform(blobs.begin(), blobs.end(), next, [](const ShadowBlob& blob) {
-            // Inverse squared, so that the shader does not divide.
-            return glm::vec4(blob.x, blob.z, 1.0F / (blob.radius * blob.radius), blob.strength);
-        });
-        centre += dancer.position(motion::Bone::hips) / static_cast<float>(dancers.size());
-    }
-    u.counts.x = static_cast<float>(next - u.blobs.begin());
-    // The shadow map covers every dancer: it is centred between them and as wide as the farthest
-    // needs.
-    float spread = 0.0F;
-    for (const motion::WorldPose& dancer : dancers) {
-        spread = std::max(spread, glm::distance(dancer.position(motion::Bone::hips), centre));
-    }
-    view.clip_from_light = light_clip_from_world(centre, spread, lights.key);
-    const glm::mat4 half_up = glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(0.5F)),
-                                         glm::vec3(0.5F));  // [-1,1] to [0,1]
-    u.shadow_from_world = half_up * view.clip_from_light;
-
+    set_blobs(view, dancers, scales, lights.key);
+    set_shadow_map(view, dancers, scales, lights.key);
     u.picture = {static_cast<float>(target.x), static_cast<float>(target.y), width, height};
     u.tone = {scene.theme->exposure,
               scene.backdrop == Backdrop::stage ? 1.0F : 0.0F,
               dither_phase(target),
               mask_pixels(clip_from_view, height)};
+    u.counts.y = scene.theme->has_tone_curve ? 0.0F : 1.0F;
     return view;
 }
 

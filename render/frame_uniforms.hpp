@@ -6,6 +6,7 @@
 #include "motion/skeleton/skeleton.hpp"
 #include "render/gl/frame_target.hpp"
 #include "render/scene/scene.hpp"
+#include "render/scene/stage_light.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -37,6 +38,12 @@ struct FrameUniforms {
     glm::vec4 sky_light{};
     /// Hemisphere light from below.
     glm::vec4 ground_light{};
+    /// Lights of drawn (toon) surfaces: key and ambient add to about 1.
+    glm::vec4 toon_key{};
+    /// From above.
+    glm::vec4 toon_sky{};
+    /// From below.
+    glm::vec4 toon_ground{};
     /// Linear colours of the body, in the order of materials.glsl.
     std::array<glm::vec4, 7> materials{};
     /// Backdrop, with gamma applied, as all named display_.
@@ -57,28 +64,36 @@ struct FrameUniforms {
     glm::vec4 display_ring{};
     /// Radius, brightness, half width of the line, strength of its glow.
     std::array<glm::vec4, 4> rings{};
-    /// x, z, 1 / radius^2, strength.
-    std::array<glm::vec4, 44> blobs{};  // eleven a dancer
     /// x, y, width, height in pixels.
     glm::vec4 picture{};
     /// Exposure; 1 on the stage, else 0; phase of the dither; pixels of 0.04 m at 1 m.
     glm::vec4 tone{};
-    /// x: number of blobs.
+    /// x: number of blobs; y: 1 shows light as it is, without the tone curve.
     glm::vec4 counts{};
 };
-static_assert(sizeof(FrameUniforms) == (8 + 9 + 7 + 8 + 4 + 44 + 3) * sizeof(glm::vec4));
+static_assert(sizeof(FrameUniforms) == (8 + 12 + 7 + 8 + 4 + 3) * sizeof(glm::vec4));
+
+/// Shadow blobs of all dancers, x, z, 1 / radius^2, strength each: the block "Blobs".
+struct BlobUniforms {
+    std::array<glm::vec4, 1012> blobs{};
+};
+/// Dancers whose blobs have a place; the others are drawn without.
+inline constexpr std::size_t kMostShadowed = 1012 / kShadowBlobs;
 
 /// The block for one picture and, beside it, the shadow map's projection.
 struct FrameView {
     /// For the block "Frame".
     FrameUniforms uniforms;
+    /// For the block "Blobs"; the first `uniforms.counts.x` are meant.
+    BlobUniforms blobs;
     /// Orthographic, from the key light.
     glm::mat4 clip_from_light{};
 };
-/// Everything that the shaders share, for one picture of `scene` in `target` with one to four
-/// dancers. Pure.
+/// Everything that the shaders share, for one picture of `scene` in `target`. `dancers`: at least
+/// one; `scales`: of each, its size against the mannequin's. Pure.
 [[nodiscard]] FrameView frame_view(const Scene& scene,
                                    std::span<const motion::WorldPose> dancers,
+                                   std::span<const float> scales,
                                    const FrameTarget& target) noexcept;
 
 /// A linear colour as shown (gamma 2.2).

@@ -8,10 +8,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "render/avatar/avatar.hpp"
-#include "render/body_painter.hpp"
+#include "render/avatar_painter.hpp"
 #include "render/frame_uniforms.hpp"
 #include "render/gl/mesh.hpp"
 #include "render/gl/objects.hpp"
@@ -176,70 +177,82 @@ class DrawingState {
     }
 };
 
+/// A dancer of this picture and who paints it.
+struct Painted {
+    AvatarPainter* painter;
+    std::size_t number;
+};
+
 }  // namespace
 
 struct Renderer::Parts {
     Quality quality;
     std::string notice;
-    BodyPainter body;
+    BodyPrograms body_programs;
+    SurfacePrograms surface_programs;
     StagePainter stage;
     std::optional<gl::ShadowMap> shadow_map;  // Quality::high
-    motion::Skeleton skeleton;
     gl::Buffer frame;
+    gl::Buffer blobs;
+    // By handle; null where one was removed. What they point to above stays where it is.
+    std::vector<std::unique_ptr<AvatarPainter>> avatars;
 
-    void upload(const FrameUniforms& uniforms) const noexcept;
-    /// `take_body(i)` hands body i, which stands at bodies[i], to the painter.
-    template <typename TakeBody>
+    void upload(const FrameView& view) const noexcept;
+    [[nodiscard]] AvatarPainter* find(AvatarHandle handle) const noexcept;
     void draw(const Scene& scene,
-              std::span<const motion::WorldPose> bodies,
-              const FrameTarget& target,
-              const TakeBody& take_body);
-    template <typename TakeBody>
-    void draw_shadow_map(std::size_t bodies,
-                         const TakeBody& take_body,
-                         const glm::mat4& clip_from_light);
-    void draw_body(const Scene& scene) const noexcept;
+              const FrameView& view,
+              std::span<const Painted> dancers,
+              const FrameTarget& target);
+    void draw_shadow_map(std::span<const Painted> dancers, const glm::mat4& clip_from_light);
+    void draw_body(const Scene& scene, const Painted& dancer) const;
     void draw_stage(const Scene& scene) const noexcept;
 };
 
-/// The driver gets a new buffer store each time, so that it need not wait for the last picture.
-void Renderer::Parts::upload(const FrameUniforms& uniforms) const noexcept {
+/// The driver gets new buffer stores each time, so that it need not wait for the last picture.
+void Renderer::Parts::upload(const FrameView& view) const noexcept {
     glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
-    glBufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(view.uniforms), &view.uniforms, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, gl::kFrameBinding, frame.name());
+    glBindBuffer(GL_UNIFORM_BUFFER, blobs.name());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(view.blobs), &view.blobs, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, gl::kBlobsBinding, blobs.name());
 }
 
-template <typename TakeBody>
+AvatarPainter* Renderer::Parts::find(AvatarHandle handle) const noexcept {
+    const auto place = static_cast<std::size_t>(handle.number);
+    return place < avatars.size() ? avatars[place].get() : nullptr;
+}
+
 void Renderer::Parts::draw(const Scene& scene,
-                           std::span<const motion::WorldPose> bodies,
-                           const FrameTarget& target,
-                           const TakeBody& take_body) {
-    const FrameView view = frame_view(scene, bodies, target);
-    upload(view.uniforms);
+                           const FrameView& view,
+                           std::span<const Painted> dancers,
+                           const FrameTarget& target) {
+    upload(view);
     // Before the target is bound: it draws into a framebuffer of its own.
-    draw_shadow_map(bodies.size(), take_body, view.clip_from_light);
+    draw_shadow_map(dancers, view.clip_from_light);
 
     const DrawingState state(target);
     clear(scene);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        take_body(i);
-        draw_body(scene);
+    for (const Painted& dancer : dancers) {
+        draw_body(scene, dancer);
     }
     draw_stage(scene);
+    glEnable(GL_CULL_FACE);
+    // Last what lets the stage through: glass, lashes, veils.
+    for (const Painted& dancer : dancers) {
+        dancer.painter->draw_blended(dancer.number, scene);
+    }
 }
 
-template <typename TakeBody>
-void Renderer::Parts::draw_shadow_map(std::size_t bodies,
-                                      const TakeBody& take_body,
+void Renderer::Parts::draw_shadow_map(std::span<const Painted> dancers,
                                       const glm::mat4& clip_from_light) {
     if (shadow_map) {
         // Both sides cast shadow. The scissor is the target's rectangle, not the map's.
         glDisable(GL_CULL_FACE);
         glDisable(GL_SCISSOR_TEST);
         shadow_map->begin();
-        for (std::size_t i = 0; i < bodies; ++i) {
-            take_body(i);
-            body.draw_depth(clip_from_light);
+        for (const Painted& dancer : dancers) {
+            dancer.painter->draw_depth(dancer.number, clip_from_light);
         }
         shadow_map->end();
     }
@@ -247,11 +260,11 @@ void Renderer::Parts::draw_shadow_map(std::size_t bodies,
 
 /// The body and, in high quality, its image in the floor, mirrored at y = 0. Mirroring turns
 /// triangles round, hence the other front face.
-void Renderer::Parts::draw_body(const Scene& scene) const noexcept {
-    body.draw(scene.theme->dress, BodyPainter::Image::upright);
+void Renderer::Parts::draw_body(const Scene& scene, const Painted& dancer) const {
+    dancer.painter->draw_solid(dancer.number, scene, BodyPainter::Image::upright);
     if (quality == Quality::high && scene.backdrop == Backdrop::stage) {
         glFrontFace(GL_CW);
-        body.draw(scene.theme->dress, BodyPainter::Image::mirrored);
+        dancer.painter->draw_solid(dancer.number, scene, BodyPainter::Image::mirrored);
         glFrontFace(GL_CCW);
     }
 }
@@ -277,15 +290,15 @@ void Renderer::Parts::draw_stage(const Scene& scene) const noexcept {
     }
 }
 
-Expected<Renderer> Renderer::create(const Avatar& avatar, const RendererConfig& config) {
+Expected<Renderer> Renderer::create(const RendererConfig& config) {
     if (Expected<void> usable = check_context(); !usable) {
         return fail(std::move(usable.error()));
     }
     const std::string driver = text_of(glGetString(GL_RENDERER));
     const Quality quality = resolve_quality(config.quality, driver);
-    Expected<BodyPainter> body = BodyPainter::create(avatar, quality);
-    if (!body) {
-        return fail(std::move(body.error()));
+    Expected<BodyPrograms> programs = BodyPrograms::build(quality);
+    if (!programs) {
+        return fail(std::move(programs.error()));
     }
     Expected<StagePainter> stage = StagePainter::create(quality);
     if (!stage) {
@@ -306,11 +319,47 @@ Expected<Renderer> Renderer::create(const Avatar& avatar, const RendererConfig& 
     }
     return Renderer(std::unique_ptr<Parts>(new Parts{quality,
                                                      std::move(notice),
-                                                     std::move(*body),
+                                                     std::move(*programs),
+                                                     SurfacePrograms(quality),
                                                      std::move(*stage),
                                                      std::move(shadow_map),
-                                                     avatar.skeleton,
+                                                     {},
+                                                     {},
                                                      {}}));
+}
+
+Expected<Renderer> Renderer::create(const Avatar& avatar, const RendererConfig& config) {
+    Expected<Renderer> renderer = create(config);
+    if (!renderer) {
+        return renderer;
+    }
+    if (Expected<AvatarHandle> handle = renderer->add(avatar); !handle) {
+        return fail(std::move(handle.error()));
+    }
+    return renderer;
+}
+
+Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
+    auto painter = std::make_unique<AvatarPainter>(avatar, parts_->body_programs);
+    Expected<void> added = painter->add_surface(avatar, parts_->surface_programs);
+    if (!added) {
+        return fail(std::move(added.error()));
+    }
+    auto& avatars = parts_->avatars;
+    const auto free = std::find(avatars.begin(), avatars.end(), nullptr);
+    const auto place = static_cast<int>(free - avatars.begin());
+    if (free == avatars.end()) {
+        avatars.push_back(std::move(painter));
+    } else {
+        *free = std::move(painter);
+    }
+    return AvatarHandle{place};
+}
+
+void Renderer::remove(AvatarHandle handle) noexcept {
+    if (parts_->find(handle) != nullptr) {
+        parts_->avatars[static_cast<std::size_t>(handle.number)].reset();
+    }
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
@@ -325,31 +374,60 @@ void Renderer::draw(const Scene& scene, const motion::Pose& pose, const FrameTar
 void Renderer::draw(const Scene& scene,
                     std::span<const motion::Pose> poses,
                     const FrameTarget& target) {
-    if (target.width < 1 || target.height < 1 || poses.empty()) {
+    std::vector<Dancer> dancers;
+    dancers.reserve(poses.size());
+    const AvatarPainter* const painter = parts_->find({});
+    for (const motion::Pose& pose : poses) {
+        dancers.push_back({.avatar = {}, .pose = pose});
+        dancers.back().pose.hips_position *= painter != nullptr ? painter->size() : 1.0F;
+    }
+    draw(scene, std::span<const Dancer>(dancers), target);
+}
+
+void Renderer::draw(const Scene& scene,
+                    std::span<const Dancer> dancers,
+                    const FrameTarget& target) {
+    if (target.width < 1 || target.height < 1) {
         return;
     }
-    // The uniform block has places for the blobs of that many.
-    poses = poses.first(std::min(poses.size(), kMostDancers));
-    std::array<motion::WorldPose, kMostDancers> dancers;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        dancers[i] = motion::world_pose(parts_->skeleton, poses[i]);
+    for (const auto& avatar : parts_->avatars) {
+        if (avatar != nullptr) {
+            avatar->begin_picture();
+        }
     }
-    parts_->draw(scene,
-                 std::span<const motion::WorldPose>(dancers).first(poses.size()),
-                 target,
-                 [&](std::size_t i) { parts_->body.set_pose(poses[i], scene.view); });
+    std::vector<Painted> painted;
+    std::vector<motion::WorldPose> bodies;
+    std::vector<float> sizes;
+    for (const Dancer& dancer : dancers) {
+        AvatarPainter* const painter = parts_->find(dancer.avatar);
+        if (painter != nullptr) {
+            painted.push_back({painter, painter->take(dancer, scene.view)});
+            bodies.push_back(motion::world_pose(painter->skeleton(), dancer.pose));
+            sizes.push_back(painter->size());
+        }
+    }
+    if (!painted.empty()) {
+        parts_->draw(scene, frame_view(scene, bodies, sizes, target), painted, target);
+    }
 }
 
 void Renderer::draw(const Scene& scene, const ClipFigure& figure, const FrameTarget& target) {
-    if (target.width < 1 || target.height < 1) {
+    AvatarPainter* const painter = parts_->find({});
+    if (target.width < 1 || target.height < 1 || painter == nullptr) {
         return;
     }
     Scene as_sticks = scene;
     // Materials follow the view: a recorded figure has the sticks' colours.
     as_sticks.view = View::stick;
-    parts_->draw(as_sticks, std::span(&figure.landmarks, 1), target, [&](std::size_t) {
-        parts_->body.set_figure(figure.shape);
-    });
+    painter->begin_picture();
+    const Painted dancer{painter, painter->take({}, View::stick)};
+    painter->body().set_figure(figure.shape);
+    constexpr float kOwnSize = 1.0F;
+    parts_->draw(
+        as_sticks,
+        frame_view(as_sticks, std::span(&figure.landmarks, 1), std::span(&kOwnSize, 1), target),
+        std::span(&dancer, 1),
+        target);
 }
 
 Quality Renderer::quality() const noexcept { return parts_->quality; }

@@ -15,6 +15,8 @@ namespace raks::render {
 
 /// The body to draw; render/avatar/avatar.hpp.
 struct Avatar;
+/// What moves it, in one picture; render/avatar/avatar_rig.hpp.
+struct RigState;
 
 /// How much work a picture may be. `automatic` is `fast` on software drivers (llvmpipe, softpipe,
 /// swrast), else `high`.
@@ -29,15 +31,30 @@ struct RendererConfig {
     Quality quality = Quality::automatic;
 };
 
-/// Draws an avatar, or several alike, on its stage with OpenGL 3.3 core: works in whatever context
-/// is current when it is created (window or off-screen) and must be used and destroyed with that
-/// one current. The same pose, scene and size give the same pixels on the same machine. Threads:
-/// the context's. Real-time: no (draw() itself allocates nothing; the driver may).
+/// An avatar in a renderer.
+struct AvatarHandle {
+    int number = 0;
+};
+
+/// One dancer of a picture.
+struct Dancer {
+    AvatarHandle avatar;
+    motion::Pose pose;  ///< on this avatar's own body
+    /// What the drivers of an avatar from a file made of the pose; null: face and tails at rest.
+    const RigState* state = nullptr;
+};
+
+/// Draws avatars on their stage with OpenGL 3.3 core: works in whatever context is current when it
+/// is created (window or off-screen) and must be used and destroyed with that one current. The same
+/// poses, scene and size give the same pixels on the same machine. Threads: the context's.
+/// Real-time: no (the driver may allocate).
 class Renderer {
  public:
-    /// Uploads the avatar and compiles the shaders. The avatar may be destroyed afterwards.
+    /// Compiles the shaders of the stage.
     /// Precondition: an OpenGL context is current on this thread.
     /// Errors: OpenGL older than 3.3, a shader or a shadow map that the driver refuses.
+    [[nodiscard]] static Expected<Renderer> create(const RendererConfig& config = {});
+    /// The same with a first avatar, which has handle 0.
     [[nodiscard]] static Expected<Renderer> create(const Avatar& avatar,
                                                    const RendererConfig& config = {});
     /// The source may only be destroyed or assigned to.
@@ -47,14 +64,21 @@ class Renderer {
     /// Frees meshes and programs; the context must be current.
     ~Renderer();
 
-    /// Draws the whole picture: clears `target`'s rectangle, then stage and dancer. A rectangle
+    /// Uploads an avatar, which may be destroyed afterwards. Errors: a shader that the driver
+    /// refuses.
+    [[nodiscard]] Expected<AvatarHandle> add(const Avatar& avatar);
+    /// Frees what an avatar has in the driver's memory; its handle may be given out again.
+    void remove(AvatarHandle handle) noexcept;
+
+    /// Draws the whole picture: clears `target`'s rectangle, then stage and dancers. A rectangle
     /// without area (a minimized window) draws nothing. Leaves `target` bound and depth test,
-    /// blending, face culling and scissor off.
-    void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);
-    /// Several dancers, kMostDancers at most; more are left out.
+    /// blending, face culling and scissor off. Dancers with a handle that there is none of are left
+    /// out.
+    void draw(const Scene& scene, std::span<const Dancer> dancers, const FrameTarget& target);
+    /// Dancers that are all the first avatar, in poses of the mannequin's body.
     void draw(const Scene& scene, std::span<const motion::Pose> poses, const FrameTarget& target);
-    /// Dancers that one picture can show: what the uniform block's shadow blobs are enough for.
-    static constexpr std::size_t kMostDancers = 4;
+    /// One dancer.
+    void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);
 
     /// The same with a recorded body's own stick figure in the avatar's place, whatever the scene's
     /// view is. (Takes the figure into the driver's memory: 1 ms for 60 joints on llvmpipe.)

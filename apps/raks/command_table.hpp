@@ -58,7 +58,7 @@ class RaksCommands : public CommandTable {
 
 /// Adds play, live, render, dance, dances, sheet, stick and synth.
 void add_dancing_commands(RaksCommands& table);
-/// Adds analyze, eval, bench and devices.
+/// Adds analyze, avatar, eval, bench and devices.
 void add_measuring_commands(RaksCommands& table);
 /// Adds train, which starts another program.
 void add_training_commands(RaksCommands& table);

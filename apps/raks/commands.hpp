@@ -56,6 +56,33 @@ struct DevicesArguments {
 /// Lists the audio devices and which of them are chosen.
 [[nodiscard]] ExitCode devices(const DevicesArguments& arguments);
 
+/// Arguments of `raks avatar list`.
+struct AvatarListArguments {
+    bool as_json = false;  ///< one JSON document instead of text
+};
+/// Lists the mannequin and the models in the user's folder of avatars.
+[[nodiscard]] ExitCode avatar_list(const AvatarListArguments& arguments);
+
+/// Arguments of `raks avatar show`.
+struct AvatarShowArguments {
+    std::string model;     ///< file, or a name of `raks avatar list`
+    bool as_json = false;  ///< one JSON document instead of text
+};
+/// Tells what is in a model. Errors: no such model; those of reading it.
+[[nodiscard]] ExitCode avatar_show(const AvatarShowArguments& arguments);
+
+/// Arguments of `raks avatar pose`.
+struct AvatarPoseArguments {
+    std::string model;       ///< file, or a name of `raks avatar list`
+    std::string pose;        ///< "FILE.json" or "FILE.json#NAME"; empty: `motion` is given
+    Path motion;             ///< clip; empty: `pose` is given
+    std::string time = "0";  ///< seconds into the clip, or "all"
+    Path output;             ///< .obj or .tsv
+};
+/// Writes a model's posed mesh or its joints. Errors: no model or not a figure, no posture, no clip
+/// or not a figure's, a time that it does not have, the output's ending.
+[[nodiscard]] ExitCode avatar_pose(const AvatarPoseArguments& arguments);
+
 /// Arguments of `raks calibrate`.
 struct CalibrateArguments {
     engine::Settings settings;  ///< of the files and the options

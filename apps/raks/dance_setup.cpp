@@ -24,6 +24,25 @@ bool is_written_dance(const fs::path& place) { return place.extension() == ".tom
 
 // A name that could be a dance's is not looked for as a folder: "salsa" is the dance even where a
 // folder of that name lies.
+Expected<engine::Look> open_look(const engine::Settings& settings) {
+    auto look = engine::read_look(settings);
+    if (!look) {
+        return look;
+    }
+    auto avatar = engine::load_avatar(settings.avatar);
+    if (!avatar) {
+        return fail(std::move(avatar.error()));
+    }
+    if (!avatar->credit.empty()) {
+        say("avatar: " + avatar->credit);
+    }
+    for (const std::string& warning : avatar->warnings) {
+        say_detail(warning);
+    }
+    engine::put_on(std::move(*avatar), *look);
+    return look;
+}
+
 bool is_dance_place(const std::string& dance) {
     std::error_code ignored;
     return is_written_dance(dance) || dance.find('/') != std::string::npos ||

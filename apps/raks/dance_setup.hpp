@@ -7,6 +7,7 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/formations.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/show/picture.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::apps {
@@ -17,6 +18,10 @@ struct DanceSetup {
     engine::AnalyzerModels models;     ///< of the analyzer
     motion::Skeleton skeleton;         ///< of the body that dances
 };
+
+/// The look that the settings ask for, with its avatar; says whose work that is, and what its file
+/// lacks. Errors: those of engine::read_look and engine::load_avatar.
+[[nodiscard]] Expected<engine::Look> open_look(const engine::Settings& settings);
 
 /// True when `--dance` names a path: a folder of dances, or a written dance (.toml).
 [[nodiscard]] bool is_dance_place(const std::string& dance);

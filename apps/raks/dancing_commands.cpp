@@ -23,7 +23,10 @@ void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overla
     add_formation_option(app, settings);
     add_generator_option(app, settings);
     app.add_option("--seed", settings.seed, "same seed, same dance");
-    app.add_option("--theme", settings.theme, "stage, workshop_dark or studio_light");
+    app.add_option("--avatar",
+                   settings.avatar,
+                   "mannequin, a file (.vrm, .glb, .gltf), or one of raks avatar list");
+    app.add_option("--theme", settings.theme, "stage, workshop_dark, studio_light or plain");
     app.add_option("--camera", settings.camera, "wide, portrait, front or side");
     app.add_option("--size", settings.size, "picture size, such as 1280x720");
     app.add_option("--fps", settings.fps, "pictures a second");
@@ -145,7 +148,10 @@ void add_sheet(RaksCommands& table) {
         ->check(CLI::NonNegativeNumber);
     app->add_option("--fps", a->settings.fps, "pictures a second of a film")
         ->check(CLI::Range(1.0, 240.0));
-    app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
+    app->add_option("--avatar",
+                    a->settings.avatar,
+                    "mannequin, a file (.vrm, .glb, .gltf), or one of raks avatar list");
+    app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
     app->add_option("--view", a->settings.view, "skin, stick or auto");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");
 }
@@ -168,7 +174,7 @@ void add_stick(RaksCommands& table) {
            "stand at this frame; with -o draw it alone")
         // As a whole number with a sign: a negative frame is refused instead of wrapped around.
         ->check(in_range<std::int64_t>(0, 1'000'000'000));
-    app->add_option("--theme", a->settings.theme, "stage, workshop_dark or studio_light");
+    app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
     app->add_option("--size", a->settings.size, "of the window, such as 1280x720");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");
 }

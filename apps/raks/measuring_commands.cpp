@@ -34,6 +34,31 @@ void add_devices(RaksCommands& table) {
     app->add_flag("--has-output", a->asks_for_output, "print nothing; fail without one");
 }
 
+void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
+    auto [app, a] =
+        table.add(avatar, "pose", "write a model in a posture, or moved by a clip", avatar_pose);
+    app->add_option("model", a->model, "file, or name of one of `raks avatar list`")->required();
+    auto* const pose =
+        app->add_option("--pose", a->pose, "posture: FILE.json, or FILE.json#NAME of several");
+    auto* const motion = app->add_option("--motion", a->motion, "clip: .vrma, .glb or .bvh");
+    pose->excludes(motion);
+    app->add_option("--time", a->time, "seconds into the clip, or all")->needs(motion);
+    app->add_option("-o,--output", a->output, "X.obj: the mesh; X.tsv: the joints")->required();
+}
+
+// `avatar` itself does nothing: one of its commands must follow.
+void add_avatar(RaksCommands& table) {
+    CLI::App* avatar = table.app().add_subcommand("avatar", "list avatars, look into their files");
+    avatar->require_subcommand(1);
+    auto [list, l] = table.add(*avatar, "list", "list the avatars that there are", avatar_list);
+    list->add_flag("--json", l->as_json, "one JSON document");
+    auto [show, s] =
+        table.add(*avatar, "show", "tell what is in a model: VRM, glTF, VRMA", avatar_show);
+    show->add_option("model", s->model, "file, or name of one of `raks avatar list`")->required();
+    show->add_flag("--json", s->as_json, "one JSON document");
+    add_avatar_pose(table, *avatar);
+}
+
 void add_calibrate(RaksCommands& table) {
     auto [app, a] = table.add(table.app(),
                               "calibrate",
@@ -144,6 +169,7 @@ void add_bench(RaksCommands& table) {
 
 void add_measuring_commands(RaksCommands& table) {
     add_devices(table);
+    add_avatar(table);
     add_calibrate(table);
     add_analyze(table);
     add_eval(table);

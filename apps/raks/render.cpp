@@ -24,6 +24,8 @@ namespace {
 
 // Draws the pictures that are due as the dance goes on, and passes them to the film. Pictures are
 // due at an exact rate, whatever the hops.
+constexpr Nanos kTailStep = std::chrono::milliseconds(17);
+
 class Film final : public engine::OfflineDriver::Sink {
  public:
     Film(engine::Show& show,
@@ -44,11 +46,13 @@ class Film final : public engine::OfflineDriver::Sink {
           rgba_(static_cast<std::size_t>(target.width()) *
                 static_cast<std::size_t>(target.height()) * 4) {}
 
-    // The track is final up to its newest final hop: pictures up to there can be drawn.
+    // The track is final up to its newest final hop: pictures up to there can be drawn. Tails look
+    // one of their steps ahead.
     void on_hop(const engine::PerformedHop& hop) override {
         last_.emplace(Last{hop.music, hop.dancer});
         tracks_ = hop.tracks;
-        while (!fault_ && next_moment() + lead_ <= time_of_hop(hop.track.newest_final())) {
+        while (!fault_ &&
+               next_moment() + lead_ + kTailStep <= time_of_hop(hop.track.newest_final())) {
             draw();
         }
     }
@@ -81,11 +85,10 @@ class Film final : public engine::OfflineDriver::Sink {
         render::OverlayState info;
         info.source = source_;
         info.position = start_seconds_ + to_seconds(moment);
-        poses_.clear();
-        for (const motion::PoseTrack& track : tracks_) {
-            poses_.push_back(track.at(moment + lead_));
-        }
-        show_.draw({last_->music, last_->dancer, poses_, moment}, info, target_.frame());
+        show_.draw(
+            {last_->music, last_->dancer, {.tracks = tracks_, .moment = moment, .lead = lead_}},
+            info,
+            target_.frame());
         // The first fault ends the film: later pictures are not drawn.
         auto done = target_.read_rgba(rgba_);
         if (done) {
@@ -137,7 +140,6 @@ class Film final : public engine::OfflineDriver::Sink {
     std::int64_t next_ = 0;
     std::optional<Last> last_;
     std::span<const motion::PoseTrack> tracks_;
-    std::vector<motion::Pose> poses_;
     std::optional<Error> fault_;
 };
 
@@ -175,6 +177,9 @@ render::VideoOptions video_options(const RenderArguments& arguments, const engin
     render::VideoOptions options;
     options.width = look.size.width;
     options.height = look.size.height;
+    if (!look.avatar.credit.empty()) {
+        options.comment = "Avatar: " + look.avatar.credit;
+    }
     // The nearest rate that the format can express.
     options.rate = render::FrameRate::nearest(arguments.settings.fps);
     options.quality = arguments.settings.quality == "fast" ? render::VideoQuality::draft
@@ -190,7 +195,7 @@ ExitCode render(const RenderArguments& given) {
     if (arguments.settings.quality == "auto") {
         arguments.settings.quality = "high";
     }
-    const auto look = engine::read_look(arguments.settings);
+    const auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
     }

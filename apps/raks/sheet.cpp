@@ -74,7 +74,7 @@ Expected<DancedFigure> dance_a_figure(const SheetArguments& arguments,
 
 ExitCode sheet(const SheetArguments& given) {
     SheetArguments arguments = given;
-    const auto look = engine::read_look(arguments.settings);
+    const auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
     }

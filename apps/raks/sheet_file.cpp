@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/mannequin/mannequin.hpp"
+#include "render/avatar/avatar.hpp"
 #include "render/overlay/picture_text.hpp"
 #include "render/video/png.hpp"
 #include "render/video/video_writer.hpp"
@@ -98,7 +98,7 @@ Expected<SheetStudio> SheetStudio::open(const engine::Look& look, render::Qualit
     if (!context) {
         return fail(context.error());
     }
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = quality});
+    auto renderer = render::Renderer::create(*look.avatar.avatar, {.quality = quality});
     if (!renderer) {
         return fail(renderer.error());
     }

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/locked_memory.hpp"
@@ -69,7 +70,7 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
                                                        const Options& options,
                                                        std::shared_ptr<const DanceList> dances,
                                                        engine::Formations& formations) {
-    const auto look = engine::read_look(settings);
+    const auto look = open_look(settings);
     if (!look) {
         return fail(look.error());
     }
@@ -378,12 +379,11 @@ render::Camera StageLoop::framed(render::Camera preset) const {
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
-    for (std::size_t i = 0; i < stage.dancers; ++i) {
-        poses_[i] = stage.tracks[i].at(moment);
-    }
     const engine::ShownMoment shown{
-        stage.music, stage.dancer, std::span(poses_).first(stage.dancers), moment};
-    draw_moment(shown, picture.renderer, picture.scene, picture.target);
+        stage.music,
+        stage.dancer,
+        {.tracks = std::span(stage.tracks).first(stage.dancers), .moment = moment}};
+    draw_moment(shown, picture.renderer, picture.bodies, picture.scene, picture.target);
     describe_moment(shown, *dances_, overlay);
     describe(stage, overlay);
 }

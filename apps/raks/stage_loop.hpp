@@ -114,7 +114,6 @@ class StageLoop final : private engine::WindowContent {
     std::optional<StageEnd> wish_;
     bool had_ended_ = false;
     bool has_said_unlocked_ = false;
-    std::array<motion::Pose, motion::Ensemble::kMost> poses_;
 };
 
 /// What the settings say of a live graph's sound: buffer, offsets, pose lead. The offsets kept for

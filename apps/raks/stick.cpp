@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/raks/commands.hpp"
+#include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
 #include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
@@ -142,7 +143,7 @@ ExitCode stick(const StickArguments& arguments) {
     if (!figures) {
         return fail(name + ": " + figures.error().message);
     }
-    auto look = engine::read_look(arguments.settings);
+    auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
     }

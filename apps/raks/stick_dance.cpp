@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/raks/commands.hpp"
+#include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
 #include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
@@ -152,7 +153,7 @@ ExitCode stick_dance(const StickArguments& arguments) {
     if (!preview) {
         return fail(preview.error());
     }
-    auto look = engine::read_look(arguments.settings);
+    auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
     }

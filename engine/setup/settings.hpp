@@ -30,13 +30,14 @@ struct Settings {
     std::int64_t seed = 1;                   ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]
-    std::string theme = "stage";    ///< stage, workshop_dark or studio_light
-    std::string camera = "wide";    ///< preset: wide, portrait, front or side
-    std::string size = "1280x720";  ///< WIDTHxHEIGHT
-    double fps = 30.0;              ///< pictures a second, [1, 240]
-    std::string quality = "auto";   ///< auto, fast or high
-    std::string view = "auto";      ///< auto (stick when danced by positions), skin or stick
-    bool overlay = true;            ///< tempo, bar, dance and levels over the picture
+    std::string avatar = "mannequin";  ///< or a file, or a name in the person's folder of avatars
+    std::string theme = "stage";       ///< stage, workshop_dark, studio_light or plain
+    std::string camera = "wide";       ///< preset: wide, portrait, front or side
+    std::string size = "1280x720";     ///< WIDTHxHEIGHT
+    double fps = 30.0;                 ///< pictures a second, [1, 240]
+    std::string quality = "auto";      ///< auto, fast or high
+    std::string view = "auto";         ///< auto (stick when danced by positions), skin or stick
+    bool overlay = true;               ///< tempo, bar, dance and levels over the picture
 };
 
 /// Reads a TOML file over `settings`: keys that it lacks keep their value. Errors name file, line

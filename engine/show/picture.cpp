@@ -1,5 +1,9 @@
 #include "engine/show/picture.hpp"
 
+#include <utility>
+
+#include "render/avatar/avatar.hpp"
+
 namespace raks::engine {
 namespace {
 
@@ -37,6 +41,17 @@ Expected<Look> read_look(const Settings& settings) {
                    : settings.quality == "high" ? render::Quality::high
                                                 : render::Quality::automatic;
     return look;
+}
+
+void put_on(LoadedAvatar avatar, Look& look) noexcept {
+    look.scene.camera = camera_for(look.scene.camera, render::size_of(*avatar.avatar));
+    look.avatar = std::move(avatar);
+}
+
+render::Camera camera_for(render::Camera preset, float size) noexcept {
+    preset.target *= size;
+    preset.zoom(size);
+    return preset;
 }
 
 float distance_for(std::string_view formation) noexcept {

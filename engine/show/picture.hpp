@@ -5,6 +5,7 @@
 
 #include "base/expected.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/show/loaded_avatar.hpp"
 #include "render/renderer.hpp"
 #include "render/scene/scene.hpp"
 
@@ -16,10 +17,19 @@ struct Look {
     std::string camera = "wide";  ///< the preset that the scene's camera was made from
     render::Quality quality = render::Quality::automatic;  ///< for the renderer
     PictureSize size;                                      ///< of the window or film, in pixels
+    LoadedAvatar avatar;                                   ///< what all dancers wear (put_on)
 };
 
-/// Resolves the settings. Errors: an unknown theme or camera (the nearest is named), a bad size.
+/// Resolves the settings, but for the avatar. Errors: an unknown theme or camera (the nearest is
+/// named), a bad size.
 [[nodiscard]] Expected<Look> read_look(const Settings& settings);
+
+/// Puts the avatar on, and the camera where its size asks for. Pure.
+void put_on(LoadedAvatar avatar, Look& look) noexcept;
+
+/// A camera preset for dancers of another size than the mannequin's 1: as far away and as high as
+/// shows them as large.
+[[nodiscard]] render::Camera camera_for(render::Camera preset, float size) noexcept;
 
 /// Factor on the camera's distance for a formation: 1 for solo and couple, more where several
 /// dancers stand side by side.

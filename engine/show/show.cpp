@@ -5,14 +5,13 @@
 #include <cstring>
 #include <utility>
 
-#include "render/mannequin/mannequin.hpp"
 #include "render/scene/scene.hpp"
 
 namespace raks::engine {
 
 Expected<Drawing> create_drawing(const Look& look) {
-    // The mannequin is built from code: nothing is read from files.
-    auto renderer = render::Renderer::create(render::build_mannequin(), {.quality = look.quality});
+    std::shared_ptr<const render::Avatar> avatar = look.avatar.avatar;
+    auto renderer = render::Renderer::create(*avatar, {.quality = look.quality});
     if (!renderer) {
         return fail(renderer.error());
     }
@@ -20,7 +19,9 @@ Expected<Drawing> create_drawing(const Look& look) {
     if (!overlay) {
         return fail(overlay.error());
     }
-    return Drawing{std::move(*renderer), std::move(*overlay)};
+    return Drawing{std::move(*renderer),
+                   DancerBodies({}, std::move(avatar), motion::mannequin_skeleton()),
+                   std::move(*overlay)};
 }
 
 Expected<Show> Show::create(const Look& look,
@@ -41,29 +42,35 @@ Show::Show(const Look& look,
       scene_(look.scene),
       framing_(look.scene.camera,
                static_cast<float>(look.size.width) / static_cast<float>(look.size.height)),
-      renderer_(std::move(drawing.renderer)),
-      overlay_(std::move(drawing.overlay)),
+      drawing_(std::move(drawing)),
       overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {}
 
 void Show::draw(const ShownMoment& shown,
                 render::OverlayState info,
                 const render::FrameTarget& target) {
-    const Nanos since = shown.moment - last_moment_.value_or(shown.moment);
-    last_moment_ = shown.moment;
-    scene_.camera = framing_.follow(shown.poses, to_seconds(since));
+    const StreamTime moment = shown.danced.moment;
+    const Nanos since = moment - last_moment_.value_or(moment);
+    last_moment_ = moment;
+    poses_.clear();
+    for (const motion::PoseTrack& track : shown.danced.tracks) {
+        poses_.push_back(track.at(moment + shown.danced.lead));
+    }
+    scene_.camera = framing_.follow(poses_, to_seconds(since));
     // The picture first: the overlay is drawn over it.
-    draw_moment(shown, renderer_, scene_, target);
+    draw_moment(shown, drawing_.renderer, drawing_.bodies, scene_, target);
     describe_moment(shown, *dances_, info);
-    overlay_.draw(info, overlay_view_, target);
+    drawing_.overlay.draw(info, overlay_view_, target);
 }
 
 void draw_moment(const ShownMoment& shown,
                  render::Renderer& renderer,
+                 DancerBodies& bodies,
                  render::Scene& scene,
                  const render::FrameTarget& target) {
     // The rings follow the beat grid at the moment that is shown, which lies between two states.
-    scene.rings = render::beat_rings(shown.music.grid, shown.moment);
-    renderer.draw(scene, shown.poses, target);
+    scene.rings = render::beat_rings(shown.music.grid, shown.danced.moment);
+    scene.seconds = to_seconds(shown.danced.moment);
+    renderer.draw(scene, bodies.at(shown.danced, shown.music, scene.camera), target);
 }
 
 void describe_moment(const ShownMoment& shown,
@@ -71,7 +78,7 @@ void describe_moment(const ShownMoment& shown,
                      render::OverlayState& state) noexcept {
     const BeatGrid& grid = shown.music.grid;
     // The grid is extended to the moment: the picture may lie ahead of the newest state.
-    const Beats position = grid.beats_at(shown.moment);
+    const Beats position = grid.beats_at(shown.danced.moment);
     state.bpm = grid.tempo.bpm();
     state.confidence = grid.confidence;
     state.beats_per_bar = grid.beats_per_bar;

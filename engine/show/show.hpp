@@ -4,10 +4,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
+#include "engine/show/dancer_bodies.hpp"
 #include "engine/show/framing.hpp"
 #include "engine/show/picture.hpp"
 #include "motion/dancer.hpp"
@@ -19,15 +21,15 @@ namespace raks::engine {
 
 /// One moment of the dance, as a picture is to show it.
 struct ShownMoment {
-    const MusicState& music;              ///< the state that the overlay describes
-    const motion::DancerStatus& dancer;   ///< of the first dancer
-    std::span<const motion::Pose> poses;  ///< one a dancer, in world space
-    StreamTime moment;                    ///< stream time that is seen and sounds at that time
+    const MusicState& music;             ///< the state that the overlay describes
+    const motion::DancerStatus& dancer;  ///< of the first dancer
+    DancedMoment danced;                 ///< what is seen
 };
 
 /// What every picture is drawn with.
 struct Drawing {
-    render::Renderer renderer;  ///< with the mannequin's mesh
+    render::Renderer renderer;  ///< with the avatar's mesh
+    DancerBodies bodies;        ///< who wears it
     render::Overlay overlay;    ///< text and meters over the picture
 };
 /// Makes both. An OpenGL context must be current. Errors: the driver refuses.
@@ -36,6 +38,7 @@ struct Drawing {
 /// Draws the stage and the dancers; rings on the floor show the beat.
 void draw_moment(const ShownMoment& shown,
                  render::Renderer& renderer,
+                 DancerBodies& bodies,
                  render::Scene& scene,
                  const render::FrameTarget& target);
 
@@ -56,7 +59,7 @@ class Show {
               const render::FrameTarget& target);
 
     /// Samples a pixel that a render target should have.
-    [[nodiscard]] int samples() const noexcept { return renderer_.samples(); }
+    [[nodiscard]] int samples() const noexcept { return drawing_.renderer.samples(); }
 
  private:
     Show(const Look& look,
@@ -67,9 +70,9 @@ class Show {
     std::shared_ptr<const DanceList> dances_;
     render::Scene scene_;
     Framing framing_;
+    std::vector<motion::Pose> poses_;  // of the last picture
     std::optional<StreamTime> last_moment_;
-    render::Renderer renderer_;
-    render::Overlay overlay_;
+    Drawing drawing_;
     render::OverlayView overlay_view_;
 };
 

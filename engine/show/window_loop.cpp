@@ -17,6 +17,7 @@
 #include "base/expected.hpp"
 #include "engine/control/action_table.hpp"
 #include "engine/setup/user_folders.hpp"
+#include "render/avatar/avatar.hpp"
 #include "render/gl/frame_target.hpp"
 #include "render/gl/window.hpp"
 #include "render/scene/camera.hpp"
@@ -250,7 +251,9 @@ void WindowLoop::draw(WindowContent& content) {
         // A picture is visible one refresh after it is handed over; the content draws that moment.
         const Nanos until_seen = nanos_from_seconds(1.0 / window_.refresh_rate());
         render::OverlayState overlay;
-        content.draw({drawing_.renderer, scene_, target, HostClock::now() + until_seen}, overlay);
+        content.draw(
+            {drawing_.renderer, drawing_.bodies, scene_, target, HostClock::now() + until_seen},
+            overlay);
         draw_overlay(overlay, target);
     }
     // After drawing and before present(): the frame still holds this picture.
@@ -325,7 +328,8 @@ void WindowLoop::go_to_next_theme() {
 // The content may move a preset: a formation needs more room than one dancer.
 render::Camera WindowLoop::preset(const WindowContent& content) const {
     const auto camera = render::find_camera(camera_name_);
-    return content.framed(camera ? *camera : render::Camera());
+    return content.framed(
+        camera_for(camera ? *camera : render::Camera(), render::size_of(drawing_.bodies.avatar())));
 }
 
 std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,

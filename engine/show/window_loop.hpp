@@ -23,6 +23,7 @@ namespace raks::engine {
 /// What a content needs to draw one picture.
 struct WindowPicture {
     render::Renderer& renderer;  ///< draws the scene into the target
+    DancerBodies& bodies;        ///< what its dancers wear
     render::Scene& scene;  ///< theme, camera and view are the loop's; the rest is the content's
     render::FrameTarget target;  ///< where to draw; its size is that of the window
     /// Host time at which the picture will be visible: about one refresh from now.

@@ -80,6 +80,17 @@ glm::mat4 matrix_of(const glm::quat& rotation, glm::vec3 position) noexcept {
 
 }  // namespace
 
+float size_of(const Avatar& avatar) noexcept {
+    return avatar.skeleton.hips_height() / motion::mannequin_skeleton().hips_height();
+}
+
+motion::Pose retargeted(motion::Pose pose,
+                        const motion::Skeleton& made_for,
+                        const Avatar& avatar) noexcept {
+    pose.hips_position *= avatar.skeleton.hips_height() / made_for.hips_height();
+    return pose;
+}
+
 glm::quat helper_rotation(const HelperJoint& helper, const glm::quat& source) noexcept {
     if (helper.kind == HelperKind::half_rotation) {
         return half_of(source);

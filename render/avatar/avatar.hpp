@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,8 @@
 #include "motion/skeleton/humanoid.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "render/avatar/avatar_rig.hpp"
+#include "render/avatar/surface.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -98,10 +101,18 @@ struct HelperJoint {
     float lift = 0.0F;
 };
 
-/// Immutable once built.
+/// Immutable once built. Its body is a painted skin (the mannequin), a textured surface (from a
+/// file), or both.
 struct Avatar {
     std::string name;
     motion::Skeleton skeleton;
+
+    // A surface and what moves it; none: `rig` is null.
+    Surface surface;
+    std::shared_ptr<const AvatarRig> rig;
+    float soles = 0.0F;  ///< height of the soles in the rig's T-pose; metres
+
+    // A painted skin and the bones and helpers that move it.
     motion::Pose bind_pose;  ///< an A-pose: the posture in which vertices and normals are given
     std::vector<AvatarVertex> vertices;  ///< fewer than 65,536
     std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from outside
@@ -109,6 +120,15 @@ struct Avatar {
     std::array<HelperJoint, kHelperCount> helpers{};
     std::string licence;  ///< SPDX identifier
 };
+
+/// Its size against the mannequin's: the ratio of the heights of the hips.
+[[nodiscard]] float size_of(const Avatar& avatar) noexcept;
+
+/// A pose that was made for another body, on this one: the hips' place by the ratio of their
+/// heights. Threads: any. Real-time: yes.
+[[nodiscard]] motion::Pose retargeted(motion::Pose pose,
+                                      const motion::Skeleton& made_for,
+                                      const Avatar& avatar) noexcept;
 
 /// Rotation of a helper against its parent, from the local rotation of its source bone.
 /// Threads: any. Real-time: yes.

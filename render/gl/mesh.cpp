@@ -28,7 +28,22 @@ Mesh::Mesh(std::span<const std::byte> vertices,
            std::size_t stride,
            std::span<const Attribute> attributes,
            std::span<const std::uint16_t> indices)
-    : index_count_(static_cast<GLsizei>(indices.size())) {
+    : index_count_(static_cast<GLsizei>(indices.size())), index_type_(GL_UNSIGNED_SHORT) {
+    upload(vertices, stride, attributes, std::as_bytes(indices));
+}
+
+Mesh::Mesh(std::span<const std::byte> vertices,
+           std::size_t stride,
+           std::span<const Attribute> attributes,
+           std::span<const std::uint32_t> indices)
+    : index_count_(static_cast<GLsizei>(indices.size())), index_type_(GL_UNSIGNED_INT) {
+    upload(vertices, stride, attributes, std::as_bytes(indices));
+}
+
+void Mesh::upload(std::span<const std::byte> vertices,
+                  std::size_t stride,
+                  std::span<const Attribute> attributes,
+                  std::span<const std::byte> indices) noexcept {
     // The vertex array records the attributes and the index buffer bound while it is current.
     glBindVertexArray(array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
@@ -50,12 +65,27 @@ Mesh::Mesh(std::span<const std::byte> vertices,
 
 void Mesh::draw() const noexcept {
     glBindVertexArray(array_.name());
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr);
+    glDrawElements(GL_TRIANGLES, index_count_, index_type_, nullptr);
+}
+
+void Mesh::draw_range(std::uint32_t first, std::uint32_t count) const noexcept {
+    const std::size_t size = index_type_ == GL_UNSIGNED_INT ? 4 : 2;
+    glBindVertexArray(array_.name());
+    glDrawElements(
+        GL_TRIANGLES, static_cast<GLsizei>(count), index_type_, buffer_offset(first * size));
+}
+
+void Mesh::replace_vertices(std::size_t offset, std::span<const std::byte> bytes) noexcept {
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    glBufferSubData(GL_ARRAY_BUFFER,
+                    static_cast<GLintptr>(offset),
+                    static_cast<GLsizeiptr>(bytes.size_bytes()),
+                    bytes.data());
 }
 
 void Mesh::draw_instances(int count) const noexcept {
     glBindVertexArray(array_.name());
-    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr, count);
+    glDrawElementsInstanced(GL_TRIANGLES, index_count_, index_type_, nullptr, count);
 }
 
 }  // namespace raks::render::gl

@@ -25,7 +25,7 @@ struct Attribute {
     std::size_t offset = 0;  ///< bytes from the vertex's start
 };
 
-/// Vertices and triangles in the driver's memory, never changed. Threads: the context's.
+/// Vertices and triangles in the driver's memory. Threads: the context's.
 class Mesh {
  public:
     /// `vertices`: records of `stride` bytes; `indices`: three a triangle.
@@ -33,9 +33,18 @@ class Mesh {
          std::size_t stride,
          std::span<const Attribute> attributes,
          std::span<const std::uint16_t> indices);
+    /// The same for meshes of 65,536 vertices and more.
+    Mesh(std::span<const std::byte> vertices,
+         std::size_t stride,
+         std::span<const Attribute> attributes,
+         std::span<const std::uint32_t> indices);
 
     /// Draws all triangles with the program in use.
     void draw() const noexcept;
+    /// Draws the triangles of `count` indices from `first` on.
+    void draw_range(std::uint32_t first, std::uint32_t count) const noexcept;
+    /// Puts other bytes in place of those from `offset` on.
+    void replace_vertices(std::size_t offset, std::span<const std::byte> bytes) noexcept;
     /// Draws them `count` times; the shader tells the instances apart by gl_InstanceID.
     void draw_instances(int count) const noexcept;
 
@@ -44,6 +53,12 @@ class Mesh {
     Buffer vertices_;
     Buffer indices_;
     GLsizei index_count_;
+    GLenum index_type_;
+
+    void upload(std::span<const std::byte> vertices,
+                std::size_t stride,
+                std::span<const Attribute> attributes,
+                std::span<const std::byte> indices) noexcept;
 };
 
 }  // namespace raks::render::gl

@@ -50,6 +50,8 @@ struct Scene {
     BeatRings rings{};
     /// Stage or transparent.
     Backdrop backdrop = Backdrop::stage;
+    /// Stream time, seconds: textures that move are where they are then.
+    double seconds = 0.0;
 };
 
 }  // namespace raks::render

@@ -56,16 +56,18 @@ LightDirections light_directions(const Camera& camera) noexcept {
 }
 
 std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world,
+                                                  float scale,
                                                   glm::vec3 key) noexcept {
     std::array<ShadowBlob, kShadowBlobs> blobs{};
     for (std::size_t i = 0; i < kBlobs.size(); ++i) {
         const BlobRecipe& recipe = kBlobs[i];
-        const glm::vec3 joint = world.position(recipe.bone) + glm::vec3(0.0F, recipe.above, 0.0F);
+        const glm::vec3 joint =
+            world.position(recipe.bone) + glm::vec3(0.0F, scale * recipe.above, 0.0F);
         const float height = std::max(joint.y, 0.0F);
         // Where the ray from the key light through the joint meets the floor.
         blobs[i] = {.x = joint.x - key.x / key.y * height,
                     .z = joint.z - key.z / key.y * height,
-                    .radius = recipe.radius + kWiderPerMetre * height,
+                    .radius = scale * recipe.radius + kWiderPerMetre * height,
                     .strength = recipe.strength / (1.0F + kWeakerPerMetre * height)};
     }
     return blobs;

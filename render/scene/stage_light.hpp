@@ -36,8 +36,10 @@ struct ShadowBlob {
 inline constexpr std::size_t kShadowBlobs = 11;
 
 /// Blobs of the large joints, projected on the floor along the key light; wider and weaker with
-/// height. What the fast shaders have for a shadow.
+/// height. What the fast shaders have for a shadow. `scale`: the dancer's size, the mannequin's
+/// is 1.
 [[nodiscard]] std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world,
+                                                                float scale,
                                                                 glm::vec3 key) noexcept;
 
 /// Orthographic view from the key light around the dancers, 1.25 m and `spread` (how far the hips

@@ -105,12 +105,27 @@ Theme studio_light() noexcept {
     return theme;
 }
 
-constexpr std::array<std::string_view, 3> kThemeNames = {"stage", "workshop_dark", "studio_light"};
+/// One white light and nothing that changes colours: surfaces are shown by their own formulas.
+Theme plain() noexcept {
+    Theme theme = studio_light();
+    theme.name = "plain";
+    theme.background_top = theme.background_glow = theme.background_horizon = srgb(0x808080);
+    theme.floor_centre = theme.floor_edge = srgb(0x808080);
+    theme.key_light = glm::vec3(1.0F);
+    theme.fill_light = theme.rim_light = theme.sky_light = theme.ground_light = glm::vec3(0.0F);
+    theme.floor_ambient = 0.5F;
+    theme.exposure = 1.0F;
+    theme.has_tone_curve = false;
+    return theme;
+}
+
+constexpr std::array<std::string_view, 4> kThemeNames = {
+    "stage", "workshop_dark", "studio_light", "plain"};
 
 const std::array<Theme, kThemeNames.size()>& themes() noexcept {
     // In the order of kThemeNames; made on first use, since std::pow is not constexpr.
     static const std::array<Theme, kThemeNames.size()> all = {
-        stage(), workshop_dark(), studio_light()};
+        stage(), workshop_dark(), studio_light(), plain()};
     return all;
 }
 

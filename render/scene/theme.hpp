@@ -43,15 +43,16 @@ struct Theme {
     float floor_ambient = 0.2F;      ///< share of the floor's light that no shadow takes, (0, 1)
     float ring_cover = 0.5F;         ///< from 0: rings add light, to 1: they cover the floor
 
-    glm::vec3 key_light{};     ///< main light; casts the shadow
-    glm::vec3 fill_light{};    ///< lifts the dark side
-    glm::vec3 rim_light{};     ///< bright edge, from behind
-    glm::vec3 sky_light{};     ///< hemisphere light from above
-    glm::vec3 ground_light{};  ///< and from below
-    float exposure = 1.0F;     ///< factor before tone mapping
+    glm::vec3 key_light{};       ///< main light; casts the shadow
+    glm::vec3 fill_light{};      ///< lifts the dark side
+    glm::vec3 rim_light{};       ///< bright edge, from behind
+    glm::vec3 sky_light{};       ///< hemisphere light from above
+    glm::vec3 ground_light{};    ///< and from below
+    float exposure = 1.0F;       ///< factor before tone mapping
+    bool has_tone_curve = true;  ///< else light is shown as it is, up to 1
 };
 
-/// Names for --theme, the default first: "stage", "workshop_dark", "studio_light".
+/// Names for --theme, the default first: "stage", "workshop_dark", "studio_light", "plain".
 [[nodiscard]] std::span<const std::string_view> theme_names() noexcept;
 
 /// The theme "stage". The built-in themes live as long as the program.

@@ -103,6 +103,9 @@ Expected<void> Film::open(FilmForm form) {
     muxer_.reset(muxer);
     // No date and no library version in the file; what is written is there if we are killed.
     muxer_->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
+    if (!options_.comment.empty()) {
+        av_dict_set(&muxer_->metadata, "comment", options_.comment.c_str(), 0);
+    }
     packet_.reset(av_packet_alloc());
 
     auto pictures = PictureEncoder::create(form, options_, muxer_->oformat->flags);

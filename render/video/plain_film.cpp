@@ -69,6 +69,11 @@ Expected<MuxerHandle> open_plain(const std::string& path,
         return fail("cannot be written: " + av_reason(error));
     }
     muxer->flags |= AVFMT_FLAG_BITEXACT;
+    // The fragments' head says more of itself (their brand) than belongs to the film.
+    if (const AVDictionaryEntry* const comment =
+            av_dict_get(fragments.metadata, "comment", nullptr, 0)) {
+        av_dict_set(&muxer->metadata, "comment", comment->value, 0);
+    }
     for (std::size_t i = 0; i < tracks.size(); ++i) {
         AVStream* const stream = avformat_new_stream(muxer.get(), nullptr);
         if (stream == nullptr ||

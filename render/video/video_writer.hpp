@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "base/expected.hpp"
 
@@ -42,6 +43,7 @@ struct VideoOptions {
     /// Hz, 8,000 to 192,000; resampled to 48,000 where the form's codec does not have it.
     int audio_rate = 48'000;
     int audio_channels = 2;  ///< 0 (no sound track), 1 or 2
+    std::string comment{};   ///< of the film, for who looks at its details; empty: none
 };
 
 /// Writes a film with sound. The extension chooses the form:

@@ -63,8 +63,10 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
 
     {"render/gl", {"base"}},
     {"render/video", {"base"}},
+    {"render/model", {"base", "motion/skeleton"}},
+    {"render/import", {"base", "motion/skeleton", "render/model"}},
     {"render/scene", {"base", "motion/skeleton"}},
-    {"render/avatar", {"base", "motion/skeleton"}},
+    {"render/avatar", {"base", "motion/skeleton", "render/model"}},
     {"render/mannequin", {"base", "motion/skeleton", "render/avatar"}},
     {"render/overlay", {"base", "render/gl"}},
     {"render", {"base", "motion/skeleton", "render/gl", "render/scene", "render/avatar"}},

@@ -53,6 +53,7 @@ class Mutants : public ProgramTest {
     void add_sounds();
     void add_motion();
     void add_settings();
+    void add_models();
     void try_one(const Door& door, std::uint64_t seed);
     void note(const Door& door, std::uint64_t seed, const std::string& what);
 
@@ -71,6 +72,7 @@ void Mutants::SetUp() {
     add_sounds();
     add_motion();
     add_settings();
+    add_models();
     for (const std::string& name : files()) {
         usual_.insert(name);
     }
@@ -101,6 +103,25 @@ void Mutants::add_sounds() {
                            "--duration",
                            "0.1",
                            "-q"},
+                          false,
+                          {}});
+    }
+}
+
+void Mutants::add_models() {
+    // Text is damaged by structure, containers byte by byte.
+    doors_.push_back({"glTF",
+                      "m.gltf",
+                      source("tests/data/avatars/SimpleSkin.gltf"),
+                      {"avatar", "show", path("m.gltf")},
+                      true,
+                      {}});
+    for (const std::string name : {"smoke_spring.vrm", "six_poses.vrma", "RiggedFigure.glb"}) {
+        const std::string file = "m" + fs::path(name).extension().string();
+        doors_.push_back({name,
+                          file,
+                          source("tests/data/avatars/" + name),
+                          {"avatar", "show", path(file)},
                           false,
                           {}});
     }

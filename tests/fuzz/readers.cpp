@@ -31,6 +31,11 @@ std::span<const Reader> readers() {
         {"midi", read_midi, {}, 2000, Content::bytes},
         {"sound", read_sound, {}, 60, Content::bytes},
         {"genre_samples", read_genre_samples, {}, 300, Content::bytes},
+        {"bone_labels", read_bone_label_file, {}, 2000},
+        {"model",
+         read_model_file,
+         {"tests/data/avatars/SimpleSkin.gltf", "tests/data/avatars/RiggedFigure.glb"},
+         500},
     };
     return all;
 }

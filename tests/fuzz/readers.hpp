@@ -50,6 +50,8 @@ bool read_playlist(std::string_view text);      ///< in all forms
 bool read_clip(std::string_view text);          ///< BVH; draws it, retargets it and learns from it
 bool read_midi(std::string_view bytes);         ///< a file of a pack, and performs it; or its index
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
-bool read_genre_samples(std::string_view bytes);  ///< and other files that training keeps
+bool read_genre_samples(std::string_view bytes);   ///< and other files that training keeps
+bool read_bone_label_file(std::string_view text);  ///< labels of avatars
+bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
 
 }  // namespace raks::fuzz

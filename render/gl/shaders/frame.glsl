@@ -12,6 +12,9 @@ layout(std140) uniform Frame {
     vec4 rim_light;
     vec4 sky_light;
     vec4 ground_light;
+    vec4 toon_key;            // lights of drawn surfaces: key and ambient add to about 1
+    vec4 toon_sky;
+    vec4 toon_ground;
     vec4 materials[7];        // linear colours of the body, by material
     vec4 display_top;         // backdrop
     vec4 display_glow;
@@ -22,12 +25,14 @@ layout(std140) uniform Frame {
     vec4 floor_sky_tint;      // ambient share
     vec4 display_ring;        // a: how far a ring covers the floor (0: it only adds light)
     vec4 rings[4];            // radius, brightness, half width of the line, strength of its glow
-    vec4 blobs[44];           // x, z, 1 / radius^2, strength
     vec4 picture;             // x, y, width, height in pixels
     vec4 tone;                // exposure; 1 on the stage, 0 on a transparent backdrop; phase of the
                               // dither; pixels of 0.04 m at 1 m distance
-    vec4 counts;              // of the blobs
+    vec4 counts;              // of the blobs; 1: light is shown as it is, without the tone curve
 };
+
+// Soft shadows of all dancers.
+layout(std140) uniform Blobs { vec4 blobs[1012]; };  // x, z, 1 / radius^2, strength
 
 const float kFadeStart = 1.6;  // metres from the middle of the floor: there it begins to fade
 const float kFadeEnd = 4.6;    // and here it is the backdrop
@@ -35,6 +40,9 @@ const float kFadeEnd = 4.6;    // and here it is the backdrop
 // Narkowicz 2015, "ACES filmic tone mapping curve", after exposure.
 vec3 tone_mapped(vec3 light) {
     vec3 x = light * tone.x;
+    if (counts.y > 0.5) {
+        return clamp(x, 0.0, 1.0);
+    }
     return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
 }
 

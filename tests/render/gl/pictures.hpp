@@ -5,6 +5,7 @@
 #include "motion/skeleton/skeleton.hpp"
 #include "render/gl/offscreen.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -23,6 +24,11 @@ struct Picture {
     [[nodiscard]] const std::uint8_t* pixel(int x, int y) const {
         return &rgba[4U * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                            static_cast<std::size_t>(x))];
+    }
+    /// The same as a value.
+    [[nodiscard]] std::array<std::uint8_t, 4> at(int x, int y) const {
+        const std::uint8_t* const p = pixel(x, y);
+        return {p[0], p[1], p[2], p[3]};
     }
     /// Mean of all colour bytes, without alpha.
     [[nodiscard]] double brightness() const {

@@ -130,7 +130,7 @@ TEST(Theme, an_unknown_name_is_answered_with_the_nearest_one) {
     EXPECT_EQ(find_theme("studio-light").error().message,
               "theme \"studio-light\" is unknown; did you mean \"studio_light\"?");
     EXPECT_EQ(find_theme("xyzzy").error().message,
-              "theme \"xyzzy\" is unknown; known: stage, workshop_dark, studio_light");
+              "theme \"xyzzy\" is unknown; known: stage, workshop_dark, studio_light, plain");
     EXPECT_FALSE(find_theme("").has_value());
     EXPECT_LT(find_theme(std::string(1'000'000, 'x')).error().message.size(), 200U);
 }
@@ -215,7 +215,7 @@ TEST(StageLight, blobs_lie_away_from_the_key_light_and_weaken_with_height) {
     pose.hips_position.y = motion::mannequin_skeleton().hips_height();
     const motion::WorldPose world = motion::world_pose(motion::mannequin_skeleton(), pose);
     const glm::vec3 key = light_directions(Camera{}).key;
-    const auto blobs = shadow_blobs(world, key);
+    const auto blobs = shadow_blobs(world, 1.0F, key);
     const ShadowBlob& foot = blobs[0];
     const ShadowBlob& head = blobs[6];
     EXPECT_LT(glm::dot(glm::vec2(head.x, head.z), glm::vec2(key.x, key.z)), -0.5F);

@@ -1,0 +1,62 @@
+// What a dancer's face does while the music plays.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/time.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/skeleton.hpp"
+#include "render/avatar/face.hpp"
+
+namespace raks::engine {
+
+/// What a face does by itself; each can be switched off.
+struct FaceHabits {
+    bool blinks = true;
+    bool moves_mouth = true;  ///< by the music's level
+    bool gazes = true;        ///< to the camera or the partner
+};
+
+/// What a face is made from.
+struct FaceMoment {
+    StreamTime time{};              ///< that is seen and heard
+    float level_dbfs = -120.0F;     ///< of the music now (MusicState)
+    float loudness_lufs = -120.0F;  ///< of the music of late (MusicState)
+    glm::vec3 gaze_target{0.0F};    ///< the camera, or the partner's head (head_place); metres
+};
+
+/// How far both eyelids are closed at a moment, 0..1. Blinks are 2 to 6 s apart and keep the eyes
+/// more than half shut for 0.1 to 0.2 s; when they come is the seed's alone.
+/// Threads: any. Real-time: yes.
+[[nodiscard]] float blink_at(StreamTime time, std::uint64_t seed) noexcept;
+
+/// Place of the head's joint, in the world.
+[[nodiscard]] glm::vec3 head_place(const motion::Skeleton& skeleton,
+                                   const motion::Pose& pose) noexcept;
+
+/// The face of one dancer, picture by picture. The same seed and moments give the same faces.
+/// Threads: one. Real-time: yes.
+class DancerFace {
+ public:
+    explicit DancerFace(std::uint64_t seed, FaceHabits habits = {}) noexcept
+        : seed_(seed), habits_(habits) {}
+
+    void set_habits(FaceHabits habits) noexcept { habits_ = habits; }
+
+    /// The face at a moment. `pose`: the dancer's. The eyes follow a target before them and rest
+    /// where it is beside or behind the head.
+    [[nodiscard]] render::Face face_at(const FaceMoment& moment,
+                                       const motion::Skeleton& skeleton,
+                                       const motion::Pose& pose) noexcept;
+
+ private:
+    float mouth_at(const FaceMoment& moment) noexcept;
+
+    std::uint64_t seed_;
+    FaceHabits habits_;
+    float mouth_ = 0.0F;
+    std::optional<StreamTime> last_;
+};
+
+}  // namespace raks::engine

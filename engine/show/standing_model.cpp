@@ -1,0 +1,114 @@
+#include "engine/show/standing_model.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "render/avatar/joint_tree.hpp"
+#include "render/import/standing_figure.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace raks::engine {
+namespace {
+
+using render::Model;
+using render::ModelNode;
+using render::StandingFigure;
+
+/// Nodes with parents before their children.
+std::vector<std::size_t> in_order(const std::vector<int>& parents) {
+    std::vector<std::size_t> order;
+    std::vector<bool> is_done(parents.size(), false);
+    for (std::size_t start = 0; start < parents.size(); ++start) {
+        std::vector<std::size_t> way;
+        for (int node = static_cast<int>(start);
+             node >= 0 && !is_done[static_cast<std::size_t>(node)];
+             node = parents[static_cast<std::size_t>(node)]) {
+            way.push_back(static_cast<std::size_t>(node));
+            is_done[static_cast<std::size_t>(node)] = true;
+        }
+        order.insert(order.end(), way.rbegin(), way.rend());
+    }
+    return order;
+}
+
+void set_local(ModelNode& node, const glm::mat4& local) {
+    node.translation = glm::vec3(local[3]);
+    node.rotation = render::rotation_of(local);
+    for (int axis = 0; axis < 3; ++axis) {
+        node.scale[axis] = glm::length(glm::vec3(local[axis]));
+    }
+    // A mirrored node keeps its mirror.
+    if (glm::determinant(glm::mat3(local)) < 0.0F) {
+        node.scale.x = -node.scale.x;
+        glm::mat3 axes(local);
+        axes[0] = -axes[0];
+        node.rotation = render::rotation_of(glm::mat4(axes));
+    }
+}
+
+void set_parents(Model& model, const std::vector<int>& parents) {
+    for (ModelNode& node : model.nodes) {
+        node.children.clear();
+    }
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        model.nodes[i].parent = parents[i];
+        if (parents[i] >= 0) {
+            model.nodes[static_cast<std::size_t>(parents[i])].children.push_back(
+                static_cast<int>(i));
+        }
+    }
+    std::erase_if(model.roots,
+                  [&](int root) { return parents[static_cast<std::size_t>(root)] >= 0; });
+}
+
+/// Local rotations of the T-pose: bones as straightened in the world, all else as it hangs.
+std::vector<glm::quat> t_pose_of(const Model& model,
+                                 const StandingFigure& figure,
+                                 const std::vector<std::size_t>& order) {
+    std::vector<glm::quat> world(model.nodes.size());
+    std::vector<glm::quat> local(model.nodes.size());
+    std::vector<const glm::quat*> straightened(model.nodes.size(), nullptr);
+    for (std::size_t bone = 0; bone < figure.straighten.size(); ++bone) {
+        const int node = model.character.humanoid.nodes[bone];
+        if (node >= 0) {
+            straightened[static_cast<std::size_t>(node)] = &figure.straighten[bone];
+        }
+    }
+    for (const std::size_t node : order) {
+        const int parent = model.nodes[node].parent;
+        const glm::quat above = parent < 0 ? glm::quat(1.0F, 0.0F, 0.0F, 0.0F)
+                                           : world[static_cast<std::size_t>(parent)];
+        world[node] = straightened[node] != nullptr
+                          ? *straightened[node] * render::rotation_of(figure.world[node])
+                          : above * model.nodes[node].rotation;
+        local[node] = glm::normalize(glm::inverse(above) * world[node]);
+    }
+    return local;
+}
+
+}  // namespace
+
+render::RigOptions stand_model(Model& model, std::optional<float> height) {
+    const StandingFigure figure = render::stand_up(model, height);
+    render::RigOptions options{.scale = figure.scale, .t_pose = {}};
+    if (model.character.vrm != render::VrmVersion::none) {
+        return options;  // stored in its T-pose; the rig turns it to the front
+    }
+    const std::vector<std::size_t> order = in_order(figure.parents);
+    set_parents(model, figure.parents);
+    for (const std::size_t node : order) {
+        const int parent = figure.parents[node];
+        set_local(model.nodes[node],
+                  parent < 0 ? figure.world[node]
+                             : glm::inverse(figure.world[static_cast<std::size_t>(parent)]) *
+                                   figure.world[node]);
+    }
+    model.character.faces_minus_z = false;  // `world` is turned already
+    options.t_pose = t_pose_of(model, figure, order);
+    return options;
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "render/avatar/avatar_rig.hpp"
+#include "render/model/model.hpp"
+
+namespace raks::engine {
+
+/// Puts the nodes of a model whose bones are known where its figure stands (render::stand_up):
+/// facing +z, each part below the bone that carries it, bound as its skin was. Returns its size and
+/// T-pose for the rig. `height`: as for stand_up. Threads: any. Real-time: no.
+[[nodiscard]] render::RigOptions stand_model(render::Model& model, std::optional<float> height);
+
+}  // namespace raks::engine

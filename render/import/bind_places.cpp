@@ -1,0 +1,195 @@
+#include "render/import/bind_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "render/import/node_tree.hpp"
+#include "render/model/model_survey.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+namespace raks::render {
+namespace {
+
+glm::mat4 local_of(const ModelNode& node) {
+    return glm::translate(glm::mat4(1.0F), node.translation) * glm::mat4_cast(node.rotation) *
+           glm::scale(glm::mat4(1.0F), node.scale);
+}
+
+bool is_finite(const glm::mat4& matrix) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(matrix[column][row])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Where the skin's own space has each joint; empty where it does not say.
+std::vector<glm::mat4> bound_joints(const ModelSkin& skin) {
+    std::vector<glm::mat4> bound;
+    bool says_something = false;
+    for (const glm::mat4& inverse : skin.inverse_bind) {
+        const glm::mat4 joint = glm::inverse(inverse);
+        if (!is_finite(joint)) {
+            return {};
+        }
+        says_something = says_something || inverse != skin.inverse_bind.front();
+        bound.push_back(joint);
+    }
+    return says_something && bound.size() == skin.joints.size() ? bound : std::vector<glm::mat4>();
+}
+
+/// World from the skin's space. It is not written in a file: skins are bound in the world, or in
+/// the space of what carries the skeleton. The one that leaves the joints nearer to their places
+/// at rest is taken.
+glm::mat4 world_from_skin(const Model& model,
+                          const ModelSkin& skin,
+                          std::span<const glm::mat4> bound,
+                          std::span<const glm::mat4> rest) {
+    const int carrier = node_of(model, skin.joints.front()).parent;
+    const std::array<glm::mat4, 2> candidates = {
+        glm::mat4(1.0F), carrier >= 0 ? rest[static_cast<std::size_t>(carrier)] : glm::mat4(1.0F)};
+    float least = std::numeric_limits<float>::infinity();
+    glm::mat4 best = candidates.front();
+    for (const glm::mat4& candidate : candidates) {
+        float sum = 0.0F;
+        for (std::size_t j = 0; j < bound.size(); ++j) {
+            const auto node = static_cast<std::size_t>(skin.joints[j]);
+            sum += glm::length(glm::vec3(candidate * bound[j][3]) - glm::vec3(rest[node][3]));
+        }
+        if (sum < least * 0.999F && is_finite(candidate)) {
+            least = sum;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+/// Where a vertex is: by its joints, or by the node that shows it.
+glm::vec3 vertex_place(const ModelPrimitive& primitive,
+                       std::size_t vertex,
+                       std::span<const glm::mat4> skinning,
+                       const glm::mat4& rigid) {
+    const glm::vec4 position(primitive.positions[vertex], 1.0F);
+    if (skinning.empty() || primitive.joints.empty() || primitive.weights.empty()) {
+        return glm::vec3(rigid * position);
+    }
+    glm::vec4 place(0.0F);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const float weight = primitive.weights[vertex][k];
+        if (weight > 0.0F) {
+            place += weight * (skinning[primitive.joints[vertex][k]] * position);
+        }
+    }
+    return glm::vec3(place);
+}
+
+/// The node that moves a vertex most.
+int mover_of(const Model& model, const ModelPrimitive& primitive, std::size_t vertex, int node) {
+    const int skin = node_of(model, node).skin;
+    if (skin < 0 || primitive.joints.empty() || primitive.weights.empty()) {
+        return node;
+    }
+    const auto& weights = primitive.weights[vertex];
+    const auto largest = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) -
+                                                  weights.begin());
+    return model.skins[static_cast<std::size_t>(skin)].joints[primitive.joints[vertex][largest]];
+}
+
+/// Calls `see(node that moves it most, place)` for each vertex that is shown.
+template <typename See>
+void for_each_vertex(const Model& model, std::span<const glm::mat4> world, const See& see) {
+    for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+        if (model.nodes[node].mesh < 0) {
+            continue;
+        }
+        std::vector<glm::mat4> skinning;
+        if (const int skin = model.nodes[node].skin; skin >= 0) {
+            const ModelSkin& joints = model.skins[static_cast<std::size_t>(skin)];
+            for (std::size_t j = 0; j < joints.joints.size(); ++j) {
+                skinning.push_back(world[static_cast<std::size_t>(joints.joints[j])] *
+                                   joints.inverse_bind[j]);
+            }
+        }
+        const ModelMesh& mesh = model.meshes[static_cast<std::size_t>(model.nodes[node].mesh)];
+        for (const ModelPrimitive& primitive : mesh.primitives) {
+            for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
+                see(mover_of(model, primitive, vertex, static_cast<int>(node)),
+                    vertex_place(primitive, vertex, skinning, world[node]));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<glm::mat4> bind_world(const Model& model) {
+    std::vector<glm::mat4> world = rest_world(model);
+    const std::vector<glm::mat4> rest = world;
+    std::vector<bool> is_bound(model.nodes.size(), false);
+    for (const ModelSkin& skin : model.skins) {
+        const std::vector<glm::mat4> bound = bound_joints(skin);
+        if (bound.empty()) {
+            continue;
+        }
+        const glm::mat4 from_skin = world_from_skin(model, skin, bound, rest);
+        for (std::size_t j = 0; j < bound.size(); ++j) {
+            const auto node = static_cast<std::size_t>(skin.joints[j]);
+            if (!is_bound[node]) {
+                is_bound[node] = true;
+                world[node] = from_skin * bound[j];
+            }
+        }
+    }
+    for (const int node : parents_first(model)) {
+        const int parent = node_of(model, node).parent;
+        if (!is_bound[static_cast<std::size_t>(node)] && parent >= 0) {
+            world[static_cast<std::size_t>(node)] =
+                world[static_cast<std::size_t>(parent)] * local_of(node_of(model, node));
+        }
+    }
+    return world;
+}
+
+std::vector<glm::vec3> places_of(std::span<const glm::mat4> world) {
+    std::vector<glm::vec3> places;
+    places.reserve(world.size());
+    for (const glm::mat4& matrix : world) {
+        places.emplace_back(matrix[3]);
+    }
+    return places;
+}
+
+MeshBox mesh_box(const Model& model, std::span<const glm::mat4> world) {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    MeshBox box{glm::vec3(kFar), glm::vec3(-kFar)};
+    for_each_vertex(model, world, [&box](int, const glm::vec3& place) {
+        box.lowest = glm::min(box.lowest, place);
+        box.highest = glm::max(box.highest, place);
+    });
+    return box.lowest.x <= box.highest.x ? box : MeshBox();
+}
+
+std::vector<glm::vec3> mean_offsets(const Model& model, std::span<const glm::mat4> world) {
+    std::vector<glm::vec3> sums(model.nodes.size(), glm::vec3(0.0F));
+    std::vector<float> counts(model.nodes.size(), 0.0F);
+    for_each_vertex(model, world, [&](int node, const glm::vec3& place) {
+        const auto at = static_cast<std::size_t>(node);
+        sums[at] += place - glm::vec3(world[at][3]);
+        counts[at] += 1.0F;
+    });
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        sums[i] /= std::max(counts[i], 1.0F);
+    }
+    return sums;
+}
+
+}  // namespace raks::render

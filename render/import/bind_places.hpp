@@ -1,0 +1,36 @@
+// Where the nodes of a model are as its skin was bound.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/model/model.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace raks::render {
+
+/// World from each node as the skins were bound, which is a standing pose, where the transforms as
+/// stored (rest_world) may be a frame of an animation: joints by their inverse bind matrices, what
+/// hangs on them as stored against them, all else as stored. Skins without such matrices, or with
+/// ones that cannot be inverted, are as stored.
+[[nodiscard]] std::vector<glm::mat4> bind_world(const Model& model);
+
+/// Origins of nodes.
+[[nodiscard]] std::vector<glm::vec3> places_of(std::span<const glm::mat4> world);
+
+/// Lowest and highest corner of all vertices, skins applied, with the nodes at `world`; both 0
+/// where there are none.
+struct MeshBox {
+    glm::vec3 lowest{0.0F};
+    glm::vec3 highest{0.0F};
+};
+[[nodiscard]] MeshBox mesh_box(const Model& model, std::span<const glm::mat4> world);
+
+/// Mean over each node's vertices (those that it moves most) of their place against the node's
+/// origin, in the world's axes; 0 where it has none.
+[[nodiscard]] std::vector<glm::vec3> mean_offsets(const Model& model,
+                                                  std::span<const glm::mat4> world);
+
+}  // namespace raks::render

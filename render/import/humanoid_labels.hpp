@@ -1,0 +1,37 @@
+// A label file: which nodes of a model are its bones, said by a person.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "motion/skeleton/humanoid.hpp"
+
+namespace raks::render {
+
+/// One line of a label file.
+struct BoneLabel {
+    motion::Bone bone = motion::Bone::hips;
+    std::string node;  ///< name
+};
+
+/// What a label file says.
+///
+///     format = "raks-avatar-labels"
+///     version = 1
+///     [bones]
+///     hips = "Pelvis"
+///     leftUpperLeg = "thigh_01"
+struct BoneLabels {
+    std::string file;  ///< its name, for messages
+    std::vector<BoneLabel> bones;
+};
+
+/// Reads a label file. `file`: its name, for messages. Errors, in one line with their place: not
+/// TOML, another format or version, a bone that VRM 1.0 does not know (with the nearest), a bone
+/// that no dance moves (eyes, jaw), a value that is no text, no bones.
+[[nodiscard]] Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file);
+
+}  // namespace raks::render

@@ -1,0 +1,52 @@
+// Which nodes of a model are the bones of its figure.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "base/expected.hpp"
+#include "motion/skeleton/humanoid.hpp"
+#include "render/import/humanoid_labels.hpp"
+#include "render/model/model.hpp"
+
+namespace raks::render {
+
+/// The 15 bones without which no figure dances (VRM 1.0).
+inline constexpr std::array<motion::Bone, 15> kRequiredBones = {
+    motion::Bone::hips,
+    motion::Bone::spine,
+    motion::Bone::head,
+    motion::Bone::left_upper_leg,
+    motion::Bone::left_lower_leg,
+    motion::Bone::left_foot,
+    motion::Bone::left_upper_arm,
+    motion::Bone::left_lower_arm,
+    motion::Bone::left_hand,
+    motion::Bone::right_upper_leg,
+    motion::Bone::right_lower_leg,
+    motion::Bone::right_foot,
+    motion::Bone::right_upper_arm,
+    motion::Bone::right_lower_arm,
+    motion::Bone::right_hand,
+};
+
+/// Names of the required bones that a map lacks, with commas; empty: it has them all.
+[[nodiscard]] std::string missing_bones(const HumanoidMap& humanoid);
+
+/// The nearest bone above `bone` that is mapped; -1: none (hips).
+[[nodiscard]] int mapped_parent(const HumanoidMap& humanoid, int bone) noexcept;
+
+/// How a bone was found, in words: "named in the file".
+[[nodiscard]] std::string_view words_of(BoneReason reason) noexcept;
+
+/// Finds the bones of a model that does not name them itself, and writes them to
+/// Model::character.humanoid: by `labels` where they are given, else by names, and what those
+/// leave open by shape. Checked against the places of the bones always: a left that lies right is
+/// swapped, with a warning. A model that names its bones (VRM, VRMA) is left as it is.
+/// Errors: required bones are missing (the line lists them), a label that names no node, a figure
+/// that is not upright (four legs).
+/// Threads: workers. Real-time: no.
+[[nodiscard]] Expected<void> map_humanoid(Model& model, const BoneLabels* labels = nullptr);
+
+}  // namespace raks::render

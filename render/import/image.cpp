@@ -1,0 +1,154 @@
+#include "render/import/image.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "render/import/image_codecs.hpp"
+
+namespace raks::render {
+namespace {
+
+std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at, std::size_t count) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        value = (value << 8U) | std::to_integer<std::uint32_t>(bytes[at + i]);
+    }
+    return value;
+}
+
+bool begins_with(std::span<const std::byte> bytes, std::string_view start) {
+    return bytes.size() >= start.size() &&
+           std::equal(start.begin(), start.end(), bytes.begin(), [](char c, std::byte b) {
+               return static_cast<std::byte>(c) == b;
+           });
+}
+
+/// The head of a JPEG: frame after frame to the one with the size. Nothing: cut, or none.
+Expected<ImageHead> look_at_jpeg(std::span<const std::byte> bytes) {
+    std::size_t at = 2;
+    while (at + 9 <= bytes.size() && big_endian(bytes, at, 1) == 0xFF) {
+        const std::uint32_t marker = big_endian(bytes, at + 1, 1);
+        if (marker == 0xFF) {
+            ++at;
+            continue;
+        }
+        const bool has_size =
+            marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+        if (has_size) {
+            return ImageHead{.format = ImageFormat::jpeg,
+                             .width = static_cast<int>(big_endian(bytes, at + 7, 2)),
+                             .height = static_cast<int>(big_endian(bytes, at + 5, 2))};
+        }
+        at += 2 + big_endian(bytes, at + 2, 2);
+    }
+    return fail("a JPEG that is cut");
+}
+
+/// Whether all chunks of a PNG are there, up to its end.
+bool is_whole_png(std::span<const std::byte> bytes) {
+    constexpr std::uint32_t kEnd = 0x49454E44;  // "IEND"
+    for (std::size_t at = 8; at + 12 <= bytes.size();) {
+        const std::size_t length = big_endian(bytes, at, 4);
+        if (length > bytes.size() - at - 12) {
+            return false;
+        }
+        if (big_endian(bytes, at + 4, 4) == kEnd) {
+            return true;
+        }
+        at += length + 12;
+    }
+    return false;
+}
+
+Expected<ImageHead> look_by_format(std::span<const std::byte> bytes) {
+    using namespace std::string_view_literals;
+    constexpr std::size_t kPngHead = 33;
+    if (begins_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
+        if (bytes.size() < kPngHead || !is_whole_png(bytes)) {
+            return fail("a PNG that is cut");
+        }
+        constexpr std::uint32_t kNoInt = 0x80000000U;
+        const std::uint32_t width = big_endian(bytes, 16, 4);
+        const std::uint32_t height = big_endian(bytes, 20, 4);
+        if (width >= kNoInt || height >= kNoInt) {
+            return fail("a PNG of impossible size");
+        }
+        return ImageHead{.format = ImageFormat::png,
+                         .width = static_cast<int>(width),
+                         .height = static_cast<int>(height)};
+    }
+    if (begins_with(bytes, "\xFF\xD8\xFF"sv)) {
+        return look_at_jpeg(bytes);
+    }
+    if (begins_with(bytes, "RIFF"sv) && bytes.size() > 12 &&
+        begins_with(bytes.subspan(8), "WEBP"sv)) {
+        return look_at_webp(bytes);
+    }
+    return fail("neither PNG nor JPEG nor WebP");
+}
+
+/// Half as wide and high; of an odd side the last pixel stands for two.
+Image halved(const Image& image) {
+    Image half{.width = std::max(1, image.width / 2),
+               .height = std::max(1, image.height / 2),
+               .pixels = {}};
+    half.pixels.resize(static_cast<std::size_t>(half.width) *
+                       static_cast<std::size_t>(half.height) * 4);
+    const auto at = [&](int x, int y, std::size_t channel) -> unsigned {
+        const auto column = static_cast<std::size_t>(std::min(x, image.width - 1));
+        const auto row = static_cast<std::size_t>(std::min(y, image.height - 1));
+        return image.pixels[(row * static_cast<std::size_t>(image.width) + column) * 4 + channel];
+    };
+    std::uint8_t* out = half.pixels.data();
+    for (int y = 0; y < half.height; ++y) {
+        for (int x = 0; x < half.width; ++x) {
+            for (std::size_t c = 0; c < 4; ++c) {
+                const unsigned sum = at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) +
+                                     at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
+                *out++ = static_cast<std::uint8_t>((sum + 2) / 4);
+            }
+        }
+    }
+    return half;
+}
+
+}  // namespace
+
+Expected<ImageHead> look_at_image(std::span<const std::byte> packed) {
+    auto head = look_by_format(packed);
+    if (!head) {
+        return head;
+    }
+    if (head->width < 1 || head->height < 1 || head->width > kLargestImageSide ||
+        head->height > kLargestImageSide) {
+        return fail(fmt::format("{} x {} pixels; sides of 1 to {} are read",
+                                head->width,
+                                head->height,
+                                kLargestImageSide));
+    }
+    return head;
+}
+
+Expected<Image> decode_image(std::span<const std::byte> packed, int halvings) {
+    const auto head = look_at_image(packed);
+    if (!head) {
+        return fail(head.error());
+    }
+    Image image{.width = head->width, .height = head->height, .pixels = {}};
+    image.pixels.resize(static_cast<std::size_t>(image.width) *
+                        static_cast<std::size_t>(image.height) * 4);
+    constexpr bool (*kUnpack[])(std::span<const std::byte>, Image&, CodecFault&) = {
+        unpack_png, unpack_jpeg, unpack_webp};
+    CodecFault fault;
+    if (!kUnpack[static_cast<std::size_t>(head->format)](packed, image, fault)) {
+        return fail(fmt::format("cannot be unpacked: {}", fault.text.data()));
+    }
+    for (int i = 0; i < halvings && (image.width > 1 || image.height > 1); ++i) {
+        image = halved(image);
+    }
+    return image;
+}
+
+}  // namespace raks::render

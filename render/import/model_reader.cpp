@@ -1,0 +1,81 @@
+#include "render/import/model_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "base/file.hpp"
+#include "base/printable.hpp"
+#include "render/import/gltf_reader.hpp"
+
+namespace raks::render {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{256} << 20U;  // bytes
+
+/// A kind of model file.
+struct Format {
+    std::string_view ending;
+    Expected<Model> (*read)(std::span<const std::byte>, const SideFiles&);
+};
+
+constexpr std::array<Format, 4> kFormats = {{
+    {".glb", read_gltf},
+    {".gltf", read_gltf},
+    {".vrm", read_gltf},
+    {".vrma", read_gltf},
+}};
+
+const Format* format_of(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    const auto* const found =
+        std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+            return format.ending == ending;
+        });
+    return found != kFormats.end() ? found : nullptr;
+}
+
+}  // namespace
+
+bool is_model_name(const std::filesystem::path& path) { return format_of(path) != nullptr; }
+
+Expected<Model> read_model(std::span<const std::byte> bytes,
+                           std::string_view name,
+                           const SideFiles& side) {
+    const Format* const format = format_of(name);
+    if (format == nullptr) {
+        return fail("no model that is read; .vrm, .glb, .gltf and .vrma are");
+    }
+    auto model = format->read(bytes, side);
+    if (model) {
+        model->name = printable(std::filesystem::path(name).stem().string(), 100);
+    }
+    return model;
+}
+
+Expected<Model> load_model(const std::filesystem::path& path) {
+    const std::string shown = printable(path.string());
+    if (!is_model_name(path)) {
+        return fail(
+            fmt::format("{}: no model that is read; .vrm, .glb, .gltf and .vrma are", shown));
+    }
+    const auto file = read_file(path, kLargestFile);
+    if (!file) {
+        return fail(file.error());
+    }
+    const SideFiles side(path.parent_path());
+    auto model = read_model(
+        std::as_bytes(std::span(file->data(), file->size())), path.filename().string(), side);
+    if (!model) {
+        return fail(Error(model.error()).in(shown));
+    }
+    return model;
+}
+
+}  // namespace raks::render

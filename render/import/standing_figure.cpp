@@ -1,0 +1,192 @@
+#include "render/import/standing_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/import/bind_places.hpp"
+#include "render/import/humanoid_map.hpp"
+#include "render/import/humanoid_shape.hpp"
+#include "render/import/node_tree.hpp"
+#include "render/import/notes.hpp"
+#include "render/model/model_survey.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::render {
+namespace {
+
+using motion::Bone;
+using motion::Side;
+
+constexpr float kNoTurn = 0.09F;  // radians, 5 degrees: a figure that faces +z already
+
+/// The shortest rotation from one direction to another, both of length 1.
+glm::quat shortest_rotation(const glm::vec3& from, const glm::vec3& to) {
+    const float cosine = glm::dot(from, to);
+    if (cosine < -0.9999F) {  // the other way round: about any axis across
+        const glm::vec3 other =
+            std::abs(from.x) < 0.9F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+        const glm::vec3 axis = glm::normalize(glm::cross(from, other));
+        return {0.0F, axis.x, axis.y, axis.z};
+    }
+    const glm::vec3 axis = glm::cross(from, to);
+    return glm::normalize(glm::quat(1.0F + cosine, axis.x, axis.y, axis.z));
+}
+
+int node_of_bone(const HumanoidMap& humanoid, Bone bone) {
+    return humanoid.nodes[motion::index_of(bone)];
+}
+
+/// Whether `node` is `ancestor` or lies below it, by these parents.
+bool hangs_on(const std::vector<int>& parents, int node, int ancestor) {
+    for (int up = node; up >= 0; up = parents[static_cast<std::size_t>(up)]) {
+        if (up == ancestor) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Moves bones that hang elsewhere below the bones of which they are parts.
+std::vector<int> parents_of_figure(Model& model) {
+    std::vector<int> parents;
+    for (const ModelNode& node : model.nodes) {
+        parents.push_back(node.parent);
+    }
+    const HumanoidMap& humanoid = model.character.humanoid;
+    for (int bone = 0; bone < motion::kBoneCount; ++bone) {
+        const int parent_bone = mapped_parent(humanoid, bone);
+        int node = humanoid.nodes[static_cast<std::size_t>(bone)];
+        if (node < 0 || parent_bone < 0) {
+            continue;
+        }
+        const int parent = humanoid.nodes[static_cast<std::size_t>(parent_bone)];
+        if (hangs_on(parents, node, parent) || hangs_on(parents, parent, node)) {
+            continue;
+        }
+        // As far up as it carries nothing that carries the parent, too.
+        while (parents[static_cast<std::size_t>(node)] >= 0 &&
+               !hangs_on(parents, parent, parents[static_cast<std::size_t>(node)])) {
+            node = parents[static_cast<std::size_t>(node)];
+        }
+        parents[static_cast<std::size_t>(node)] = parent;
+        warn(model,
+             fmt::format("\"{}\" ({}) does not hang on the {}; it is moved there",
+                         node_of(model, node).name,
+                         motion::kBoneNames[static_cast<std::size_t>(bone)],
+                         motion::kBoneNames[static_cast<std::size_t>(parent_bone)]));
+    }
+    return parents;
+}
+
+glm::quat turn_to_front(const Model& model, std::span<const glm::vec3> places) {
+    const Character& character = model.character;
+    if (character.vrm != VrmVersion::none) {
+        constexpr glm::quat kHalfTurn{0.0F, 0.0F, 1.0F, 0.0F};
+        return character.faces_minus_z ? kHalfTurn : glm::quat(1.0F, 0.0F, 0.0F, 0.0F);
+    }
+    const glm::vec3 facing = facing_of(character.humanoid, places);
+    const float yaw = std::atan2(facing.x, facing.z);
+    return std::abs(yaw) < kNoTurn ? glm::quat(1.0F, 0.0F, 0.0F, 0.0F)
+                                   : glm::angleAxis(-yaw, glm::vec3(0.0F, 1.0F, 0.0F));
+}
+
+/// Straightens the limbs of a figure that faces +z.
+class Straightener {
+ public:
+    Straightener(const HumanoidMap& humanoid, std::span<const glm::vec3> places)
+        : humanoid_(humanoid), places_(places) {
+        rotations_.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
+    }
+
+    std::array<glm::quat, motion::kBoneCount> straighten() {
+        for (const Side side : motion::kSides) {
+            const glm::vec3 out(side == Side::left ? 1.0F : -1.0F, 0.0F, 0.0F);
+            const glm::vec3 down(0.0F, -1.0F, 0.0F);
+            const Bone upper_arm = on_side(Bone::left_upper_arm, side);
+            const Bone lower_arm = on_side(Bone::left_lower_arm, side);
+            const Bone hand = on_side(Bone::left_hand, side);
+            align(upper_arm, lower_arm, upper_arm, out);
+            align(lower_arm, hand, upper_arm, out);
+            align(hand, on_side(Bone::left_middle_proximal, side), lower_arm, out);
+            for (std::size_t finger = 0; finger < 15; ++finger) {
+                const Bone first = on_side(Bone::left_thumb_metacarpal, side);
+                rotation(static_cast<Bone>(motion::index_of(first) + finger)) = rotation(hand);
+            }
+            const Bone upper_leg = on_side(Bone::left_upper_leg, side);
+            const Bone lower_leg = on_side(Bone::left_lower_leg, side);
+            align(upper_leg, lower_leg, upper_leg, down);
+            align(lower_leg, on_side(Bone::left_foot, side), upper_leg, down);
+        }
+        return rotations_;
+    }
+
+ private:
+    glm::quat& rotation(Bone bone) { return rotations_[motion::index_of(bone)]; }
+
+    /// Turns `bone` as `before` is turned, and then by the shortest way so that its child lies in
+    /// `direction`. Where there is no child it goes along with `before`.
+    void align(Bone bone, Bone child, Bone before, const glm::vec3& direction) {
+        const glm::quat so_far = rotation(before);
+        rotation(bone) = so_far;
+        const int from = node_of_bone(humanoid_, bone);
+        const int to = node_of_bone(humanoid_, child);
+        if (from < 0 || to < 0) {
+            return;
+        }
+        const glm::vec3 along =
+            places_[static_cast<std::size_t>(to)] - places_[static_cast<std::size_t>(from)];
+        if (glm::length(along) > 1.0e-5F) {
+            rotation(bone) = glm::normalize(
+                shortest_rotation(so_far * glm::normalize(along), direction) * so_far);
+        }
+    }
+
+    const HumanoidMap& humanoid_;
+    std::span<const glm::vec3> places_;
+    std::array<glm::quat, motion::kBoneCount> rotations_{};
+};
+
+float height_of(const Model& model,
+                std::span<const glm::mat4> world,
+                std::span<const glm::vec3> places) {
+    const MeshBox box = mesh_box(model, world);
+    float height = box.highest.y - box.lowest.y;
+    if (!(height > 0.0F)) {
+        const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
+        const auto ends = std::minmax_element(places.begin(), places.end(), lower);
+        height = places.empty() ? 0.0F : ends.second->y - ends.first->y;
+    }
+    return height > 0.0F && std::isfinite(height) ? height : 1.0F;
+}
+
+}  // namespace
+
+StandingFigure stand_up(Model& model, std::optional<float> height) {
+    StandingFigure figure;
+    const bool is_vrm = model.character.vrm != VrmVersion::none;
+    figure.parents = parents_of_figure(model);
+    figure.world = is_vrm ? rest_world(model) : bind_world(model);
+    figure.turn = turn_to_front(model, places_of(figure.world));
+    const glm::mat4 turn = glm::mat4_cast(figure.turn);
+    for (glm::mat4& world : figure.world) {
+        world = turn * world;
+    }
+    const std::vector<glm::vec3> places = places_of(figure.world);
+    figure.straighten.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
+    if (!is_vrm) {
+        figure.straighten = Straightener(model.character.humanoid, places).straighten();
+    }
+    figure.height = height_of(model, figure.world, places);
+    const bool is_usual = figure.height >= kLeastHeight && figure.height <= kMostHeight;
+    figure.scale = (height ? *height : (is_usual ? figure.height : kUsualHeight)) / figure.height;
+    if (!height && !is_usual) {
+        warn(model,
+             fmt::format("it is {:.3g} m high; scaled to {} m", figure.height, kUsualHeight));
+    }
+    return figure;
+}
+
+}  // namespace raks::render

@@ -1,0 +1,157 @@
+#include "engine/show/dancer_face.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/realtime_guard.hpp"
+
+namespace raks::engine {
+namespace {
+
+using render::FaceExpression;
+
+const motion::Skeleton& skeleton() { return motion::mannequin_skeleton(); }
+
+motion::Pose standing() {
+    motion::Pose pose;
+    pose.hips_position = skeleton().offsets[0];
+    return pose;
+}
+
+StreamTime at(double seconds) { return stream_time_from_seconds(seconds); }
+
+struct Blink {
+    double start = 0.0;   // more than half shut
+    double length = 0.0;  // s
+};
+
+std::vector<Blink> blinks_of(std::uint64_t seed, double seconds) {
+    std::vector<Blink> blinks;
+    bool is_shut = false;
+    for (double t = 0.0; t < seconds; t += 0.001) {
+        const bool was_shut = is_shut;
+        is_shut = blink_at(at(t), seed) > 0.5F;
+        if (is_shut && !was_shut) {
+            blinks.push_back({.start = t});
+        } else if (!is_shut && was_shut) {
+            blinks.back().length = t - blinks.back().start;
+        }
+    }
+    return blinks;
+}
+
+TEST(DancerFace, blinks_are_2_to_6_s_apart_and_0_1_to_0_2_s_long) {
+    for (const std::uint64_t seed : {1U, 2U, 77U}) {
+        const std::vector<Blink> blinks = blinks_of(seed, 120.0);
+        EXPECT_EQ(blinks.size(), 30U);
+        for (std::size_t i = 0; i < blinks.size(); ++i) {
+            EXPECT_GT(blinks[i].length, 0.095) << i;
+            EXPECT_LT(blinks[i].length, 0.205) << i;
+            if (i > 0) {
+                EXPECT_GT(blinks[i].start - blinks[i - 1].start, 1.99) << i;
+                EXPECT_LT(blinks[i].start - blinks[i - 1].start, 6.01) << i;
+            }
+        }
+    }
+}
+
+TEST(DancerFace, each_seed_blinks_at_times_of_its_own_and_always_the_same) {
+    const std::vector<Blink> one = blinks_of(1, 20.0);
+    const std::vector<Blink> again = blinks_of(1, 20.0);
+    const std::vector<Blink> other = blinks_of(2, 20.0);
+    ASSERT_EQ(one.size(), other.size());
+    EXPECT_EQ(one[3].start, again[3].start);
+    EXPECT_NE(one[3].start, other[3].start);
+}
+
+float mouth_after(const std::vector<float>& levels, double step, FaceHabits habits = {}) {
+    DancerFace face(1, habits);
+    float mouth = 0.0F;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const FaceMoment moment{.time = at(step * static_cast<double>(i)),
+                                .level_dbfs = levels[i],
+                                .loudness_lufs = -14.0F};
+        mouth = face.face_at(moment, skeleton(), standing()).weight(FaceExpression::aa);
+    }
+    return mouth;
+}
+
+TEST(DancerFace, the_mouth_opens_with_what_is_louder_than_the_rest) {
+    const float quiet = mouth_after({-30, -30, -30}, 0.05);
+    const float middle = mouth_after({-13, -13, -13}, 0.05);
+    const float loud = mouth_after({-5, -5, -5}, 0.05);
+    EXPECT_EQ(quiet, 0.0F);
+    EXPECT_GT(middle, 0.05F);
+    EXPECT_GT(loud, 1.5F * middle);
+    EXPECT_LE(loud, 0.5F);
+}
+
+TEST(DancerFace, the_mouth_does_not_leap_and_shows_the_same_at_any_rate_of_pictures) {
+    const std::vector<float> slow = {-30, -5, -5};
+    const std::vector<float> fast = {-30, -5, -5, -5, -5};
+    // From the second picture on it is loud, 40 ms in both.
+    const float a = mouth_after({-30, -5}, 0.04);
+    DancerFace face(1);
+    float b = 0.0F;
+    for (int i = 0; i <= 4; ++i) {
+        const FaceMoment moment{
+            .time = at(0.01 * i), .level_dbfs = i == 0 ? -30.0F : -5.0F, .loudness_lufs = -14.0F};
+        b = face.face_at(moment, skeleton(), standing()).weight(FaceExpression::aa);
+    }
+    EXPECT_NEAR(a, b, 1e-5F);
+    EXPECT_LT(a, 0.6F * mouth_after(slow, 1.0));
+    EXPECT_EQ(mouth_after(slow, 10.0), mouth_after(fast, 10.0));
+}
+
+TEST(DancerFace, without_music_the_mouth_is_shut) {
+    DancerFace face(1);
+    const FaceMoment silence{.time = at(1.0)};
+    EXPECT_EQ(face.face_at(silence, skeleton(), standing()).weight(FaceExpression::aa), 0.0F);
+}
+
+TEST(DancerFace, the_eyes_follow_what_is_before_them_and_leave_what_is_behind) {
+    const glm::vec3 head = head_place(skeleton(), standing());
+    EXPECT_NEAR(head.y, 1.5F, 0.1F);
+    const auto gaze_to = [&](const glm::vec3& towards) {
+        DancerFace face(1);
+        return face.face_at({.gaze_target = head + towards}, skeleton(), standing()).gaze;
+    };
+    EXPECT_EQ(gaze_to({0, 0, 3}), 1.0F);
+    EXPECT_EQ(gaze_to({1, 0, 2}), 1.0F);
+    EXPECT_EQ(gaze_to({0, 0, -3}), 0.0F);
+    EXPECT_EQ(gaze_to({3, 0, 0}), 0.0F);
+    const float beside = gaze_to({1.9F, 0, 1});
+    EXPECT_GT(beside, 0.0F);
+    EXPECT_LT(beside, 1.0F);
+}
+
+TEST(DancerFace, every_habit_can_be_switched_off) {
+    const FaceMoment moment{
+        .level_dbfs = 0.0F, .loudness_lufs = -14.0F, .gaze_target = {0, 1.5F, 9}};
+    DancerFace still(1, {.blinks = false, .moves_mouth = false, .gazes = false});
+    for (int i = 0; i < 600; ++i) {
+        FaceMoment now = moment;
+        now.time = at(0.01 * i);
+        const render::Face face = still.face_at(now, skeleton(), standing());
+        EXPECT_TRUE(std::all_of(
+            face.weights.begin(), face.weights.end(), [](float w) { return w == 0.0F; }));
+        EXPECT_EQ(face.gaze, 0.0F);
+    }
+}
+
+TEST(DancerFace, making_a_face_is_real_time_safe) {
+    DancerFace face(1);
+    const motion::Pose pose = standing();
+    test::RealtimeScope scope;
+    for (int i = 0; i < 100; ++i) {
+        static_cast<void>(face.face_at({.time = at(0.01 * i)}, skeleton(), pose));
+    }
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+}
+
+}  // namespace
+}  // namespace raks::engine

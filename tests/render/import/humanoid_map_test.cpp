@@ -1,0 +1,294 @@
+// Which nodes are bones: by shape, by labels, checked by geometry; and how a figure stands.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "render/import/bind_places.hpp"
+#include "render/import/humanoid_map.hpp"
+#include "render/import/humanoid_shape.hpp"
+#include "render/import/standing_figure.hpp"
+#include "render/model/model_survey.hpp"
+#include "tests/render/import/vrm_text.hpp"
+#include "tests/support/mangled.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace {
+
+using namespace raks;
+using namespace raks::render;
+using motion::Bone;
+
+/// small_figure with toes, a neck and other names.
+Model figure_named(const std::string& prefix) {
+    Model model = test::small_figure();
+    for (const int foot : {5, 11}) {
+        test::add_node(model, "toes", foot, {0.0F, -0.05F, 0.15F});
+    }
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        model.nodes[i].name = prefix + std::to_string(i);
+    }
+    return model;
+}
+
+int node_of_bone(const Model& model, Bone bone) {
+    return model.character.humanoid.nodes[motion::index_of(bone)];
+}
+
+bool warns(const Model& model, std::string_view words) {
+    return test::ReadFigure{.model = model, .error = {}}.warns(words);
+}
+
+glm::vec3 place(const StandingFigure& figure, const Model& model, Bone bone) {
+    return glm::vec3(figure.world[static_cast<std::size_t>(node_of_bone(model, bone))][3]);
+}
+
+TEST(HumanoidMap, a_figure_without_names_is_found_by_its_shape) {
+    Model model = figure_named("Bone.");
+    const auto mapped = map_humanoid(model);
+    ASSERT_TRUE(mapped) << mapped.error().message;
+    EXPECT_EQ(node_of_bone(model, Bone::hips), 0);
+    EXPECT_EQ(node_of_bone(model, Bone::spine), 1);
+    EXPECT_EQ(node_of_bone(model, Bone::left_upper_leg), 3);
+    EXPECT_EQ(node_of_bone(model, Bone::left_lower_leg), 4);
+    EXPECT_EQ(node_of_bone(model, Bone::left_foot), 5);
+    EXPECT_EQ(node_of_bone(model, Bone::left_upper_arm), 6);
+    EXPECT_EQ(node_of_bone(model, Bone::left_hand), 8);
+    EXPECT_EQ(node_of_bone(model, Bone::right_hand), 14);
+    EXPECT_EQ(node_of_bone(model, Bone::right_toes), 19);
+    EXPECT_EQ(model.character.humanoid.reasons[0], BoneReason::shape);
+}
+
+TEST(HumanoidMap, a_figure_that_faces_away_has_its_left_on_the_other_side) {
+    Model model = figure_named("Bone.");
+    for (const int toes : {18, 19}) {
+        model.nodes[static_cast<std::size_t>(toes)].translation.z = -0.15F;
+    }
+    ASSERT_TRUE(map_humanoid(model));
+    EXPECT_EQ(node_of_bone(model, Bone::left_hand), 14);
+    EXPECT_EQ(node_of_bone(model, Bone::right_hand), 8);
+}
+
+TEST(HumanoidMap, a_left_that_lies_right_is_swapped_and_said) {
+    Model model = test::small_figure();
+    for (ModelNode& node : model.nodes) {
+        if (node.name.rfind("left", 0) == 0) {
+            node.name.replace(0, 4, "right");
+        } else if (node.name.rfind("right", 0) == 0) {
+            node.name.replace(0, 5, "left");
+        }
+    }
+    test::add_node(model, "rightToes", 5, {0.0F, -0.05F, 0.15F});
+    test::add_node(model, "leftToes", 11, {0.0F, -0.05F, 0.15F});
+    ASSERT_TRUE(map_humanoid(model));
+    EXPECT_EQ(node_of_bone(model, Bone::left_hand), 8);
+    EXPECT_EQ(model.character.humanoid.reasons[motion::index_of(Bone::left_hand)],
+              BoneReason::swapped);
+    EXPECT_TRUE(warns(model, "left and right are swapped"));
+}
+
+TEST(HumanoidMap, what_is_missing_is_listed_in_one_line) {
+    Model model;
+    const int hips = test::add_node(model, "hips", -1);
+    test::add_node(model, "head", test::add_node(model, "spine", hips));
+    const auto mapped = map_humanoid(model);
+    ASSERT_FALSE(mapped);
+    EXPECT_EQ(mapped.error().message,
+              "no humanoid is found in it: no leftUpperLeg, leftLowerLeg, leftFoot, leftUpperArm, "
+              "leftLowerArm, leftHand, rightUpperLeg, rightLowerLeg, rightFoot, rightUpperArm, "
+              "rightLowerArm, rightHand; name its bones in a label file");
+    Model empty;
+    EXPECT_FALSE(map_humanoid(empty));
+}
+
+TEST(HumanoidMap, a_figure_on_four_legs_is_refused) {
+    Model model = test::small_figure();
+    model.nodes[0].rotation = glm::angleAxis(1.5F, glm::vec3(1.0F, 0.0F, 0.0F));
+    const auto mapped = map_humanoid(model);
+    ASSERT_FALSE(mapped);
+    EXPECT_EQ(mapped.error().message, "it does not stand upright: no figure on two legs");
+}
+
+TEST(HumanoidMap, what_the_file_says_stands) {
+    Model model = test::read_vrm1_text().model;
+    model.nodes[5].name = "no foot";
+    ASSERT_TRUE(map_humanoid(model));
+    EXPECT_EQ(node_of_bone(model, Bone::left_foot), 5);
+}
+
+// ---- Label files
+
+constexpr const char* kLabels = R"(format = "raks-avatar-labels"
+version = 1
+[bones]
+hips = "Bone.0"
+leftHand = "Bone.8"
+)";
+
+TEST(BoneLabels, win_over_names_and_shape) {
+    const auto labels = read_bone_labels(kLabels, "me.toml");
+    ASSERT_TRUE(labels) << labels.error().message;
+    EXPECT_EQ(labels->bones.size(), 2U);
+    Model model = figure_named("Bone.");
+    ASSERT_TRUE(map_humanoid(model, &*labels));
+    EXPECT_EQ(node_of_bone(model, Bone::left_hand), 8);
+    EXPECT_EQ(model.character.humanoid.reasons[motion::index_of(Bone::left_hand)],
+              BoneReason::label);
+    EXPECT_EQ(model.character.humanoid.reasons[motion::index_of(Bone::right_hand)],
+              BoneReason::shape);
+}
+
+TEST(BoneLabels, bad_files_are_refused_in_one_line) {
+    const std::string head = "format = \"raks-avatar-labels\"\nversion = 1\n";
+    struct Row {
+        std::string text;
+        const char* error;
+    };
+    for (const Row& row : {
+             Row{"a=[}", nullptr},
+             Row{"version = 1\n[bones]\nhips = \"a\"",
+                 "me.toml: format must be \"raks-avatar-labels\""},
+             Row{"format = \"raks-avatar-labels\"\nversion = 2\n[bones]\nhips = \"a\"",
+                 "me.toml: version must be a number up to 1; is Raks older than the file?"},
+             Row{head, "me.toml: needs a table [bones] with lines like hips = \"Pelvis\""},
+             Row{head + "[bones]\nhips = 3\n", "me.toml: line 4: hips must be a text in quotes"},
+         }) {
+        const auto labels = read_bone_labels(row.text, "me.toml");
+        ASSERT_FALSE(labels) << row.text;
+        if (row.error != nullptr) {
+            EXPECT_EQ(labels.error().message, row.error);
+        }
+    }
+    EXPECT_NE(read_bone_labels(head + "[bones]\nlefthand = \"a\"\n", "me.toml")
+                  .error()
+                  .message.find("leftHand"),
+              std::string::npos);
+}
+
+TEST(BoneLabels, nodes_that_are_not_there_or_serve_twice_are_refused) {
+    const std::string head = "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n";
+    Model model = figure_named("Bone.");
+    const auto none = read_bone_labels(head + "hips = \"Pelvis\"\n", "me.toml");
+    EXPECT_EQ(map_humanoid(model, &*none).error().message,
+              "me.toml: hips: the model has no node \"Pelvis\"");
+    const auto twice =
+        read_bone_labels(head + "hips = \"Bone.0\"\nspine = \"Bone.0\"\n", "me.toml");
+    EXPECT_EQ(map_humanoid(model, &*twice).error().message, "me.toml: hips and spine are one node");
+    model.nodes[3].name = "Bone.0";
+    const auto two = read_bone_labels(head + "hips = \"Bone.0\"\n", "me.toml");
+    EXPECT_EQ(map_humanoid(model, &*two).error().message,
+              "me.toml: hips: two nodes are named \"Bone.0\"");
+}
+
+TEST(BoneLabels, any_damaged_text_is_read_or_refused) {
+    const std::string text = kLabels;
+    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+        const auto labels =
+            read_bone_labels(test::mangled(text, {.seed = seed, .bytes = 1 + seed % 3}), "m");
+        if (!labels) {
+            EXPECT_EQ(labels.error().message.find('\n'), std::string::npos);
+        }
+    }
+    for (std::size_t cut = 0; cut < text.size(); ++cut) {
+        const auto labels = read_bone_labels(text.substr(0, cut), "m");
+        EXPECT_TRUE(!labels || cut > text.find("hips"));
+    }
+}
+
+// ---- How a figure stands
+
+TEST(StandingFigure, a_pose_of_an_animation_is_no_bind_pose) {
+    Model model = test::small_figure();
+    const std::vector<glm::mat4> bound = rest_world(model);
+    model.skins.emplace_back();
+    for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+        model.skins[0].joints.push_back(static_cast<int>(node));
+        model.skins[0].inverse_bind.push_back(glm::inverse(bound[node]));
+    }
+    model.nodes[6].rotation = glm::angleAxis(1.0F, glm::vec3(0.0F, 0.0F, 1.0F));
+    model.nodes[0].translation.y = 1.4F;  // a jump
+    const std::vector<glm::mat4> world = bind_world(model);
+    for (std::size_t node = 0; node < bound.size(); ++node) {
+        EXPECT_LT(glm::length(glm::vec3(world[node][3] - bound[node][3])), 1e-4F) << node;
+    }
+}
+
+TEST(StandingFigure, arms_are_brought_level_and_legs_down) {
+    Model model = test::small_figure();
+    for (const int arm : {6, 12}) {  // an A-pose
+        const float side = arm == 6 ? 1.0F : -1.0F;
+        model.nodes[static_cast<std::size_t>(arm)].rotation =
+            glm::angleAxis(-0.8F * side, glm::vec3(0.0F, 0.0F, 1.0F));
+    }
+    ASSERT_TRUE(map_humanoid(model));
+    const StandingFigure figure = stand_up(model);
+    for (const Bone bone : {Bone::left_upper_arm, Bone::right_lower_arm}) {
+        const Bone child = bone == Bone::left_upper_arm ? Bone::left_lower_arm : Bone::right_hand;
+        const glm::vec3 along = figure.straighten[motion::index_of(bone)] *
+                                (place(figure, model, child) - place(figure, model, bone));
+        EXPECT_NEAR(std::abs(along.x), glm::length(along), 1e-4F);
+        EXPECT_EQ(along.x > 0.0F, bone == Bone::left_upper_arm);
+    }
+    const glm::quat still = figure.straighten[motion::index_of(Bone::spine)];
+    EXPECT_FLOAT_EQ(still.w, 1.0F);
+    EXPECT_NEAR(figure.straighten[motion::index_of(Bone::left_upper_leg)].w, 1.0F, 1e-4F);
+}
+
+TEST(StandingFigure, faces_plus_z) {
+    for (const float yaw : {0.5F, 1.5708F, 3.1F}) {
+        Model model = test::small_figure();
+        model.nodes[0].rotation = glm::angleAxis(yaw, glm::vec3(0.0F, 1.0F, 0.0F));
+        ASSERT_TRUE(map_humanoid(model));
+        const StandingFigure figure = stand_up(model);
+        const glm::vec3 across = place(figure, model, Bone::left_upper_leg) -
+                                 place(figure, model, Bone::right_upper_leg);
+        EXPECT_NEAR(across.x, 0.2F, 1e-4F);
+        EXPECT_NEAR(across.z, 0.0F, 1e-4F);
+    }
+}
+
+TEST(StandingFigure, of_vrm_is_as_stored_and_of_0_turned_by_half) {
+    Model model = test::read_vrm0_text().model;
+    model.nodes[0].translation.x = 0.5F;
+    const StandingFigure figure = stand_up(model);
+    EXPECT_NEAR(figure.world[0][3].x, -0.5F, 1e-6F);
+    EXPECT_FLOAT_EQ(figure.straighten[motion::index_of(Bone::left_upper_arm)].w, 1.0F);
+}
+
+TEST(StandingFigure, is_scaled_where_it_is_no_persons_size) {
+    Model model = test::small_figure();
+    ASSERT_TRUE(map_humanoid(model));
+    model.nodes[2].mesh = -1;
+    EXPECT_FLOAT_EQ(stand_up(model).scale, 1.0F);
+    EXPECT_TRUE(model.warnings.empty());
+    EXPECT_NEAR(stand_up(model, 1.0F).scale * stand_up(model).height, 1.0F, 1e-5F);
+    for (ModelNode& node : model.nodes) {
+        node.translation *= 100.0F;
+    }
+    const StandingFigure giant = stand_up(model);
+    EXPECT_NEAR(giant.scale * giant.height, 1.7F, 1e-4F);
+    EXPECT_TRUE(warns(model, "scaled to 1.7 m"));
+}
+
+TEST(StandingFigure, feet_of_a_rig_are_moved_to_their_legs) {
+    Model model;
+    const int root = test::add_node(model, "root", -1);
+    Model small = test::small_figure();
+    for (const ModelNode& node : small.nodes) {
+        const bool is_foot = node.name.find("Foot") != std::string::npos;
+        const float side = node.name.rfind("left", 0) == 0 ? 1.0F : -1.0F;
+        test::add_node(model,
+                       node.name,
+                       is_foot || node.parent < 0 ? root : node.parent + 1,
+                       is_foot ? glm::vec3(0.1F * side, 0.05F, 0.0F) : node.translation);
+    }
+    ASSERT_TRUE(map_humanoid(model));
+    const int foot = node_of_bone(model, Bone::left_foot);
+    EXPECT_EQ(model.nodes[static_cast<std::size_t>(foot)].parent, root);
+    const StandingFigure figure = stand_up(model);
+    EXPECT_EQ(figure.parents[static_cast<std::size_t>(foot)],
+              node_of_bone(model, Bone::left_lower_leg));
+    EXPECT_TRUE(warns(model, "does not hang on the leftLowerLeg; it is moved there"));
+}
+
+}  // namespace
