@@ -69,16 +69,20 @@ std::string credit_line(const render::Licence& licence, const std::string& file)
     return line;
 }
 
+LoadedAvatar mannequin() {
+    return {.avatar = std::make_shared<render::Avatar>(render::build_mannequin()),
+            .credit = {},
+            .is_credit_required = false,
+            .warnings = {}};
+}
+
 Expected<LoadedAvatar> load_avatar(const std::string& name, std::optional<float> height) {
     const Expected<fs::path> path = find_avatar(name);
     if (!path) {
         return fail(path.error());
     }
     if (path->empty()) {
-        return LoadedAvatar{.avatar = std::make_shared<render::Avatar>(render::build_mannequin()),
-                            .credit = {},
-                            .is_credit_required = false,
-                            .warnings = {}};
+        return mannequin();
     }
     Expected<render::Model> model = render::load_model(*path);
     if (!model) {

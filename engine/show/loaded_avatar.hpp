@@ -17,7 +17,7 @@ namespace raks::engine {
 
 /// An avatar, and what a person should know of it.
 struct LoadedAvatar {
-    std::shared_ptr<const render::Avatar> avatar;  ///< never null
+    std::shared_ptr<const render::Avatar> avatar;  ///< null: not loaded yet
     std::string credit;                 ///< whose work, under which licence; the mannequin: empty
     bool is_credit_required = false;    ///< its licence asks for the line
     std::vector<std::string> warnings;  ///< one line each, for people
@@ -25,6 +25,9 @@ struct LoadedAvatar {
 
 /// "Seed-san by VirtualCast, Inc., VRM Public License 1.0 (credit required)". Pure.
 [[nodiscard]] std::string credit_line(const render::Licence& licence, const std::string& file);
+
+/// The avatar that comes with Raks.
+[[nodiscard]] LoadedAvatar mannequin();
 
 /// Loads what a setting names (find_avatar). `height`: metres; none: its own where that is
 /// 0.5 to 2.5 m, else 1.7. Errors: those of find_avatar; of the file (base/file.hpp); of its

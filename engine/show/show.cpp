@@ -10,7 +10,8 @@
 namespace raks::engine {
 
 Expected<Drawing> create_drawing(const Look& look) {
-    std::shared_ptr<const render::Avatar> avatar = look.avatar.avatar;
+    std::shared_ptr<const render::Avatar> avatar =
+        look.avatar.avatar != nullptr ? look.avatar.avatar : mannequin().avatar;
     auto renderer = render::Renderer::create(*avatar, {.quality = look.quality});
     if (!renderer) {
         return fail(renderer.error());
