@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "base/printable.hpp"
 #include "base/suggest.hpp"
 
 /// Reads TOML and reports the first fault as one clear line. Include it in source files only,
@@ -46,15 +47,15 @@ class TomlComplaints {
             fault_ = Error{fmt::format("{}: line {}: {}{}{}",
                                        file_,
                                        line,
-                                       context_,
+                                       printable(context_),
                                        context_.empty() ? "" : ": ",
-                                       message)};
+                                       printable(message))};
         }
     }
     /// Notes a fault of the whole file.
     void complain(const std::string& message) {
         if (!fault_) {
-            fault_ = Error{file_ + ": " + message};
+            fault_ = Error{file_ + ": " + printable(message)};
         }
     }
 
