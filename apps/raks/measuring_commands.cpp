@@ -43,7 +43,7 @@ void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
     auto* const motion = app->add_option("--motion", a->motion, "clip: .vrma, .glb or .bvh");
     pose->excludes(motion);
     app->add_option("--time", a->time, "seconds into the clip, or all")->needs(motion);
-    app->add_option("-o,--output", a->output, "X.obj: the mesh; X.tsv: the joints")->required();
+    app->add_option("-o,--out", a->output, "X.obj: the mesh; X.tsv: the joints")->required();
 }
 
 // `avatar` itself does nothing: one of its commands must follow.
