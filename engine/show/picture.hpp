@@ -17,7 +17,7 @@ struct Look {
     std::string camera = "wide";  ///< the preset that the scene's camera was made from
     render::Quality quality = render::Quality::automatic;  ///< for the renderer
     PictureSize size;                                      ///< of the window or film, in pixels
-    LoadedAvatar avatar;                                   ///< what all wear (put_on); else the mannequin
+    LoadedAvatar avatar;  ///< what all wear (put_on); else the mannequin
 };
 
 /// Resolves the settings, but for the avatar. Errors: an unknown theme or camera (the nearest is
