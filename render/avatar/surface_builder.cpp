@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "render/avatar/skin_split.hpp"
 #include "render/avatar/vertex_frames.hpp"
 
 #include <glm/common.hpp>
@@ -77,11 +78,21 @@ class SurfaceBuilder {
 
  private:
     void add_node(int node);
-    void add_primitive(int node, const ModelPrimitive& primitive, SurfacePart part);
+    void add_primitive(int node, const ModelPrimitive& primitive, int skin);
+    int skin_of_piece(int whole, const SkinnedPiece& piece);
     void add_vertices(const ModelPrimitive& primitive, bool has_skin);
     void add_morphs(int node, const ModelPrimitive& primitive, std::uint32_t first_vertex);
     int skin_of(int node);
     int default_material();
+
+    /// Skins that were split are used no more.
+    void drop_large_skins() {
+        for (SurfaceSkin& skin : surface_.skins) {
+            if (skin.joints.size() > SurfaceSkin::kMostJoints) {
+                skin = {};
+            }
+        }
+    }
 
     [[nodiscard]] int order_of(const SurfacePart& part) const noexcept {
         return drawing_order(surface_.materials[static_cast<std::size_t>(part.material)]);
@@ -130,18 +141,37 @@ void SurfaceBuilder::add_node(int node) {
     const ModelNode& from = model_.nodes[static_cast<std::size_t>(node)];
     const ModelMesh& mesh = model_.meshes[static_cast<std::size_t>(from.mesh)];
     const int skin = skin_of(node);
+    const bool is_too_large =
+        surface_.skins[static_cast<std::size_t>(skin)].joints.size() > SurfaceSkin::kMostJoints;
     for (const ModelPrimitive& primitive : mesh.primitives) {
-        add_primitive(
-            node,
-            primitive,
-            {.first_index = static_cast<std::uint32_t>(surface_.indices.size()),
-             .index_count = static_cast<std::uint32_t>(primitive.indices.size()),
-             .material = primitive.material >= 0 ? primitive.material : default_material(),
-             .skin = skin});
+        if (!is_too_large) {
+            add_primitive(node, primitive, skin);
+        } else if (!primitive.joints.empty()) {
+            for (const SkinnedPiece& piece : split_by_joints(primitive, SurfaceSkin::kMostJoints)) {
+                add_primitive(node, piece.primitive, skin_of_piece(skin, piece));
+            }
+        }
     }
 }
 
-void SurfaceBuilder::add_primitive(int node, const ModelPrimitive& primitive, SurfacePart part) {
+/// The joints of a large skin that one piece uses.
+int SurfaceBuilder::skin_of_piece(int whole, const SkinnedPiece& piece) {
+    SurfaceSkin made;
+    const SurfaceSkin& from = surface_.skins[static_cast<std::size_t>(whole)];
+    for (const std::uint16_t joint : piece.joints) {
+        made.joints.push_back(from.joints[joint]);
+        made.inverse_bind.push_back(from.inverse_bind[joint]);
+    }
+    surface_.skins.push_back(std::move(made));
+    return static_cast<int>(surface_.skins.size()) - 1;
+}
+
+void SurfaceBuilder::add_primitive(int node, const ModelPrimitive& primitive, int skin) {
+    const SurfacePart part{
+        .first_index = static_cast<std::uint32_t>(surface_.indices.size()),
+        .index_count = static_cast<std::uint32_t>(primitive.indices.size()),
+        .material = primitive.material >= 0 ? primitive.material : default_material(),
+        .skin = skin};
     const auto first = static_cast<std::uint32_t>(surface_.vertices.size());
     for (const std::uint32_t index : primitive.indices) {
         surface_.indices.push_back(first + index);

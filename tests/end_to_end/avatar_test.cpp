@@ -1,9 +1,11 @@
 // `raks avatar`: what is in a model, told to people and programs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
@@ -120,6 +122,58 @@ TEST_F(Avatar, what_cannot_be_posed_is_told_in_one_line) {
     expect_one_line({"avatar", "pose", model, "--motion", model, "-o", path("x.obj")},
                     1,
                     "there is no clip in it");
+}
+
+/// Bytes of a film in a row somewhere.
+bool holds(const fs::path& file, const std::string& text) {
+    return read_file(file).value().find(text) != std::string::npos;
+}
+
+TEST_F(Avatar, a_character_dances_in_films_and_its_maker_is_named) {
+    write_clicks("song.wav");
+    give("Godette_vrm_v4.vrm", "Godette.vrm");
+    const std::vector<std::string> film = {"render",
+                                           path("song.wav"),
+                                           "--duration",
+                                           "1",
+                                           "--size",
+                                           "160x160",
+                                           "--quality",
+                                           "fast",
+                                           "--as-live",
+                                           "-o"};
+    auto with = film;
+    with.insert(with.end(), {path("with.mp4"), "--avatar", "Godette"});
+    const auto result = run(with);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("avatar: Low-Poly Godette by SirRichard94, CC_BY (credit required)"),
+              std::string::npos)
+        << result.err;
+    EXPECT_TRUE(holds(path("with.mp4"), "Low-Poly Godette by SirRichard94"));
+    auto without = film;
+    without.push_back(path("without.mp4"));
+    ASSERT_EQ(run(without).exit_code, 0);
+    EXPECT_FALSE(holds(path("without.mp4"), "Godette"));
+    EXPECT_NE(read_file(path("with.mp4")).value(), read_file(path("without.mp4")).value());
+}
+
+TEST_F(Avatar, who_cannot_dance_is_told_in_one_line) {
+    const std::vector<std::string> sheet = {
+        "sheet", "--dance", "waltz", "-o", path("x.png"), "--avatar"};
+    const auto message_of = [&](const std::string& avatar) {
+        auto words = sheet;
+        words.push_back(avatar);
+        const auto result = run(words);
+        EXPECT_EQ(result.exit_code, 1) << avatar;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        EXPECT_FALSE(fs::exists(path("x.png"))) << avatar;
+        return result.err;
+    };
+    EXPECT_NE(message_of("nobody").find("nobody"), std::string::npos);
+    // A bending stick, and a clip without a body.
+    EXPECT_NE(message_of((kModels / "SimpleSkin.gltf").string()).find("leftUpperLeg"),
+              std::string::npos);
+    EXPECT_NE(message_of((kModels / "expected.tsv").string()).find("no model"), std::string::npos);
 }
 
 }  // namespace

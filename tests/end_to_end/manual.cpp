@@ -223,6 +223,7 @@ void write_manual_files(const fs::path& folder) {
     write_music(folder / "music/rock/1.wav", Style::backbeat, 130.0, 6.0);
     write_dance(folder / "my.toml", "tango");
     write_clips(folder);
+    fs::copy_file(kRoot / "tests/data/avatars/Godette_vrm_v4.vrm", folder / "me.vrm");
 }
 
 void write_dance(const fs::path& file, const std::string& name) {
