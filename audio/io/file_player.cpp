@@ -113,7 +113,10 @@ struct FilePlayer::Impl {
 // Keeps a message for take_messages().
 void FilePlayer::Impl::say(std::string line) {
     const std::lock_guard lock(mutex);
-    messages.push_back(std::move(line));
+    // A file that was given up because the player is to stop has no fault.
+    if (!is_stopping) {
+        messages.push_back(std::move(line));
+    }
 }
 
 // Waits until there is something to do; false when the thread is to end.

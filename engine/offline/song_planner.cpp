@@ -25,6 +25,10 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
                                const std::function<bool()>& is_stopped) {
     auto source = MusicSource::open(file, 0.0, std::nullopt, is_stopped);
     if (!source) {
+        // Who gave up waiting for the decoder did not find a fault.
+        if (is_stopped && is_stopped()) {
+            return PlanOfSong();
+        }
         return fail(std::move(source.error()));
     }
     auto analyzer = make_song_analyzer(source->rate(), models);
