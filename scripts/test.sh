@@ -38,7 +38,7 @@ cmake --build --preset release -j "$(nproc)"
 scripts/tidy.sh --changed
 
 sanitized asan base models skeleton figures choreography training_figures audio_io audio_evaluate \
-    audio_models training_files engine_files apps_plots render_video fuzz
+    audio_models training_files engine_files apps_plots render_video import avatar_rig fuzz
 sanitized tsan base engine engine_live
 
 step "release: tests"

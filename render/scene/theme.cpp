@@ -119,13 +119,12 @@ Theme plain() noexcept {
     return theme;
 }
 
-constexpr std::array<std::string_view, 4> kThemeNames = {
-    "stage", "workshop_dark", "studio_light", "plain"};
+constexpr std::array<std::string_view, 3> kThemeNames = {"stage", "workshop_dark", "studio_light"};
 
-const std::array<Theme, kThemeNames.size()>& themes() noexcept {
-    // In the order of kThemeNames; made on first use, since std::pow is not constexpr.
-    static const std::array<Theme, kThemeNames.size()> all = {
-        stage(), workshop_dark(), studio_light(), plain()};
+const std::array<Theme, 4>& themes() noexcept {
+    // Those of kThemeNames in their order, then the one without a stage's looks; made on first use,
+    // since std::pow is not constexpr.
+    static const std::array<Theme, 4> all = {stage(), workshop_dark(), studio_light(), plain()};
     return all;
 }
 

@@ -52,7 +52,8 @@ struct Theme {
     bool has_tone_curve = true;  ///< else light is shown as it is, up to 1
 };
 
-/// Names for --theme, the default first: "stage", "workshop_dark", "studio_light", "plain".
+/// Names of the stage's looks, the default first: "stage", "workshop_dark", "studio_light".
+/// find_theme also knows "plain": one white light and no tone curve, to look at surfaces.
 [[nodiscard]] std::span<const std::string_view> theme_names() noexcept;
 
 /// The theme "stage". The built-in themes live as long as the program.
