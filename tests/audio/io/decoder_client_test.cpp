@@ -15,6 +15,7 @@
 
 #include "audio/io/decoders.hpp"
 #include "audio/io/file_player.hpp"
+#include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -109,7 +110,10 @@ TEST_F(Decoders, one_that_hangs_holds_nobody_back_who_wants_to_stop) {
 TEST_F(Decoders, a_file_whose_decoder_never_answers_can_be_given_up) {
     const fs::path path = noise();
     const std::string program = std::getenv("RAKS_DECODER");
-    setenv("RAKS_DECODER", "/usr/bin/yes", 1);
+    const fs::path silent = path.parent_path() / "silent";
+    ASSERT_TRUE(write_file(silent, "#!/bin/sh\nexec sleep 1000\n"));
+    fs::permissions(silent, fs::perms::owner_all);
+    setenv("RAKS_DECODER", silent.c_str(), 1);
     const auto reader = open_audio_file(path, [] { return true; });
     setenv("RAKS_DECODER", program.c_str(), 1);
     ASSERT_FALSE(reader);
