@@ -360,7 +360,6 @@ engine::LiveGraphConfig Player::graph_config() const {
 
 ExitCode play(const PlayArguments& given) {
     PlayArguments arguments = given;
-    audio::keep_spare_decoder();
     auto list = files_to_play(arguments.files);
     if (!list) {
         return fail(list.error());

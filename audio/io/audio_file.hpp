@@ -91,10 +91,6 @@ struct MonoAudio {
 [[nodiscard]] Expected<MonoAudio> read_all_mono(const std::filesystem::path& path,
                                                 double max_seconds = 3600.0);
 
-/// From here on one raks-decode more than is used is kept waiting for its file, so that a song
-/// starts at once: for programs that play. Threads: any. Real-time: no.
-void keep_spare_decoder();
-
 /// Do the decoders that were used so far run without seccomp, as this kernel refuses it?
 [[nodiscard]] bool are_decoders_unconfined() noexcept;
 

@@ -13,21 +13,32 @@ namespace {
 
 constexpr std::size_t kFixedBytes = offsetof(DecodeMessage, text);
 
-// Room for one descriptor beside a message.
+// Room for the descriptors beside a message.
 union Beside {
     cmsghdr align;
-    std::array<char, CMSG_SPACE(sizeof(int))> bytes;
+    std::array<char, CMSG_SPACE(sizeof(int) * kMostDescriptors)> bytes;
 };
 
-int descriptor_beside(msghdr& header) {
-    int found = -1;
+// Puts those that came where there is a place for them, and closes the others.
+void take_descriptors(msghdr& header, std::span<int> places) {
+    std::fill(places.begin(), places.end(), -1);
+    std::size_t taken = 0;
     for (cmsghdr* part = CMSG_FIRSTHDR(&header); part != nullptr;
          part = CMSG_NXTHDR(&header, part)) {
-        if (part->cmsg_level == SOL_SOCKET && part->cmsg_type == SCM_RIGHTS) {
-            std::memcpy(&found, CMSG_DATA(part), sizeof found);
+        if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_RIGHTS) {
+            continue;
+        }
+        const std::size_t count = (part->cmsg_len - CMSG_LEN(0)) / sizeof(int);
+        for (std::size_t i = 0; i < count; ++i) {
+            int came = -1;
+            std::memcpy(&came, CMSG_DATA(part) + i * sizeof came, sizeof came);
+            if (taken < places.size()) {
+                places[taken++] = came;
+            } else {
+                ::close(came);
+            }
         }
     }
-    return found;
 }
 
 }  // namespace
@@ -41,20 +52,20 @@ std::string_view DecodeMessage::words() const noexcept {
     return {text.data(), std::min<std::size_t>(text_bytes, text.size())};
 }
 
-Passed send_message(int socket, const DecodeMessage& message, int descriptor) {
+Passed send_message(int socket, const DecodeMessage& message, std::span<const int> descriptors) {
     iovec body{const_cast<DecodeMessage*>(&message), kFixedBytes + message.words().size()};
     msghdr header{};
     header.msg_iov = &body;
     header.msg_iovlen = 1;
     Beside beside{};
-    if (descriptor >= 0) {
+    if (!descriptors.empty()) {
         header.msg_control = beside.bytes.data();
-        header.msg_controllen = beside.bytes.size();
+        header.msg_controllen = CMSG_SPACE(descriptors.size_bytes());
         cmsghdr* const part = CMSG_FIRSTHDR(&header);
         part->cmsg_level = SOL_SOCKET;
         part->cmsg_type = SCM_RIGHTS;
-        part->cmsg_len = CMSG_LEN(sizeof descriptor);
-        std::memcpy(CMSG_DATA(part), &descriptor, sizeof descriptor);
+        part->cmsg_len = CMSG_LEN(descriptors.size_bytes());
+        std::memcpy(CMSG_DATA(part), descriptors.data(), descriptors.size_bytes());
     }
     ssize_t sent = -1;
     do {
@@ -63,7 +74,7 @@ Passed send_message(int socket, const DecodeMessage& message, int descriptor) {
     return sent < 0 ? Passed::no_peer : Passed::yes;
 }
 
-Passed receive_message(int socket, DecodeMessage& message, int* descriptor) {
+Passed receive_message(int socket, DecodeMessage& message, std::span<int> descriptors) {
     iovec body{&message, sizeof message};
     Beside beside{};
     msghdr header{};
@@ -78,12 +89,7 @@ Passed receive_message(int socket, DecodeMessage& message, int* descriptor) {
     if (got <= 0) {
         return Passed::no_peer;
     }
-    const int came = descriptor_beside(header);
-    if (descriptor != nullptr) {
-        *descriptor = came;
-    } else if (came >= 0) {
-        ::close(came);
-    }
+    take_descriptors(header, descriptors);
     const auto bytes = static_cast<std::size_t>(got);
     const bool is_whole = bytes >= kFixedBytes && message.magic == kDecodeMagic &&
                           message.text_bytes == bytes - kFixedBytes;

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "audio/io/audio_file.hpp"
@@ -15,21 +16,27 @@
 /// Threads: any. Real-time: no.
 namespace raks::audio {
 
-/// Descriptors that raks-decode starts with.
+/// Descriptors of a decoder; the nursery (decoder_nursery.hpp) has the first alone.
 inline constexpr int kDecodeSocket = 3;
 inline constexpr int kDecodeMemory = 4;
 inline constexpr int kDecodeLifeline = 5;  ///< a pipe that closes when raks ends
 
+/// Names of the processes, as lists of them show.
+inline constexpr const char* kNurseryName = "raks-decoders";
+inline constexpr const char* kDecoderName = "raks-decode";
+
 /// Of every message; other builds have another one.
-inline constexpr std::uint32_t kDecodeMagic = 0x52440001;
+inline constexpr std::uint32_t kDecodeMagic = 0x52440002;
 inline constexpr std::size_t kDecodeTextBytes = 8192;  ///< of the text in a message
 
-/// raks asks for the first four, raks-decode answers with the others.
+/// raks asks for the first five, raks-decode answers with the others.
 enum class DecodeKind : std::uint32_t {
+    start,      ///< to the nursery: a decoder, with its socket, memory and lifeline
     open_file,  ///< text: its name; with the descriptor
     open_pipe,  ///< the same; value: nanoseconds to wait for the head
     take_back,  ///< a slot that was read
     seek,       ///< value: frame; from here on messages carry its generation, all slots are free
+    started,    ///< value: the decoder's process, or minus the error's number
     opened,     ///< head is filled in; text: format, then warning
     failed,     ///< text: why it cannot be opened or sought
     samples,    ///< value: frames in the slot, 0 at the end; text: the warning so far
@@ -69,11 +76,17 @@ struct DecodeMessage {
 /// How a send or a receive ended.
 enum class Passed : std::uint8_t { yes, no_peer, nonsense };
 
-/// Sends, with a descriptor unless it is < 0. Waits for room.
-[[nodiscard]] Passed send_message(int socket, const DecodeMessage& message, int descriptor = -1);
-/// Receives; waits. A descriptor that came along is put into `descriptor` (else -1), or closed
-/// where that is null.
-[[nodiscard]] Passed receive_message(int socket, DecodeMessage& message, int* descriptor);
+inline constexpr std::size_t kMostDescriptors = 3;  ///< beside a message
+
+/// Sends, with at most three descriptors. Waits for room.
+[[nodiscard]] Passed send_message(int socket,
+                                  const DecodeMessage& message,
+                                  std::span<const int> descriptors = {});
+/// Receives; waits. The descriptors that came along are put into `descriptors`, -1 for what did
+/// not come; those for which there is no place are closed.
+[[nodiscard]] Passed receive_message(int socket,
+                                     DecodeMessage& message,
+                                     std::span<int> descriptors = {});
 
 inline constexpr std::size_t kDecodeSlots = 8;
 inline constexpr std::size_t kDecodeSlotSamples = 16'384;

@@ -30,7 +30,7 @@ bool are_decoders_unconfined() noexcept {
 }
 
 Expected<std::unique_ptr<DecoderClient>> DecoderClient::open(DecodedSource source) {
-    auto process = DecoderProcess::take();
+    auto process = DecoderProcess::start(source.is_stop_requested);
     if (!process) {
         return fail(source.name + ": " + process.error().message);
     }
@@ -47,7 +47,7 @@ Expected<void> DecoderClient::start() {
     ask.kind = source_.is_pipe ? DecodeKind::open_pipe : DecodeKind::open_file;
     ask.value = source_.longest_wait.count();
     ask.set_text(source_.name);
-    const Passed sent = send_message(process_->socket(), ask, source_.descriptor);
+    const Passed sent = send_message(process_->socket(), ask, std::span(&source_.descriptor, 1));
     const Waited waited = sent == Passed::yes ? receive() : Waited::broke;
     if (waited == Waited::answer && message_.kind == DecodeKind::failed) {
         return fail(std::string(message_.words()));
@@ -116,7 +116,7 @@ DecoderClient::Waited DecoderClient::receive() {
     if (waited != Waited::answer) {
         return waited;
     }
-    const Passed passed = receive_message(process_->socket(), message_, nullptr);
+    const Passed passed = receive_message(process_->socket(), message_);
     return passed == Passed::yes ? Waited::answer : Waited::broke;
 }
 

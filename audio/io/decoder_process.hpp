@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -11,12 +12,13 @@
 namespace raks::audio {
 
 /// A running raks-decode that has no file yet, or one. For audio/io alone.
-/// Threads: one at a time; take() any. Real-time: no.
+/// Threads: one at a time; start() any. Real-time: no.
 class DecoderProcess {
  public:
-    /// The one that was started ahead, else a new one. Errors: it is not installed, or cannot be
-    /// started.
-    [[nodiscard]] static Expected<std::unique_ptr<DecoderProcess>> take();
+    /// A new one. `is_stop_requested` is asked every 50 ms while it is waited for. Errors: those of
+    /// DecoderNursery::start_decoder; no descriptors or memory are left.
+    [[nodiscard]] static Expected<std::unique_ptr<DecoderProcess>> start(
+        const std::function<bool()>& is_stop_requested);
     /// Kills it and waits for its end.
     ~DecoderProcess();
     DecoderProcess(const DecoderProcess&) = delete;             ///< one owner
@@ -31,14 +33,11 @@ class DecoderProcess {
 
  private:
     DecoderProcess() = default;
-    [[nodiscard]] static Expected<std::unique_ptr<DecoderProcess>> start();
-    [[nodiscard]] bool is_alive() const;
 
     pid_t pid_ = -1;
     int socket_ = -1;
     int lifeline_ = -1;
     DecodeMemory* memory_ = nullptr;
-    friend struct SpareDecoder;
 };
 
 }  // namespace raks::audio

@@ -58,7 +58,8 @@ Expected<std::unique_ptr<audio::AudioFileReader>> DecodeServer::open_source(int 
 // False: nothing more is to be done.
 bool DecodeServer::open() {
     int descriptor = -1;
-    if (audio::receive_message(socket_, asked_, &descriptor) != Passed::yes || descriptor < 0) {
+    if (audio::receive_message(socket_, asked_, std::span(&descriptor, 1)) != Passed::yes ||
+        descriptor < 0) {
         return false;
     }
     auto opened = open_source(descriptor);
@@ -82,7 +83,7 @@ bool DecodeServer::open() {
 
 // One thing that raks asks for.
 bool DecodeServer::obey() {
-    if (audio::receive_message(socket_, asked_, nullptr) != Passed::yes) {
+    if (audio::receive_message(socket_, asked_) != Passed::yes) {
         return false;
     }
     if (asked_.kind == DecodeKind::take_back && asked_.generation == answer_.generation) {

@@ -1,6 +1,5 @@
-// The program raks-decode: decodes one sound file for raks, which starts it and gives it the open
-// file. A damaged or malicious file can at worst end this program.
-#include <malloc.h>
+// The program raks-decode: decodes sound files for raks, which starts it and gives it the open
+// files. Each is decoded in a copy of its own, which a damaged or malicious file can at worst end.
 #include <sys/mman.h>
 #include <sys/stat.h>
 
@@ -12,6 +11,7 @@
 #include "audio/io/file_window.hpp"
 #include "engine/decode/confine.hpp"
 #include "engine/decode/decode_server.hpp"
+#include "engine/decode/nursery.hpp"
 
 namespace raks::engine {
 namespace {
@@ -34,10 +34,22 @@ audio::DecodeMemory* map_memory() {
     return memory == MAP_FAILED ? nullptr : static_cast<audio::DecodeMemory*>(memory);
 }
 
+// Was this started by raks, which speaks over a socket?
+bool is_started_by_raks() {
+    struct stat status {};
+    return fstat(audio::kDecodeSocket, &status) == 0 && S_ISSOCK(status.st_mode);
+}
+
 int serve(bool is_confined) {
+    if (!is_started_by_raks()) {
+        std::fputs("raks-decode: is started by raks, to decode sound files; use raks\n", stderr);
+        return kWrongUsage;
+    }
+    if (!become_decoder()) {
+        return 0;
+    }
     audio::DecodeMemory* const memory = map_memory();
     if (memory == nullptr) {
-        std::fputs("raks-decode: is started by raks, to decode a sound file; use raks\n", stderr);
         return kWrongUsage;
     }
     end_with(audio::kDecodeLifeline);

@@ -13,8 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "audio/io/decode_protocol.hpp"
 #include "audio/io/decoders.hpp"
 #include "audio/io/file_player.hpp"
+#include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"
 #include "tests/support/process.hpp"
@@ -25,7 +27,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<pid_t> children() { return raks::test::children_of(::getpid()); }
+/// Those that wait for a file or have one.
+std::vector<pid_t> decoders() {
+    std::vector<pid_t> found = raks::test::children_of(::getpid());
+    std::erase_if(found, [](pid_t pid) {
+        const auto name = read_file("/proc/" + std::to_string(pid) + "/comm");
+        return !name || *name != std::string(kDecoderName) + "\n";
+    });
+    return found;
+}
 
 std::size_t count_of(const char* folder) {
     return static_cast<std::size_t>(
@@ -68,27 +78,27 @@ TEST_F(Decoders, one_that_is_killed_ends_the_sound_with_one_line) {
     ASSERT_TRUE(reader);
     std::vector<float> block(2 * 4'800);
     ASSERT_EQ((*reader)->read(block), 4'800U);
-    ASSERT_EQ(children().size(), 1U);
-    ::kill(children().front(), SIGKILL);
+    ASSERT_EQ(decoders().size(), 1U);
+    ::kill(decoders().front(), SIGKILL);
     // What it had decoded ahead may still come.
     EXPECT_LT(test::read_rest(**reader).size(), 2U * 6 * 48'000 - block.size());
     EXPECT_NE((*reader)->warning().find("noise.wav: its decoder broke off (killed by SIGKILL) at "),
               std::string::npos)
         << (*reader)->warning();
     EXPECT_FALSE((*reader)->seek(0));
-    EXPECT_TRUE(children().empty());
+    EXPECT_TRUE(decoders().empty());
 }
 
 TEST_F(Decoders, one_that_is_stopped_is_ended_and_said) {
     auto reader = open_audio_file(noise());
     ASSERT_TRUE(reader);
-    ASSERT_EQ(children().size(), 1U);
-    ::kill(children().front(), SIGSTOP);
+    ASSERT_EQ(decoders().size(), 1U);
+    ::kill(decoders().front(), SIGSTOP);
     const auto sought = (*reader)->seek(0);
     ASSERT_FALSE(sought);
     EXPECT_NE(sought.error().message.find("its decoder hung and was ended"), std::string::npos)
         << sought.error().message;
-    EXPECT_TRUE(children().empty());
+    EXPECT_TRUE(decoders().empty());
 }
 
 TEST_F(Decoders, one_that_hangs_holds_nobody_back_who_wants_to_stop) {
@@ -96,15 +106,15 @@ TEST_F(Decoders, one_that_hangs_holds_nobody_back_who_wants_to_stop) {
     auto player = FilePlayer::start({path}, {});
     ASSERT_TRUE(player);
     (*player)->wait_until_ready(4'096);
-    ASSERT_EQ(children().size(), 1U);
-    ::kill(children().front(), SIGSTOP);
+    ASSERT_EQ(decoders().size(), 1U);
+    ::kill(decoders().front(), SIGSTOP);
     (*player)->seek(0, 3.0);
     // Waits for what the decoder does not give.
     (*player)->wait_until_ready(4'096, [] { return true; });
     (*player)->stop();
     EXPECT_TRUE((*player)->take_messages().empty()) << "nobody waited until it counted as hung";
     player->reset();
-    EXPECT_TRUE(children().empty());
+    EXPECT_TRUE(decoders().empty());
 }
 
 TEST_F(Decoders, a_file_whose_decoder_never_answers_can_be_given_up) {
@@ -126,8 +136,8 @@ TEST_F(Decoders, a_player_whose_decoder_is_killed_goes_on_with_the_next_file) {
     auto player = FilePlayer::start({path, path}, {});
     ASSERT_TRUE(player);
     (*player)->wait_until_ready(4'096);
-    ASSERT_EQ(children().size(), 1U);
-    ::kill(children().front(), SIGKILL);
+    ASSERT_EQ(decoders().size(), 1U);
+    ::kill(decoders().front(), SIGKILL);
     std::vector<float> block(2 * 1'024);
     PulledAudio pulled;
     while (!pulled.is_ended) {
@@ -142,6 +152,7 @@ TEST_F(Decoders, a_player_whose_decoder_is_killed_goes_on_with_the_next_file) {
 
 TEST_F(Decoders, leave_no_descriptor_thread_or_process_behind) {
     const fs::path path = noise();
+    ASSERT_TRUE(open_audio_file(path));  // what starts decoders stays
     const std::size_t descriptors = count_of("/proc/self/fd");
     const std::size_t threads = count_of("/proc/self/task");
     for (int i = 0; i < 50; ++i) {
@@ -152,7 +163,20 @@ TEST_F(Decoders, leave_no_descriptor_thread_or_process_behind) {
     }
     EXPECT_EQ(count_of("/proc/self/fd"), descriptors);
     EXPECT_EQ(count_of("/proc/self/task"), threads);
-    EXPECT_TRUE(children().empty());
+    EXPECT_TRUE(decoders().empty());
+}
+
+TEST_F(Decoders, are_started_anew_when_what_starts_them_was_killed) {
+    const fs::path path = noise();
+    ASSERT_TRUE(open_audio_file(path));
+    for (const int signal : {SIGKILL, SIGTERM}) {
+        const std::vector<pid_t> nursery = raks::test::children_of(::getpid());
+        ASSERT_EQ(nursery.size(), 1U);
+        ::kill(nursery.front(), signal);
+        const auto reader = open_audio_file(path);
+        ASSERT_TRUE(reader) << reader.error().message;
+        EXPECT_EQ(test::read_rest(**reader).size(), 2U * 6 * 48'000);
+    }
 }
 
 TEST_F(Decoders, one_that_is_not_there_is_said) {

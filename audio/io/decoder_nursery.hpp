@@ -1,0 +1,53 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "base/expected.hpp"
+
+namespace raks::audio {
+
+/// The raks-decode that decodes nothing, and starts those that do: its libraries are loaded once,
+/// which takes 100 ms, and each decoder is a copy of it, which takes 2. It is started by the first
+/// file, and never sees a byte of any. For audio/io alone. Threads: any. Real-time: no.
+class DecoderNursery {
+ public:
+    /// Of this process.
+    [[nodiscard]] static DecoderNursery& get();
+    ~DecoderNursery() { end(); }
+    DecoderNursery(const DecoderNursery&) = delete;             ///< one a process
+    DecoderNursery& operator=(const DecoderNursery&) = delete;  ///< likewise
+
+    /// Starts a decoder that speaks over `descriptors` (socket, memory, lifeline; they stay the
+    /// caller's) and is this process's own child. `is_stop_requested` is asked every 50 ms.
+    /// Errors: raks-decode is not installed, cannot be started, broke off, or gave no answer for
+    /// 30 s; stopped.
+    [[nodiscard]] Expected<pid_t> start_decoder(const std::array<int, 3>& descriptors,
+                                                const std::function<bool()>& is_stop_requested);
+
+ private:
+    enum class Answered : std::uint8_t { yes, broke, hung, stopped };
+
+    DecoderNursery() = default;
+    [[nodiscard]] Expected<void> open();
+    [[nodiscard]] Answered ask(const std::array<int, 3>& descriptors,
+                               const std::function<bool()>& is_stop_requested,
+                               std::int64_t& answer) const;
+    std::string end();
+
+    std::timed_mutex mutex_;
+    std::filesystem::path program_;
+    pid_t pid_ = -1;  // < 0: there is none
+    int socket_ = -1;
+};
+
+/// Kills a child and waits for its end; says how it ended, which may have been before: "killed by
+/// SIGSEGV" or "exit code 1". Threads: any. Real-time: no.
+std::string end_child(pid_t pid);
+
+}  // namespace raks::audio
