@@ -75,16 +75,11 @@ DanceMetre metre_of(const DanceContent& content, const DanceLibrary* partner) {
 
 }  // namespace
 
-struct Dancer::State {
-    std::shared_ptr<const Repertoire> repertoire;
-    Skeleton skeleton;
-    DancerPart part;
-    const DanceLibrary* dance = nullptr;  // being danced, or the last one
-    DanceId genre = DanceId::none;        // of `dance`
-    DanceId selected = DanceId::none;     // by command
-    FloorMove stage;                      // from a figure's start to the stage
-    DanceMetre metre;                     // decides octave and pace
-    int bars_to_wait = 0;                 // downbeats that still pass before the start
+/// How far a dance has come: what another dancer can go on from.
+struct Dancer::Course {
+    DanceId genre = DanceId::none;     // of what is danced, or was last
+    DanceId selected = DanceId::none;  // by command
+    int bars_to_wait = 0;              // downbeats that still pass before the start
     FigureSequence sequence;
     FigureWish wish;
     MusicEnergy energy;
@@ -108,10 +103,21 @@ struct Dancer::State {
     HopIndex last_hop = -1;     // -1: none yet
 
     TimedCommands<DancerCommand, 16> commands;
+};
+
+struct Dancer::State : Dancer::Course {
+    std::shared_ptr<const Repertoire> repertoire;
+    Skeleton skeleton;
+    DancerPart part;
+    const DanceLibrary* dance = nullptr;  // being danced, or the last one
+    FloorMove stage;                      // from a figure's start to the stage
+    DanceMetre metre;                     // decides octave and pace
 
     [[nodiscard]] const DanceLibrary::Content& content() const noexcept { return dance->content(); }
     void reset() noexcept;
     void take_up(DanceId other) noexcept;
+    void find(DanceId other) noexcept;
+    void go_on_from(const State& before) noexcept;
     [[nodiscard]] FloorMove place() const noexcept;
     void apply(const DancerCommand& command) noexcept;
     void decide(const MusicState& music) noexcept;
@@ -128,11 +134,35 @@ struct Dancer::State {
 /// Changes to another dance, which is danced from the next start. Wishes name figures of the old
 /// one by number, so they are dropped.
 void Dancer::State::take_up(DanceId other) noexcept {
+    find(other);
+    wish = FigureWish();
+}
+
+void Dancer::State::find(DanceId other) noexcept {
     genre = other;
     dance = repertoire->of(other);
     stage = stage_of(content(), part);
     metre = metre_of(content(), part.partner ? part.partner->of(other) : nullptr);
-    wish = FigureWish();
+}
+
+/// The same figure at the same beat, as this repertoire has it. The difference between both bodies'
+/// poses decays like that of any change.
+void Dancer::State::go_on_from(const State& before) noexcept {
+    static_cast<Course&>(*this) = before;
+    if (repertoire->of(before.genre) == nullptr) {
+        // A dance that is not solved yet: from standing, where the other one was.
+        take_up(repertoire->first());
+        is_dancing = false;
+        standing.stand(place());
+    } else {
+        find(before.genre);
+        sequence.go_on_in(content(), stage);
+    }
+    if (last_hop >= 0) {
+        changed_at = time_of_hop(last_hop);
+        smoothing.start(
+            shown, shown_before, target(changed_at, Nanos(0)), target(changed_at, -kHop));
+    }
 }
 
 /// Where the dancer stands while nothing is danced: a soloist always at the same place, facing the
@@ -383,6 +413,12 @@ void Dancer::command(const DancerCommand& command) noexcept RAKS_NONBLOCKING {
 void Dancer::reset() noexcept RAKS_NONBLOCKING {
     if (state_->dance != nullptr) {
         state_->reset();
+    }
+}
+
+void Dancer::go_on_from(const Dancer& before) noexcept RAKS_NONBLOCKING {
+    if (state_->dance != nullptr && before.state_->dance != nullptr) {
+        state_->go_on_from(*before.state_);
     }
 }
 

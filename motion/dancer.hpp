@@ -94,6 +94,12 @@ class Dancer {
     /// which they were given. Threads: the owner. Real-time: yes.
     void command(const DancerCommand& command) noexcept RAKS_NONBLOCKING;
 
+    /// Goes on where `before` is, without a leap: the same figure, beat and place, and what it was
+    /// asked for. For a dancer of the same part with the same dances, solved for another body that
+    /// stands as high. Where it does not know the dance (yet), it stands there. Threads: the owner
+    /// of both. Real-time: yes.
+    void go_on_from(const Dancer& before) noexcept RAKS_NONBLOCKING;
+
     /// Returns to the state after prepare(). Threads: the owner. Real-time: yes.
     void reset() noexcept RAKS_NONBLOCKING;
 
@@ -105,6 +111,7 @@ class Dancer {
     [[nodiscard]] DancerStatus status() const noexcept RAKS_NONBLOCKING;
 
  private:
+    struct Course;
     struct State;
     std::unique_ptr<State> state_;
 };

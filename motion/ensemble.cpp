@@ -59,6 +59,13 @@ void Ensemble::command(const DancerCommand& command) noexcept RAKS_NONBLOCKING {
     }
 }
 
+void Ensemble::go_on_from(const Ensemble& before) noexcept RAKS_NONBLOCKING {
+    for (std::size_t i = 0; i < std::min(dancers_.size(), before.dancers_.size()); ++i) {
+        dancers_[i].go_on_from(before.dancers_[i]);
+    }
+    hold_ = before.hold_;
+}
+
 void Ensemble::reset() noexcept RAKS_NONBLOCKING {
     for (Dancer& dancer : dancers_) {
         dancer.reset();

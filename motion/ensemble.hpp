@@ -40,6 +40,8 @@ class Ensemble {
     void advance(const MusicState& state, std::span<PoseTrack> tracks) noexcept RAKS_NONBLOCKING;
     /// Queues the command with all members. Real-time: yes.
     void command(const DancerCommand& command) noexcept RAKS_NONBLOCKING;
+    /// Each member goes on where that of `before` is (Dancer::go_on_from). Real-time: yes.
+    void go_on_from(const Ensemble& before) noexcept RAKS_NONBLOCKING;
     /// Resets all members. Real-time: yes.
     void reset() noexcept RAKS_NONBLOCKING;
 

@@ -379,7 +379,10 @@ void Renderer::draw(const Scene& scene,
     const AvatarPainter* const painter = parts_->find({});
     for (const motion::Pose& pose : poses) {
         dancers.push_back({.avatar = {}, .pose = pose});
-        dancers.back().pose.hips_position *= painter != nullptr ? painter->size() : 1.0F;
+        if (painter != nullptr) {
+            dancers.back().pose.hips_position *=
+                painter->skeleton().hips_height() / motion::mannequin_skeleton().hips_height();
+        }
     }
     draw(scene, std::span<const Dancer>(dancers), target);
 }

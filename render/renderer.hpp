@@ -75,7 +75,8 @@ class Renderer {
     /// blending, face culling and scissor off. Dancers with a handle that there is none of are left
     /// out.
     void draw(const Scene& scene, std::span<const Dancer> dancers, const FrameTarget& target);
-    /// Dancers that are all the first avatar, in poses of the mannequin's body.
+    /// Dancers that are all the first avatar, in poses of a body that stands as high as the
+    /// mannequin (dance_body).
     void draw(const Scene& scene, std::span<const motion::Pose> poses, const FrameTarget& target);
     /// One dancer.
     void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);

@@ -154,6 +154,16 @@ struct EvalDanceArguments {
 /// Measures the dancer, from generated music to poses, beside people's clips.
 [[nodiscard]] ExitCode eval_dance(const EvalDanceArguments& arguments);
 
+/// Arguments of `raks eval avatar`.
+struct EvalAvatarArguments {
+    engine::Settings settings;        ///< of the files and the options; `dance`: auto for all
+    std::vector<std::string> models;  ///< files, or names of `raks avatar list`; at least one
+    bool as_json = false;             ///< one JSON document instead of text
+};
+/// Measures how avatars wear dances that are solved for them. A model that cannot dance is told and
+/// left out (kExitPartly).
+[[nodiscard]] ExitCode eval_avatar(const EvalAvatarArguments& arguments);
+
 /// Arguments of `raks dance`.
 struct DanceArguments {
     engine::Settings settings;  ///< of the files and the options

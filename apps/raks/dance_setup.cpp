@@ -49,7 +49,7 @@ bool is_dance_place(const std::string& dance) {
            (!is_dance_name(dance) && fs::is_directory(dance, ignored));
 }
 
-Expected<DanceSetup> open_dances(engine::Settings& settings) {
+Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skeleton& body) {
     // Nothing of what is loaded would be kept.
     const EndAtOnceOnSignals at_once;
     say_detail("loading the dances");
@@ -85,12 +85,12 @@ Expected<DanceSetup> open_dances(engine::Settings& settings) {
     if (!models) {
         return fail(std::move(models.error()));
     }
-    return DanceSetup{std::move(*catalogue), std::move(*models), motion::mannequin_skeleton()};
+    return DanceSetup{std::move(*catalogue), std::move(*models), body};
 }
 
-Expected<OfflineSetup> open_dancers(engine::Settings& settings) {
+Expected<OfflineSetup> open_dancers(engine::Settings& settings, const motion::Skeleton& body) {
     const EndAtOnceOnSignals at_once;
-    auto setup = open_dances(settings);
+    auto setup = open_dances(settings, body);
     if (!setup) {
         return fail(std::move(setup.error()));
     }

@@ -29,8 +29,9 @@ struct DanceSetup {
 /// Finds all dances, and prints once what is hidden or left out. Where `settings.dance` is a path,
 /// the dance there is used, and its name replaces the path: a written dance is first learnt into a
 /// folder of the user's cache, where it is found the next time. Errors: those of the catalogue, of
-/// a written dance, and of the analyzer's models.
-[[nodiscard]] Expected<DanceSetup> open_dances(engine::Settings& settings);
+/// a written dance, and of the analyzer's models. `body`: that dances (render::dance_body).
+[[nodiscard]] Expected<DanceSetup> open_dances(
+    engine::Settings& settings, const motion::Skeleton& body = motion::mannequin_skeleton());
 
 /// What a command that dances offline begins with.
 struct OfflineSetup : DanceSetup {
@@ -38,7 +39,8 @@ struct OfflineSetup : DanceSetup {
 };
 /// As open_dances(), and loads all dances that the settings ask for; says which were left out.
 /// Errors: also those of engine::Dancers::load.
-[[nodiscard]] Expected<OfflineSetup> open_dancers(engine::Settings& settings);
+[[nodiscard]] Expected<OfflineSetup> open_dancers(
+    engine::Settings& settings, const motion::Skeleton& body = motion::mannequin_skeleton());
 
 /// What of a file is danced offline, and how.
 struct OfflineMusic {

@@ -124,6 +124,14 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
         ->check(in_range(1e-4, 10.0));
 }
 
+void add_eval_avatar(RaksCommands& table, CLI::App& eval) {
+    auto [app, a] = table.add(eval, "avatar", "measure how avatars wear dances", eval_avatar);
+    app->add_option("models", a->models, "files, or names of `raks avatar list`")->required();
+    app->add_option("--dance", a->settings.dance, "only this dance; else all");
+    app->add_option("--seed", a->settings.seed, "same seed, same dance");
+    app->add_flag("--json", a->as_json, "one JSON document");
+}
+
 void add_eval_genre(RaksCommands& table, CLI::App& eval) {
     auto [app, a] = table.add(eval, "genre", "measure how dances are told apart", eval_genre);
     app->add_option("folder", a->folder, "of music: one folder a genre")->required();
@@ -137,7 +145,7 @@ void add_eval_genre(RaksCommands& table, CLI::App& eval) {
 
 // `eval` itself does nothing: one of its commands must follow.
 void add_eval(RaksCommands& table) {
-    CLI::App* eval = table.app().add_subcommand("eval", "measure beats, genre and dance");
+    CLI::App* eval = table.app().add_subcommand("eval", "measure beats, genre, dance and avatars");
     eval->require_subcommand(1);
     auto [app, a] = table.add(*eval, "beats", "score the beat tracker", eval_beats);
     app->add_option("folder", a->corpus, "index.tsv, NAME.beats, NAME.ogg")->required();
@@ -152,6 +160,7 @@ void add_eval(RaksCommands& table) {
                     a->left_out,
                     "folder of CLASS.json: networks that were trained without that class");
     add_beat_option(*app, a->methods);
+    add_eval_avatar(table, *eval);
     add_eval_dance(table, *eval);
     add_eval_genre(table, *eval);
 }

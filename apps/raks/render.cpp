@@ -14,6 +14,7 @@
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/show/show.hpp"
+#include "render/avatar/avatar.hpp"
 #include "render/gl/offscreen.hpp"
 #include "render/video/video_writer.hpp"
 
@@ -222,7 +223,7 @@ ExitCode render(const RenderArguments& given) {
     if (!source) {
         return fail(source.error());
     }
-    const auto setup = open_dancers(arguments.settings);
+    const auto setup = open_dancers(arguments.settings, render::dance_body(*look->avatar.avatar));
     if (!setup) {
         return fail(setup.error());
     }

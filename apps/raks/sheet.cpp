@@ -12,6 +12,7 @@
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/trials/figure_alone.hpp"
+#include "render/avatar/avatar.hpp"
 
 #include <fmt/format.h>
 
@@ -84,7 +85,7 @@ ExitCode sheet(const SheetArguments& given) {
     // A film has one pose a picture: 60 fps / BPM pictures a beat.
     const SheetPlan plan =
         is_sheet ? SheetPlan() : SheetPlan{kFilmCounts, 60.0 * fps / arguments.bpm};
-    const auto setup = open_dances(arguments.settings);
+    const auto setup = open_dances(arguments.settings, render::dance_body(*look->avatar.avatar));
     if (!setup) {
         return fail(setup.error());
     }

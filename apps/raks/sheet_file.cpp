@@ -90,8 +90,11 @@ SheetLabels figure_labels(std::string title, std::size_t poses, int per_beat) {
 
 SheetStudio::SheetStudio(render::OffscreenContext context,
                          render::Renderer renderer,
-                         const render::Scene& scene)
-    : context_(std::move(context)), renderer_(std::move(renderer)), scene_(scene) {}
+                         const engine::Look& look)
+    : context_(std::move(context)),
+      renderer_(std::move(renderer)),
+      scene_(look.scene),
+      size_(render::size_of(*look.avatar.avatar)) {}
 
 Expected<SheetStudio> SheetStudio::open(const engine::Look& look, render::Quality quality) {
     auto context = render::OffscreenContext::create();
@@ -102,7 +105,15 @@ Expected<SheetStudio> SheetStudio::open(const engine::Look& look, render::Qualit
     if (!renderer) {
         return fail(renderer.error());
     }
-    return SheetStudio(std::move(*context), std::move(*renderer), look.scene);
+    return SheetStudio(std::move(*context), std::move(*renderer), look);
+}
+
+// A sheet's cameras are made for the mannequin.
+render::PoseSheetConfig SheetStudio::framed(render::PoseSheetConfig config) const {
+    for (render::Camera& camera : config.cameras) {
+        camera = engine::camera_for(camera, size_);
+    }
+    return config;
 }
 
 // Poses and clip figures alike: the sheet is a template over what is drawn.
@@ -111,7 +122,7 @@ Expected<void> SheetStudio::write(const Path& output,
                                   std::span<const Body> bodies,
                                   const render::PoseSheetConfig& config,
                                   const SheetLabels& labels) {
-    const auto picture = render::draw_pose_sheet(renderer_, scene_, bodies, config);
+    const auto picture = render::draw_pose_sheet(renderer_, scene_, bodies, framed(config));
     if (!picture) {
         return fail(picture.error());
     }
@@ -141,7 +152,7 @@ Expected<void> SheetStudio::write_film(const Path& output,
                                        std::span<const motion::Pose> poses,
                                        double fps) {
     // The sheet's layout also says size and cameras of one view.
-    const render::PoseSheetConfig config;
+    const render::PoseSheetConfig config = framed({});
     const auto views = static_cast<int>(config.cameras.size());
     auto target = render::OffscreenTarget::create({.width = views * config.tile_width,
                                                    .height = config.tile_height,

@@ -71,7 +71,8 @@ class SheetStudio {
  private:
     SheetStudio(render::OffscreenContext context,
                 render::Renderer renderer,
-                const render::Scene& scene);
+                const engine::Look& look);
+    [[nodiscard]] render::PoseSheetConfig framed(render::PoseSheetConfig config) const;
     template <typename Body>
     [[nodiscard]] Expected<void> write(const Path& output,
                                        std::span<const Body> bodies,
@@ -81,6 +82,7 @@ class SheetStudio {
     render::OffscreenContext context_;
     render::Renderer renderer_;  // destroyed before the context, which it needs
     render::Scene scene_;
+    float size_;  // of who is drawn, against the mannequin
 };
 
 }  // namespace raks::apps

@@ -12,6 +12,7 @@
 #include "apps/terminal/say.hpp"
 #include "base/locked_memory.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "render/avatar/avatar.hpp"
 #include "render/overlay/text_format.hpp"
 
 #include <fmt/format.h>
@@ -74,6 +75,8 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
     if (!look) {
         return fail(look.error());
     }
+    // Until it is solved for the avatar, the dance is retargeted.
+    formations.ask_for_body(render::dance_body(*look->avatar.avatar));
     std::unique_ptr<StageLoop> loop(
         new StageLoop(settings, options, std::move(dances), formations));
     if (!options.is_headless) {
@@ -242,11 +245,14 @@ void StageLoop::advance(double /*seconds*/) {
     if (const bool had_ended = std::exchange(had_ended_, has_ended()); had_ended_ && !had_ended) {
         say_detail("at the end of the last file");
     }
-    const auto is_formed = formations_.poll();
-    if (!is_formed) {
-        say(is_formed.error().message);
-    } else if (*is_formed) {
+    const motion::DancerStatus& dancer = graph_->stage().dancer;
+    const auto change = formations_.poll(dancer.is_dancing ? dancer.dance : DanceId::none);
+    if (!change) {
+        say(change.error().message);
+    } else if (*change == engine::Formations::Change::formation) {
         change_formation();
+    } else if (*change == engine::Formations::Change::body) {
+        change_body();
     }
 }
 
@@ -367,6 +373,13 @@ void StageLoop::change_formation() {
     }
     formation_ = formations_.name();
     say(fmt::format("dancing: {}", formation_));
+}
+
+// The same dance goes on, solved for the body that is seen.
+void StageLoop::change_body() {
+    const auto replaced =
+        graph_->replace_dancers(formations_.cast(), engine::MotionStage::Entry::onward);
+    replaced ? say_detail("the dance is solved for this avatar") : say(replaced.error().message);
 }
 
 // A camera preset is made for one or two dancers.

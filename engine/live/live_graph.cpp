@@ -314,13 +314,13 @@ bool LiveGraph::command(motion::DancerCommand::Kind kind, double value) noexcept
     return motion_->command({kind, moment_at(HostClock::now()), value});
 }
 
-Expected<void> LiveGraph::replace_dancers(const Cast& cast) {
+Expected<void> LiveGraph::replace_dancers(const Cast& cast, MotionStage::Entry entry) {
     // Prepared here, since the motion thread must neither allocate nor wait.
     motion::Ensemble dancers;
     if (auto ok = dancers.prepare(cast.members, cast.skeleton); !ok) {
         return ok;
     }
-    if (!motion_->replace(std::move(dancers))) {
+    if (!motion_->replace(std::move(dancers), entry)) {
         return fail("too many commands at once: the dancers stay");
     }
     return {};

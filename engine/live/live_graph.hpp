@@ -124,9 +124,10 @@ class LiveGraph {
         analysis_->planned().set_plan(std::move(plan), beginning);
     }
 
-    /// Other dancers take over at once, from standing. Errors: those of Ensemble::prepare; the
-    /// queue of orders is full.
-    [[nodiscard]] Expected<void> replace_dancers(const Cast& cast);
+    /// Other dancers take over at once. Errors: those of Ensemble::prepare; the queue of orders is
+    /// full.
+    [[nodiscard]] Expected<void> replace_dancers(
+        const Cast& cast, MotionStage::Entry entry = MotionStage::Entry::anew);
 
  private:
     LiveGraph() = default;

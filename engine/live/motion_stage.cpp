@@ -37,14 +37,14 @@ MotionStage::~MotionStage() {
 }
 
 bool MotionStage::command(const motion::DancerCommand& command) noexcept {
-    return orders_.push({command, nullptr});
+    return orders_.push({.command = command});
 }
 
 // Dancers who left are freed on this thread, since the motion thread must not free.
-bool MotionStage::replace(motion::Ensemble dancers) {
+bool MotionStage::replace(motion::Ensemble dancers, Entry entry) {
     left_.collect();
     auto next = std::make_unique<motion::Ensemble>(std::move(dancers));
-    if (!orders_.push({{}, next.get()})) {
+    if (!orders_.push({.dancers = next.get(), .entry = entry})) {
         return false;
     }
     // The queue owns the dancers from here on.
@@ -57,6 +57,9 @@ void MotionStage::obey(const Order& order) noexcept RAKS_NONBLOCKING {
         dancers_->command(order.command);
         return;
     }
+    if (order.entry == Entry::onward) {
+        order.dancers->go_on_from(*dancers_);
+    }
     // The dancers before go to the retire queue, which main empties: freeing would block this
     // thread.
     const bool has_room = left_.retire(dancers_);
@@ -65,6 +68,9 @@ void MotionStage::obey(const Order& order) noexcept RAKS_NONBLOCKING {
     // Empty now, so nothing is freed.
     RAKS_TRUSTED(dancers_.reset(order.dancers));
     stage_->dancers = dancers_->size();
+    if (order.entry == Entry::onward) {
+        return;
+    }
     // Old poses would be interpolated into those of the new dancers.
     for (motion::PoseTrack& track : stage_->tracks) {
         track.clear();

@@ -70,11 +70,15 @@ class MotionStage {
     /// Queues a command. Threads: main. False when the queue is full.
     bool command(const motion::DancerCommand& command) noexcept;
 
-    /// Queues other dancers: from the next tick on they dance instead, from standing, on tracks
-    /// that begin anew. A command queued before this goes to the dancers before, a later one to
-    /// these. Threads: main. Real-time: no (frees dancers who have left). False when the queue is
-    /// full.
-    bool replace(motion::Ensemble dancers);
+    /// How other dancers begin.
+    enum class Entry {
+        anew,    ///< from standing, on tracks that begin anew
+        onward,  ///< where those before are, on their tracks (motion::Ensemble::go_on_from)
+    };
+    /// Queues other dancers: from the next tick on they dance instead. A command queued before this
+    /// goes to the dancers before, a later one to these. Threads: main. Real-time: no (frees
+    /// dancers who have left). False when the queue is full.
+    bool replace(motion::Ensemble dancers, Entry entry = Entry::anew);
 
     /// From the next tick on so many of the newest states, at most kMostHeldBack, wait: for sound
     /// that is heard much later than it is analyzed. The dance itself stays the same. Threads: any.
@@ -94,6 +98,7 @@ class MotionStage {
     struct Order {
         motion::DancerCommand command{};
         motion::Ensemble* dancers = nullptr;
+        Entry entry = Entry::anew;
     };
     static constexpr std::size_t kQueuedOrders = 64;
 
@@ -125,7 +130,9 @@ class MotionThread {
     /// Queues a command. Threads: main. False when the queue is full.
     bool command(const motion::DancerCommand& command) noexcept { return stage_.command(command); }
     /// Queues other dancers; see MotionStage::replace. Threads: main. False when the queue is full.
-    bool replace(motion::Ensemble dancers) { return stage_.replace(std::move(dancers)); }
+    bool replace(motion::Ensemble dancers, MotionStage::Entry entry) {
+        return stage_.replace(std::move(dancers), entry);
+    }
 
     /// See MotionStage::hold_back. Threads: any.
     void hold_back(std::size_t states) noexcept { stage_.hold_back(states); }

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -62,6 +63,31 @@ std::uint64_t with_grammar(const motion::FigureGrammar& grammar, std::uint64_t h
     return hash;
 }
 
+// Part of a file's name for any body but the mannequin.
+constexpr std::string_view kBody = "-body";
+
+std::string name_of_body(const motion::Skeleton& skeleton) {
+    return fmt::format("{}{:016x}", kBody, with_bytes_of(skeleton, hash_of("")));
+}
+
+// Removes those files of avatars' bodies that were written first, so that as many stay as six
+// dances of four avatars have, some 130 MB.
+void remove_oldest_bodies(const std::vector<fs::path>& files) {
+    constexpr std::size_t kMostOfBodies = 24;
+    std::vector<std::pair<fs::file_time_type, fs::path>> bodies;
+    std::error_code ignored;
+    for (const fs::path& file : files) {
+        const std::string name = file.filename().string();
+        if (name.find(kBody) != std::string::npos && name.ends_with(".baked")) {
+            bodies.emplace_back(fs::last_write_time(file, ignored), file);
+        }
+    }
+    std::sort(bodies.begin(), bodies.end());
+    for (std::size_t i = 0; i + kMostOfBodies < bodies.size(); ++i) {
+        fs::remove(bodies[i].second, ignored);
+    }
+}
+
 }  // namespace
 
 DanceCache DanceCache::of_user() {
@@ -89,12 +115,14 @@ fs::path DanceCache::path_of(const DancePlan& plan,
     }
     // The name's readable part says dance, role and form; keep() recognises older files by it.
     const bool is_of_positions = form.features == motion::FigureFeatures::positions;
-    return folder_ / fmt::format("{}-{}{}{}{}-{:016x}.baked",
+    const bool is_mannequin = skeleton == motion::mannequin_skeleton();
+    return folder_ / fmt::format("{}-{}{}{}{}{}-{:016x}.baked",
                                  plan.grammar.dance,
                                  motion::kRoleNames[static_cast<std::size_t>(plan.role)],
                                  is_of_positions ? "-positions" : "",
                                  form.generator == motion::Generator::frames ? "-frames" : "",
                                  form.company == Company::couple ? "-couple" : "",
+                                 is_mannequin ? "" : name_of_body(skeleton),
                                  hash);
 }
 
@@ -138,6 +166,9 @@ void DanceCache::keep(const fs::path& path, const motion::DanceLibrary& library)
         } else if (other_name.ends_with(".part")) {
             remove_abandoned_part(other);
         }
+    }
+    if (others) {
+        remove_oldest_bodies(*others);
     }
 }
 
@@ -219,9 +250,14 @@ struct DanceLoader {
     }
 
     // Adds the dances one after the other; a bad one is reported and the rest goes on.
-    [[nodiscard]] std::vector<std::string> add_all(const std::vector<std::string>& dances) const {
+    [[nodiscard]] std::vector<std::string> add_all(const std::vector<std::string>& dances,
+                                                   const std::atomic<bool>& is_stopped) const {
         std::vector<std::string> left_out;
         for (const std::string& dance : dances) {
+            // relaxed: a wish by itself
+            if (is_stopped.load(std::memory_order_relaxed)) {
+                break;
+            }
             if (auto added = add(dance); !added) {
                 left_out.push_back(fmt::format("{} is left out: {}", dance, added.error().message));
             }
@@ -359,8 +395,19 @@ Expected<Dancers> Dancers::load(const Settings& settings,
     // From here on the others are solved on their own thread; the future joins it when destroyed.
     const auto others = other_dances(settings, *catalogue.list());
     dancers.others_ =
-        std::async(std::launch::async, [loader, others] { return loader.add_all(others); });
+        std::async(std::launch::async, [loader, others, is_stopped = dancers.is_stopped_] {
+            return loader.add_all(others, *is_stopped);
+        });
     return dancers;
+}
+
+void Dancers::stop_solving() noexcept {
+    is_stopped_->store(true, std::memory_order_relaxed);  // relaxed: a wish by itself
+}
+
+bool Dancers::is_done() const {
+    return !others_.valid() ||
+           others_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
 std::vector<std::string> Dancers::wait() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <future>
@@ -39,7 +40,8 @@ class DanceCache {
         const std::filesystem::path& path,
         const motion::Skeleton& skeleton,
         const motion::FigureGrammar& grammar);
-    /// Writes a dance to its file, and removes older files of the same dance, role and form.
+    /// Writes a dance to its file, and removes older files of the same dance, role, form and body;
+    /// of all avatars' bodies together the last 24 stay.
     static void keep(const std::filesystem::path& path, const motion::DanceLibrary& library);
 
  private:
@@ -97,12 +99,19 @@ class Dancers {
 
     /// The dancers; their repertoires grow until all dances are solved.
     [[nodiscard]] const Cast& cast() const noexcept { return cast_; }
+    /// No more dances are begun to be solved: nobody waits for them any more.
+    void stop_solving() noexcept;
+    /// Whether all dances are solved, or no more will be: to be destroyed without waiting.
+    [[nodiscard]] bool is_done() const;
+
     /// Waits until all dances are solved, which a reproducible film needs. Returns a line for each
     /// dance that was left out because a file of it is bad.
     [[nodiscard]] std::vector<std::string> wait();
 
  private:
     Cast cast_;
+    // Shared with the thread that solves.
+    std::shared_ptr<std::atomic<bool>> is_stopped_ = std::make_shared<std::atomic<bool>>(false);
     std::future<std::vector<std::string>> others_;
 };
 

@@ -47,7 +47,8 @@ Formations::Formations(Settings settings, DanceCatalogue catalogue, Dancers danc
       catalogue_(std::move(catalogue)),
       danced_(formation_of(settings_.formation)),
       asked_(danced_),
-      cast_(dancers.cast()) {
+      cast_(dancers.cast()),
+      body_(cast_.skeleton) {
     // Dancers are kept by kind, so that going back to a formation needs no loading.
     (is_couple(danced_) ? couple_ : alone_).emplace(std::move(dancers));
 }
@@ -61,19 +62,56 @@ std::string_view Formations::ask_for_next() {
     return name_of(asked_);
 }
 
-bool Formations::has_dancers_for(Formation formation) const noexcept {
-    return is_couple(formation) ? couple_.has_value() : alone_.has_value();
+void Formations::ask_for_body(const motion::Skeleton& body) {
+    if (body == body_) {
+        return;
+    }
+    body_ = body;
+    is_waiting_ = true;
+    // They go on to dance what they know; the processor is for the others.
+    for (std::optional<Dancers>* const dancers : {&alone_, &couple_}) {
+        if (*dancers) {
+            (*dancers)->stop_solving();
+        }
+    }
 }
 
-// Solves the dances of the other kind on a thread of its own; pictures go on meanwhile.
+std::optional<Dancers>& Formations::dancers_for(Formation formation) noexcept {
+    return is_couple(formation) ? couple_ : alone_;
+}
+
+bool Formations::has_dancers_for(Formation formation) const noexcept {
+    const std::optional<Dancers>& dancers = is_couple(formation) ? couple_ : alone_;
+    return dancers && dancers->cast().skeleton == body_;
+}
+
+// Whether those who are asked for know a dance.
+bool Formations::knows(DanceId dance) const noexcept {
+    const std::optional<Dancers>& dancers = is_couple(asked_) ? couple_ : alone_;
+    return dancers->cast().members.front().repertoire->of(dance) != nullptr;
+}
+
+// Solves the dances on a thread of its own; pictures go on meanwhile.
 void Formations::load_dancers_for(Formation formation) {
     Settings settings = settings_;
     settings.formation = name_of(formation);
     loading_for_ = formation;
-    loading_ = std::async(std::launch::async,
-                          [settings, catalogue = catalogue_, skeleton = cast_.skeleton] {
-                              return Dancers::load(settings, catalogue, skeleton);
-                          });
+    loading_ = std::async(std::launch::async, [settings, catalogue = catalogue_, body = body_] {
+        return Dancers::load(settings, catalogue, body);
+    });
+}
+
+// Destroyed at once, they would make this thread wait for the dance that is being solved.
+void Formations::dismiss(std::optional<Dancers>& dancers) {
+    if (dancers) {
+        dancers->stop_solving();
+        dismissed_.push_back(std::move(*dancers));
+        dancers.reset();
+    }
+}
+
+void Formations::free_dismissed() {
+    std::erase_if(dismissed_, [](const Dancers& dancers) { return dancers.is_done(); });
 }
 
 // Takes what the thread has solved. Errors: it failed and is still wanted; a failure that the
@@ -81,16 +119,25 @@ void Formations::load_dancers_for(Formation formation) {
 Expected<void> Formations::take_loaded() {
     auto loaded = loading_.get();
     if (loaded) {
-        (is_couple(loading_for_) ? couple_ : alone_).emplace(std::move(*loaded));
+        std::optional<Dancers>& dancers = dancers_for(loading_for_);
+        dismiss(dancers);
+        dancers.emplace(std::move(*loaded));
     } else if (is_waiting_ && is_couple(asked_) == is_couple(loading_for_)) {
         is_waiting_ = false;
-        return fail(fmt::format("formation {}: {}", name_of(asked_), loaded.error().message));
+        const bool is_of_body = asked_ == danced_;
+        asked_ = danced_;
+        body_ = cast_.skeleton;
+        return fail(
+            is_of_body
+                ? "not solved for this avatar: " + loaded.error().message
+                : fmt::format("formation {}: {}", name_of(loading_for_), loaded.error().message));
     }
     return {};
 }
 
-Expected<bool> Formations::poll() {
+Expected<Formations::Change> Formations::poll(DanceId danced) {
     constexpr std::chrono::seconds kNoTime(0);
+    free_dismissed();
     // The future is asked without waiting: poll() is called with every picture.
     if (loading_.valid() && loading_.wait_for(kNoTime) == std::future_status::ready) {
         if (auto taken = take_loaded(); !taken) {
@@ -98,29 +145,32 @@ Expected<bool> Formations::poll() {
         }
     }
     if (!is_waiting_) {
-        return false;
+        return Change::none;
     }
     if (has_dancers_for(asked_)) {
-        form();
-        return true;
+        const bool can_go_on = danced == DanceId::none || asked_ != danced_ || knows(danced);
+        return can_go_on ? form() : Change::none;
     }
     // One load at a time: another may begin when this one is done.
     if (!loading_.valid()) {
         load_dancers_for(asked_);
     }
-    return false;
+    return Change::none;
 }
 
 // Forms the cast from the repertoires of the right kind: all formations of a kind share them. The
 // last member's is the follow's in a couple.
-void Formations::form() {
-    const auto& found = (is_couple(asked_) ? couple_ : alone_)->cast().members;
+Formations::Change Formations::form() {
+    const Cast& found = dancers_for(asked_)->cast();
+    const Change change = asked_ == danced_ ? Change::body : Change::formation;
     cast_.members = motion::members_of(asked_,
-                                       found.front().repertoire,
-                                       found.back().repertoire,
+                                       found.members.front().repertoire,
+                                       found.members.back().repertoire,
                                        static_cast<std::uint64_t>(settings_.seed));
+    cast_.skeleton = found.skeleton;
     danced_ = asked_;
     is_waiting_ = false;
+    return change;
 }
 
 std::vector<std::string> Formations::wait() {

@@ -28,8 +28,8 @@ struct DancedMoment {
 /// Threads: the OpenGL context's. Real-time: no.
 class DancerBodies {
  public:
-    /// `avatar` is what `handle` names in the renderer. `made_for`: the body that the dance was
-    /// solved for.
+    /// `avatar` is what `handle` names in the renderer. `made_for`: a body that stands as high as
+    /// the one that the dance was solved for.
     DancerBodies(render::AvatarHandle handle,
                  std::shared_ptr<const render::Avatar> avatar,
                  motion::Skeleton made_for);

@@ -9,7 +9,7 @@
 namespace raks::engine {
 namespace {
 
-// Metres from the hips to a hand of a spread arm, and a little air.
+// Metres from the mannequin's hips to a hand of a spread arm, and a little air.
 constexpr float kReach = 0.80F;
 // Seconds in which the camera does two thirds of its way: to where the dancers go, back from them
 // (before they leave the picture), and near to them again.
@@ -38,14 +38,15 @@ glm::vec3 middle_of(std::span<const motion::Pose> poses) {
 // The distance from which every dancer is seen with spread arms.
 float distance_to_fit(const render::Camera& camera,
                       std::span<const motion::Pose> poses,
-                      float aspect) {
+                      float aspect,
+                      float size) {
     const float wide = std::tan(0.5F * camera.vertical_fov) * std::max(aspect, kNarrowestAspect);
     const glm::vec3 right(std::cos(camera.yaw), 0.0F, -std::sin(camera.yaw));
     const glm::vec3 toward(std::sin(camera.yaw), 0.0F, std::cos(camera.yaw));
     float distance = 0.0F;
     for (const motion::Pose& pose : poses) {
         const glm::vec3 from_target = pose.hips_position - camera.target;
-        const float aside = std::abs(glm::dot(from_target, right)) + kReach;
+        const float aside = std::abs(glm::dot(from_target, right)) + kReach * size;
         // Who stands nearer needs more room.
         const float nearer = glm::dot(from_target, toward) * std::cos(camera.pitch);
         distance = std::max(distance, aside / wide + nearer);
@@ -64,7 +65,7 @@ render::Camera Framing::follow(std::span<const motion::Pose> poses, double secon
     const glm::vec3 middle = middle_of(poses);
     const float moved = is_first ? 1.0F : share(seconds, kFollowSeconds);
     camera.pan_to(camera.target + moved * (middle - camera.target));
-    const float wanted = std::max(preset_.distance, distance_to_fit(camera, poses, aspect_));
+    const float wanted = std::max(preset_.distance, distance_to_fit(camera, poses, aspect_, size_));
     const float constant = wanted > camera.distance ? kBackSeconds : kNearSeconds;
     const float stepped = is_first ? 1.0F : share(seconds, constant);
     camera.zoom((camera.distance + stepped * (wanted - camera.distance)) / camera.distance);

@@ -15,7 +15,9 @@ namespace raks::engine {
 class Framing {
  public:
     /// `preset`: angle, height and nearest distance. `aspect`: width / height of the picture, > 0.
-    Framing(const render::Camera& preset, float aspect) : preset_(preset), aspect_(aspect) {}
+    /// `size`: of the dancers, against the mannequin's 1.
+    Framing(const render::Camera& preset, float aspect, float size = 1.0F)
+        : preset_(preset), aspect_(aspect), size_(size) {}
 
     /// The camera of the next picture, `seconds` (>= 0) after the last one. `poses`: one a dancer,
     /// in world space; none: the camera stays.
@@ -24,6 +26,7 @@ class Framing {
  private:
     render::Camera preset_;
     float aspect_;
+    float size_;
     std::optional<render::Camera> camera_;  // of the last picture
 };
 

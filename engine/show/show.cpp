@@ -42,7 +42,8 @@ Show::Show(const Look& look,
     : dances_(std::move(dances)),
       scene_(look.scene),
       framing_(look.scene.camera,
-               static_cast<float>(look.size.width) / static_cast<float>(look.size.height)),
+               static_cast<float>(look.size.width) / static_cast<float>(look.size.height),
+               render::size_of(drawing.bodies.avatar())),
       drawing_(std::move(drawing)),
       overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {}
 
@@ -54,7 +55,9 @@ void Show::draw(const ShownMoment& shown,
     last_moment_ = moment;
     poses_.clear();
     for (const motion::PoseTrack& track : shown.danced.tracks) {
-        poses_.push_back(track.at(moment + shown.danced.lead));
+        poses_.push_back(render::retargeted(track.at(moment + shown.danced.lead),
+                                            motion::mannequin_skeleton(),
+                                            drawing_.bodies.avatar()));
     }
     scene_.camera = framing_.follow(poses_, to_seconds(since));
     // The picture first: the overlay is drawn over it.

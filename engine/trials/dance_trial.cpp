@@ -13,9 +13,6 @@
 namespace raks::engine {
 namespace {
 
-// All measures are taken at this rate, so that they compare with those of captured dances.
-constexpr double kPosesPerSecond = 60.0;
-
 // Records the poses at 60 a second and the dancer's status at every hop.
 class RecordDance final : public OfflineDriver::Sink {
  public:
@@ -36,7 +33,7 @@ class RecordDance final : public OfflineDriver::Sink {
 
  private:
     std::size_t measured_;
-    CollectPoses poses_{kPosesPerSecond};
+    CollectPoses poses_{kTrialPosesPerSecond};
 };
 
 // The figure danced at `time`, seconds; null between figures.
@@ -53,7 +50,7 @@ motion::MetricFrames frames_of(const RecordDance& record, std::span<const Danced
     motion::MetricFrames frames;
     const CountWindow window;
     for (std::size_t f = 0; f < record.poses().size(); ++f) {
-        const double time = static_cast<double>(f) / kPosesPerSecond;
+        const double time = static_cast<double>(f) / kTrialPosesPerSecond;
         const auto hop =
             std::min(static_cast<std::size_t>(time * kHopsPerSecond), record.hops.size() - 1);
         const motion::DancerStatus& status = record.hops[hop];
@@ -129,7 +126,7 @@ CoupleResult couple_of(const motion::Skeleton& skeleton,
             continue;
         }
         const std::string& figure =
-            figure_at(figures, static_cast<double>(f) / kPosesPerSecond)->model->name;
+            figure_at(figures, static_cast<double>(f) / kTrialPosesPerSecond)->model->name;
         if (figure == kBasic) {
             hands.push_back(all.hands[f]);
             facing.push_back(all.facing[f]);
@@ -154,7 +151,8 @@ TrialResult result_of(const DanceTrial& trial,
                       const audio::GeneratedMusic& music,
                       std::span<const motion::FigureModel> models) {
     const std::vector<DancedFigure> figures = danced_figures(record.hops, music.beats, models);
-    const motion::BodyTrack track = motion::body_track(skeleton, record.poses(), kPosesPerSecond);
+    const motion::BodyTrack track =
+        motion::body_track(skeleton, record.poses(), kTrialPosesPerSecond);
     TrialResult result;
     // Landings are judged against the beats of the music, never against the dancer's own phase.
     const std::vector<motion::AudibleCount> counts =
@@ -188,6 +186,7 @@ TrialResult result_of(const DanceTrial& trial,
                                        [](const auto& status) { return status.is_dancing; });
     result.danced_share = static_cast<double>(dancing) / static_cast<double>(record.hops.size());
     result.reanchors = static_cast<int>(record.hops.back().reanchors);
+    result.poses = record.poses();
     return result;
 }
 

@@ -48,6 +48,9 @@ struct CoupleResult {
     double overlapping = 0.0;  ///< share of the time in which the bodies overlap
 };
 
+/// Rate at which all measures are taken, so that they compare with those of captured dances.
+inline constexpr double kTrialPosesPerSecond = 60.0;
+
 /// What was measured in one trial.
 struct TrialResult {
     motion::LandingReport landing;   ///< landings against the beats of the music
@@ -58,6 +61,7 @@ struct TrialResult {
     double pace = 0.0;               ///< mean tempo danced / learnt, while dancing
     int reanchors = 0;               ///< how often the dancer set its phase anew
     std::optional<CoupleResult> couple;  ///< none when one dances alone
+    std::vector<motion::Pose> poses;     ///< of the measured dancer, kTrialPosesPerSecond
 };
 
 /// Who dances a trial, alone or as a couple, and which of them is measured.

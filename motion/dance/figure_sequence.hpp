@@ -40,6 +40,12 @@ class FigureSequence {
     /// turns and travels, at the beat of it that fits the phase.
     void jump(Beats phase) noexcept RAKS_NONBLOCKING;
 
+    /// Goes on with the same figures of another library, which has the same in the same order.
+    void go_on_in(const DanceContent& content, const FloorMove& stage) noexcept {
+        content_ = content_ != nullptr ? &content : nullptr;
+        stage_ = stage;
+    }
+
     /// The pose in the world at a phase up to kDecided after the last advance.
     [[nodiscard]] Pose at(Beats phase) const noexcept RAKS_NONBLOCKING;
 

@@ -23,9 +23,9 @@ double angle_past(const WorldPose& who, const glm::vec3& other) {
 
 double body_clearance(const Skeleton& skeleton, const Pose& one, const Pose& other) {
     float least = 1e9F;
-    const BodyCapsules others = body_capsules(world_pose(skeleton, other));
+    const BodyCapsules others = body_capsules(skeleton.girth, world_pose(skeleton, other));
     // Nine capsules against nine: cheap enough without a hierarchy.
-    for (const Capsule& a : body_capsules(world_pose(skeleton, one))) {
+    for (const Capsule& a : body_capsules(skeleton.girth, world_pose(skeleton, one))) {
         for (const Capsule& b : others) {
             least = std::min(least, nearness(a, b).metres);
         }

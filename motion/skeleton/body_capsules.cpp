@@ -5,36 +5,24 @@
 #include <glm/geometric.hpp>
 
 namespace raks::motion {
-namespace {
 
-// Girth of the mannequin (render/avatar): the trunk is two flanks, 0.29 m wide and 0.17 m deep.
-constexpr float kFlank = 0.06F;
-constexpr float kTrunkRadius = 0.085F;
-constexpr float kHeadRadius = 0.08F;
-constexpr float kThighRadius = 0.07F;
-constexpr float kShinRadius = 0.05F;
-constexpr float kHeadHeight = 0.14F;  // from the head's joint up to the middle of the head
-constexpr float kForearmRadius = 0.03F;
-constexpr float kHandRadius = 0.02F;  // half its thickness: a palm may rest on the body
-
-}  // namespace
-
-BodyCapsules body_capsules(const WorldPose& world) noexcept RAKS_NONBLOCKING {
+BodyCapsules body_capsules(const Girth& girth, const WorldPose& world) noexcept RAKS_NONBLOCKING {
     BodyCapsules capsules;
     std::size_t at = 0;
     for (const Side side : kSides) {
-        const float aside = side == Side::left ? kFlank : -kFlank;
+        const float aside = side == Side::left ? girth.flank : -girth.flank;
         const auto joint = [&](Bone left) { return world.position(on_side(left, side)); };
-        capsules[at++] = {world.point(Bone::hips, {aside, 0.0F, 0.0F}),
-                          world.point(Bone::upper_chest, {aside, 0.05F, 0.0F}),
-                          kTrunkRadius};
-        capsules[at++] = {joint(Bone::left_upper_leg), joint(Bone::left_lower_leg), kThighRadius};
-        capsules[at++] = {joint(Bone::left_lower_leg), joint(Bone::left_foot), kShinRadius};
-        capsules[at++] = {joint(Bone::left_foot), joint(Bone::left_toes), 0.5F * kShinRadius};
+        capsules[at++] = {
+            world.point(Bone::hips, {aside, 0.0F, girth.trunk_ahead}),
+            world.point(Bone::upper_chest, {aside, girth.chest_height, girth.trunk_ahead}),
+            girth.trunk};
+        capsules[at++] = {joint(Bone::left_upper_leg), joint(Bone::left_lower_leg), girth.thigh};
+        capsules[at++] = {joint(Bone::left_lower_leg), joint(Bone::left_foot), girth.shin};
+        capsules[at++] = {joint(Bone::left_foot), joint(Bone::left_toes), 0.5F * girth.shin};
     }
     capsules[at] = {world.position(Bone::neck),
-                    world.point(Bone::head, {0.0F, kHeadHeight, 0.0F}),
-                    kHeadRadius};
+                    world.point(Bone::head, {0.0F, girth.head_height, 0.0F}),
+                    girth.head};
     return capsules;
 }
 
@@ -61,19 +49,21 @@ Nearness nearness(const Capsule& one, const Capsule& other) noexcept RAKS_NONBLO
     return {away, glm::length(away) - one.radius - other.radius};
 }
 
-std::array<Capsule, 2> hand_capsules(const WorldPose& world, Side side) noexcept RAKS_NONBLOCKING {
+std::array<Capsule, 2> hand_capsules(const Girth& girth,
+                                     const WorldPose& world,
+                                     Side side) noexcept RAKS_NONBLOCKING {
     const auto joint = [&](Bone left) { return world.position(on_side(left, side)); };
     const glm::vec3 wrist = joint(Bone::left_hand);
-    return {{{glm::mix(joint(Bone::left_lower_arm), wrist, 0.5F), wrist, kForearmRadius},
-             {wrist, joint(Bone::left_middle_intermediate), kHandRadius}}};
+    return {{{glm::mix(joint(Bone::left_lower_arm), wrist, 0.5F), wrist, girth.forearm},
+             {wrist, joint(Bone::left_middle_intermediate), girth.hand}}};
 }
 
 HandClearance hand_clearance(const Skeleton& skeleton, const Pose& pose) noexcept RAKS_NONBLOCKING {
     const WorldPose world = world_pose(skeleton, pose);
-    const BodyCapsules body = body_capsules(world);
+    const BodyCapsules body = body_capsules(skeleton.girth, world);
     HandClearance least{Side::left, kBodyCapsuleNames[0], 1e9};
     for (const Side side : kSides) {
-        for (const Capsule& hand : hand_capsules(world, side)) {
+        for (const Capsule& hand : hand_capsules(skeleton.girth, world, side)) {
             for (std::size_t part = 0; part < body.size(); ++part) {
                 const auto metres = static_cast<double>(nearness(hand, body[part]).metres);
                 if (metres < least.metres) {

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-/// Body capsules: the mannequin's girth, for distances between hands and bodies.
+/// Body capsules: a body's girth, for distances between hands and bodies.
 namespace raks::motion {
 
 /// A capsule: everything within `radius` of a line segment; metres.
@@ -33,7 +33,8 @@ inline constexpr std::array<std::string_view, 9> kBodyCapsuleNames = {"trunk",
 using BodyCapsules = std::array<Capsule, kBodyCapsuleNames.size()>;
 
 /// The capsules of a pose, in the world. Threads: any. Real-time: yes.
-[[nodiscard]] BodyCapsules body_capsules(const WorldPose& world) noexcept RAKS_NONBLOCKING;
+[[nodiscard]] BodyCapsules body_capsules(const Girth& girth,
+                                         const WorldPose& world) noexcept RAKS_NONBLOCKING;
 
 /// Nearest points of two capsules.
 struct Nearness {
@@ -46,7 +47,8 @@ struct Nearness {
 
 /// Capsules of one hand: the half of the forearm next to it, and the palm with the fingers' first
 /// joints. Threads: any. Real-time: yes.
-[[nodiscard]] std::array<Capsule, 2> hand_capsules(const WorldPose& world,
+[[nodiscard]] std::array<Capsule, 2> hand_capsules(const Girth& girth,
+                                                   const WorldPose& world,
                                                    Side side) noexcept RAKS_NONBLOCKING;
 
 /// The body part nearest to a hand or its half of the forearm.

@@ -83,6 +83,19 @@ Skeleton scaled(Skeleton skeleton, float factor) noexcept {
     for (glm::vec3* point : {&skeleton.ball, &skeleton.toe_tip, &skeleton.heel}) {
         *point *= factor;
     }
+    Girth& girth = skeleton.girth;
+    for (float* length : {&girth.flank,
+                          &girth.trunk,
+                          &girth.trunk_ahead,
+                          &girth.chest_height,
+                          &girth.head,
+                          &girth.head_height,
+                          &girth.thigh,
+                          &girth.shin,
+                          &girth.forearm,
+                          &girth.hand}) {
+        *length *= factor;
+    }
     return skeleton;
 }
 

@@ -1,4 +1,4 @@
-// Skeleton: bone lengths, and forward kinematics.
+// Skeleton: bone lengths and girth, and forward kinematics.
 #pragma once
 
 #include <array>
@@ -13,6 +13,23 @@
 
 namespace raks::motion {
 
+/// How thick a body is, for keeping its hands out of it (body_capsules.hpp); metres. The values
+/// here are the mannequin's.
+struct Girth {
+    float flank = 0.06F;         ///< from the trunk's middle to that of either flank
+    float trunk = 0.085F;        ///< radius of a flank: half the trunk's depth
+    float trunk_ahead = 0.0F;    ///< the trunk's middle before the hips' joint
+    float chest_height = 0.05F;  ///< the trunk's upper end over the upper chest's joint
+    float head = 0.08F;          ///< radius of the head
+    float head_height = 0.14F;   ///< middle of the head over its joint
+    float thigh = 0.07F;         ///< radius
+    float shin = 0.05F;          ///< radius
+    float forearm = 0.03F;       ///< radius
+    float hand = 0.02F;          ///< half its thickness: a palm may rest on the body
+
+    friend bool operator==(const Girth&, const Girth&) = default;
+};
+
 /// Bone lengths of one humanoid in T-pose, in metres. All rest rotations are identity, so a bone's
 /// frame has the world's axes in T-pose.
 struct Skeleton {
@@ -24,9 +41,12 @@ struct Skeleton {
     glm::vec3 ball{};
     glm::vec3 toe_tip{};  ///< tip of the toes, likewise
     glm::vec3 heel{};     ///< back of the heel, likewise
+    Girth girth;          ///< of its flesh and clothes
 
     /// Standing height of the hips; metres.
     [[nodiscard]] float hips_height() const noexcept { return offsets[0].y; }
+
+    friend bool operator==(const Skeleton&, const Skeleton&) = default;
 };
 
 /// The built-in mannequin's skeleton: 1.714 m tall.

@@ -80,8 +80,12 @@ glm::mat4 matrix_of(const glm::quat& rotation, glm::vec3 position) noexcept {
 
 }  // namespace
 
-float size_of(const Avatar& avatar) noexcept {
-    return avatar.skeleton.hips_height() / motion::mannequin_skeleton().hips_height();
+float size_of(const Avatar& avatar) noexcept { return avatar.height / kMannequinHeight; }
+
+motion::Skeleton dance_body(const Avatar& avatar) noexcept {
+    return motion::scaled(
+        avatar.skeleton,
+        motion::mannequin_skeleton().hips_height() / avatar.skeleton.hips_height());
 }
 
 motion::Pose retargeted(motion::Pose pose,

@@ -101,11 +101,16 @@ struct HelperJoint {
     float lift = 0.0F;
 };
 
+/// Height of the mannequin's mesh in its T-pose; metres.
+inline constexpr float kMannequinHeight = 1.714F;
+
 /// Immutable once built. Its body is a painted skin (the mannequin), a textured surface (from a
 /// file), or both.
 struct Avatar {
     std::string name;
-    motion::Skeleton skeleton;
+    motion::Skeleton skeleton;  ///< with girth and soles: what its dances are solved for
+    /// From the floor to the top of the mesh, with hair and hat, in the T-pose; metres.
+    float height = kMannequinHeight;
 
     // A surface and what moves it; none: `rig` is null.
     Surface surface;
@@ -121,8 +126,14 @@ struct Avatar {
     std::string licence;  ///< SPDX identifier
 };
 
-/// Its size against the mannequin's: the ratio of the heights of the hips.
+/// Its size against the mannequin's, for cameras and shadows: the ratio of the heights of the
+/// meshes, 1 for the mannequin. A figure with a large head is larger than its legs tell.
 [[nodiscard]] float size_of(const Avatar& avatar) noexcept;
+
+/// The body that dances are solved for: the avatar's, as large as the mannequin by the height of
+/// its hips. So all that is measured in metres (how far two stand apart, a step aside) suits it,
+/// and its poses are the avatar's own by retargeted(). The mannequin's is its skeleton.
+[[nodiscard]] motion::Skeleton dance_body(const Avatar& avatar) noexcept;
 
 /// A pose that was made for another body, on this one: the hips' place by the ratio of their
 /// heights. Threads: any. Real-time: yes.

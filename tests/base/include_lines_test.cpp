@@ -92,6 +92,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "audio/**",
       "motion",
       "motion/**",
+      "render/avatar",
       "engine/setup",
       "engine/live",
       "engine/offline"}},

@@ -149,10 +149,10 @@ std::vector<glm::vec3> smooth_pushes(const std::vector<glm::vec3>& pushes, doubl
 
 void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {
     const WorldPose world = world_pose(skeleton, pose);
-    const BodyCapsules body = body_capsules(world);
+    const BodyCapsules body = body_capsules(skeleton.girth, world);
     for (const Side side : kSides) {
-        const glm::vec3 push =
-            push_of(hand_capsules(world, side), body, outward_of(world, side), 0.0F);
+        const glm::vec3 push = push_of(
+            hand_capsules(skeleton.girth, world, side), body, outward_of(world, side), 0.0F);
         if (glm::dot(push, push) >= kLeastPush * kLeastPush) {
             push_hand(skeleton, world, side, push, pose);
         }
@@ -167,8 +167,8 @@ void lead_hands_round(const Skeleton& skeleton, double samples_per_beat, std::ve
             float most = 0.0F;
             for (const Pose& pose : poses) {
                 const WorldPose world = world_pose(skeleton, pose);
-                const glm::vec3 push = push_of(hand_capsules(world, side),
-                                               body_capsules(world),
+                const glm::vec3 push = push_of(hand_capsules(skeleton.girth, world, side),
+                                               body_capsules(skeleton.girth, world),
                                                outward_of(world, side),
                                                kSpare);
                 // In the frame of the hips, so that a turn of the body does not rotate the pushes

@@ -165,6 +165,20 @@ TEST_F(ReplacedDancers, dance_from_the_next_tick_on_and_go_again) {
     EXPECT_EQ(reader_->read().track().newest_final(), 170);
 }
 
+TEST_F(ReplacedDancers, who_go_on_keep_the_tracks) {
+    ASSERT_NO_FATAL_FAILURE(dance(100));
+    const motion::Pose last = reader_->read().track().at_hop(99);
+    ASSERT_TRUE(motion_.replace(ensemble(motion::Formation::solo), MotionStage::Entry::onward));
+    ASSERT_TRUE(states_.push(state_of(hop_)));
+    test::RealtimeScope scope;
+    motion_.tick();
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+    const StageState& stage = reader_->read();
+    EXPECT_LT(stage.track().oldest_final(), 99);
+    EXPECT_EQ(stage.track().newest_final(), 100);
+    EXPECT_LT(glm::distance(stage.track().at_hop(100).hips_position, last.hips_position), 0.01F);
+}
+
 TEST_F(ReplacedDancers, come_without_allocation_and_the_others_leave_without_being_freed) {
     ASSERT_NO_FATAL_FAILURE(dance(10));
     ASSERT_TRUE(motion_.replace(ensemble(motion::Formation::unison)));

@@ -27,7 +27,7 @@ std::string error_when_there(Formations& formations) {
         if (!is_there) {
             return is_there.error().message;
         }
-        if (*is_there) {
+        if (*is_there != Formations::Change::none) {
             return "";
         }
         std::this_thread::yield();
@@ -38,7 +38,7 @@ TEST(Formations, begin_with_the_one_of_the_settings_and_go_round) {
     Formations formations = formations_of("salsa", "solo");
     EXPECT_EQ(formations.name(), "solo");
     EXPECT_EQ(formations.cast().members.size(), 1U);
-    EXPECT_FALSE(formations.poll().value()) << "nobody asked";
+    EXPECT_EQ(formations.poll().value(), Formations::Change::none) << "nobody asked";
     struct Case {
         const char* name;
         std::size_t members;
@@ -54,7 +54,7 @@ TEST(Formations, begin_with_the_one_of_the_settings_and_go_round) {
         EXPECT_EQ(formations.name(), next.name);
         EXPECT_EQ(formations.cast().members.size(), next.members) << next.name;
         EXPECT_EQ(formations.cast().members.front().part.is_in_couple, next.members == 2U);
-        EXPECT_FALSE(formations.poll().value()) << "told once";
+        EXPECT_EQ(formations.poll().value(), Formations::Change::none) << "told once";
     }
     EXPECT_TRUE(formations.wait().empty());
 }
@@ -62,16 +62,16 @@ TEST(Formations, begin_with_the_one_of_the_settings_and_go_round) {
 TEST(Formations, without_couples_are_there_at_once) {
     Formations formations = formations_of("salsa", "unison");
     formations.ask_for_next();
-    EXPECT_TRUE(formations.poll().value());
+    EXPECT_EQ(formations.poll().value(), Formations::Change::formation);
     EXPECT_EQ(formations.name(), "canon");
 }
 
 TEST(Formations, passed_over_while_they_load_are_not_told) {
     Formations formations = formations_of("salsa", "solo");
     EXPECT_EQ(formations.ask_for_next(), "couple");
-    EXPECT_FALSE(formations.poll().value());
+    EXPECT_EQ(formations.poll().value(), Formations::Change::none);
     EXPECT_EQ(formations.ask_for_next(), "unison");
-    EXPECT_TRUE(formations.poll().value());
+    EXPECT_EQ(formations.poll().value(), Formations::Change::formation);
     EXPECT_EQ(formations.name(), "unison");
     EXPECT_TRUE(formations.wait().empty());
 }
@@ -83,9 +83,48 @@ TEST(Formations, that_a_dance_has_not_are_told_once_and_the_dancers_stay) {
               "formation couple: belly is danced alone; a couple dances salsa");
     EXPECT_EQ(formations.name(), "solo");
     EXPECT_EQ(formations.cast().members.size(), 1U);
-    EXPECT_FALSE(formations.poll().value());
+    EXPECT_EQ(formations.poll().value(), Formations::Change::none);
     EXPECT_EQ(formations.ask_for_next(), "unison");
-    EXPECT_TRUE(formations.poll().value());
+    EXPECT_EQ(formations.poll().value(), Formations::Change::formation);
+}
+
+TEST(Formations, are_solved_for_another_body_while_the_dance_goes_on) {
+    Formations formations = formations_of("salsa", "unison");
+    motion::Skeleton body = motion::mannequin_skeleton();
+    body.girth.trunk = 0.12F;
+    formations.ask_for_body(body);
+    EXPECT_EQ(formations.cast().skeleton, motion::mannequin_skeleton());
+    EXPECT_EQ(error_when_there(formations), "");
+    EXPECT_EQ(formations.name(), "unison");
+    EXPECT_EQ(formations.cast().skeleton, body);
+    EXPECT_EQ(formations.poll().value(), Formations::Change::none) << "told once";
+    EXPECT_EQ(formations.ask_for_next(), "canon");
+    EXPECT_EQ(formations.poll().value(), Formations::Change::formation) << "they share the dances";
+    EXPECT_EQ(formations.cast().skeleton, body);
+}
+
+TEST(Formations, of_another_kind_are_solved_for_the_body_that_was_asked_for) {
+    Formations formations = formations_of("salsa", "solo");
+    motion::Skeleton body = motion::mannequin_skeleton();
+    body.girth.trunk = 0.12F;
+    formations.ask_for_body(body);
+    EXPECT_EQ(formations.ask_for_next(), "couple");
+    EXPECT_EQ(error_when_there(formations), "");
+    EXPECT_EQ(formations.name(), "couple");
+    EXPECT_EQ(formations.cast().skeleton, body);
+}
+
+TEST(Formations, go_on_as_they_are_where_the_dance_that_is_danced_is_not_solved_for_a_body) {
+    Formations formations = formations_of("salsa", "solo");
+    motion::Skeleton body = motion::mannequin_skeleton();
+    body.girth.trunk = 0.12F;
+    formations.ask_for_body(body);
+    const DanceId other = installed::dances().list()->id_of("belly");
+    while (formations.poll(other).value() == Formations::Change::none && formations.is_loading()) {
+        std::this_thread::yield();
+    }
+    EXPECT_EQ(formations.cast().skeleton, motion::mannequin_skeleton());
+    EXPECT_EQ(formations.poll().value(), Formations::Change::body);
 }
 
 }  // namespace

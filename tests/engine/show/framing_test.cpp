@@ -1,5 +1,6 @@
 // A film's camera keeps its dancers in the picture.
 #include "engine/show/framing.hpp"
+#include "engine/show/picture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,24 @@ TEST(Framing, begins_at_the_middle_of_the_dancers_with_all_of_them_in_the_pictur
                 EXPECT_EQ(camera.target.y, preset.target.y);
             }
         }
+    }
+}
+
+TEST(Framing, gives_a_large_figure_the_room_of_a_small_one_in_proportion) {
+    constexpr float kSize = 1.4F;
+    const render::Camera preset;
+    const auto small = dancers_at({{-0.9F, 0.95F, 0}, {0.9F, 0.95F, 0}});
+    const auto large =
+        dancers_at({{-0.9F * kSize, 0.95F * kSize, 0}, {0.9F * kSize, 0.95F * kSize, 0}});
+    for (const float aspect : kForms) {
+        Framing one(preset, aspect);
+        Framing other(camera_for(preset, kSize), aspect, kSize);
+        const render::Camera near = one.follow(small, 0.0);
+        const render::Camera far = other.follow(large, 0.0);
+        if (far.distance < render::Camera::kMaxDistance) {
+            EXPECT_NEAR(far.distance, kSize * near.distance, 1e-3F) << aspect;
+        }
+        EXPECT_NEAR(far.target.y, kSize * near.target.y, 1e-4F) << aspect;
     }
 }
 

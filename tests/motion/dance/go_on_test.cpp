@@ -1,0 +1,155 @@
+// Dancers who go on where others are, on another body.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "motion/dance_library.hpp"
+#include "motion/ensemble.hpp"
+#include "motion/repertoire.hpp"
+#include "tests/motion/dance/stage.hpp"
+#include "tests/support/dances.hpp"
+#include "tests/support/realtime_guard.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr double kTempoBpm = 168.0;
+constexpr HopIndex kChange = 1'700;
+constexpr HopIndex kHops = 2'400;
+
+/// A body as high as the mannequin that is thicker, with longer arms and thighs, shorter shins.
+Skeleton other_body() {
+    Skeleton body = mannequin_skeleton();
+    body.girth.trunk = 0.12F;
+    body.girth.thigh = 0.09F;
+    for (const Side side : kSides) {
+        body.offsets[index_of(on_side(Bone::left_lower_arm, side))] *= 1.1F;
+        body.offsets[index_of(on_side(Bone::left_lower_leg, side))] *= 1.04F;
+        body.offsets[index_of(on_side(Bone::left_foot, side))] *= 0.96F;
+    }
+    return body;
+}
+
+std::shared_ptr<const Repertoire> one_figure_on(const Skeleton& body) {
+    const FigureModel& model = test::basic_step();
+    return std::make_shared<Repertoire>(shipped::salsa,
+                                        *DanceLibrary::build(std::span(&model, 1), body));
+}
+
+struct Danced {
+    std::vector<Pose> poses;
+    std::vector<DancerStatus> hops;
+};
+
+/// Dances on the mannequin, from kChange on with the dancer given, if any.
+Danced dance(Dancer* next) {
+    Dancer first;
+    EXPECT_TRUE(
+        first.prepare(one_figure_on(mannequin_skeleton()), mannequin_skeleton(), DancerPart{}));
+    Danced danced;
+    const auto track = std::make_unique<PoseTrack>();
+    Dancer* dancer = &first;
+    for (HopIndex hop = 0; hop < kHops; ++hop) {
+        if (hop == kChange && next != nullptr) {
+            next->go_on_from(first);
+            dancer = next;
+        }
+        dancer->advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), *track);
+        danced.poses.push_back(track->at_hop(hop));
+        danced.hops.push_back(dancer->status());
+    }
+    return danced;
+}
+
+Dancer dancer_on(const Skeleton& body) {
+    Dancer dancer;
+    EXPECT_TRUE(dancer.prepare(one_figure_on(body), body, DancerPart{}));
+    return dancer;
+}
+
+TEST(GoingOn, on_the_same_body_changes_nothing) {
+    Dancer same = dancer_on(mannequin_skeleton());
+    const Danced changed = dance(&same);
+    const Danced alone = dance(nullptr);
+    for (std::size_t hop = 0; hop < changed.poses.size(); ++hop) {
+        ASSERT_LT(glm::distance(changed.poses[hop].hips_position, alone.poses[hop].hips_position),
+                  1e-4F)
+            << hop;
+        ASSERT_EQ(changed.hops[hop].number, alone.hops[hop].number) << hop;
+        ASSERT_EQ(changed.hops[hop].phase, alone.hops[hop].phase) << hop;
+    }
+}
+
+TEST(GoingOn, on_another_body_is_the_same_dance_without_a_leap) {
+    Dancer other = dancer_on(other_body());
+    const Danced changed = dance(&other);
+    for (std::size_t hop = kChange; hop < changed.hops.size(); ++hop) {
+        ASSERT_TRUE(changed.hops[hop].is_dancing) << hop;
+    }
+    const double usual = test::largest_step(changed.poses, 0, kChange - 1);
+    EXPECT_LT(test::largest_step(changed.poses, kChange - 1, kHops), 1.25 * usual);
+    EXPECT_EQ(changed.hops[kChange].number, changed.hops[kChange - 1].number);
+    // At last it dances as one who danced on that body from the beginning.
+    const auto track = std::make_unique<PoseTrack>();
+    Dancer always = dancer_on(other_body());
+    for (HopIndex hop = 0; hop < kHops; ++hop) {
+        always.advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), *track);
+    }
+    EXPECT_LT(
+        glm::distance(track->at_hop(kHops - 1).hips_position, changed.poses.back().hips_position),
+        0.01F);
+}
+
+TEST(GoingOn, before_the_first_hop_and_while_standing_is_to_stand) {
+    Dancer first = dancer_on(mannequin_skeleton());
+    Dancer other = dancer_on(other_body());
+    other.go_on_from(first);
+    EXPECT_GT(other.shown().hips_position.y, 0.8F);
+    const auto track = std::make_unique<PoseTrack>();
+    other.advance(MusicState{}, *track);
+    EXPECT_FALSE(other.status().is_dancing);
+}
+
+TEST(GoingOn, with_a_dance_that_is_not_known_is_to_stand_there_softly) {
+    Dancer first = dancer_on(mannequin_skeleton());
+    const FigureModel& model = test::basic_step();
+    Dancer stranger;
+    ASSERT_TRUE(stranger.prepare(
+        std::make_shared<Repertoire>(
+            shipped::belly, *DanceLibrary::build(std::span(&model, 1), mannequin_skeleton())),
+        mannequin_skeleton(),
+        DancerPart{}));
+    const auto track = std::make_unique<PoseTrack>();
+    std::vector<Pose> poses;
+    for (HopIndex hop = 0; hop < kChange + 40; ++hop) {
+        if (hop == kChange) {
+            stranger.go_on_from(first);
+        }
+        Dancer& dancer = hop < kChange ? first : stranger;
+        dancer.advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), *track);
+        poses.push_back(track->at_hop(hop));
+    }
+    EXPECT_LT(test::largest_step(poses, kChange - 1, kChange + 40), test::kFastestStep);
+}
+
+TEST(GoingOn, allocates_nothing) {
+    Ensemble before;
+    Ensemble after;
+    const auto own = one_figure_on(mannequin_skeleton());
+    const auto other = one_figure_on(other_body());
+    ASSERT_TRUE(before.prepare(members_of(Formation::unison, own, own, 1), mannequin_skeleton()));
+    ASSERT_TRUE(after.prepare(members_of(Formation::unison, other, other, 1), other_body()));
+    std::vector<PoseTrack> tracks(before.size());
+    for (HopIndex hop = 0; hop < 300; ++hop) {
+        before.advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), tracks);
+    }
+    ::raks::test::RealtimeScope scope;
+    after.go_on_from(before);
+    after.advance(test::sure_state(300, test::steady_grid(kTempoBpm)), tracks);
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+}
+
+}  // namespace
+}  // namespace raks::motion
