@@ -5,9 +5,18 @@
 #include "render/avatar/avatar.hpp"
 
 namespace raks::render {
+namespace {
+
+/// A plain mannequin wears nothing.
+bool has_costume(const Scene& scene) noexcept { return scene.theme->dress == Dress::dancer; }
+
+}  // namespace
 
 AvatarPainter::AvatarPainter(const Avatar& avatar, const BodyPrograms& programs)
-    : size_(size_of(avatar)), skeleton_(avatar.skeleton), body_(avatar, programs) {}
+    : size_(size_of(avatar)),
+      has_skin_(!avatar.vertices.empty()),
+      skeleton_(avatar.skeleton),
+      body_(avatar, programs) {}
 
 Expected<void> AvatarPainter::add_surface(const Avatar& avatar, SurfacePrograms& programs) {
     if (avatar.rig == nullptr) {
@@ -40,9 +49,10 @@ std::size_t AvatarPainter::take(const Dancer& dancer, View view) {
     const std::size_t number = states_.size();
     view_ = view;
     states_.push_back(state_of(dancer));
-    if (is_surface(view)) {
+    if (shows_surface()) {
         surface_->set_joints(number, states_.back()->joints.world);
-    } else {
+    }
+    if (shows_body()) {
         body_.set_pose(number, dancer.pose, view);
     }
     return number;
@@ -52,29 +62,38 @@ std::size_t AvatarPainter::take(const Dancer& dancer, View view) {
 void AvatarPainter::prepare(std::size_t number) { surface_->set_face(states_[number]->face); }
 
 void AvatarPainter::draw_solid(std::size_t number, const Scene& scene, BodyPainter::Image image) {
-    if (is_surface(view_)) {
+    if (shows_surface()) {
         prepare(number);
         surface_->draw(number,
-                       SurfacePainter::Layer::solid,
-                       image == BodyPainter::Image::upright ? 1.0F : -1.0F,
-                       scene.seconds);
-    } else {
+                       {.layer = SurfacePainter::Layer::solid,
+                        .mirror = image == BodyPainter::Image::upright ? 1.0F : -1.0F,
+                        .seconds = scene.seconds,
+                        .has_costume = has_costume(scene)});
+    }
+    if (shows_body()) {
         body_.draw(number, scene.theme->dress, image);
     }
 }
 
 void AvatarPainter::draw_blended(std::size_t number, const Scene& scene) {
-    if (is_surface(view_)) {
+    if (shows_surface()) {
         prepare(number);
-        surface_->draw(number, SurfacePainter::Layer::blended, 1.0F, scene.seconds);
+        surface_->draw(number,
+                       {.layer = SurfacePainter::Layer::blended,
+                        .mirror = 1.0F,
+                        .seconds = scene.seconds,
+                        .has_costume = has_costume(scene)});
     }
 }
 
-void AvatarPainter::draw_depth(std::size_t number, const glm::mat4& clip_from_light) {
-    if (is_surface(view_)) {
+void AvatarPainter::draw_depth(std::size_t number,
+                               const Scene& scene,
+                               const glm::mat4& clip_from_light) {
+    if (shows_surface()) {
         prepare(number);
-        surface_->draw_depth(number, clip_from_light);
-    } else {
+        surface_->draw_depth(number, clip_from_light, has_costume(scene));
+    }
+    if (shows_body()) {
         body_.draw_depth(number, clip_from_light);
     }
 }

@@ -31,18 +31,21 @@ class AvatarPainter {
     std::size_t take(const Dancer& dancer, View view);
     void draw_solid(std::size_t number, const Scene& scene, BodyPainter::Image image);
     void draw_blended(std::size_t number, const Scene& scene);
-    void draw_depth(std::size_t number, const glm::mat4& clip_from_light);
+    void draw_depth(std::size_t number, const Scene& scene, const glm::mat4& clip_from_light);
     /// Forgets all dancers.
     void begin_picture() noexcept { states_.clear(); }
 
  private:
-    [[nodiscard]] bool is_surface(View view) const noexcept {
-        return surface_.has_value() && view == View::skin;
+    /// A body may have a painted skin, a surface or both; sticks are the painter's own.
+    [[nodiscard]] bool shows_surface() const noexcept {
+        return surface_.has_value() && view_ == View::skin;
     }
+    [[nodiscard]] bool shows_body() const noexcept { return has_skin_ || view_ == View::stick; }
     [[nodiscard]] const RigState* state_of(const Dancer& dancer);
     void prepare(std::size_t number);
 
     float size_;
+    bool has_skin_;
     motion::Skeleton skeleton_;
     BodyPainter body_;
     std::optional<SurfacePainter> surface_;

@@ -72,10 +72,10 @@ Avatar without_mesh(const Avatar& avatar) {
 Expected<BodyPrograms> BodyPrograms::build(Quality quality) {
     static constexpr std::array<std::string_view, 4> kVertex = {
         "frame.glsl", "skin.glsl", "light.glsl", "body.vert"};
-    static constexpr std::array<std::string_view, 5> kFragmentHigh = {
-        "frame.glsl", "light.glsl", "materials.glsl", "shadow.glsl", "body.frag"};
-    static constexpr std::array<std::string_view, 3> kFragmentFast = {
-        "frame.glsl", "materials.glsl", "body.frag"};
+    static constexpr std::array<std::string_view, 6> kFragmentHigh = {
+        "frame.glsl", "dress.glsl", "light.glsl", "materials.glsl", "shadow.glsl", "body.frag"};
+    static constexpr std::array<std::string_view, 4> kFragmentFast = {
+        "frame.glsl", "dress.glsl", "materials.glsl", "body.frag"};
     static constexpr std::array<std::string_view, 2> kDepthVertex = {"skin.glsl", "depth.vert"};
     static constexpr std::array<std::string_view, 1> kDepthFragment = {"depth.frag"};
 

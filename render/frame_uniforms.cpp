@@ -30,25 +30,6 @@ glm::vec3 hue(glm::vec3 light) noexcept {
     return luminance(light) > 0.0F ? light / luminance(light) : glm::vec3(1.0F);
 }
 
-/// The order of the colours is that of the material numbers in materials.glsl.
-void set_materials(FrameUniforms& u, const Theme& theme, View view) noexcept {
-    constexpr float kSoleAgainstShoe = 0.35F;
-    if (view == View::stick) {
-        u.materials = {
-            colour(theme.stick_middle), colour(theme.stick_left), colour(theme.stick_right)};
-    } else if (theme.dress == Dress::dancer) {
-        u.materials = {colour(theme.skin),
-                       colour(theme.suit),
-                       colour(theme.stripe),
-                       colour(theme.hair),
-                       colour(theme.shoes),
-                       colour(theme.trim),
-                       colour(kSoleAgainstShoe * theme.shoes)};
-    } else {
-        u.materials = {colour(theme.body), colour(theme.joint_bands), colour(theme.band_edge)};
-    }
-}
-
 /// Drawn surfaces are shown as their makers painted them: a white one that faces the key light is
 /// white in the light's hue. So ambient light has a share and the key light the rest.
 void set_toon_lights(FrameUniforms& u, const Theme& theme) noexcept {
@@ -165,7 +146,6 @@ FrameView frame_view(const Scene& scene,
     u.clip_from_world = clip_from_view * scene.camera.view_from_world();
     u.eye = {scene.camera.position(), 1.0F};
     set_lights(u, *scene.theme, lights);
-    set_materials(u, *scene.theme, scene.view);
     set_stage(u, scene);
     set_blobs(view, dancers, scales, lights.key);
     set_shadow_map(view, dancers, scales, lights.key);

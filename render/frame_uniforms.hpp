@@ -44,8 +44,6 @@ struct FrameUniforms {
     glm::vec4 toon_sky{};
     /// From below.
     glm::vec4 toon_ground{};
-    /// Linear colours of the body, in the order of materials.glsl.
-    std::array<glm::vec4, 7> materials{};
     /// Backdrop, with gamma applied, as all named display_.
     glm::vec4 display_top{};
     /// Glow in the middle of the backdrop.
@@ -71,7 +69,7 @@ struct FrameUniforms {
     /// x: number of blobs; y: 1 shows light as it is, without the tone curve.
     glm::vec4 counts{};
 };
-static_assert(sizeof(FrameUniforms) == (8 + 12 + 7 + 8 + 4 + 3) * sizeof(glm::vec4));
+static_assert(sizeof(FrameUniforms) == (8 + 12 + 8 + 4 + 3) * sizeof(glm::vec4));
 
 /// Shadow blobs of all dancers, x, z, 1 / radius^2, strength each: the block "Blobs".
 struct BlobUniforms {

@@ -13,6 +13,7 @@
 #include "base/expected.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/avatar_painter.hpp"
+#include "render/dress.hpp"
 #include "render/frame_uniforms.hpp"
 #include "render/gl/mesh.hpp"
 #include "render/gl/objects.hpp"
@@ -181,6 +182,7 @@ class DrawingState {
 struct Painted {
     AvatarPainter* painter;
     std::size_t number;
+    int outfit;
 };
 
 }  // namespace
@@ -194,16 +196,21 @@ struct Renderer::Parts {
     std::optional<gl::ShadowMap> shadow_map;  // Quality::high
     gl::Buffer frame;
     gl::Buffer blobs;
+    std::vector<gl::Buffer> dresses;  // by dancer of the picture
     // By handle; null where one was removed. What they point to above stays where it is.
     std::vector<std::unique_ptr<AvatarPainter>> avatars;
 
     void upload(const FrameView& view) const noexcept;
+    void upload_dresses(const Scene& scene, std::span<const Painted> dancers);
+    void wear(std::size_t dancer) const noexcept;
     [[nodiscard]] AvatarPainter* find(AvatarHandle handle) const noexcept;
     void draw(const Scene& scene,
               const FrameView& view,
               std::span<const Painted> dancers,
               const FrameTarget& target);
-    void draw_shadow_map(std::span<const Painted> dancers, const glm::mat4& clip_from_light);
+    void draw_shadow_map(const Scene& scene,
+                         std::span<const Painted> dancers,
+                         const glm::mat4& clip_from_light);
     void draw_body(const Scene& scene, const Painted& dancer) const;
     void draw_stage(const Scene& scene) const noexcept;
 };
@@ -218,6 +225,21 @@ void Renderer::Parts::upload(const FrameView& view) const noexcept {
     glBindBufferBase(GL_UNIFORM_BUFFER, gl::kBlobsBinding, blobs.name());
 }
 
+void Renderer::Parts::upload_dresses(const Scene& scene, std::span<const Painted> dancers) {
+    while (dresses.size() < dancers.size()) {
+        dresses.emplace_back();
+    }
+    for (std::size_t i = 0; i < dancers.size(); ++i) {
+        const DressColours colours = dress_colours(*scene.theme, scene.view, dancers[i].outfit);
+        glBindBuffer(GL_UNIFORM_BUFFER, dresses[i].name());
+        glBufferData(GL_UNIFORM_BUFFER, sizeof(colours), &colours, GL_STREAM_DRAW);
+    }
+}
+
+void Renderer::Parts::wear(std::size_t dancer) const noexcept {
+    glBindBufferBase(GL_UNIFORM_BUFFER, gl::kDressBinding, dresses[dancer].name());
+}
+
 AvatarPainter* Renderer::Parts::find(AvatarHandle handle) const noexcept {
     const auto place = static_cast<std::size_t>(handle.number);
     return place < avatars.size() ? avatars[place].get() : nullptr;
@@ -229,12 +251,14 @@ void Renderer::Parts::draw(const Scene& scene,
                            const FrameTarget& target) {
     upload(view);
     // Before the target is bound: it draws into a framebuffer of its own.
-    draw_shadow_map(dancers, view.clip_from_light);
+    upload_dresses(scene, dancers);
+    draw_shadow_map(scene, dancers, view.clip_from_light);
 
     const DrawingState state(target);
     clear(scene);
-    for (const Painted& dancer : dancers) {
-        draw_body(scene, dancer);
+    for (std::size_t i = 0; i < dancers.size(); ++i) {
+        wear(i);
+        draw_body(scene, dancers[i]);
     }
     draw_stage(scene);
     glEnable(GL_CULL_FACE);
@@ -244,7 +268,8 @@ void Renderer::Parts::draw(const Scene& scene,
     }
 }
 
-void Renderer::Parts::draw_shadow_map(std::span<const Painted> dancers,
+void Renderer::Parts::draw_shadow_map(const Scene& scene,
+                                      std::span<const Painted> dancers,
                                       const glm::mat4& clip_from_light) {
     if (shadow_map) {
         // Both sides cast shadow. The scissor is the target's rectangle, not the map's.
@@ -252,7 +277,7 @@ void Renderer::Parts::draw_shadow_map(std::span<const Painted> dancers,
         glDisable(GL_SCISSOR_TEST);
         shadow_map->begin();
         for (const Painted& dancer : dancers) {
-            dancer.painter->draw_depth(dancer.number, clip_from_light);
+            dancer.painter->draw_depth(dancer.number, scene, clip_from_light);
         }
         shadow_map->end();
     }
@@ -323,6 +348,7 @@ Expected<Renderer> Renderer::create(const RendererConfig& config) {
                                                      SurfacePrograms(quality),
                                                      std::move(*stage),
                                                      std::move(shadow_map),
+                                                     {},
                                                      {},
                                                      {},
                                                      {}}));
@@ -404,7 +430,7 @@ void Renderer::draw(const Scene& scene,
     for (const Dancer& dancer : dancers) {
         AvatarPainter* const painter = parts_->find(dancer.avatar);
         if (painter != nullptr) {
-            painted.push_back({painter, painter->take(dancer, scene.view)});
+            painted.push_back({painter, painter->take(dancer, scene.view), dancer.outfit});
             bodies.push_back(motion::world_pose(painter->skeleton(), dancer.pose));
             sizes.push_back(painter->size());
         }
@@ -423,7 +449,7 @@ void Renderer::draw(const Scene& scene, const ClipFigure& figure, const FrameTar
     // Materials follow the view: a recorded figure has the sticks' colours.
     as_sticks.view = View::stick;
     painter->begin_picture();
-    const Painted dancer{painter, painter->take({}, View::stick)};
+    const Painted dancer{painter, painter->take({}, View::stick), 0};
     painter->body().set_figure(figure.shape);
     constexpr float kOwnSize = 1.0F;
     parts_->draw(

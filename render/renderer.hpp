@@ -42,6 +42,7 @@ struct Dancer {
     motion::Pose pose;  ///< on this avatar's own body
     /// What the drivers of an avatar from a file made of the pose; null: face and tails at rest.
     const RigState* state = nullptr;
+    int outfit = 0;  ///< which of the theme's outfits a painted body wears (dress_colours)
 };
 
 /// Draws avatars on their stage with OpenGL 3.3 core: works in whatever context is current when it

@@ -195,6 +195,9 @@ std::vector<std::string_view> surface_macros(const ModelMaterial& material,
         add_toon_macros(*material.mtoon, pass, macros);
     } else if (!material.is_unlit) {
         macros.emplace_back("LIT");
+        if (material.is_painted) {
+            macros.emplace_back("PAINTED");
+        }
     }
     if (material.alpha_mode == AlphaMode::mask) {
         macros.emplace_back("ALPHA_MASK");

@@ -92,8 +92,8 @@ void add_morph(const SurfaceMorph& morph, float weight, std::span<SurfaceVertex>
 
 Expected<const gl::Program*> SurfacePrograms::find(const ModelMaterial& material,
                                                    SurfacePass pass) {
-    static constexpr std::array<std::string_view, 5> kVertex = {
-        "frame.glsl", "skin.glsl", "light.glsl", "surface.glsl", "surface.vert"};
+    static constexpr std::array<std::string_view, 6> kVertex = {
+        "frame.glsl", "dress.glsl", "skin.glsl", "light.glsl", "surface.glsl", "surface.vert"};
     static constexpr std::array<std::string_view, 4> kFast = {
         "frame.glsl", "light.glsl", "surface.glsl", "surface.frag"};
     static constexpr std::array<std::string_view, 5> kHigh = {
@@ -158,6 +158,7 @@ Expected<void> SurfacePainter::add_part(const Surface& surface,
         .layer = is_blended ? Layer::blended : Layer::solid,
         .is_double_sided = material.is_double_sided,
         .writes_depth = !is_blended || (material.mtoon && material.mtoon->transparent_with_z_write),
+        .is_costume = material.is_costume,
         .textures = {}};
     const bool has_outline = material.mtoon && material.mtoon->outline_mode != OutlineWidth::none &&
                              material.mtoon->outline_width > 0.0F;
@@ -299,28 +300,25 @@ void SurfacePainter::draw_part(const Part& part,
     mesh_.draw_range(part.range.first_index, part.range.index_count);
 }
 
-void SurfacePainter::draw(std::size_t dancer,
-                          Layer layer,
-                          float mirror,
-                          double seconds) const noexcept {
-    const auto now = static_cast<float>(seconds);
+void SurfacePainter::draw(std::size_t dancer, const Drawn& drawn) const noexcept {
+    const auto now = static_cast<float>(drawn.seconds);
     for (const Part& part : parts_) {
-        if (part.layer != layer) {
+        if (part.layer != drawn.layer || (part.is_costume && !drawn.has_costume)) {
             continue;
         }
         bind(dancer, part);
-        if (layer == Layer::blended) {
+        if (drawn.layer == Layer::blended) {
             glEnable(GL_BLEND);
             glDepthMask(part.writes_depth ? GL_TRUE : GL_FALSE);
         }
         if (part.is_double_sided) {
             glDisable(GL_CULL_FACE);
         }
-        draw_part(part, *part.colour, mirror, now);
+        draw_part(part, *part.colour, drawn.mirror, now);
         glEnable(GL_CULL_FACE);
         if (part.outline != nullptr) {
             glCullFace(GL_FRONT);
-            draw_part(part, *part.outline, mirror, now);
+            draw_part(part, *part.outline, drawn.mirror, now);
             glCullFace(GL_BACK);
         }
     }
@@ -330,10 +328,11 @@ void SurfacePainter::draw(std::size_t dancer,
 }
 
 void SurfacePainter::draw_depth(std::size_t dancer,
-                                const glm::mat4& clip_from_light) const noexcept {
+                                const glm::mat4& clip_from_light,
+                                bool has_costume) const noexcept {
     for (const Part& part : parts_) {
         // What lets light through casts no shadow.
-        if (part.layer == Layer::solid) {
+        if (part.layer == Layer::solid && (has_costume || !part.is_costume)) {
             bind(dancer, part);
             part.depth->use();
             glUniformMatrix4fv(

@@ -55,10 +55,18 @@ class SurfacePainter {
     enum class Layer { solid, blended };
     /// Draws a layer. `mirror`: 1, or -1 for the image in the floor; the caller then reverses the
     /// front face's winding. `seconds`: of stream time, for moving textures.
-    void draw(std::size_t dancer, Layer layer, float mirror, double seconds) const noexcept;
+    struct Drawn {
+        Layer layer = Layer::solid;
+        float mirror = 1.0F;
+        double seconds = 0.0;
+        bool has_costume = true;  ///< parts of costumes are drawn, too
+    };
+    void draw(std::size_t dancer, const Drawn& drawn) const noexcept;
 
     /// Depth alone, for the shadow map.
-    void draw_depth(std::size_t dancer, const glm::mat4& clip_from_light) const noexcept;
+    void draw_depth(std::size_t dancer,
+                    const glm::mat4& clip_from_light,
+                    bool has_costume) const noexcept;
 
  private:
     /// A part with what draws it.
@@ -70,6 +78,7 @@ class SurfacePainter {
         Layer layer;
         bool is_double_sided;
         bool writes_depth;
+        bool is_costume;
         std::vector<std::pair<int, std::size_t>> textures;  // unit, index in textures_
     };
     SurfacePainter(const Surface& surface, Quality quality);

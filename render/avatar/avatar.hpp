@@ -37,11 +37,11 @@ inline constexpr int kPaletteSize = motion::kBoneCount + kHelperCount;
 enum class AvatarMask : std::uint8_t {
     suit,    ///< unitard; along its edge, where |suit| is small, runs the trim (piping)
     stripe,  ///< signed distance to the middle of the side stripe: drawn where |stripe| < 0.2,
-             ///< inside the suit and where outer > 0; on the face positive above the mouth
+             ///< inside the suit and where outer > 0
     outer,   ///< outer side of trunk and limb
-    hair,    ///< hair cap and bun
+    hair,    ///< skin under the hair
     shoe,    ///< dance shoe
-    accent,  ///< inside `shoe` its sole and heel; on the face lashes (stripe > 0) and lips (< 0)
+    accent,  ///< sole and heel of the shoe
     band,    ///< joint bands of the plain mannequin: neck, waist, elbow, wrist, knee, ankle
 };
 inline constexpr int kMaskCount = 7;

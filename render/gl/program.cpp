@@ -110,6 +110,7 @@ Expected<Program> Program::build(const ProgramSources& sources) {
     bind_block(program.name_, "Bones", kBonesBinding);
     bind_block(program.name_, "Blobs", kBlobsBinding);
     bind_block(program.name_, "Surface", kSurfaceBinding);
+    bind_block(program.name_, "Dress", kDressBinding);
     // The sampler's texture unit never changes, so it is set once instead of at every draw.
     const GLint shadow_map = program.uniform("shadow_map");
     if (shadow_map >= 0) {

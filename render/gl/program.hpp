@@ -13,6 +13,7 @@ inline constexpr GLuint kFrameBinding = 0;    ///< block "Frame" (shaders/frame.
 inline constexpr GLuint kBonesBinding = 1;    ///< block "Bones" (shaders/skin.glsl)
 inline constexpr GLuint kBlobsBinding = 2;    ///< block "Blobs" (shaders/frame.glsl)
 inline constexpr GLuint kSurfaceBinding = 3;  ///< block "Surface" (shaders/surface.glsl)
+inline constexpr GLuint kDressBinding = 4;    ///< block "Dress" (shaders/dress.glsl)
 inline constexpr GLint kShadowUnit = 0;       ///< sampler "shadow_map"
 
 /// Which shader files make a program, each list in order, and what is #defined before them.

@@ -248,7 +248,8 @@ void BodyField::enclose(SolidGroup& group) noexcept {
     }
 }
 
-BodyField::BodyField(const BindFrames& frames) {
+BodyField::BodyField(const BindFrames& frames, MannequinBuild build) {
+    static_cast<void>(build);
     for (const auto part :
          {trunk_primitives(), head_primitives(), leg_primitives(), arm_primitives()}) {
         for (const Primitive& primitive : part) {

@@ -8,6 +8,7 @@
 #include "base/smooth_steps.hpp"
 #include "render/mannequin/bind_pose.hpp"
 #include "render/mannequin/body_primitives.hpp"
+#include "render/mannequin/mannequin.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -42,7 +43,7 @@ struct PreparedLoft {
 /// `core`, `leg`, `arm`, `finger` as numbers beyond 5 cm.
 class BodyField {
  public:
-    explicit BodyField(const BindFrames& frames);
+    explicit BodyField(const BindFrames& frames, MannequinBuild build = MannequinBuild::follow);
 
     /// Skin. About 0.3 us. Threads: any.
     [[nodiscard]] float distance(glm::vec3 p) const noexcept;

@@ -122,7 +122,7 @@ struct Primitive {
 /// Torso, bust, back and neck, in the order in which they are joined. Static tables, like the three
 /// below.
 [[nodiscard]] std::span<const Primitive> trunk_primitives() noexcept;
-/// Face, hair and bun, with the carved eye sockets and the details on top.
+/// Skull and face, with the carved eye sockets and the details on top.
 [[nodiscard]] std::span<const Primitive> head_primitives() noexcept;
 /// Left thigh, shank and foot.
 [[nodiscard]] std::span<const Primitive> leg_primitives() noexcept;

@@ -16,9 +16,7 @@ namespace {
 
 using motion::Bone;
 
-constexpr glm::vec3 kBun{0.0F, 1.660F, -0.119F};  // centre, as in head_primitives.cpp
-constexpr float kFaceHeight = 1.50F;              // metres: above, nothing of the suit
-constexpr float kMouthTop = 1.56F;
+constexpr glm::vec3 kEar{0.0765F, 1.5870F, -0.0130F};  // as in head_primitives.cpp
 constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold; below, the leg's
 constexpr float kAnkleZ = -0.022F;      // of the foot bone in T-pose
 constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
@@ -98,7 +96,7 @@ glm::vec3 ColourMasks::from_leg_line(glm::vec3 p) const noexcept {
     return glm::dot(thigh, thigh) < glm::dot(shank, shank) ? thigh : shank;
 }
 
-/// Hair drawn back into a bun: a plane from the forehead down to the ear leaves the face free, a
+/// Skin that hair grows on: a plane from the forehead down to the ear leaves the face free, a
 /// second one the nape; their corner in front of the ear is rounded.
 float ColourMasks::hair(glm::vec3 p) noexcept {
     constexpr float kCorner = 0.030F;
@@ -111,19 +109,8 @@ float ColourMasks::hair(glm::vec3 p) noexcept {
     // Quadratic smooth minimum of the two planes, as in body_field.cpp.
     const float h = std::max(kCorner - std::abs(cap - nape), 0.0F) / kCorner;
     const float drawn_back = std::min(cap, nape) - 0.25F * kCorner * h * h;
-    return std::max(drawn_back, 0.046F - glm::length(p - kBun));
-}
-
-/// Lips, drawn up at the corners, and the lashes of closed eyes.
-float ColourMasks::make_up(glm::vec3 p) noexcept {
-    const float lips = within_ellipse({p.x, p.y - 1.5375F - 8.0F * p.x * p.x}, {0.0220F, 0.0064F});
-    // The lashes hang on an arc: lowest in the middle of the lid, tapering to both corners.
-    const float along = (p.x - 0.0335F) / 0.0175F;
-    const float arc = 1.5865F + 0.0045F * along * along;
-    const float thickness = 0.0026F * (1.0F - along * along) - 0.0004F;
-    const float lashes = thickness - std::abs(p.y - arc);
-    // Lips and lashes are functions of x and y: the last plane keeps them off the back of the head.
-    return std::min(std::max(lips, lashes), p.z - 0.035F);
+    // Ears are bare.
+    return std::min(drawn_back, glm::length((p - kEar) / glm::vec3{1.0F, 1.0F, 0.62F}) - 0.036F);
 }
 
 /// Upper edge of the shoe: higher at the heel, lower toward the toes. `foot`: from the ankle, in
@@ -177,17 +164,14 @@ std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
         masks[static_cast<std::size_t>(mask)] = value;
     };
     set(AvatarMask::suit, std::min({neckline(p), sleeve(p), leg_end(p)}));
-    // The stripe follows the side of the trunk above the hip and the leg's own line below; on the
-    // face the mask tells lashes from lips.
-    const float stripe = p.y > kFaceHeight  ? p.y - kMouthTop
-                         : p.y > kHipHeight ? p.z + 0.012F
-                                            : off_leg.z - stripe_shift;
+    // The stripe follows the side of the trunk above the hip and the leg's own line below.
+    const float stripe = p.y > kHipHeight ? p.z + 0.012F : off_leg.z - stripe_shift;
     set(AvatarMask::stripe, stripe);
     set(AvatarMask::outer, p.y > kHipHeight ? p.x - 0.06F : off_leg.x);
     set(AvatarMask::hair, hair(p));
     set(AvatarMask::shoe, shoe_edge);
     const float sole = sole_top(foot.z + kAnkleZ) - (foot.y + kAnkleHeight);
-    set(AvatarMask::accent, std::max(std::min(shoe_edge, sole), make_up(p)));
+    set(AvatarMask::accent, std::min(shoe_edge, sole));
     set(AvatarMask::band, bands(p));
     return masks;
 }

@@ -27,7 +27,6 @@ class ColourMasks {
     [[nodiscard]] float leg_end(glm::vec3 p) const noexcept;
     [[nodiscard]] glm::vec3 from_leg_line(glm::vec3 p) const noexcept;
     [[nodiscard]] static float hair(glm::vec3 p) noexcept;
-    [[nodiscard]] static float make_up(glm::vec3 p) noexcept;
     [[nodiscard]] static float shoe(glm::vec3 foot) noexcept;
     [[nodiscard]] float bands(glm::vec3 p) const noexcept;
 

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "render/avatar/avatar.hpp"
+#include "render/avatar/surface_builder.hpp"
 #include "render/mannequin/bind_pose.hpp"
 #include "render/mannequin/body_field.hpp"
 #include "render/mannequin/colour_masks.hpp"
 #include "render/mannequin/skin_weights.hpp"
 #include "render/mannequin/surface.hpp"
+#include "render/mannequin/worn_model.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -23,7 +27,9 @@ namespace {
 constexpr float kAlongNormal = 0.55F;  // strengths of the two kinds of samples
 constexpr float kAroundNormal = 0.75F;
 // Never black: light that bounces off the body itself is not modelled.
-constexpr float kDarkest = 0.12F;
+constexpr float kDarkest = 0.35F;
+// Fingers lie apart in the bind pose alone: what they hide of each other there says little.
+constexpr float kDarkestFinger = 0.70F;
 
 /// Share of `reach` by which the surface is nearer than that.
 float blocked(const BodyField& field, glm::vec3 p, float reach) noexcept {
@@ -71,8 +77,8 @@ float blocked_around(const BodyField& field, glm::vec3 p, glm::vec3 normal) noex
     return sum / static_cast<float>(kDirections * kHeights.size());
 }
 
-/// How open the skin is at `p` with normal `normal`: 1 on a free ball, 0.12 at least. From the
-/// field in the bind pose, so it costs nothing per picture. Threads: any.
+/// How open the skin is at `p` with normal `normal`: 1 on a free ball, `kDarkest` at least. From
+/// the field in the bind pose, so it costs nothing per picture. Threads: any.
 float ambient_occlusion(const BodyField& field, glm::vec3 p, glm::vec3 normal) noexcept {
     const float open = 1.0F - kAlongNormal * blocked_along(field, p, normal) -
                        kAroundNormal * blocked_around(field, p, normal);
@@ -89,6 +95,19 @@ std::int8_t mask_byte(float metres) noexcept {
         std::lround(std::clamp(metres / kMaskRange, -1.0F, 1.0F) * 127.0F));
 }
 
+/// Share of a vertex that hand and fingers hold.
+float hand_share(const PackedWeights& weights) noexcept {
+    int sum = 0;
+    for (std::size_t k = 0; k < weights.joints.size(); ++k) {
+        const std::size_t joint = weights.joints[k];
+        if (joint >= motion::index_of(motion::Bone::left_thumb_metacarpal) &&
+            joint <= motion::index_of(motion::Bone::left_little_distal)) {
+            sum += weights.weights[k];
+        }
+    }
+    return static_cast<float>(sum) / 255.0F;
+}
+
 /// Packs a vertex of the left half with everything the shaders read of it.
 AvatarVertex left_vertex(const BodyField& field,
                          const ColourMasks& masks,
@@ -102,7 +121,8 @@ AvatarVertex left_vertex(const BodyField& field,
     vertex.weights = weights.weights;
     const std::array<float, kMaskCount> distances = masks.at(p);
     std::transform(distances.begin(), distances.end(), vertex.masks.begin(), mask_byte);
-    const float open = ambient_occlusion(field, p, normal);
+    const float least = kDarkestFinger * hand_share(weights);
+    const float open = std::max(least, ambient_occlusion(field, p, normal));
     vertex.ambient_occlusion = static_cast<std::uint8_t>(std::lround(open * 255.0F));
     return vertex;
 }
@@ -118,8 +138,7 @@ AvatarVertex mirror_image(AvatarVertex vertex) noexcept {
 }
 
 /// Field, surface, relaxed mesh, weights, vertices: each step needs the one before it.
-void add_mesh(const BindFrames& frames, Avatar& avatar) {
-    const BodyField field(frames);
+void add_mesh(const BodyField& field, const BindFrames& frames, Avatar& avatar) {
     MirroredMesh mesh = extract_surface(field, frames);
     const Neighbours neighbours(mesh);
     relax(field, neighbours, mesh);
@@ -145,7 +164,7 @@ void add_mesh(const BindFrames& frames, Avatar& avatar) {
 
 }  // namespace
 
-Avatar build_mannequin() {
+Avatar build_mannequin(MannequinBuild build) {
     Avatar avatar;
     avatar.name = "Raks mannequin";
     avatar.licence = "CC0-1.0";
@@ -158,7 +177,13 @@ Avatar build_mannequin() {
     for (glm::mat4& matrix : avatar.inverse_bind) {
         matrix = glm::inverse(matrix);
     }
-    add_mesh(BindFrames(avatar.skeleton, avatar.bind_pose), avatar);
+    const BindFrames frames(avatar.skeleton, avatar.bind_pose);
+    const BodyField field(frames, build);
+    add_mesh(field, frames, avatar);
+    const Model worn = worn_model(avatar.skeleton, field, build);
+    auto rig = std::make_shared<AvatarRig>(build_rig(worn));
+    avatar.surface = build_surface(worn, *rig, {});
+    avatar.rig = std::move(rig);
     return avatar;
 }
 

@@ -26,8 +26,8 @@ struct MirroredMesh {
     }
 };
 
-/// Octree dual contouring of the skin; each vertex is projected to the field. Cells are 2.4 mm at
-/// the lids, 4.8 mm at face and fingers, 9.5 mm at hands, feet and head, 19 mm elsewhere. Normals
+/// Octree dual contouring of the skin; each vertex is projected to the field. Cells are
+/// 4.8 mm at face and fingers, 9.5 mm at hands, feet and head, 19 mm elsewhere. Normals
 /// are left empty. Threads: any. Real-time: no.
 [[nodiscard]] MirroredMesh extract_surface(const BodyField& field, const BindFrames& frames);
 

@@ -68,26 +68,23 @@ float SurfaceCells::value_at(GridPoint point) {
     return entry->second;
 }
 
-/// Largest leaf that keeps what is at `p`: lids 1 (2.4 mm); fingers, thumb, face 2; palm, wrist,
-/// head, feet 4; the rest 8 (19 mm).
+/// Largest leaf that keeps what is at `p`: fingers, thumb, face 2 (4.8 mm); palm, wrist, what
+/// hair leaves free of the head, feet 4; the rest 8 (19 mm).
 int SurfaceCells::wanted_size(glm::vec3 p) const noexcept {
     const glm::vec3 from_wrist = p - wrist_;
     const float along_hand = glm::dot(from_wrist, hand_axis_);
     const float away = glm::length(from_wrist);
-    const bool is_lid =
-        p.z > 0.045F && p.y > 1.580F && p.y < 1.597F && p.x > 0.012F && p.x < 0.054F;
-    if (is_lid) {
-        return 1;
-    }
-    const bool is_face = p.z > 0.045F && p.y > 1.516F && p.y < 1.612F && p.x < 0.054F;
+    const bool is_face = p.z > 0.050F && p.y > 1.520F && p.y < 1.608F && p.x < 0.054F;
     const bool is_finger = along_hand > 0.050F && away < 0.24F;
     const bool is_thumb = along_hand > 0.005F && away < 0.24F && from_wrist.z > 0.034F;
     if (is_finger || is_thumb || is_face) {
         return 2;
     }
-    const bool is_hand = along_hand > -0.050F && away < 0.28F;
-    const bool is_head = p.y > 1.44F && p.x < 0.12F;
-    const bool is_foot = p.y < 0.11F;
+    const bool is_hand = along_hand > -0.020F && away < 0.28F;
+    // Hair covers the skull above and behind the ears.
+    const bool is_under_hair = p.y > 1.625F ? p.z < 0.045F : p.z < -0.045F;
+    const bool is_head = p.y > 1.50F && p.x < 0.12F && !is_under_hair;
+    const bool is_foot = p.y < 0.070F;
     return is_hand || is_head || is_foot ? 4 : kLargestLeaf;
 }
 

@@ -95,7 +95,11 @@ struct ModelMaterial {
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5F;
     bool is_double_sided = false;
-    bool is_unlit = false;       ///< KHR_materials_unlit
+    bool is_unlit = false;  ///< KHR_materials_unlit
+    /// Vertices name a colour of the dancer's dress and their openness in their second texture
+    /// coordinates (render/mannequin/painted_mesh.hpp); of no file.
+    bool is_painted = false;
+    bool is_costume = false;     ///< drawn with Dress::dancer alone; of no file
     std::optional<MToon> mtoon;  ///< wins over all other ways of shading
 };
 

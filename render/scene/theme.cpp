@@ -20,17 +20,61 @@ glm::vec3 srgb(std::uint32_t hex) noexcept {
     return {channel(16), channel(8), channel(0)};
 }
 
+/// Six dancers that differ in skin, hair and eyes; every second one wears what goes with the one
+/// before.
+std::array<Outfit, 6> stage_outfits() noexcept {
+    return {{
+        {.skin = srgb(0xd9a07c),
+         .suit = srgb(0xa61b33),
+         .stripe = srgb(0xf2a93b),
+         .hair = srgb(0x4a2a1c),
+         .shoes = srgb(0x7a1424),
+         .trim = srgb(0xf2a541),
+         .iris = srgb(0x8a5a2b)},
+        {.skin = srgb(0xc98d66),
+         .suit = srgb(0x23242e),
+         .stripe = srgb(0xa61b33),
+         .hair = srgb(0x211815),
+         .shoes = srgb(0x191a20),
+         .trim = srgb(0xc23a48),
+         .iris = srgb(0x5a3a22)},
+        {.skin = srgb(0x8a5a3c),
+         .suit = srgb(0x12707a),
+         .stripe = srgb(0xe9c46a),
+         .hair = srgb(0x1d1512),
+         .shoes = srgb(0x0e4d55),
+         .trim = srgb(0xe9c46a),
+         .iris = srgb(0x4a2c18)},
+        {.skin = srgb(0xe3b394),
+         .suit = srgb(0x2f3b66),
+         .stripe = srgb(0xd8dbe6),
+         .hair = srgb(0x9a6a35),
+         .shoes = srgb(0x20294a),
+         .trim = srgb(0xd8dbe6),
+         .iris = srgb(0x4f7fa8)},
+        {.skin = srgb(0xdcab86),
+         .suit = srgb(0x6a3a86),
+         .stripe = srgb(0xf0b7c8),
+         .hair = srgb(0x7d2f1d),
+         .shoes = srgb(0x4a2760),
+         .trim = srgb(0xf0b7c8),
+         .iris = srgb(0x4f7f4a)},
+        {.skin = srgb(0x6e4630),
+         .suit = srgb(0xd8d2c4),
+         .stripe = srgb(0xb5562f),
+         .hair = srgb(0x15100f),
+         .shoes = srgb(0x8a4a2c),
+         .trim = srgb(0xb5562f),
+         .iris = srgb(0x3a2415)},
+    }};
+}
+
 /// Night-blue stage with warm key light and a cold rim; the default.
 Theme stage() noexcept {
     Theme theme;
     theme.name = "stage";
     theme.dress = Dress::dancer;
-    theme.skin = srgb(0xcd9470);
-    theme.suit = srgb(0xa61b33);
-    theme.stripe = srgb(0xf2a93b);
-    theme.hair = srgb(0x2a1718);
-    theme.shoes = srgb(0x7a1424);
-    theme.trim = srgb(0xf2a541);
+    theme.outfits = stage_outfits();
     theme.stick_middle = srgb(0xdcd8d0);
     theme.stick_left = srgb(0x3fb5ad);
     theme.stick_right = srgb(0xd9622f);

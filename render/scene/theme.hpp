@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -12,19 +13,24 @@ namespace raks::render {
 /// How the body is coloured: the dancer's unitard with piping, or a mannequin with joint bands.
 enum class Dress { dancer, mannequin };
 
+/// Colours of one dancer. Linear.
+struct Outfit {
+    glm::vec3 skin{};    ///< face, neck and arms
+    glm::vec3 suit{};    ///< unitard and skirt
+    glm::vec3 stripe{};  ///< side stripe of the suit
+    glm::vec3 hair{};    ///< hair, brows and lashes
+    glm::vec3 shoes{};   ///< dance shoes; soles are darker
+    glm::vec3 trim{};    ///< piping along the suit's edge and the hem
+    glm::vec3 iris{};    ///< of the eyes
+};
+
 /// Colours and lights of one look. Colours are linear (not sRGB), [0, 1]; lights are linear and may
 /// exceed 1.
 struct Theme {
     std::string_view name;        ///< as in theme_names
     Dress dress = Dress::dancer;  ///< which colours below the body uses
 
-    // Dress::dancer
-    glm::vec3 skin{};    ///< face, neck and arms
-    glm::vec3 suit{};    ///< unitard
-    glm::vec3 stripe{};  ///< side stripe of the suit
-    glm::vec3 hair{};    ///< hair cap and bun
-    glm::vec3 shoes{};   ///< dance shoes; soles are darker
-    glm::vec3 trim{};    ///< piping along the suit's edge
+    std::array<Outfit, 6> outfits{};  ///< Dress::dancer: dancers of one picture differ
     // Dress::mannequin
     glm::vec3 body{};         ///< everything but the bands
     glm::vec3 joint_bands{};  ///< bands at neck, waist and limb joints

@@ -18,35 +18,40 @@ struct Bend {
     Bone bone;  // left
     float radians;
 };
-// Index finger nearly straight, the others closing more: a hand held up, not a fist.
+// 15 to 25 degrees a joint, more toward the little finger: a hand held up, neither a claw nor a
+// fist.
 constexpr std::array<Bend, 15> kBends = {{
-    {Bone::left_index_proximal, 0.16F},
-    {Bone::left_index_intermediate, 0.22F},
-    {Bone::left_index_distal, 0.12F},
-    {Bone::left_middle_proximal, 0.26F},
-    {Bone::left_middle_intermediate, 0.34F},
-    {Bone::left_middle_distal, 0.2F},
-    {Bone::left_ring_proximal, 0.34F},
+    {Bone::left_index_proximal, 0.26F},
+    {Bone::left_index_intermediate, 0.32F},
+    {Bone::left_index_distal, 0.26F},
+    {Bone::left_middle_proximal, 0.32F},
+    {Bone::left_middle_intermediate, 0.38F},
+    {Bone::left_middle_distal, 0.28F},
+    {Bone::left_ring_proximal, 0.37F},
     {Bone::left_ring_intermediate, 0.42F},
-    {Bone::left_ring_distal, 0.24F},
-    {Bone::left_little_proximal, 0.36F},
-    {Bone::left_little_intermediate, 0.4F},
-    {Bone::left_little_distal, 0.24F},
-    {Bone::left_thumb_metacarpal, 0.1F},
-    {Bone::left_thumb_proximal, 0.15F},
-    {Bone::left_thumb_distal, 0.2F},
+    {Bone::left_ring_distal, 0.3F},
+    {Bone::left_little_proximal, 0.40F},
+    {Bone::left_little_intermediate, 0.43F},
+    {Bone::left_little_distal, 0.3F},
+    {Bone::left_thumb_metacarpal, 0.27F},
+    {Bone::left_thumb_proximal, 0.3F},
+    {Bone::left_thumb_distal, 0.4F},
 }};
 constexpr glm::vec3 kFingerAxis{0.0F, 0.0F, -1.0F};  // of the left hand: bends toward the palm
 constexpr glm::vec3 kThumbAxis{0.0F, -0.70711F, -0.70711F};
+// The thumb's root closes toward the index finger and a little down.
+constexpr glm::vec3 kThumbRootAxis{0.0F, 0.89443F, -0.44721F};
 
 }  // namespace
 
 void relax_hands(Pose& pose) noexcept RAKS_NONBLOCKING {
     for (const Bend& bend : kBends) {
-        const bool is_thumb = bend.bone == Bone::left_thumb_metacarpal ||
-                              bend.bone == Bone::left_thumb_proximal ||
-                              bend.bone == Bone::left_thumb_distal;
-        const glm::quat q = glm::angleAxis(bend.radians, is_thumb ? kThumbAxis : kFingerAxis);
+        const bool is_thumb =
+            bend.bone == Bone::left_thumb_proximal || bend.bone == Bone::left_thumb_distal;
+        const glm::vec3 axis = bend.bone == Bone::left_thumb_metacarpal ? kThumbRootAxis
+                               : is_thumb                               ? kThumbAxis
+                                                                        : kFingerAxis;
+        const glm::quat q = glm::angleAxis(bend.radians, axis);
         pose.rotation(bend.bone) = q;
         pose.rotation(mirrored(bend.bone)) = glm::quat(q.w, q.x, -q.y, -q.z);
     }

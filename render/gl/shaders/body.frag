@@ -18,9 +18,8 @@ void main() { colour = vec4(sqrt(tone_mapped(albedo_of(a, b) * diffuse + added))
 #else
 
 // Key light's highlight: GGX with Schlick's Fresnel term and the Kelemen visibility term.
-vec3 highlight(vec3 n, vec3 v) {
-    const float roughness = 0.53;
-    const float alpha2 = roughness * roughness * roughness * roughness;
+vec3 highlight(vec3 n, vec3 v, float roughness) {
+    float alpha2 = roughness * roughness * roughness * roughness;
     vec3 h = normalize(v + key_direction.xyz);
     float nh = max(dot(n, h), 0.0);
     float lh = max(dot(key_direction.xyz, h), 0.05);
@@ -28,13 +27,6 @@ vec3 highlight(vec3 n, vec3 v) {
     float fresnel = 0.025 + 0.975 * pow(1.0 - lh, 5.0);
     float facing = max(dot(n, key_direction.xyz), 0.0);
     return key_light.rgb * (facing * fresnel * alpha2 / (4.0 * d * d * lh * lh));
-}
-
-// Whether the floor shows an image of a point: not of what sinks into it, and only where the line
-// of sight meets the disc.
-bool floor_mirrors(vec3 at) {
-    vec2 meets = mix(eye.xz, at.xz, eye.y / (eye.y + max(at.y, 0.0)));
-    return at.y >= 0.0 && length(meets) < kFadeEnd;
 }
 
 void main() {
@@ -45,7 +37,13 @@ void main() {
     vec3 v = normalize(vec3(eye.x, eye.y * mirror, eye.z) - world);
     float lit = key_visibility(world + 0.012 * n);
     vec3 light = albedo_of(a, b) * diffuse_light(n, open, lit);
-    light += highlight(n, v) * lit + 0.5 * rim_of(n, v, open);
+    // Cloth is matte; skin shines a little, and lets light through where its own shadow begins.
+    float suit = inside(a.x);
+    light += highlight(n, v, mix(0.66, 0.88, suit)) * (mix(0.75, 0.5, suit) * lit);
+    light += 0.35 * rim_of(n, v, open);
+    float turn = dot(n, key_direction.xyz) + 0.05;
+    light += (1.0 - suit) * exp(-18.0 * turn * turn) * lit * key_light.rgb *
+             (albedo_of(a, b) * vec3(0.10, 0.02, 0.008));
     colour = vec4(encoded(tone_mapped(light)), 1.0);
 }
 

@@ -30,8 +30,9 @@ void main() {
     shine *= shine;               // ^2
     float shine4 = shine * shine; // ^4
     float shine8 = shine4 * shine4;
-    float shine24 = shine8 * shine8 * shine8;
-    added = rim_of(n, v, occlusion) * 0.5 + key_light.rgb * (0.07 * shine24 * shine4);
+    // Cloth is matte, skin nearly so.
+    float gloss = areas_a.x > 0.0 ? 0.012 : 0.035;
+    added = rim_of(n, v, occlusion) * 0.35 + key_light.rgb * (gloss * shine8 * shine4);
     gl_Position = clip_from_world * vec4(at, 1.0);
     sharpness = tone.w / gl_Position.w;
 #else

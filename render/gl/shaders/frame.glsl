@@ -15,7 +15,6 @@ layout(std140) uniform Frame {
     vec4 toon_key;            // lights of drawn surfaces: key and ambient add to about 1
     vec4 toon_sky;
     vec4 toon_ground;
-    vec4 materials[7];        // linear colours of the body, by material
     vec4 display_top;         // backdrop
     vec4 display_glow;
     vec4 display_horizon;
@@ -82,6 +81,13 @@ float mirror_share(vec3 at) {
     float grazing = 1.0 - normalize(eye.xyz - at).y;
     float grazing2 = grazing * grazing;
     return 0.10 + 0.5 * grazing2 * grazing2 * grazing;
+}
+
+// Whether the floor shows an image of a point: not of what sinks into it, and only where the line
+// of sight meets the disc.
+bool floor_mirrors(vec3 at) {
+    vec2 meets = mix(eye.xz, at.xz, eye.y / (eye.y + max(at.y, 0.0)));
+    return at.y >= 0.0 && length(meets) < kFadeEnd;
 }
 
 // Floor as shown, before rings; `lit` is 1 without shadow.

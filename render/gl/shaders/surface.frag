@@ -1,6 +1,9 @@
 in vec4 uv;
 in vec2 base_uv;
 in vec4 tint;
+#ifdef PAINTED
+in float open;
+#endif
 
 #ifdef HAS_BASE
 uniform sampler2D base_map;
@@ -171,7 +174,9 @@ vec3 lit_colour(vec3 base, vec4 both) {
     metallic *= texel.b;
     roughness *= texel.g;
 #endif
+#ifndef PAINTED
     float open = 1.0;
+#endif
 #ifdef HAS_OCCLUSION
     open = 1.0 + emissive.a * (texture(occlusion_map, AT(SLOT_OCCLUSION)).r - 1.0);
 #endif
@@ -200,6 +205,11 @@ vec3 lit_colour(vec3 base, vec4 both) {
 #endif
 
 void main() {
+#ifndef FAST
+    if (mirror < 0.0 && !floor_mirrors(world)) {
+        discard;
+    }
+#endif
     vec4 both = both_uv();
     vec4 base = base_colour * tint;
 #ifdef HAS_BASE

@@ -13,6 +13,9 @@ uniform sampler2D outline_map;
 out vec4 uv;       // both sets
 out vec2 base_uv;  // as the base texture's slot takes them
 out vec4 tint;     // vertex colour
+#ifdef PAINTED
+out float open;
+#endif
 #ifndef DEPTH
 out vec3 world;
 out vec3 world_normal;
@@ -42,6 +45,11 @@ void main() {
 #endif
     base_uv = slot_uv(SLOT_BASE, uv);
     tint = vertex_colour;
+#ifdef PAINTED
+    // uv set 1: which colour of the dress, and how open to light the place is.
+    tint.rgb *= dress[int(uv_both.z + 0.5)].rgb;
+    open = uv_both.w;
+#endif
 #ifdef DEPTH
     gl_Position = clip_from_light * vec4(at, 1.0);
 #else
@@ -68,7 +76,10 @@ void main() {
 #ifdef FAST
     light = vec4(0.0, 0.0, 0.0, dot(n, key_direction.xyz));
     added = vec3(0.0);
-#if defined(LIT)
+#if defined(PAINTED)
+    light.rgb = diffuse_light(n, open, mix(0.75, 1.0, open));
+    added = rim_of(n, v, open) * 0.35;
+#elif defined(LIT)
     light.rgb = diffuse_light(n, 1.0, 1.0);
     added = rim_of(n, v, 1.0) * 0.25;
 #elif defined(TOON)

@@ -1,0 +1,22 @@
+// What a dancer wears, as the shaders take it.
+#pragma once
+
+#include <array>
+
+#include "render/scene/scene.hpp"
+
+#include <glm/vec4.hpp>
+
+namespace raks::render {
+
+/// The uniform block of gl/shaders/dress.glsl. std140: vec4 alone. Linear colours in the order of
+/// Paint (render/mannequin/painted_mesh.hpp); of a stick figure the first three: middle, left,
+/// right.
+struct DressColours {
+    std::array<glm::vec4, 10> colours{};
+};
+
+/// Colours of the outfit `number` (modulo those that the theme has). Pure.
+[[nodiscard]] DressColours dress_colours(const Theme& theme, View view, int number) noexcept;
+
+}  // namespace raks::render
