@@ -9,17 +9,21 @@ namespace raks::render {
 AvatarPainter::AvatarPainter(const Avatar& avatar, const BodyPrograms& programs)
     : size_(size_of(avatar)), skeleton_(avatar.skeleton), body_(avatar, programs) {}
 
-Expected<void> AvatarPainter::add_surface(const Avatar& avatar, SurfacePrograms& programs) {
-    if (avatar.rig == nullptr) {
-        return {};
+void AvatarPainter::set_surface(LoadedSurface surface, std::shared_ptr<const AvatarRig> rig) {
+    surface_.emplace(std::move(surface));
+    rig_ = std::move(rig);
+}
+
+bool AvatarPainter::warm_up(std::size_t part) {
+    if (!surface_) {
+        return false;
     }
-    rig_ = avatar.rig;
-    Expected<SurfacePainter> painter = SurfacePainter::create(avatar.surface, programs);
-    if (!painter) {
-        return fail(std::move(painter.error()));
+    if (part == 0) {
+        begin_picture();
+        take({.avatar = {}, .pose = {}, .state = nullptr}, View::skin);
+        prepare(0);
     }
-    surface_.emplace(std::move(*painter));
-    return {};
+    return surface_->warm_up(part);
 }
 
 /// What a dancer brings, or the pose alone with face and tails at rest.
@@ -55,7 +59,7 @@ void AvatarPainter::draw_solid(std::size_t number, const Scene& scene, BodyPaint
     if (is_surface(view_)) {
         prepare(number);
         surface_->draw(number,
-                       SurfacePainter::Layer::solid,
+                       SurfaceLayer::solid,
                        image == BodyPainter::Image::upright ? 1.0F : -1.0F,
                        scene.seconds);
     } else {
@@ -66,7 +70,7 @@ void AvatarPainter::draw_solid(std::size_t number, const Scene& scene, BodyPaint
 void AvatarPainter::draw_blended(std::size_t number, const Scene& scene) {
     if (is_surface(view_)) {
         prepare(number);
-        surface_->draw(number, SurfacePainter::Layer::blended, 1.0F, scene.seconds);
+        surface_->draw(number, SurfaceLayer::blended, 1.0F, scene.seconds);
     }
 }
 
