@@ -18,17 +18,21 @@ AvatarPainter::AvatarPainter(const Avatar& avatar, const BodyPrograms& programs)
       skeleton_(avatar.skeleton),
       body_(avatar, programs) {}
 
-Expected<void> AvatarPainter::add_surface(const Avatar& avatar, SurfacePrograms& programs) {
-    if (avatar.rig == nullptr) {
-        return {};
+void AvatarPainter::set_surface(LoadedSurface surface, std::shared_ptr<const AvatarRig> rig) {
+    surface_.emplace(std::move(surface));
+    rig_ = std::move(rig);
+}
+
+bool AvatarPainter::warm_up(std::size_t part) {
+    if (!surface_) {
+        return false;
     }
-    rig_ = avatar.rig;
-    Expected<SurfacePainter> painter = SurfacePainter::create(avatar.surface, programs);
-    if (!painter) {
-        return fail(std::move(painter.error()));
+    if (part == 0) {
+        begin_picture();
+        take({.avatar = {}, .pose = {}, .state = nullptr}, View::skin);
+        prepare(0);
     }
-    surface_.emplace(std::move(*painter));
-    return {};
+    return surface_->warm_up(part);
 }
 
 /// What a dancer brings, or the pose alone with face and tails at rest.
@@ -65,7 +69,7 @@ void AvatarPainter::draw_solid(std::size_t number, const Scene& scene, BodyPaint
     if (shows_surface()) {
         prepare(number);
         surface_->draw(number,
-                       {.layer = SurfacePainter::Layer::solid,
+                       {.layer = SurfaceLayer::solid,
                         .mirror = image == BodyPainter::Image::upright ? 1.0F : -1.0F,
                         .seconds = scene.seconds,
                         .has_costume = has_costume(scene)});
@@ -79,7 +83,7 @@ void AvatarPainter::draw_blended(std::size_t number, const Scene& scene) {
     if (shows_surface()) {
         prepare(number);
         surface_->draw(number,
-                       {.layer = SurfacePainter::Layer::blended,
+                       {.layer = SurfaceLayer::blended,
                         .mirror = 1.0F,
                         .seconds = scene.seconds,
                         .has_costume = has_costume(scene)});

@@ -19,8 +19,10 @@ class AvatarPainter {
  public:
     /// Uploads what is painted; `programs` must outlive it.
     AvatarPainter(const Avatar& avatar, const BodyPrograms& programs);
-    /// Uploads its surface, too, if it has one. Errors: a shader that the driver refuses.
-    [[nodiscard]] Expected<void> add_surface(const Avatar& avatar, SurfacePrograms& programs);
+    /// Takes its surface, too.
+    void set_surface(LoadedSurface surface, std::shared_ptr<const AvatarRig> rig);
+    /// SurfacePainter::warm_up for one part, the figure in a pose. False: no such part.
+    [[nodiscard]] bool warm_up(std::size_t part);
 
     [[nodiscard]] float size() const noexcept { return size_; }
     [[nodiscard]] const motion::Skeleton& skeleton() const noexcept { return skeleton_; }

@@ -20,6 +20,7 @@
 #include "render/gl/program.hpp"
 #include "render/gl/shadow_map.hpp"
 #include "render/scene/stage_shapes.hpp"
+#include "render/surface_upload.hpp"
 
 namespace raks::render {
 namespace {
@@ -187,6 +188,38 @@ struct Painted {
 
 }  // namespace
 
+/// An avatar on its way into the driver's memory.
+struct Renderer::Arrival {
+    Arrival(std::shared_ptr<const Avatar> of,
+            const BodyPrograms& body_programs,
+            SurfacePrograms& surface_programs)
+        : avatar(std::move(of)), painter(std::make_unique<AvatarPainter>(*avatar, body_programs)) {
+        if (avatar->rig != nullptr) {
+            upload.emplace(avatar->surface, surface_programs);
+        }
+    }
+    /// The next piece. True: there are no more.
+    [[nodiscard]] Expected<bool> next();
+
+    std::shared_ptr<const Avatar> avatar;
+    std::unique_ptr<AvatarPainter> painter;
+    std::optional<SurfaceUpload> upload;  // none: all is there
+    std::size_t warmed_up = 0;            // parts
+    bool is_warm = false;
+};
+
+Expected<bool> Renderer::Arrival::next() {
+    if (!upload) {
+        return true;
+    }
+    Expected<bool> is_done = upload->next();
+    if (is_done && *is_done) {
+        painter->set_surface(std::move(*upload).finished(), avatar->rig);
+        upload.reset();
+    }
+    return is_done;
+}
+
 struct Renderer::Parts {
     Quality quality;
     std::string notice;
@@ -199,7 +232,10 @@ struct Renderer::Parts {
     std::vector<gl::Buffer> dresses;  // by dancer of the picture
     // By handle; null where one was removed. What they point to above stays where it is.
     std::vector<std::unique_ptr<AvatarPainter>> avatars;
+    std::optional<Arrival> arrival;
 
+    AvatarHandle keep(std::unique_ptr<AvatarPainter> painter);
+    void warm_up_arrival();
     void upload(const FrameView& view) const noexcept;
     void upload_dresses(const Scene& scene, std::span<const Painted> dancers);
     void wear(std::size_t dancer) const noexcept;
@@ -255,6 +291,7 @@ void Renderer::Parts::draw(const Scene& scene,
     draw_shadow_map(scene, dancers, view.clip_from_light);
 
     const DrawingState state(target);
+    warm_up_arrival();
     clear(scene);
     for (std::size_t i = 0; i < dancers.size(); ++i) {
         wear(i);
@@ -366,12 +403,45 @@ Expected<Renderer> Renderer::create(const Avatar& avatar, const RendererConfig& 
 }
 
 Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
-    auto painter = std::make_unique<AvatarPainter>(avatar, parts_->body_programs);
-    Expected<void> added = painter->add_surface(avatar, parts_->surface_programs);
-    if (!added) {
-        return fail(std::move(added.error()));
+    // Not owned: it lives as long as this call.
+    Arrival arrival(
+        {std::shared_ptr<void>(), &avatar}, parts_->body_programs, parts_->surface_programs);
+    for (;;) {
+        const Expected<bool> is_done = arrival.next();
+        if (!is_done) {
+            return fail(is_done.error());
+        }
+        if (*is_done) {
+            return parts_->keep(std::move(arrival.painter));
+        }
     }
-    auto& avatars = parts_->avatars;
+}
+
+void Renderer::begin_adding(std::shared_ptr<const Avatar> avatar) {
+    parts_->arrival.emplace(std::move(avatar), parts_->body_programs, parts_->surface_programs);
+}
+
+Expected<std::optional<AvatarHandle>> Renderer::add_pieces(Nanos most) {
+    std::optional<Arrival>& arrival = parts_->arrival;
+    const HostTime until = HostClock::now() + most;
+    for (bool is_done = false; !is_done && HostClock::now() < until;) {
+        const Expected<bool> next = arrival->next();
+        if (!next) {
+            arrival.reset();
+            return fail(next.error());
+        }
+        is_done = *next;
+    }
+    if (!arrival->is_warm) {
+        return std::nullopt;
+    }
+    const AvatarHandle handle = parts_->keep(std::move(arrival->painter));
+    arrival.reset();
+    return handle;
+}
+
+/// Its handle.
+AvatarHandle Renderer::Parts::keep(std::unique_ptr<AvatarPainter> painter) {
     const auto free = std::find(avatars.begin(), avatars.end(), nullptr);
     const auto place = static_cast<int>(free - avatars.begin());
     if (free == avatars.end()) {
@@ -380,6 +450,13 @@ Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
         *free = std::move(painter);
     }
     return AvatarHandle{place};
+}
+
+/// One part a picture; what is drawn is cleared away.
+void Renderer::Parts::warm_up_arrival() {
+    if (arrival && !arrival->upload) {
+        arrival->is_warm = !arrival->painter->warm_up(arrival->warmed_up++);
+    }
 }
 
 void Renderer::remove(AvatarHandle handle) noexcept {

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "base/expected.hpp"
+#include "base/time.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "render/gl/frame_target.hpp"
 #include "render/scene/clip_figure.hpp"
@@ -68,6 +70,14 @@ class Renderer {
     /// Uploads an avatar, which may be destroyed afterwards. Errors: a shader that the driver
     /// refuses.
     [[nodiscard]] Expected<AvatarHandle> add(const Avatar& avatar);
+    /// Begins to take an avatar piece by piece while others are drawn; one that is on its way is
+    /// given up.
+    void begin_adding(std::shared_ptr<const Avatar> avatar);
+    /// Takes further pieces of it for about `most`, a few milliseconds; called once a picture,
+    /// before it is drawn. Its handle once all is there, which takes pictures that are drawn, too:
+    /// drivers finish a shader when it is first used. Errors: a shader that the driver refuses; the
+    /// avatar is given up. Precondition: begin_adding.
+    [[nodiscard]] Expected<std::optional<AvatarHandle>> add_pieces(Nanos most);
     /// Frees what an avatar has in the driver's memory; its handle may be given out again.
     void remove(AvatarHandle handle) noexcept;
 
@@ -97,6 +107,7 @@ class Renderer {
 
  private:
     struct Parts;
+    struct Arrival;
     explicit Renderer(std::unique_ptr<Parts> parts) noexcept;
     std::unique_ptr<Parts> parts_;
 };

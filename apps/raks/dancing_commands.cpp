@@ -32,6 +32,9 @@ void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overla
     app.add_option("--fps", settings.fps, "pictures a second");
     app.add_option("--quality", settings.quality, "auto, fast or high");
     app.add_option("--view", settings.view, "skin, stick or auto");
+    app.add_flag("--blink,!--no-blink", settings.face_blink, "an avatar's eyes blink");
+    app.add_flag("--mouth,!--no-mouth", settings.face_mouth, "its mouth opens with the music");
+    app.add_flag("--gaze,!--no-gaze", settings.face_gaze, "its eyes look at you, or at a partner");
     app.add_flag("--overlay,!--no-overlay", overlay, "beat, tempo and levels on top");
     app.add_option("--latency-offset",
                    settings.latency_offset_ms,

@@ -53,9 +53,10 @@ Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
     return engine::WindowLoop::create(
         std::move(*window),
         look,
-        {settings.overlay ? engine::Cards::shown : engine::Cards::hidden,
-         apps::say,
-         is_stop_requested});
+        {.cards = settings.overlay ? engine::Cards::shown : engine::Cards::hidden,
+         .say = apps::say,
+         .say_detail = say_detail,
+         .is_stop_requested = is_stop_requested});
 }
 
 }  // namespace

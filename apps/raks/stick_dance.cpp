@@ -2,6 +2,7 @@
 // on sheets.
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -137,7 +138,8 @@ void PreviewContent::advance(double seconds) {
 void PreviewContent::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     const motion::Pose pose = preview_.pose();
     picture.scene.camera.pan_to(pose.hips_position);
-    picture.renderer.draw(picture.scene, pose, picture.target);
+    const render::Dancer dancer = picture.bodies.still(pose);
+    picture.renderer.draw(picture.scene, std::span(&dancer, 1), picture.target);
     // The overlay refers to the text until the next picture.
     status_ = preview_.status();
     overlay.message = status_;

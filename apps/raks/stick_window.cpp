@@ -24,7 +24,7 @@ Expected<void> show_in_window(render::Window window,
     auto loop = engine::WindowLoop::create(
         std::move(window),
         look,
-        {.cards = engine::Cards::none, .say = say, .is_stop_requested = [] {
+        {.cards = engine::Cards::none, .say = say, .say_detail = say_detail, .is_stop_requested = [] {
              return stop_signal().has_value();
          }});
     if (!loop) {

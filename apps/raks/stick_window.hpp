@@ -43,6 +43,8 @@ class ClipContent final : public engine::WindowContent {
     /// The frame's stick figure.
     void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
     [[nodiscard]] bool is_finished() const override { return false; }  ///< a clip plays in a loop
+    /// A recorded body is a figure of its own.
+    [[nodiscard]] bool has_avatar() const override { return false; }
     /// By the size of the body.
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
 

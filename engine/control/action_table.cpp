@@ -149,6 +149,12 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "alone, couple, several",
      {},
      {{{key_of(U'e'), "E"}}}},
+    {Action::next_avatar,
+     "avatar",
+     ActionGroup::dance,
+     "another avatar",
+     {},
+     {{{key_of(U'a'), "A"}}}},
     // view
     {Action::toggle_figure_view,
      "figure-view",

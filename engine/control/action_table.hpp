@@ -41,6 +41,7 @@ enum class Action : std::uint8_t {
     keep_figure,
     next_dance,
     next_formation,
+    next_avatar,
     // view
     toggle_figure_view,
     next_camera,
@@ -54,7 +55,7 @@ enum class Action : std::uint8_t {
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 28;
+inline constexpr std::size_t kActionCount = 29;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {

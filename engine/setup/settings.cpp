@@ -93,6 +93,14 @@ const std::array kKeys = std::to_array<Key>({
      0,
      0,
      "skin, stick, or auto: stick when danced by positions"},
+    {"picture", "face_blink", &Settings::face_blink, 0, 0, "eyes blink by themselves"},
+    {"picture", "face_mouth", &Settings::face_mouth, 0, 0, "the mouth opens with the music"},
+    {"picture",
+     "face_gaze",
+     &Settings::face_gaze,
+     0,
+     0,
+     "eyes look at the camera, in a couple at each other"},
     {"picture", "overlay", &Settings::overlay, 0, 0, "beat, tempo and levels over the picture"},
 });
 

@@ -37,6 +37,9 @@ struct Settings {
     double fps = 30.0;                 ///< pictures a second, [1, 240]
     std::string quality = "auto";      ///< auto, fast or high
     std::string view = "auto";         ///< auto (stick when danced by positions), skin or stick
+    bool face_blink = true;            ///< eyes blink by themselves
+    bool face_mouth = true;            ///< the mouth opens with the music
+    bool face_gaze = true;             ///< eyes look at the camera, or at the partner
     bool overlay = true;               ///< tempo, bar, dance and levels over the picture
 };
 

@@ -6,13 +6,27 @@ namespace raks::engine {
 
 DancerBodies::DancerBodies(render::AvatarHandle handle,
                            std::shared_ptr<const render::Avatar> avatar,
-                           motion::Skeleton made_for)
-    : handle_(handle), avatar_(std::move(avatar)), made_for_(made_for) {}
+                           motion::Skeleton made_for,
+                           FaceHabits habits)
+    : handle_(handle), avatar_(std::move(avatar)), made_for_(made_for), habits_(habits) {}
+
+render::AvatarHandle DancerBodies::wear(render::AvatarHandle handle,
+                                        std::shared_ptr<const render::Avatar> avatar) {
+    avatar_ = std::move(avatar);
+    // What springs and faces remember is of the avatar before.
+    bodies_.clear();
+    return std::exchange(handle_, handle);
+}
+
+render::Dancer DancerBodies::still(const motion::Pose& pose) const noexcept {
+    return {
+        .avatar = handle_, .pose = render::retargeted(pose, made_for_, *avatar_), .state = nullptr};
+}
 
 void DancerBodies::make_bodies(std::size_t count) {
     while (avatar_->rig != nullptr && bodies_.size() < count) {
         bodies_.push_back(std::make_unique<Body>(
-            Body{render::RigState(*avatar_->rig), DancerFace(bodies_.size())}));
+            Body{render::RigState(*avatar_->rig), DancerFace(bodies_.size(), habits_)}));
     }
 }
 
@@ -23,10 +37,7 @@ std::span<const render::Dancer> DancerBodies::at(const DancedMoment& danced,
     dancers_.clear();
     // All poses first: partners look at each other.
     for (const motion::PoseTrack& track : danced.tracks) {
-        dancers_.push_back(
-            {.avatar = handle_,
-             .pose = render::retargeted(track.at(danced.moment + danced.lead), made_for_, *avatar_),
-             .state = nullptr});
+        dancers_.push_back(still(track.at(danced.moment + danced.lead)));
     }
     for (std::size_t i = 0; i < bodies_.size() && i < dancers_.size(); ++i) {
         move(i, danced, music, camera);

@@ -29,15 +29,23 @@ struct DancedMoment {
 class DancerBodies {
  public:
     /// `avatar` is what `handle` names in the renderer. `made_for`: a body that stands as high as
-    /// the one that the dance was solved for.
+    /// the one that the dance was solved for. `habits`: of all faces.
     DancerBodies(render::AvatarHandle handle,
                  std::shared_ptr<const render::Avatar> avatar,
-                 motion::Skeleton made_for);
+                 motion::Skeleton made_for,
+                 FaceHabits habits = {});
+
+    /// All wear another avatar from the next moment on; tails begin anew. Returns the handle of the
+    /// one before.
+    render::AvatarHandle wear(render::AvatarHandle handle,
+                              std::shared_ptr<const render::Avatar> avatar);
 
     /// The dancers at a moment; they hold until the next call. `camera`: where solo dancers look.
     [[nodiscard]] std::span<const render::Dancer> at(const DancedMoment& danced,
                                                      const MusicState& music,
                                                      const render::Camera& camera);
+    /// A dancer in a pose of the body that dances are solved for, tails and face at rest.
+    [[nodiscard]] render::Dancer still(const motion::Pose& pose) const noexcept;
     [[nodiscard]] const render::Avatar& avatar() const noexcept { return *avatar_; }
 
  private:
@@ -55,6 +63,7 @@ class DancerBodies {
     render::AvatarHandle handle_;
     std::shared_ptr<const render::Avatar> avatar_;
     motion::Skeleton made_for_;
+    FaceHabits habits_;
     std::vector<std::unique_ptr<Body>> bodies_;  // of avatars that have a rig
     std::vector<render::Dancer> dancers_;
 };

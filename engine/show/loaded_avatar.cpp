@@ -71,6 +71,7 @@ std::string credit_line(const render::Licence& licence, const std::string& file)
 
 LoadedAvatar mannequin() {
     return {.avatar = std::make_shared<render::Avatar>(render::build_mannequin()),
+            .name = std::string(kMannequinName),
             .credit = {},
             .is_credit_required = false,
             .warnings = {}};
@@ -98,6 +99,7 @@ Expected<LoadedAvatar> load_avatar(const std::string& name, std::optional<float>
     std::vector<std::string> warnings = std::move(model->warnings);
     warnings.insert(warnings.end(), avatar->rig->warnings.begin(), avatar->rig->warnings.end());
     return LoadedAvatar{.avatar = std::move(avatar),
+                        .name = path->string(),
                         .credit = credit_line(model->character.licence, path->filename().string()),
                         .is_credit_required = model->character.licence.is_credit_required,
                         .warnings = std::move(warnings)};

@@ -18,6 +18,7 @@ namespace raks::engine {
 /// An avatar, and what a person should know of it.
 struct LoadedAvatar {
     std::shared_ptr<const render::Avatar> avatar;  ///< null: not loaded yet
+    std::string name;                              ///< kMannequinName, or its file
     std::string credit;                 ///< whose work, under which licence; the mannequin: empty
     bool is_credit_required = false;    ///< its licence asks for the line
     std::vector<std::string> warnings;  ///< one line each, for people

@@ -32,6 +32,9 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(size.error());
     }
     look.size = *size;
+    look.face = {.blinks = settings.face_blink,
+                 .moves_mouth = settings.face_mouth,
+                 .gazes = settings.face_gaze};
     // "auto" shows figures that were learnt as joint positions as sticks.
     const bool is_stick =
         settings.view == "stick" || (settings.view == "auto" && settings.figures == "positions");

@@ -5,6 +5,7 @@
 
 #include "base/expected.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/show/dancer_face.hpp"
 #include "engine/show/loaded_avatar.hpp"
 #include "render/renderer.hpp"
 #include "render/scene/scene.hpp"
@@ -17,6 +18,7 @@ struct Look {
     std::string camera = "wide";  ///< the preset that the scene's camera was made from
     render::Quality quality = render::Quality::automatic;  ///< for the renderer
     PictureSize size;                                      ///< of the window or film, in pixels
+    FaceHabits face;                                       ///< what faces do by themselves
     LoadedAvatar avatar;  ///< what all wear (put_on); else the mannequin
 };
 

@@ -21,7 +21,7 @@ Expected<Drawing> create_drawing(const Look& look) {
         return fail(overlay.error());
     }
     return Drawing{std::move(*renderer),
-                   DancerBodies({}, std::move(avatar), motion::mannequin_skeleton()),
+                   DancerBodies({}, std::move(avatar), motion::mannequin_skeleton(), look.face),
                    std::move(*overlay)};
 }
 

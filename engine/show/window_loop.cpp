@@ -15,11 +15,14 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "base/printable.hpp"
 #include "engine/control/action_table.hpp"
 #include "engine/setup/user_folders.hpp"
+#include "engine/show/avatar_files.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/gl/frame_target.hpp"
 #include "render/gl/window.hpp"
+#include "render/import/model_reader.hpp"
 #include "render/scene/camera.hpp"
 #include "render/video/png.hpp"
 
@@ -116,6 +119,7 @@ WindowLoop::WindowLoop(render::Window window,
       options_(std::move(options)),
       scene_(look.scene),
       camera_name_(look.camera),
+      avatar_name_(look.avatar.avatar != nullptr ? look.avatar.name : kMannequinName),
       overlay_view_(options_.cards == Cards::shown ? render::OverlayView::shown
                                                    : render::OverlayView::hidden) {}
 
@@ -129,6 +133,7 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
         // Time passes by the clock and not by pictures: a slow picture must not slow the content.
         content.advance(to_seconds(now - last));
         last = now;
+        change_avatar();
         draw(content);
         // Checked after the picture, so that a screenshot asked for with the last key is still
         // taken.
@@ -168,6 +173,9 @@ void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
     actions.on(Action::toggle_help, [&](double) { toggle_help(content, actions); });
     actions.on(Action::next_camera, [&](double) { go_to_next_camera(content); });
     actions.on(Action::reset_camera, [&](double) { scene_.camera = preset(content); });
+    if (content.has_avatar()) {
+        actions.on(Action::next_avatar, [this](double) { go_to_next_avatar(); });
+    }
 }
 
 void WindowLoop::bind_window(ActionDispatcher& actions) {
@@ -202,6 +210,8 @@ void WindowLoop::handle(const render::WindowEvent& event,
         handle(*button, content);
     } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
         move_camera(scene_.camera, *scroll);
+    } else if (const auto* drop = std::get_if<render::DropEvent>(&event)) {
+        handle(*drop, content);
     }
 }
 
@@ -242,6 +252,21 @@ void WindowLoop::handle(const render::MouseDragEvent& drag, WindowContent& conte
         content.use(render::OverlayControl::position, controls_.share_at(pointer_x_));
     } else if (!is_click_taken_) {
         move_camera(scene_.camera, drag);
+    }
+}
+
+// Of several models the last is worn; nothing else is taken.
+void WindowLoop::handle(const render::DropEvent& drop, const WindowContent& content) {
+    for (const std::string& path : drop.paths) {
+        if (!content.has_avatar()) {
+            say("no avatar is shown here: drop models on the window of play or live");
+        } else if (render::is_model_name(path)) {
+            avatar_name_ = path;
+            avatar_change_.ask(path);
+            show("loading " + printable(std::filesystem::path(path).filename().string()));
+        } else {
+            say(printable(path) + ": only models are taken here: .vrm, .glb, .gltf");
+        }
     }
 }
 
@@ -322,6 +347,50 @@ void WindowLoop::go_to_next_theme() {
     if (const auto theme = render::find_theme(name)) {
         scene_.theme = *theme;
         say("theme " + std::string(name));
+    }
+}
+
+// The mannequin, then the person's own in the order of their names.
+void WindowLoop::go_to_next_avatar() {
+    const auto files = list_avatars();
+    if (!files) {
+        say(files.error().message);
+        return;
+    }
+    if (files->empty() && avatar_name_ == kMannequinName) {
+        say("no other avatar: drop a model on the window, or put .vrm or .glb files into " +
+            printable(user_avatars_path().string()));
+        return;
+    }
+    std::vector<std::string> names = {std::string(kMannequinName)};
+    std::transform(files->begin(),
+                   files->end(),
+                   std::back_inserter(names),
+                   [](const std::filesystem::path& file) { return file.string(); });
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    avatar_name_ = name_after(avatar_name_, views);
+    avatar_change_.ask(avatar_name_);
+    show("loading " + printable(std::filesystem::path(avatar_name_).filename().string()));
+}
+
+// Before each picture: a part of the work, if there is any.
+void WindowLoop::change_avatar() {
+    const float size_before = render::size_of(drawing_.bodies.avatar());
+    auto changed = avatar_change_.go_on(drawing_);
+    if (!changed) {
+        say(changed.error().message);
+    } else if (*changed) {
+        take_avatar(std::move(**changed), size_before);
+    }
+}
+
+// The camera moves with the size, so that a person's own place is kept.
+void WindowLoop::take_avatar(LoadedAvatar avatar, float size_before) {
+    scene_.camera =
+        camera_for(scene_.camera, render::size_of(drawing_.bodies.avatar()) / size_before);
+    say("avatar: " + (avatar.credit.empty() ? avatar.name : avatar.credit));
+    for (const std::string& warning : avatar.warnings) {
+        options_.say_detail(warning);
     }
 }
 

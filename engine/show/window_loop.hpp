@@ -10,6 +10,7 @@
 #include "base/key.hpp"
 #include "base/time.hpp"
 #include "engine/control/action_dispatcher.hpp"
+#include "engine/show/avatar_change.hpp"
 #include "engine/show/picture.hpp"
 #include "engine/show/show.hpp"
 #include "render/gl/frame_target.hpp"
@@ -51,6 +52,9 @@ class WindowContent {
     /// True when there is nothing more to show: the loop ends.
     [[nodiscard]] virtual bool is_finished() const = 0;
 
+    /// Whether the avatar is seen in it: then people can change it.
+    [[nodiscard]] virtual bool has_avatar() const { return true; }
+
     /// A preset camera, moved to where it must stand for this content.
     [[nodiscard]] virtual render::Camera framed(render::Camera preset) const { return preset; }
 };
@@ -63,6 +67,8 @@ enum class Cards : std::uint8_t { none, hidden, shown };
 struct WindowLoopOptions {
     Cards cards = Cards::none;  ///< at the start; `none` also disables the key that toggles them
     SayLine say = [](const std::string&) {};  ///< gets lines for people
+    /// Gets lines that few want to read, such as what an avatar's file lacks.
+    SayLine say_detail = [](const std::string&) {};
     /// Asked after each picture; true ends the loop, for example after a signal.
     std::function<bool()> is_stop_requested = [] { return false; };
 };
@@ -117,6 +123,7 @@ class WindowLoop {
     void handle(const KeyEvent& key, WindowContent& content, const ActionDispatcher& actions);
     void handle(const render::MouseButtonEvent& button, WindowContent& content);
     void handle(const render::MouseDragEvent& drag, WindowContent& content);
+    void handle(const render::DropEvent& drop, const WindowContent& content);
     void draw(WindowContent& content);
     void draw_overlay(render::OverlayState overlay, const render::FrameTarget& target);
     void count_picture();
@@ -126,6 +133,9 @@ class WindowLoop {
     void toggle_overlay();
     void go_to_next_camera(const WindowContent& content);
     void go_to_next_theme();
+    void go_to_next_avatar();
+    void change_avatar();
+    void take_avatar(LoadedAvatar avatar, float size_before);
     [[nodiscard]] render::Camera preset(const WindowContent& content) const;
 
     // The window before what is drawn in it: its context must live longer.
@@ -134,6 +144,8 @@ class WindowLoop {
     WindowLoopOptions options_;
     render::Scene scene_;
     std::string camera_name_;
+    std::string avatar_name_;  // as LoadedAvatar::name, of the one asked for last
+    AvatarChange avatar_change_;
     render::OverlayView overlay_view_;
     std::vector<render::HelpRow> help_;  // none: hidden
     render::OverlayControls controls_;   // of the last picture

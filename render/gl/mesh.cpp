@@ -29,7 +29,11 @@ Mesh::Mesh(std::span<const std::byte> vertices,
            std::span<const Attribute> attributes,
            std::span<const std::uint16_t> indices)
     : index_count_(static_cast<GLsizei>(indices.size())), index_type_(GL_UNSIGNED_SHORT) {
-    upload(vertices, stride, attributes, std::as_bytes(indices));
+    const std::span<const std::byte> packed = std::as_bytes(indices);
+    upload({vertices.data(), vertices.size()},
+           stride,
+           attributes,
+           {packed.data(), packed.size()});
 }
 
 Mesh::Mesh(std::span<const std::byte> vertices,
@@ -37,27 +41,42 @@ Mesh::Mesh(std::span<const std::byte> vertices,
            std::span<const Attribute> attributes,
            std::span<const std::uint32_t> indices)
     : index_count_(static_cast<GLsizei>(indices.size())), index_type_(GL_UNSIGNED_INT) {
-    upload(vertices, stride, attributes, std::as_bytes(indices));
+    const std::span<const std::byte> packed = std::as_bytes(indices);
+    upload({vertices.data(), vertices.size()},
+           stride,
+           attributes,
+           {packed.data(), packed.size()});
 }
 
-void Mesh::upload(std::span<const std::byte> vertices,
+Mesh::Mesh(std::size_t vertex_bytes,
+           std::size_t stride,
+           std::span<const Attribute> attributes,
+           std::size_t index_count)
+    : index_count_(static_cast<GLsizei>(index_count)), index_type_(GL_UNSIGNED_INT) {
+    upload({nullptr, vertex_bytes},
+           stride,
+           attributes,
+           {nullptr, index_count * sizeof(std::uint32_t)});
+}
+
+void Mesh::upload(Bytes vertices,
                   std::size_t stride,
                   std::span<const Attribute> attributes,
-                  std::span<const std::byte> indices) noexcept {
+                  Bytes indices) noexcept {
     // The vertex array records the attributes and the index buffer bound while it is current.
     glBindVertexArray(array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     glBufferData(GL_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(vertices.size_bytes()),
-                 vertices.data(),
+                 static_cast<GLsizeiptr>(vertices.size),
+                 vertices.data,
                  GL_STATIC_DRAW);
     for (const Attribute& attribute : attributes) {
         describe(attribute, static_cast<GLsizei>(stride));
     }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(indices.size_bytes()),
-                 indices.data(),
+                 static_cast<GLsizeiptr>(indices.size),
+                 indices.data,
                  GL_STATIC_DRAW);
     // So that no later buffer binding changes this mesh by mistake.
     glBindVertexArray(0);
@@ -81,6 +100,16 @@ void Mesh::replace_vertices(std::size_t offset, std::span<const std::byte> bytes
                     static_cast<GLintptr>(offset),
                     static_cast<GLsizeiptr>(bytes.size_bytes()),
                     bytes.data());
+}
+
+void Mesh::replace_indices(std::size_t offset, std::span<const std::byte> bytes) noexcept {
+    // The vertex array knows its index buffer.
+    glBindVertexArray(array_.name());
+    glBufferSubData(GL_ELEMENT_ARRAY_BUFFER,
+                    static_cast<GLintptr>(offset),
+                    static_cast<GLsizeiptr>(bytes.size_bytes()),
+                    bytes.data());
+    glBindVertexArray(0);
 }
 
 void Mesh::draw_instances(int count) const noexcept {

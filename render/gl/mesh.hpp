@@ -38,6 +38,11 @@ class Mesh {
          std::size_t stride,
          std::span<const Attribute> attributes,
          std::span<const std::uint32_t> indices);
+    /// Room for a mesh of 32-bit indices that is put in piece by piece.
+    Mesh(std::size_t vertex_bytes,
+         std::size_t stride,
+         std::span<const Attribute> attributes,
+         std::size_t index_count);
 
     /// Draws all triangles with the program in use.
     void draw() const noexcept;
@@ -45,6 +50,8 @@ class Mesh {
     void draw_range(std::uint32_t first, std::uint32_t count) const noexcept;
     /// Puts other bytes in place of those from `offset` on.
     void replace_vertices(std::size_t offset, std::span<const std::byte> bytes) noexcept;
+    /// The same for indices; `offset` in bytes.
+    void replace_indices(std::size_t offset, std::span<const std::byte> bytes) noexcept;
     /// Draws them `count` times; the shader tells the instances apart by gl_InstanceID.
     void draw_instances(int count) const noexcept;
 
@@ -55,10 +62,15 @@ class Mesh {
     GLsizei index_count_;
     GLenum index_type_;
 
-    void upload(std::span<const std::byte> vertices,
+    /// Null: room alone.
+    struct Bytes {
+        const std::byte* data;
+        std::size_t size;
+    };
+    void upload(Bytes vertices,
                 std::size_t stride,
                 std::span<const Attribute> attributes,
-                std::span<const std::byte> indices) noexcept;
+                Bytes indices) noexcept;
 };
 
 }  // namespace raks::render::gl

@@ -19,16 +19,20 @@ struct TextureSampling {
 /// A picture in the driver's memory. Threads: the context's.
 class Texture2d {
  public:
-    /// `rgba`: width * height * 4 bytes, rows from v = 0 on.
-    Texture2d(int width,
-              int height,
-              std::span<const std::uint8_t> rgba,
-              const TextureSampling& sampling);
+    /// Room for a picture, which is put in row by row.
+    Texture2d(int width, int height, const TextureSampling& sampling);
+    /// Puts rows in from row `first` on; rows count from v = 0. `rgba`: width * 4 bytes for each of
+    /// `count` rows.
+    void put_rows(int first, int count, std::span<const std::uint8_t> rgba) noexcept;
+    /// Once all rows are in: makes the smaller copies, where there are to be any.
+    void finish() noexcept;
     /// Binds it to a texture unit.
     void bind(int unit) const noexcept;
 
  private:
     Texture texture_;
+    int width_;
+    bool has_mipmaps_;
 };
 
 }  // namespace raks::render::gl

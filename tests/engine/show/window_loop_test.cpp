@@ -4,13 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <optional>
+#include <span>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "base/pending_file.hpp"
+#include "engine/show/avatar_files.hpp"
+#include "tests/support/file_drop.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/xvfb.hpp"
@@ -37,6 +45,14 @@ class Watched final : public WindowContent {
     }
     void advance(double seconds) override { shown_for += seconds; }
     void draw(const WindowPicture& picture, render::OverlayState& overlay) override {
+        const double now = cpu_ms();
+        slowest = pictures > kSettled ? std::max(slowest, now - last_cpu_) : 0.0;
+        last_cpu_ = now;
+        motion::Pose pose;
+        pose.hips_position.y = 0.9F;
+        const render::Dancer dancer = picture.bodies.still(pose);
+        picture.renderer.draw(picture.scene, std::span(&dancer, 1), picture.target);
+        worn = picture.bodies.avatar().name;
         scene = picture.scene;
         target = picture.target;
         overlay.message = "its line";
@@ -50,15 +66,34 @@ class Watched final : public WindowContent {
         return preset;
     }
 
+    static constexpr int kSettled = 10;  // pictures in which the driver does things once
+
     int own_presses = 0;
     int pictures = 0;
+    double slowest = 0.0;  // CPU time of this thread in one picture, ms
+    std::string worn;      // by the dancers
     double shown_for = 0.0;
     render::Scene scene;
     render::FrameTarget target;
 
  private:
+    static double cpu_ms() {
+        timespec now{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+        return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+    }
+
     std::function<bool(const Watched&)> is_enough_;
+    double last_cpu_ = 0.0;
 };
+
+/// Sets $XDG_DATA_HOME; returns what it was.
+std::string own_data_folder(const std::filesystem::path& folder) {
+    const char* const before = std::getenv("XDG_DATA_HOME");  // NOLINT(concurrency-mt-unsafe)
+    std::string old = before == nullptr ? "" : before;
+    setenv("XDG_DATA_HOME", folder.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    return old;
+}
 
 class WindowLoopOnXvfb : public ::testing::Test {
  protected:
@@ -92,6 +127,12 @@ class WindowLoopOnXvfb : public ::testing::Test {
         Watched content(std::move(is_enough));
         end_ = loop_->run(content, actions_);
         return content;
+    }
+    /// The same while files are dropped on the window.
+    Watched shown_with(const std::vector<std::string>& dropped,
+                       std::function<bool(const Watched&)> is_enough) {
+        const std::jthread dropping([&] { test::drop_files(id_, dropped); });
+        return shown({}, std::move(is_enough));
     }
     [[nodiscard]] bool was_said(const std::string& start) const {
         return std::any_of(said_.begin(), said_.end(), [&](const std::string& line) {
@@ -182,6 +223,56 @@ TEST_F(WindowLoopOnXvfb, p_saves_what_was_drawn_where_the_program_was_started) {
     const std::string name = said_.front().substr(std::string("screenshot saved: ").size());
     EXPECT_EQ(run_program({"identify", "-format", "%m %wx%h", (folder / name).string()}),
               "PNG 320x180");
+}
+
+std::string model(const std::string& name) {
+    return std::string(RAKS_SOURCE_DIR) + "/tests/data/avatars/" + name;
+}
+
+TEST_F(WindowLoopOnXvfb, a_model_that_is_dropped_is_worn_when_it_is_there) {
+    const Watched before = shown({}, [](const Watched& now) { return now.pictures >= 60; });
+    EXPECT_EQ(before.worn, "Raks mannequin");
+    const Watched after = shown_with({model("Godette_vrm_v4.vrm")}, [&](const Watched& now) {
+        return now.worn != before.worn && now.pictures > Watched::kSettled;
+    });
+    EXPECT_NE(after.worn, before.worn);
+    EXPECT_TRUE(was_said("avatar: ")) << "whose work it is";
+    EXPECT_LT(after.scene.camera.distance, 1.5F * before.scene.camera.distance);
+    // Figures, not bounds: machines differ.
+    std::cout << "slowest picture before " << before.slowest << " CPU-ms, while it loads "
+              << after.slowest << "\n";
+}
+
+TEST_F(WindowLoopOnXvfb, of_what_is_dropped_only_good_models_are_taken) {
+    const test::TemporaryFolder folder;
+    const std::string bad = (folder.path() / "bad.vrm").string();
+    ASSERT_TRUE(write_file(bad, "glTF no more"));
+    const Watched content = shown_with({bad, "/music/song.mp3"}, [&](const Watched& now) {
+        return now.pictures > 0 && said_.size() >= 2;
+    });
+    EXPECT_EQ(content.worn, "Raks mannequin");
+    EXPECT_TRUE(was_said(bad)) << "what is wrong with it";
+    EXPECT_TRUE(was_said("/music/song.mp3: only models are taken here"));
+}
+
+TEST_F(WindowLoopOnXvfb, a_goes_through_the_mannequin_and_the_persons_own_avatars) {
+    const test::TemporaryFolder folder;
+    const std::string old = own_data_folder(folder.path());
+    std::filesystem::create_directories(user_avatars_path());
+    for (const std::string name : {"RiggedFigure.glb", "smoke_spring.vrm"}) {
+        std::filesystem::copy(model(name), user_avatars_path() / name);
+    }
+    std::vector<std::string> seen;
+    for (int press = 0; press < 3; ++press) {
+        const std::string before = seen.empty() ? "Raks mannequin" : seen.back();
+        seen.push_back(shown({"a"}, [&](const Watched& now) {
+                           return now.pictures > 0 && now.worn != before;
+                       }).worn);
+    }
+    own_data_folder(old);
+    EXPECT_EQ(seen.back(), "Raks mannequin");
+    EXPECT_NE(seen[0], seen[1]);
+    EXPECT_TRUE(was_said("avatar: mannequin"));
 }
 
 TEST(WindowLoopHelp, lists_the_contents_own_keys_and_what_is_done_here_beside_them) {

@@ -262,6 +262,50 @@ TEST_F(SurfaceTest, morph_targets_move_their_vertices_and_back) {
     EXPECT_EQ(middle(0.0F), 255);
 }
 
+/// Pixels of many colours, more than one piece of an upload.
+Image large_image() {
+    Image image{.width = 1024, .height = 700, .pixels = {}};
+    for (std::size_t i = 0; i < std::size_t{1024} * 700; ++i) {
+        for (const std::size_t byte : {i / 1024, i % 1024, i / 7, std::size_t{255}}) {
+            image.pixels.push_back(static_cast<std::uint8_t>(byte));
+        }
+    }
+    return image;
+}
+
+TEST_F(SurfaceTest, an_avatar_that_is_taken_in_pieces_looks_as_one_taken_at_once) {
+    ModelMaterial material;
+    material.is_unlit = true;
+    material.base_texture.texture = 0;
+    Model model = sphere_model(material);
+    model.textures.push_back({.image = 0});
+    const auto avatar = std::make_shared<const Avatar>(build_avatar(model, {large_image()}));
+    const Picture whole = draw(*avatar, plain_scene(), Quality::fast);
+    ModelMaterial plain;
+    plain.is_unlit = true;
+    Expected<Renderer> renderer = Renderer::create(sphere(plain), {.quality = Quality::fast});
+    ASSERT_TRUE(renderer.has_value());
+    OffscreenTarget target = make_target(kSide, kSide, 1);
+    renderer->draw(plain_scene(), standing_pose(), target.frame());
+    const Picture before = read_picture(target);
+    renderer->begin_adding(avatar);
+    std::optional<AvatarHandle> handle;
+    int pictures = 0;
+    for (; !handle && pictures < 100; ++pictures) {
+        const auto added = renderer->add_pieces(Nanos(1));
+        ASSERT_TRUE(added) << added.error().message;
+        handle = *added;
+        renderer->draw(plain_scene(), standing_pose(), target.frame());
+        EXPECT_EQ(read_picture(target).rgba, before.rgba) << "the one before, untouched";
+    }
+    ASSERT_TRUE(handle);
+    EXPECT_GT(pictures, 5);
+    const Dancer dancer{.avatar = *handle, .pose = standing_pose(), .state = nullptr};
+    renderer->draw(plain_scene(), std::span(&dancer, 1), target.frame());
+    EXPECT_EQ(read_picture(target).rgba, whole.rgba);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST_F(SurfaceTest, avatars_come_and_go_by_their_handles) {
     ModelMaterial material;
     material.is_unlit = true;

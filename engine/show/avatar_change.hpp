@@ -1,0 +1,41 @@
+#pragma once
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/expected.hpp"
+#include "base/time.hpp"
+#include "engine/show/loaded_avatar.hpp"
+#include "engine/show/show.hpp"
+
+namespace raks::engine {
+
+/// Another avatar on its way onto the stage, while the one before dances on: a worker reads its
+/// file, then the renderer takes it in pieces, a few milliseconds with every picture, and then the
+/// dancers wear it. Threads: the OpenGL context's. Real-time: no.
+class AvatarChange {
+ public:
+    /// What a picture spends on the change, at most, and a piece.
+    static constexpr Nanos kShare = std::chrono::milliseconds(3);
+
+    /// Asks for what `name` means (find_avatar). What was asked for before and is not worn yet is
+    /// given up.
+    void ask(std::string name);
+
+    /// Goes on with it; called before each picture. Once the dancers wear it: what it is, with what
+    /// people should know. Errors: those of load_avatar and of Renderer::add_pieces; the dancers
+    /// keep what they wear, and nothing is asked for any more.
+    [[nodiscard]] Expected<std::optional<LoadedAvatar>> go_on(Drawing& drawing);
+
+ private:
+    [[nodiscard]] Expected<void> take_loaded(Drawing& drawing);
+    [[nodiscard]] Expected<std::optional<LoadedAvatar>> take_piece(Drawing& drawing);
+
+    std::optional<std::string> asked_;             // and not begun to load
+    std::future<Expected<LoadedAvatar>> loading_;  // one at a time
+    std::optional<LoadedAvatar> arriving_;         // read, and on its way into the renderer
+};
+
+}  // namespace raks::engine
