@@ -73,7 +73,8 @@ LoadedAvatar mannequin() {
     return {.avatar = std::make_shared<render::Avatar>(render::build_mannequin()),
             .credit = {},
             .is_credit_required = false,
-            .warnings = {}};
+            .warnings = {},
+            .is_mannequin = true};
 }
 
 Expected<LoadedAvatar> load_avatar(const std::string& name, std::optional<float> height) {

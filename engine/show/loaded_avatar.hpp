@@ -21,6 +21,7 @@ struct LoadedAvatar {
     std::string credit;                 ///< whose work, under which licence; the mannequin: empty
     bool is_credit_required = false;    ///< its licence asks for the line
     std::vector<std::string> warnings;  ///< one line each, for people
+    bool is_mannequin = false;          ///< its dancers differ in build, clothes and hair
 };
 
 /// "Seed-san by VirtualCast, Inc., VRM Public License 1.0 (credit required)". Pure.

@@ -3,15 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <future>
+#include <memory>
 #include <utility>
 
+#include "render/mannequin/mannequin.hpp"
 #include "render/scene/scene.hpp"
 
 namespace raks::engine {
 
 Expected<Drawing> create_drawing(const Look& look) {
-    std::shared_ptr<const render::Avatar> avatar =
-        look.avatar.avatar != nullptr ? look.avatar.avatar : mannequin().avatar;
+    const LoadedAvatar worn = look.avatar.avatar != nullptr ? look.avatar : mannequin();
+    // Shaders are compiled meanwhile.
+    std::future<render::Avatar> partner;
+    if (worn.is_mannequin) {
+        partner =
+            std::async(std::launch::async, render::build_mannequin, render::MannequinBuild::lead);
+    }
+    const std::shared_ptr<const render::Avatar> avatar = worn.avatar;
     auto renderer = render::Renderer::create(*avatar, {.quality = look.quality});
     if (!renderer) {
         return fail(renderer.error());
@@ -20,9 +29,18 @@ Expected<Drawing> create_drawing(const Look& look) {
     if (!overlay) {
         return fail(overlay.error());
     }
-    return Drawing{std::move(*renderer),
-                   DancerBodies({}, std::move(avatar), motion::mannequin_skeleton()),
-                   std::move(*overlay)};
+    Drawing drawing{std::move(*renderer),
+                    DancerBodies({}, avatar, motion::mannequin_skeleton()),
+                    std::move(*overlay)};
+    if (partner.valid()) {
+        auto lead = std::make_shared<const render::Avatar>(partner.get());
+        const auto handle = drawing.renderer.add(*lead);
+        if (!handle) {
+            return fail(handle.error());
+        }
+        drawing.bodies.add_partner(*handle, std::move(lead));
+    }
+    return drawing;
 }
 
 Expected<Show> Show::create(const Look& look,
