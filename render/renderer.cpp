@@ -388,6 +388,7 @@ Expected<Renderer> Renderer::create(const RendererConfig& config) {
                                                      {},
                                                      {},
                                                      {},
+                                                     {},
                                                      {}}));
 }
 

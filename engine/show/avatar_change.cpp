@@ -15,11 +15,31 @@ Expected<std::optional<LoadedAvatar>> AvatarChange::go_on(Drawing& drawing) {
         }
     }
     if (asked_ && !loading_.valid()) {
-        arriving_.reset();
-        loading_ = std::async(std::launch::async,
-                              [name = *std::exchange(asked_, {})] { return load_avatar(name); });
+        give_up(drawing);
+        loading_ = std::async(std::launch::async, load, *std::exchange(asked_, {}));
     }
     return arriving_ ? take_piece(drawing) : std::nullopt;
+}
+
+Expected<AvatarChange::Cast> AvatarChange::load(const std::string& name) {
+    auto loaded = load_avatar(name);
+    if (!loaded) {
+        return fail(std::move(loaded.error()));
+    }
+    Cast cast{.avatar = std::move(*loaded), .bodies = {}};
+    cast.bodies.push_back(cast.avatar.avatar);
+    if (cast.avatar.is_mannequin) {
+        cast.bodies.push_back(mannequin_partner());
+    }
+    return cast;
+}
+
+void AvatarChange::give_up(Drawing& drawing) {
+    for (const DancerBodies::Worn& body : added_) {
+        drawing.renderer.remove(body.handle);
+    }
+    added_.clear();
+    arriving_.reset();
 }
 
 // What somebody has turned away from meanwhile is dropped, its faults, too.
@@ -32,21 +52,29 @@ Expected<void> AvatarChange::take_loaded(Drawing& drawing) {
         return fail(std::move(loaded.error()));
     }
     arriving_ = std::move(*loaded);
-    drawing.renderer.begin_adding(arriving_->avatar);
+    drawing.renderer.begin_adding(arriving_->bodies.front());
     return {};
 }
 
 Expected<std::optional<LoadedAvatar>> AvatarChange::take_piece(Drawing& drawing) {
     const auto handle = drawing.renderer.add_pieces(kShare);
     if (!handle) {
-        arriving_.reset();
+        give_up(drawing);
         return fail(handle.error());
     }
     if (!*handle) {
         return std::nullopt;
     }
-    drawing.renderer.remove(drawing.bodies.wear(**handle, arriving_->avatar));
-    return std::exchange(arriving_, {});
+    const auto& bodies = arriving_->bodies;
+    added_.push_back({**handle, bodies[added_.size()]});
+    if (added_.size() < bodies.size()) {
+        drawing.renderer.begin_adding(bodies[added_.size()]);
+        return std::nullopt;
+    }
+    for (const DancerBodies::Worn& before : drawing.bodies.wear(std::exchange(added_, {}))) {
+        drawing.renderer.remove(before.handle);
+    }
+    return std::exchange(arriving_, {})->avatar;
 }
 
 }  // namespace raks::engine

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "base/time.hpp"
@@ -30,12 +31,20 @@ class AvatarChange {
     [[nodiscard]] Expected<std::optional<LoadedAvatar>> go_on(Drawing& drawing);
 
  private:
+    /// What a file is, and the bodies that its dancers have in turn.
+    struct Cast {
+        LoadedAvatar avatar;
+        std::vector<std::shared_ptr<const render::Avatar>> bodies;
+    };
+    [[nodiscard]] static Expected<Cast> load(const std::string& name);
     [[nodiscard]] Expected<void> take_loaded(Drawing& drawing);
     [[nodiscard]] Expected<std::optional<LoadedAvatar>> take_piece(Drawing& drawing);
+    void give_up(Drawing& drawing);
 
-    std::optional<std::string> asked_;             // and not begun to load
-    std::future<Expected<LoadedAvatar>> loading_;  // one at a time
-    std::optional<LoadedAvatar> arriving_;         // read, and on its way into the renderer
+    std::optional<std::string> asked_;       // and not begun to load
+    std::future<Expected<Cast>> loading_;    // one at a time
+    std::optional<Cast> arriving_;           // read, and on its way into the renderer
+    std::vector<DancerBodies::Worn> added_;  // its bodies that have arrived
 };
 
 }  // namespace raks::engine

@@ -74,7 +74,12 @@ LoadedAvatar mannequin() {
             .name = std::string(kMannequinName),
             .credit = {},
             .is_credit_required = false,
-            .warnings = {}};
+            .warnings = {},
+            .is_mannequin = true};
+}
+
+std::shared_ptr<const render::Avatar> mannequin_partner() {
+    return std::make_shared<render::Avatar>(render::build_mannequin(render::MannequinBuild::lead));
 }
 
 Expected<LoadedAvatar> load_avatar(const std::string& name, std::optional<float> height) {

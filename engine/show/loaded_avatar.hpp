@@ -22,6 +22,7 @@ struct LoadedAvatar {
     std::string credit;                 ///< whose work, under which licence; the mannequin: empty
     bool is_credit_required = false;    ///< its licence asks for the line
     std::vector<std::string> warnings;  ///< one line each, for people
+    bool is_mannequin = false;          ///< its dancers differ in build, clothes and hair
 };
 
 /// "Seed-san by VirtualCast, Inc., VRM Public License 1.0 (credit required)". Pure.
@@ -29,6 +30,8 @@ struct LoadedAvatar {
 
 /// The avatar that comes with Raks.
 [[nodiscard]] LoadedAvatar mannequin();
+/// The body of its lead, where dancers differ (DancerBodies::add_partner).
+[[nodiscard]] std::shared_ptr<const render::Avatar> mannequin_partner();
 
 /// Loads what a setting names (find_avatar). `height`: metres; none: its own where that is
 /// 0.5 to 2.5 m, else 1.7. Errors: those of find_avatar; of the file (base/file.hpp); of its

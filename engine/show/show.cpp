@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <future>
+#include <memory>
 #include <utility>
 
 #include "render/scene/scene.hpp"
@@ -10,8 +12,13 @@
 namespace raks::engine {
 
 Expected<Drawing> create_drawing(const Look& look) {
-    std::shared_ptr<const render::Avatar> avatar =
-        look.avatar.avatar != nullptr ? look.avatar.avatar : mannequin().avatar;
+    const LoadedAvatar worn = look.avatar.avatar != nullptr ? look.avatar : mannequin();
+    // Shaders are compiled meanwhile.
+    std::future<std::shared_ptr<const render::Avatar>> partner;
+    if (worn.is_mannequin) {
+        partner = std::async(std::launch::async, mannequin_partner);
+    }
+    const std::shared_ptr<const render::Avatar> avatar = worn.avatar;
     auto renderer = render::Renderer::create(*avatar, {.quality = look.quality});
     if (!renderer) {
         return fail(renderer.error());
@@ -20,9 +27,18 @@ Expected<Drawing> create_drawing(const Look& look) {
     if (!overlay) {
         return fail(overlay.error());
     }
-    return Drawing{std::move(*renderer),
-                   DancerBodies({}, std::move(avatar), motion::mannequin_skeleton(), look.face),
-                   std::move(*overlay)};
+    Drawing drawing{std::move(*renderer),
+                    DancerBodies({}, avatar, motion::mannequin_skeleton(), look.face),
+                    std::move(*overlay)};
+    if (partner.valid()) {
+        const std::shared_ptr<const render::Avatar> lead = partner.get();
+        const auto handle = drawing.renderer.add(*lead);
+        if (!handle) {
+            return fail(handle.error());
+        }
+        drawing.bodies.add_partner(*handle, lead);
+    }
+    return drawing;
 }
 
 Expected<Show> Show::create(const Look& look,

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "render/mannequin/build_shape.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -248,13 +251,23 @@ void BodyField::enclose(SolidGroup& group) noexcept {
     }
 }
 
+void BodyField::add(const Primitive& primitive, const BindFrames& frames, MannequinBuild build) {
+    std::optional<ShapedPrimitive> made = shaped(primitive, build);
+    if (!made) {
+        return;
+    }
+    if (!made->stations.empty()) {
+        std::get<Loft>(made->primitive.shape).stations = made->stations;
+    }
+    groups_[static_cast<std::size_t>(primitive.group)].solids.push_back(
+        prepare(made->primitive, frames));
+}
+
 BodyField::BodyField(const BindFrames& frames, MannequinBuild build) {
-    static_cast<void>(build);
     for (const auto part :
          {trunk_primitives(), head_primitives(), leg_primitives(), arm_primitives()}) {
         for (const Primitive& primitive : part) {
-            groups_[static_cast<std::size_t>(primitive.group)].solids.push_back(
-                prepare(primitive, frames));
+            add(primitive, frames, build);
         }
     }
     for (SolidGroup& group : groups_) {

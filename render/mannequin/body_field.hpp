@@ -70,6 +70,7 @@ class BodyField {
         float sphere_radius = 0.0F;
     };
 
+    void add(const Primitive& primitive, const BindFrames& frames, MannequinBuild build);
     static Solid prepare(const Primitive& primitive, const BindFrames& frames);
     static void enclose(SolidGroup& group) noexcept;
     static float solid_distance(const Solid& solid, glm::vec3 p) noexcept;

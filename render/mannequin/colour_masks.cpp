@@ -46,8 +46,12 @@ float between(
 
 }  // namespace
 
-ColourMasks::ColourMasks(const BodyField& field, const BindFrames& frames) noexcept
+ColourMasks::ColourMasks(const BodyField& field,
+                         const BindFrames& frames,
+                         MannequinBuild build) noexcept
     : field_(field),
+      // Tights end above the ankle, trousers on the shoe.
+      below_knee_(build == MannequinBuild::lead ? 0.372F : 0.335F),
       shoulder_(frames.joint(Bone::left_upper_arm)),
       elbow_(frames.joint(Bone::left_lower_arm)),
       wrist_(frames.joint(Bone::left_hand)),
@@ -82,11 +86,10 @@ float ColourMasks::sleeve(glm::vec3 p) const noexcept {
 
 /// End of the trouser leg: a plane across the shank; above the knee always inside.
 float ColourMasks::leg_end(glm::vec3 p) const noexcept {
-    constexpr float kBelowKnee = 0.335F;
     if (p.y >= 0.8F) {
         return 0.05F;
     }
-    return glm::dot(knee_ + kBelowKnee * along_shank_ - p, along_shank_);
+    return glm::dot(knee_ + below_knee_ * along_shank_ - p, along_shank_);
 }
 
 /// From the nearest point of the line hip - knee - ankle.
@@ -109,8 +112,10 @@ float ColourMasks::hair(glm::vec3 p) noexcept {
     // Quadratic smooth minimum of the two planes, as in body_field.cpp.
     const float h = std::max(kCorner - std::abs(cap - nape), 0.0F) / kCorner;
     const float drawn_back = std::min(cap, nape) - 0.25F * kCorner * h * h;
-    // Ears are bare.
-    return std::min(drawn_back, glm::length((p - kEar) / glm::vec3{1.0F, 1.0F, 0.62F}) - 0.036F);
+    // Before the ear it ends at the ear's middle; ears are bare.
+    const float side = std::max(p.y - 1.588F, -0.026F - p.z);
+    const float off_ear = glm::length((p - kEar) / glm::vec3{1.0F, 1.0F, 0.75F}) - 0.037F;
+    return std::min({drawn_back, side, off_ear});
 }
 
 /// Upper edge of the shoe: higher at the heel, lower toward the toes. `foot`: from the ankle, in

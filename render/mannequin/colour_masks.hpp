@@ -16,7 +16,7 @@ namespace raks::render {
 /// not hold any more a growing penalty ends the area, never an `if`, which would fray its edge.
 class ColourMasks {
  public:
-    ColourMasks(const BodyField& field, const BindFrames& frames) noexcept;
+    ColourMasks(const BodyField& field, const BindFrames& frames, MannequinBuild build) noexcept;
 
     /// By AvatarMask.
     [[nodiscard]] std::array<float, kMaskCount> at(glm::vec3 p) const noexcept;
@@ -31,6 +31,7 @@ class ColourMasks {
     [[nodiscard]] float bands(glm::vec3 p) const noexcept;
 
     const BodyField& field_;
+    float below_knee_;  // metres
     glm::vec3 shoulder_;
     glm::vec3 elbow_;
     glm::vec3 wrist_;

@@ -29,6 +29,27 @@ constexpr float kMouthHalfWidth = 0.0228F;
 constexpr float kMouthGap = 0.0008F;  // of closed lips: the dark line between them
 constexpr float kTeeth = 0.0042F;
 
+/// What of a face is the build's.
+struct FaceLook {
+    float brow = 1.0F;        ///< thickness
+    float brow_low = 0.0F;    ///< by how much brows lie lower, metres
+    float lips = 1.0F;        ///< thickness
+    float lashes = 1.0F;      ///< thickness, and length of the wing
+    float eye_height = 1.0F;  ///< of the opening
+    glm::vec3 lip_tint{1.0F};
+};
+FaceLook look_of(MannequinBuild build) noexcept {
+    if (build == MannequinBuild::follow) {
+        return {};
+    }
+    return {.brow = 1.55F,
+            .brow_low = 0.0035F,
+            .lips = 0.72F,
+            .lashes = 0.45F,
+            .eye_height = 0.86F,
+            .lip_tint = {0.86F, 0.98F, 0.95F}};
+}
+
 /// A point of a sheet: a place of the face seen from the front, and how far off the skin.
 struct FacePoint {
     float x = 0.0F;
@@ -56,31 +77,31 @@ float along(std::uint32_t column, std::uint32_t columns) noexcept {
 /// The lids of one eye in one shape.
 class EyeLines {
  public:
-    EyeLines(const FaceShape& shape, std::size_t side) noexcept
-        : closed_(shape.lids[side]), lower_(shape.lower_lids) {}
+    EyeLines(const FaceShape& shape, std::size_t side, const FaceLook& look) noexcept
+        : closed_(shape.lids[side]), lower_(shape.lower_lids), height_(look.eye_height) {}
 
     [[nodiscard]] static float x(float u) noexcept { return kEyeX + kEyeHalfWidth * u; }
     [[nodiscard]] static float tilt(float u) noexcept { return kEyeY + kOuterCornerUp * u; }
     [[nodiscard]] float lower(float u) const noexcept {
-        return tilt(u) - kOpenBelow * arch(u - 0.06F, 0.75F) * (1.0F - lower_);
+        return tilt(u) - height_ * kOpenBelow * arch(u - 0.06F, 0.75F) * (1.0F - lower_);
     }
     [[nodiscard]] float upper(float u) const noexcept {
-        const float open = tilt(u) + kOpenAbove * arch(u + 0.10F * (1.0F - u * u), 0.62F);
-        // Closed lids meet a little over where the lower one lies when the eye is open.
-        const float shut = lower(u) + 0.0012F;
+        const float open = tilt(u) + height_ * kOpenAbove * arch(u + 0.10F * (1.0F - u * u), 0.62F);
+        const float shut = lower(u) - 0.0004F;
         return open + closed_ * (shut - open);
     }
 
  private:
     float closed_;
     float lower_;
+    float height_;
 };
 
 constexpr std::uint32_t kEyeColumns = 13;
 
-Sheet eye_white(const FaceShape& shape, std::size_t side) {
-    const EyeLines lines(shape, side);
-    const EyeLines open(FaceShape{}, side);
+Sheet eye_white(const FaceShape& shape, std::size_t side, const FaceLook& look) {
+    const EyeLines lines(shape, side, look);
+    const EyeLines open(FaceShape{}, side, look);
     Sheet sheet{.rows = 4, .columns = kEyeColumns, .points = {}};
     for (std::uint32_t row = 0; row < sheet.rows; ++row) {
         const float down = static_cast<float>(row) / 3.0F;
@@ -158,17 +179,17 @@ Sheet glint(const FaceShape& shape, float x_off, float y_off, float radius) {
 }
 
 /// Skin from under the brow to the lid's edge.
-Sheet upper_lid(const FaceShape& shape, std::size_t side) {
-    const EyeLines lines(shape, side);
-    const EyeLines open(FaceShape{}, side);
+Sheet upper_lid(const FaceShape& shape, std::size_t side, const FaceLook& look) {
+    const EyeLines lines(shape, side, look);
+    const EyeLines open(FaceShape{}, side, look);
     Sheet sheet{.rows = 4, .columns = kEyeColumns, .points = {}};
-    constexpr std::array kDown = {0.0F, 0.35F, 0.75F, 1.0F};
-    constexpr std::array kOff = {-0.0010F, 0.0012F, 0.0020F, 0.0019F};
+    constexpr std::array kDown = {0.0F, 0.28F, 0.75F, 1.0F};
+    constexpr std::array kOff = {-0.0008F, 0.0017F, 0.0021F, 0.0019F};
     constexpr std::array kShade = {1.0F, 0.97F, 0.88F, 0.80F};
     for (std::size_t row = 0; row < kDown.size(); ++row) {
         for (std::uint32_t column = 0; column < sheet.columns; ++column) {
             const float u = along(column, sheet.columns);
-            const float top = open.upper(u) + 0.0062F * arch(u, 0.5F) + 0.0010F;
+            const float top = open.upper(u) + 0.0082F * arch(u, 0.5F) + 0.0010F;
             const float wider = 1.0F + 0.10F * (1.0F - kDown[row]);
             sheet.points.push_back({.x = kEyeX + kEyeHalfWidth * 1.04F * wider * u,
                                     .y = top + (lines.upper(u) - top) * kDown[row],
@@ -180,11 +201,11 @@ Sheet upper_lid(const FaceShape& shape, std::size_t side) {
     return sheet;
 }
 
-Sheet lower_lid(const FaceShape& shape, std::size_t side) {
-    const EyeLines lines(shape, side);
+Sheet lower_lid(const FaceShape& shape, std::size_t side, const FaceLook& look) {
+    const EyeLines lines(shape, side, look);
     Sheet sheet{.rows = 3, .columns = kEyeColumns, .points = {}};
-    constexpr std::array kOff = {0.0014F, 0.0010F, -0.0010F};
-    constexpr std::array kDown = {0.0F, 0.0016F, 0.0065F};
+    constexpr std::array kOff = {0.0017F, 0.0016F, -0.0010F};
+    constexpr std::array kDown = {0.0F, 0.0042F, 0.0092F};
     constexpr std::array kShade = {0.66F, 0.95F, 1.0F};
     for (std::size_t row = 0; row < kOff.size(); ++row) {
         for (std::uint32_t column = 0; column < sheet.columns; ++column) {
@@ -200,17 +221,18 @@ Sheet lower_lid(const FaceShape& shape, std::size_t side) {
 }
 
 /// Lashes along the upper lid, thick outside, with a wing over the outer corner.
-Sheet lashes(const FaceShape& shape, std::size_t side) {
-    const EyeLines lines(shape, side);
+Sheet lashes(const FaceShape& shape, std::size_t side, const FaceLook& look) {
+    const EyeLines lines(shape, side, look);
     Sheet sheet{.rows = 2, .columns = kEyeColumns + 1, .points = {}};
     for (std::uint32_t row = 0; row < 2; ++row) {
         for (std::uint32_t column = 0; column < sheet.columns; ++column) {
             const bool is_wing = column == kEyeColumns;
             const float u = is_wing ? 1.0F : along(column, kEyeColumns);
-            const float thick = is_wing ? 0.0003F : 0.0008F + 0.0011F * smoothstep(-1.0F, 0.7F, u);
-            const float rise = is_wing ? 0.0022F : 0.0F;
+            const float thick =
+                is_wing ? 0.0003F : look.lashes * (0.0008F + 0.0011F * smoothstep(-1.0F, 0.7F, u));
+            const float rise = is_wing ? look.lashes * 0.0022F : 0.0F;
             sheet.points.push_back(
-                {.x = EyeLines::x(u) + (is_wing ? 0.0034F : 0.0006F * u),
+                {.x = EyeLines::x(u) + (is_wing ? look.lashes * 0.0034F : 0.0006F * u),
                  .y = lines.upper(u) + rise + (row == 0 ? 0.62F * thick : -0.55F * thick),
                  .off = 0.0024F,
                  .paint = Paint::hair,
@@ -220,7 +242,7 @@ Sheet lashes(const FaceShape& shape, std::size_t side) {
     return sheet;
 }
 
-Sheet brow(const FaceShape& shape) {
+Sheet brow(const FaceShape& shape, const FaceLook& look) {
     constexpr std::uint32_t kColumns = 10;
     Sheet sheet{.rows = 3, .columns = kColumns, .points = {}};
     for (std::uint32_t row = 0; row < 3; ++row) {
@@ -228,11 +250,11 @@ Sheet brow(const FaceShape& shape) {
         for (std::uint32_t column = 0; column < kColumns; ++column) {
             const float s = 0.5F + 0.5F * along(column, kColumns);  // 0 inner, 1 outer
             const float arc = 0.0056F * std::sin(glm::radians(150.0F) * s) - 0.0010F * s;
-            const float thick = 0.0026F * (1.0F - 0.75F * smoothstep(0.35F, 1.0F, s)) *
+            const float thick = look.brow * 0.0026F * (1.0F - 0.75F * smoothstep(0.35F, 1.0F, s)) *
                                 smoothstep(-0.25F, 0.12F, s);
             const float rise = shape.brow_inner + (shape.brow_outer - shape.brow_inner) * s;
             sheet.points.push_back({.x = 0.0130F + 0.0420F * s,
-                                    .y = 1.6135F + arc + rise + across * thick,
+                                    .y = 1.6135F - look.brow_low + arc + rise + across * thick,
                                     .off = row == 1 ? 0.0016F : 0.0002F,
                                     .paint = Paint::hair,
                                     .tint = glm::vec3(0.85F)});
@@ -244,8 +266,9 @@ Sheet brow(const FaceShape& shape) {
 /// The lines of the mouth in one shape; u from -1 (right corner) to 1.
 class MouthLines {
  public:
-    explicit MouthLines(const FaceShape& shape) noexcept
-        : half_width_(kMouthHalfWidth + shape.mouth_wider),
+    MouthLines(const FaceShape& shape, const FaceLook& look) noexcept
+        : lips_(look.lips),
+          half_width_(kMouthHalfWidth + shape.mouth_wider),
           open_(shape.mouth_open),
           corners_up_(shape.corners_up) {}
 
@@ -261,13 +284,14 @@ class MouthLines {
     }
     [[nodiscard]] float top(float u) const noexcept {
         const float bow = 0.0011F * std::exp(-u * u / 0.035F);
-        return inner_top(u) + 0.0054F * arch(u, 0.8F) - bow;
+        return inner_top(u) + lips_ * 0.0054F * arch(u, 0.8F) - bow;
     }
     [[nodiscard]] float bottom(float u) const noexcept {
-        return inner_bottom(u) - 0.0064F * arch(u, 0.75F);
+        return inner_bottom(u) - lips_ * 0.0064F * arch(u, 0.75F);
     }
 
  private:
+    float lips_;
     float half_width_;
     float open_;
     float corners_up_;
@@ -275,8 +299,8 @@ class MouthLines {
 
 constexpr std::uint32_t kMouthColumns = 17;
 
-Sheet upper_lip(const FaceShape& shape) {
-    const MouthLines lines(shape);
+Sheet upper_lip(const FaceShape& shape, const FaceLook& look) {
+    const MouthLines lines(shape, look);
     Sheet sheet{.rows = 3, .columns = kMouthColumns, .points = {}};
     constexpr std::array kOff = {-0.0003F, 0.0016F, 0.0014F};
     constexpr std::array kShade = {0.95F, 0.86F, 0.62F};
@@ -288,14 +312,14 @@ Sheet upper_lip(const FaceShape& shape) {
                                     .y = lines.top(u) + (lines.inner_top(u) - lines.top(u)) * down,
                                     .off = kOff[row] * arch(u, 0.4F) + 0.0002F,
                                     .paint = Paint::lips,
-                                    .tint = glm::vec3(kShade[row])});
+                                    .tint = kShade[row] * look.lip_tint});
         }
     }
     return sheet;
 }
 
-Sheet lower_lip(const FaceShape& shape) {
-    const MouthLines lines(shape);
+Sheet lower_lip(const FaceShape& shape, const FaceLook& look) {
+    const MouthLines lines(shape, look);
     Sheet sheet{.rows = 3, .columns = kMouthColumns, .points = {}};
     constexpr std::array kOff = {0.0012F, 0.0026F, -0.0003F};
     constexpr std::array kShade = {0.78F, 1.08F, 0.92F};
@@ -308,15 +332,15 @@ Sheet lower_lip(const FaceShape& shape) {
                  .y = lines.inner_bottom(u) + (lines.bottom(u) - lines.inner_bottom(u)) * down,
                  .off = kOff[row] * arch(u, 0.4F) + 0.0002F,
                  .paint = Paint::lips,
-                 .tint = glm::vec3(kShade[row])});
+                 .tint = kShade[row] * look.lip_tint});
         }
     }
     return sheet;
 }
 
 /// Teeth and what is dark behind them.
-Sheet inside_of_mouth(const FaceShape& shape) {
-    const MouthLines lines(shape);
+Sheet inside_of_mouth(const FaceShape& shape, const FaceLook& look) {
+    const MouthLines lines(shape, look);
     Sheet sheet{.rows = 5, .columns = kMouthColumns, .points = {}};
     constexpr glm::vec3 kTooth{0.80F, 0.77F, 0.73F};
     constexpr glm::vec3 kDark{0.085F, 0.014F, 0.016F};
@@ -341,26 +365,27 @@ Sheet inside_of_mouth(const FaceShape& shape) {
 }
 
 /// All sheets of a shape: the same numbers of points in the same order for every shape.
-std::vector<Sheet> sheets_of(const FaceShape& shape) {
+std::vector<Sheet> sheets_of(const FaceShape& shape, const FaceLook& look) {
     std::vector<Sheet> sheets;
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         FaceShape own = shape;
         // The right eye is the left one's image in a mirror, but both look the same way.
         own.gaze_right = side == 0 ? shape.gaze_right : -shape.gaze_right;
         const float light = side == 0 ? -0.0026F : 0.0026F;
-        for (Sheet sheet : {eye_white(own, side),
+        for (Sheet sheet : {eye_white(own, side, look),
                             iris(own),
                             glint(own, light, 0.0038F, 0.0021F),
                             glint(own, -light, -0.0030F, 0.0010F),
-                            upper_lid(own, side),
-                            lower_lid(own, side),
-                            lashes(own, side),
-                            brow(own)}) {
+                            upper_lid(own, side, look),
+                            lower_lid(own, side, look),
+                            lashes(own, side, look),
+                            brow(own, look)}) {
             sheet.is_right = side == 1;
             sheets.push_back(std::move(sheet));
         }
     }
-    for (Sheet sheet : {inside_of_mouth(shape), upper_lip(shape), lower_lip(shape)}) {
+    for (Sheet sheet :
+         {inside_of_mouth(shape, look), upper_lip(shape, look), lower_lip(shape, look)}) {
         sheets.push_back(std::move(sheet));
     }
     return sheets;
@@ -424,11 +449,12 @@ void connect(const Sheet& sheet, std::uint32_t first, PaintedMesh& mesh) {
 /// What a shape moves against the face at rest.
 MorphTarget target_of(const FaceSkin& skin,
                       const FaceShape& shape,
+                      const FaceLook& look,
                       const std::vector<Sheet>& at_rest,
                       std::uint32_t first,
                       const PaintedMesh& mesh) {
     MorphTarget target;
-    const std::vector<Sheet> sheets = sheets_of(shape);
+    const std::vector<Sheet> sheets = sheets_of(shape, look);
     std::uint32_t number = first;
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         for (std::size_t i = 0; i < sheets[s].points.size(); ++i, ++number) {
@@ -451,9 +477,13 @@ MorphTarget target_of(const FaceSkin& skin,
 
 glm::vec3 face_eyes() noexcept { return {0.0F, kEyeY, 0.07F}; }
 
-std::vector<MorphTarget> add_face(const BodyField& field, std::uint16_t head, PaintedMesh& mesh) {
+std::vector<MorphTarget> add_face(const BodyField& field,
+                                  MannequinBuild build,
+                                  std::uint16_t head,
+                                  PaintedMesh& mesh) {
+    const FaceLook look = look_of(build);
     const FaceSkin skin(field);
-    const std::vector<Sheet> rest = sheets_of({});
+    const std::vector<Sheet> rest = sheets_of({}, look);
     const std::uint32_t first = mesh.size();
     for (const Sheet& sheet : rest) {
         const std::uint32_t begin = mesh.size();
@@ -466,7 +496,7 @@ std::vector<MorphTarget> add_face(const BodyField& field, std::uint16_t head, Pa
     std::vector<MorphTarget> targets;
     for (std::size_t i = 0; i < kFaceExpressionCount; ++i) {
         const FaceShape shape = face_shape(static_cast<FaceExpression>(i));
-        targets.push_back(target_of(skin, shape, rest, first, mesh));
+        targets.push_back(target_of(skin, shape, look, rest, first, mesh));
     }
     return targets;
 }

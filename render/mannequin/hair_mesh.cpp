@@ -21,11 +21,11 @@ constexpr std::uint32_t kHairRows = 10;
 constexpr float kFullTurn = glm::radians(360.0F);
 
 constexpr std::array kTail = {
-    glm::vec3{0.0F, 1.6660F, -0.0960F},
-    glm::vec3{0.0F, 1.6800F, -0.1480F},
-    glm::vec3{0.0F, 1.6420F, -0.1800F},
-    glm::vec3{0.0F, 1.5850F, -0.1900F},
-    glm::vec3{0.0F, 1.5250F, -0.1860F},
+    glm::vec3{0.0F, 1.6640F, -0.1000F},
+    glm::vec3{0.0F, 1.6790F, -0.1380F},
+    glm::vec3{0.0F, 1.6500F, -0.1740F},
+    glm::vec3{0.0F, 1.5940F, -0.1880F},
+    glm::vec3{0.0F, 1.5280F, -0.1860F},
     glm::vec3{0.0F, 1.4650F, -0.1760F},
     glm::vec3{0.0F, 1.4000F, -0.1640F},
 };
@@ -173,6 +173,7 @@ struct Lock {
     float fullest = 0.4F;
     glm::vec3 across{1.0F, 0.0F, 0.0F};  ///< direction of `wide`
     bool is_right = false;
+    Paint paint = Paint::hair;
 };
 
 /// Point and direction of a smooth line (Catmull-Rom) at t in 0..1.
@@ -227,7 +228,7 @@ void add_lock(const Lock& lock, std::uint32_t rows, std::uint32_t columns, Paint
             const glm::vec3 normal = glm::normalize(std::cos(angle) / lock.wide * across +
                                                     std::sin(angle) / lock.deep * out);
             const float side = lock.is_right ? -1.0F : 1.0F;
-            PaintedPoint point{.paint = Paint::hair};
+            PaintedPoint point{.paint = lock.paint};
             point.position = at + off;
             point.normal = normal;
             point.position.x *= side;
@@ -259,15 +260,22 @@ constexpr std::array kSideLock = {glm::vec3{0.0690F, 1.6450F, 0.0330F},
                                   glm::vec3{0.0800F, 1.6050F, 0.0300F},
                                   glm::vec3{0.0800F, 1.5600F, 0.0270F},
                                   glm::vec3{0.0740F, 1.5180F, 0.0290F}};
-// Swept up over the forehead, left half.
-constexpr std::array kQuiffInner = {glm::vec3{0.0120F, 1.6740F, 0.0700F},
-                                    glm::vec3{0.0140F, 1.7010F, 0.0850F},
-                                    glm::vec3{0.0150F, 1.7230F, 0.0680F},
-                                    glm::vec3{0.0160F, 1.7290F, 0.0350F}};
-constexpr std::array kQuiffOuter = {glm::vec3{0.0380F, 1.6720F, 0.0600F},
-                                    glm::vec3{0.0430F, 1.6960F, 0.0720F},
-                                    glm::vec3{0.0460F, 1.7130F, 0.0560F},
-                                    glm::vec3{0.0470F, 1.7190F, 0.0240F}};
+// Swept up over the forehead and back, left half.
+constexpr std::array kQuiffInner = {glm::vec3{0.0085F, 1.6720F, 0.0720F},
+                                    glm::vec3{0.0110F, 1.6990F, 0.0800F},
+                                    glm::vec3{0.0130F, 1.7160F, 0.0500F},
+                                    glm::vec3{0.0150F, 1.7215F, 0.0050F},
+                                    glm::vec3{0.0170F, 1.7140F, -0.0350F}};
+constexpr std::array kQuiffMiddle = {glm::vec3{0.0300F, 1.6680F, 0.0640F},
+                                     glm::vec3{0.0340F, 1.6930F, 0.0700F},
+                                     glm::vec3{0.0370F, 1.7080F, 0.0420F},
+                                     glm::vec3{0.0390F, 1.7125F, 0.0F},
+                                     glm::vec3{0.0380F, 1.7040F, -0.0380F}};
+constexpr std::array kQuiffOuter = {glm::vec3{0.0500F, 1.6570F, 0.0500F},
+                                    glm::vec3{0.0560F, 1.6800F, 0.0520F},
+                                    glm::vec3{0.0600F, 1.6925F, 0.0280F},
+                                    glm::vec3{0.0610F, 1.6950F, -0.0080F},
+                                    glm::vec3{0.0570F, 1.6880F, -0.0380F}};
 
 void add_both_sides(Lock lock, std::uint32_t rows, std::uint32_t columns, PaintedMesh& mesh) {
     for (const bool is_right : {false, true}) {
@@ -308,37 +316,52 @@ void add_ponytail(std::uint16_t head, std::span<const std::uint16_t> tail, Paint
                    7,
                    6,
                    mesh);
+    // The ribbon that ties it.
+    constexpr std::array kRibbon = {glm::vec3{0.0F, 1.6730F, -0.1160F},
+                                    glm::vec3{0.0F, 1.6775F, -0.1290F},
+                                    glm::vec3{0.0F, 1.6760F, -0.1420F}};
+    add_lock({.line = kRibbon,
+              .joints = on_head(kRibbon),
+              .wide = 0.0245F,
+              .deep = 0.0225F,
+              .start = 0.80F,
+              .fullest = 0.5F,
+              .paint = Paint::trim},
+             4,
+             10,
+             mesh);
     add_lock({.line = kTail,
               .joints = tail,
               .wide = 0.0330F,
               .deep = 0.0290F,
-              .start = 0.45F,
-              .fullest = 0.42F},
+              .start = 0.52F,
+              .fullest = 0.36F},
              14,
              12,
              mesh);
 }
 
 void add_quiff(std::uint16_t head, PaintedMesh& mesh) {
-    const std::array heads = {head, head, head, head};
-    add_both_sides({.line = kQuiffInner,
-                    .joints = heads,
-                    .wide = 0.0150F,
-                    .deep = 0.0100F,
-                    .start = 0.7F,
-                    .across = {1.0F, 0.0F, 0.0F}},
-                   8,
-                   6,
-                   mesh);
-    add_both_sides({.line = kQuiffOuter,
-                    .joints = heads,
-                    .wide = 0.0150F,
-                    .deep = 0.0090F,
-                    .start = 0.7F,
-                    .across = {0.92F, 0.0F, -0.38F}},
-                   8,
-                   6,
-                   mesh);
+    struct Part {
+        std::span<const glm::vec3> line;
+        glm::vec3 across;
+    };
+    const std::array parts = {Part{kQuiffInner, {1.0F, -0.08F, 0.0F}},
+                              Part{kQuiffMiddle, {0.95F, -0.30F, 0.0F}},
+                              Part{kQuiffOuter, {0.80F, -0.60F, 0.0F}}};
+    const std::array heads = {head, head, head, head, head};
+    for (const Part& part : parts) {
+        add_both_sides({.line = part.line,
+                        .joints = heads,
+                        .wide = 0.0135F,
+                        .deep = 0.0085F,
+                        .start = 0.72F,
+                        .fullest = 0.3F,
+                        .across = glm::normalize(part.across)},
+                       9,
+                       6,
+                       mesh);
+    }
 }
 
 }  // namespace

@@ -138,12 +138,15 @@ AvatarVertex mirror_image(AvatarVertex vertex) noexcept {
 }
 
 /// Field, surface, relaxed mesh, weights, vertices: each step needs the one before it.
-void add_mesh(const BodyField& field, const BindFrames& frames, Avatar& avatar) {
+void add_mesh(const BodyField& field,
+              const BindFrames& frames,
+              MannequinBuild build,
+              Avatar& avatar) {
     MirroredMesh mesh = extract_surface(field, frames);
     const Neighbours neighbours(mesh);
     relax(field, neighbours, mesh);
     const std::vector<PackedWeights> weights = skin_weights(field, frames, mesh, neighbours);
-    const ColourMasks masks(field, frames);
+    const ColourMasks masks(field, frames, build);
 
     avatar.vertices.reserve(2 * mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -179,7 +182,7 @@ Avatar build_mannequin(MannequinBuild build) {
     }
     const BindFrames frames(avatar.skeleton, avatar.bind_pose);
     const BodyField field(frames, build);
-    add_mesh(field, frames, avatar);
+    add_mesh(field, frames, build, avatar);
     const Model worn = worn_model(avatar.skeleton, field, build);
     auto rig = std::make_shared<AvatarRig>(build_rig(worn));
     avatar.surface = build_surface(worn, *rig, {});

@@ -24,7 +24,9 @@ constexpr std::array kRowHeights = {
     1.005F, 0.960F, 0.915F, 0.870F, 0.820F, 0.765F, 0.705F, 0.650F, 0.612F, 0.612F, kHem};
 constexpr std::size_t kFirstHemRow = 9;
 constexpr float kSkirtTurn = glm::radians(360.0F);
-constexpr float kEase = 0.007F;  // off the skin
+// Off the skin: at the waist, and on the hips, which bulge when a thigh turns.
+constexpr float kEase = 0.006F;
+constexpr float kHipEase = 0.016F;
 
 /// Half axes of the hanging part: it widens downward.
 glm::vec2 half_axes(float y) noexcept {
@@ -89,7 +91,8 @@ class Skirt {
         if (y < kHipLine - 0.03F) {
             return free;
         }
-        const float away = skin_radius(field_, azimuth, y) + kEase;
+        const float ease = kHipEase + (kEase - kHipEase) * smoothstep(0.945F, kWaist, y);
+        const float away = skin_radius(field_, azimuth, y) + ease;
         const glm::vec3 on_skin =
             kSkirtMiddle + glm::vec3{away * std::sin(azimuth), y, away * std::cos(azimuth)};
         const float share = smoothstep(kHipLine - 0.03F, kHipLine + 0.03F, y);

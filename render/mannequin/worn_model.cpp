@@ -34,7 +34,7 @@ class WornModel {
         const HairStyle style =
             build_ == MannequinBuild::lead ? HairStyle::cropped : HairStyle::ponytail;
         PaintedMesh on_head;
-        std::vector<MorphTarget> targets = add_face(field_, joint_of(Bone::head), on_head);
+        std::vector<MorphTarget> targets = add_face(field_, build_, joint_of(Bone::head), on_head);
         add_hair(field_, style, joint_of(Bone::head), add_tail(style), on_head);
         ModelMesh mesh{.name = "head", .primitives = {}, .morph_names = {}, .morph_weights = {}};
         mesh.primitives.push_back(on_head.take(kOnSkin));
@@ -157,8 +157,8 @@ class WornModel {
                 {.node = parent,
                  .hit_radius = 0.022F,
                  .stiffness = joints.empty() ? 4.0F : 0.9F / (0.6F + 0.3F * loose),
-                 .gravity_power = 0.28F,
-                 .drag = 0.28F});
+                 .gravity_power = 0.40F,
+                 .drag = 0.36F});
             joints.push_back(static_cast<std::uint16_t>(parent));
         }
         if (joints.empty()) {

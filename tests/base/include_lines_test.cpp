@@ -67,7 +67,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"render/import", {"base", "motion/skeleton", "render/model"}},
     {"render/scene", {"base", "motion/skeleton"}},
     {"render/avatar", {"base", "motion/skeleton", "render/model"}},
-    {"render/mannequin", {"base", "motion/skeleton", "render/avatar"}},
+    {"render/mannequin", {"base", "motion/skeleton", "render/avatar", "render/model"}},
     {"render/overlay", {"base", "render/gl"}},
     {"render", {"base", "motion/skeleton", "render/gl", "render/scene", "render/avatar"}},
 

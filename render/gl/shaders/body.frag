@@ -41,9 +41,11 @@ void main() {
     float suit = inside(a.x);
     light += highlight(n, v, mix(0.66, 0.88, suit)) * (mix(0.75, 0.5, suit) * lit);
     light += 0.35 * rim_of(n, v, open);
+#ifdef DRESS_DANCER
     float turn = dot(n, key_direction.xyz) + 0.05;
     light += (1.0 - suit) * exp(-18.0 * turn * turn) * lit * key_light.rgb *
              (albedo_of(a, b) * vec3(0.10, 0.02, 0.008));
+#endif
     colour = vec4(encoded(tone_mapped(light)), 1.0);
 }
 
