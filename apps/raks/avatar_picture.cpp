@@ -65,11 +65,20 @@ motion::Pose standing_on_floor(const render::Avatar& avatar, motion::Pose pose) 
     return pose;
 }
 
-render::Camera camera_before(const render::Avatar& avatar, const motion::Pose& pose) {
+render::Camera whole_camera(const engine::FigureModel& figure,
+                            const render::Avatar& avatar,
+                            const motion::Pose& pose) {
+    constexpr float kAspect = 0.75F;
     render::Camera camera = front_camera();
-    camera.distance = 5.2F;  // hands over the head and a long step stay in a 3:4 picture
-    camera.target.y = 1.0F;
-    camera = engine::camera_for(camera, render::size_of(avatar));
+    const auto box = render::rest_box(figure.model);
+    if (!box) {
+        return camera;
+    }
+    // Hands over the head stay in it, and arms spread as they are in the T-pose.
+    const float top = box->high.y * figure.options.scale - avatar.soles;
+    const float half_width = figure.options.scale * std::max(box->high.x, -box->low.x);
+    camera.target.y = 0.54F * top;
+    camera.distance = distance_for(camera, std::max(0.6F * top, half_width / kAspect));
     camera.pan_to(pose.hips_position);
     return camera;
 }

@@ -16,8 +16,10 @@ namespace raks::apps {
 /// The pose lifted or lowered until its lower foot stands on the floor.
 [[nodiscard]] motion::Pose standing_on_floor(const render::Avatar& avatar, motion::Pose pose);
 
-/// A camera before the whole figure.
-[[nodiscard]] render::Camera camera_before(const render::Avatar& avatar, const motion::Pose& pose);
+/// A camera before the whole of `figure`, for a picture of 3:4.
+[[nodiscard]] render::Camera whole_camera(const engine::FigureModel& figure,
+                                          const render::Avatar& avatar,
+                                          const motion::Pose& pose);
 
 /// A camera before head and shoulders of `figure`; before all of a model that is no figure.
 [[nodiscard]] render::Camera portrait_camera(const engine::FigureModel& figure,

@@ -129,8 +129,9 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
 Expected<std::vector<double>> times_of(const std::string& text, const Motion& motion) {
     std::vector<double> times;
     if (text == "all") {
+        constexpr double kSlack = 1e-3;  // of a frame: clips have their times as floats
         const double end = std::min(motion.duration, kLongest);
-        for (std::size_t i = 0; static_cast<double>(i) <= end * motion.rate + 1e-6; ++i) {
+        for (std::size_t i = 0; static_cast<double>(i) <= end * motion.rate + kSlack; ++i) {
             times.push_back(static_cast<double>(i) / motion.rate);
         }
         return times;
@@ -251,11 +252,12 @@ ExitCode avatar_pose(const AvatarPoseArguments& arguments) {
     const render::RigState& state = mover.at(time);
     if (posed->avatar != nullptr) {
         const motion::Pose pose = motion->pose_at(time);
-        return exit_code_of(write_avatar_picture(arguments.output,
-                                                 *posed->avatar,
-                                                 pose,
-                                                 state,
-                                                 {.camera = camera_before(*posed->avatar, pose)}));
+        return exit_code_of(
+            write_avatar_picture(arguments.output,
+                                 *posed->avatar,
+                                 pose,
+                                 state,
+                                 {.camera = whole_camera(posed->figure, *posed->avatar, pose)}));
     }
     const render::Model& model = posed->figure.model;
     return exit_code_of(

@@ -5,8 +5,8 @@
 import fs from 'node:fs';
 import * as THREE from 'three';
 import {GLTFLoader} from 'three/examples/jsm/loaders/GLTFLoader.js';
-import {VRMLoaderPlugin, VRMUtils} from '@pixiv/three-vrm';
-import {VRMAnimationLoaderPlugin, createVRMAnimationClip} from '@pixiv/three-vrm-animation';
+import {VRMHumanBoneParentMap, VRMLoaderPlugin, VRMUtils} from '@pixiv/three-vrm';
+import {VRMAnimationLoaderPlugin} from '@pixiv/three-vrm-animation';
 import validator from 'gltf-validator';
 
 globalThis.self = globalThis;
@@ -43,9 +43,34 @@ const gltf = await load(modelFile);
 const vrm = gltf.userData.vrm;
 VRMUtils.rotateVRM0(vrm);
 const animation = (await load(clipFile)).userData.vrmAnimations[0];
-const mixer = new THREE.AnimationMixer(vrm.scene);
-mixer.clipAction(createVRMAnimationClip(animation, vrm)).setLoop(THREE.LoopOnce).play();
-mixer.clipAction(createVRMAnimationClip(animation, vrm)).clampWhenFinished = true;
+const flips = vrm.meta.metaVersion === '0';  // 0.x faces -z: x and z are turned
+
+function rotationAt(bone, seconds) {
+  const track = animation.humanoidTracks.rotation.get(bone);
+  return track ? new THREE.Quaternion().fromArray(track.createInterpolant().evaluate(seconds))
+               : new THREE.Quaternion();
+}
+
+const has = (bone) => Boolean(vrm.humanoid.getRawBoneNode(bone));
+
+// Rotations of bones that the model lacks go into the next ones that it has, as the specification
+// of VRMA recommends; three-vrm's own clips leave them out.
+function poseAt(seconds) {
+  for (const bone of Object.keys(vrm.humanoid.humanBones)) {
+    if (!has(bone)) continue;
+    const q = rotationAt(bone, seconds);
+    for (let up = VRMHumanBoneParentMap[bone]; up && !has(up); up = VRMHumanBoneParentMap[up]) {
+      q.premultiply(rotationAt(up, seconds));
+    }
+    vrm.humanoid.getNormalizedBoneNode(bone).quaternion.set(
+        flips ? -q.x : q.x, q.y, flips ? -q.z : q.z, q.w);
+  }
+  const travel = animation.humanoidTracks.translation.get('hips');
+  const scale = vrm.humanoid.normalizedRestPose.hips.position[1] / animation.restHipsPosition.y;
+  const [x, y, z] = travel.createInterpolant().evaluate(seconds);
+  vrm.humanoid.getNormalizedBoneNode('hips').position.set(
+      (flips ? -x : x) * scale, y * scale, (flips ? -z : z) * scale);
+}
 
 const nodeOf = (bone) => gltf.parser.associations.get(vrm.humanoid.getRawBoneNode(bone)).nodes;
 const frames = readTable(tableFile);
@@ -56,7 +81,7 @@ const place = new THREE.Vector3();
 const rate = 60;
 for (const [frame, nodes] of frames) {
   if (frame % 7 !== 0) continue;
-  mixer.setTime(frame / rate);
+  poseAt(frame / rate);
   vrm.humanoid.update();
   vrm.nodeConstraintManager?.update();
   vrm.scene.updateMatrixWorld(true);
