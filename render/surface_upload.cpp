@@ -217,7 +217,7 @@ bool SurfaceUpload::put_texture() {
             room_for(image, surface_->textures[static_cast<std::size_t>(index)], is_srgb));
     }
     if (row_ == image.height) {
-        loaded_.textures.back().finish();
+        loaded_.textures.back().finish(image.pixels);
         ++texture_;
         row_ = 0;
         return true;

@@ -1,5 +1,11 @@
 #include "render/gl/texture.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+#include "render/gl/mipmaps.hpp"
+
 namespace raks::render::gl {
 namespace {
 
@@ -11,20 +17,57 @@ GLint minifying(const TextureSampling& sampling) noexcept {
     return sampling.is_smooth ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST;
 }
 
-}  // namespace
+// Room for all levels at once, and never again: drivers that guess make it several times over.
+// OpenGL 3.3 has it as an extension.
+bool make_room(GLsizei levels, GLenum form, int width, int height) noexcept {
+    if (epoxy_gl_version() < 42 && !epoxy_has_gl_extension("GL_ARB_texture_storage")) {
+        return false;
+    }
+    glTexStorage2D(GL_TEXTURE_2D, levels, form, width, height);
+    return true;
+}
 
-Texture2d::Texture2d(int width, int height, const TextureSampling& sampling)
-    : width_(width), has_mipmaps_(sampling.has_mipmaps) {
-    glBindTexture(GL_TEXTURE_2D, texture_.name());
+void put_level(bool has_room,
+               GLint level,
+               GLenum form,
+               int width,
+               int height,
+               const std::uint8_t* rgba) noexcept {
+    if (has_room) {
+        glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+        return;
+    }
     glTexImage2D(GL_TEXTURE_2D,
-                 0,
-                 sampling.is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                 level,
+                 static_cast<GLint>(form),
                  width,
                  height,
                  0,
                  GL_RGBA,
                  GL_UNSIGNED_BYTE,
-                 nullptr);
+                 rgba);
+}
+
+GLenum form_of(const TextureSampling& sampling) noexcept {
+    return sampling.is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+}
+
+// Down to one by one.
+GLsizei level_count(int width, int height) noexcept {
+    return static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
+}
+
+}  // namespace
+
+Texture2d::Texture2d(int width, int height, const TextureSampling& sampling)
+    : width_(width), height_(height), sampling_(sampling) {
+    const GLenum form = form_of(sampling);
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    has_room_ =
+        make_room(sampling.has_mipmaps ? level_count(width, height) : 1, form, width, height);
+    if (!has_room_) {
+        put_level(false, 0, form, width, height, nullptr);
+    }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, sampling.wrap_u);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, sampling.wrap_v);
     glTexParameteri(
@@ -41,12 +84,19 @@ void Texture2d::put_rows(int first, int count, std::span<const std::uint8_t> rgb
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void Texture2d::finish() noexcept {
-    if (has_mipmaps_) {
-        glBindTexture(GL_TEXTURE_2D, texture_.name());
-        glGenerateMipmap(GL_TEXTURE_2D);
-        glBindTexture(GL_TEXTURE_2D, 0);
+void Texture2d::finish(std::span<const std::uint8_t> rgba) {
+    if (!sampling_.has_mipmaps) {
+        return;
     }
+    const MipColours colours = sampling_.is_srgb ? MipColours::linear : MipColours::as_they_are;
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    GLint number = 0;
+    for (const MipLevel& level : mipmaps(width_, height_, rgba, colours)) {
+        put_level(
+            has_room_, ++number, form_of(sampling_), level.width, level.height, level.rgba.data());
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void Texture2d::bind(int unit) const noexcept {

@@ -24,15 +24,17 @@ class Texture2d {
     /// Puts rows in from row `first` on; rows count from v = 0. `rgba`: width * 4 bytes for each of
     /// `count` rows.
     void put_rows(int first, int count, std::span<const std::uint8_t> rgba) noexcept;
-    /// Once all rows are in: makes the smaller copies, where there are to be any.
-    void finish() noexcept;
+    /// Once all rows are in: makes the smaller copies, where there are to be any. `rgba`: all rows.
+    void finish(std::span<const std::uint8_t> rgba);
     /// Binds it to a texture unit.
     void bind(int unit) const noexcept;
 
  private:
     Texture texture_;
     int width_;
-    bool has_mipmaps_;
+    int height_;
+    TextureSampling sampling_;
+    bool has_room_ = false;  // for all levels
 };
 
 }  // namespace raks::render::gl
