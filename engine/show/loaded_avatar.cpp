@@ -75,9 +75,11 @@ LoadedAvatar make_avatar(FigureModel& figure, const std::string& file) {
     std::vector<std::string> warnings = model.warnings;
     warnings.insert(warnings.end(), avatar->rig->warnings.begin(), avatar->rig->warnings.end());
     return {.avatar = std::move(avatar),
+            .name = {},
             .credit = credit_line(model.character.licence, file),
             .is_credit_required = model.character.licence.is_credit_required,
-            .warnings = std::move(warnings)};
+            .warnings = std::move(warnings),
+            .is_mannequin = false};
 }
 
 Expected<LoadedAvatar> load_avatar(const std::string& name, const AvatarOptions& options) {

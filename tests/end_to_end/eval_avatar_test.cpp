@@ -13,12 +13,12 @@ namespace raks::test {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
+const fs::path kDevModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
 
 class EvalAvatar : public ProgramTest {};
 
 TEST_F(EvalAvatar, measures_the_mannequin_and_a_character_in_one_document) {
-    const std::string godette = (kModels / "Godette_vrm_v4.vrm").string();
+    const std::string godette = (kDevModels / "Godette_vrm_v4.vrm").string();
     const ProcessResult result =
         run({"eval", "avatar", "mannequin", godette, "--dance", "rock", "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;

@@ -15,9 +15,9 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kTempoBpm = 168.0;
+constexpr double kDancedTempoBpm = 168.0;
 constexpr HopIndex kChange = 1'700;
-constexpr HopIndex kHops = 2'400;
+constexpr HopIndex kDancedHops = 2'400;
 
 /// A body as high as the mannequin that is thicker, with longer arms and thighs, shorter shins.
 Skeleton other_body() {
@@ -51,12 +51,12 @@ Danced dance(Dancer* next) {
     Danced danced;
     const auto track = std::make_unique<PoseTrack>();
     Dancer* dancer = &first;
-    for (HopIndex hop = 0; hop < kHops; ++hop) {
+    for (HopIndex hop = 0; hop < kDancedHops; ++hop) {
         if (hop == kChange && next != nullptr) {
             next->go_on_from(first);
             dancer = next;
         }
-        dancer->advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), *track);
+        dancer->advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), *track);
         danced.poses.push_back(track->at_hop(hop));
         danced.hops.push_back(dancer->status());
     }
@@ -89,17 +89,17 @@ TEST(GoingOn, on_another_body_is_the_same_dance_without_a_leap) {
         ASSERT_TRUE(changed.hops[hop].is_dancing) << hop;
     }
     const double usual = test::largest_step(changed.poses, 0, kChange - 1);
-    EXPECT_LT(test::largest_step(changed.poses, kChange - 1, kHops), 1.25 * usual);
+    EXPECT_LT(test::largest_step(changed.poses, kChange - 1, kDancedHops), 1.25 * usual);
     EXPECT_EQ(changed.hops[kChange].number, changed.hops[kChange - 1].number);
     // At last it dances as one who danced on that body from the beginning.
     const auto track = std::make_unique<PoseTrack>();
     Dancer always = dancer_on(other_body());
-    for (HopIndex hop = 0; hop < kHops; ++hop) {
-        always.advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), *track);
+    for (HopIndex hop = 0; hop < kDancedHops; ++hop) {
+        always.advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), *track);
     }
-    EXPECT_LT(
-        glm::distance(track->at_hop(kHops - 1).hips_position, changed.poses.back().hips_position),
-        0.01F);
+    EXPECT_LT(glm::distance(track->at_hop(kDancedHops - 1).hips_position,
+                            changed.poses.back().hips_position),
+              0.01F);
 }
 
 TEST(GoingOn, before_the_first_hop_and_while_standing_is_to_stand) {
@@ -128,7 +128,7 @@ TEST(GoingOn, with_a_dance_that_is_not_known_is_to_stand_there_softly) {
             stranger.go_on_from(first);
         }
         Dancer& dancer = hop < kChange ? first : stranger;
-        dancer.advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), *track);
+        dancer.advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), *track);
         poses.push_back(track->at_hop(hop));
     }
     EXPECT_LT(test::largest_step(poses, kChange - 1, kChange + 40), test::kFastestStep);
@@ -143,11 +143,11 @@ TEST(GoingOn, allocates_nothing) {
     ASSERT_TRUE(after.prepare(members_of(Formation::unison, other, other, 1), other_body()));
     std::vector<PoseTrack> tracks(before.size());
     for (HopIndex hop = 0; hop < 300; ++hop) {
-        before.advance(test::sure_state(hop, test::steady_grid(kTempoBpm)), tracks);
+        before.advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), tracks);
     }
     ::raks::test::RealtimeScope scope;
     after.go_on_from(before);
-    after.advance(test::sure_state(300, test::steady_grid(kTempoBpm)), tracks);
+    after.advance(test::sure_state(300, test::steady_grid(kDancedTempoBpm)), tracks);
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
 
