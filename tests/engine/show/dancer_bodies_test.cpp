@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace raks::engine::test {
+namespace raks::engine {
 namespace {
 
 constexpr render::AvatarHandle kFirst{0};
@@ -61,4 +61,4 @@ TEST(DancerBodies, who_dances_alone_is_the_first_and_a_group_takes_turns) {
 }
 
 }  // namespace
-}  // namespace raks::engine::test
+}  // namespace raks::engine
