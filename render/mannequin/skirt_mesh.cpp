@@ -23,6 +23,9 @@ constexpr std::uint32_t kSkirtColumns = 40;
 constexpr std::array kRowHeights = {
     1.005F, 0.960F, 0.915F, 0.870F, 0.820F, 0.765F, 0.705F, 0.650F, 0.612F, 0.612F, kHem};
 constexpr std::size_t kFirstHemRow = 9;
+// Of a step between chains: so that one hangs before and one behind each thigh, which then lifts
+// it and does not part two.
+constexpr float kFirstChain = 0.5F;
 constexpr float kSkirtTurn = glm::radians(360.0F);
 // Off the skin: at the waist, and on the hips, which bulge when a thigh turns.
 constexpr float kEase = 0.006F;
@@ -101,7 +104,8 @@ class Skirt {
 
     /// Two chains beside the point, and on each the joint above it; the waist follows the hips.
     void set_weights(float azimuth, float y, PaintedPoint& made) const noexcept {
-        const float turn = azimuth / kSkirtTurn * static_cast<float>(kSkirtChains);
+        const auto chains = static_cast<float>(kSkirtChains);
+        const float turn = azimuth / kSkirtTurn * chains - kFirstChain + chains;
         const auto chain = static_cast<std::size_t>(turn) % kSkirtChains;
         const std::size_t beside = (chain + 1) % kSkirtChains;
         const float share = turn - std::floor(turn);
@@ -125,7 +129,8 @@ class Skirt {
 }  // namespace
 
 std::array<glm::vec3, kSkirtJoints> skirt_chain(std::size_t chain) noexcept {
-    const float azimuth = kSkirtTurn * static_cast<float>(chain) / static_cast<float>(kSkirtChains);
+    const float azimuth =
+        kSkirtTurn * (static_cast<float>(chain) + kFirstChain) / static_cast<float>(kSkirtChains);
     std::array<glm::vec3, kSkirtJoints> places{};
     for (std::size_t i = 0; i < places.size(); ++i) {
         places[i] = hanging(azimuth, kJointHeights[i]);

@@ -16,8 +16,8 @@ namespace raks::render {
 inline constexpr std::size_t kSkirtChains = 12;
 inline constexpr std::size_t kSkirtJoints = 4;
 
-/// Places of one chain's joints in the T-pose, from its root down; chain 0 is in front, the others
-/// follow over the left.
+/// Places of one chain's joints in the T-pose, from its root down; chain 0 is before the
+/// left thigh, the others follow over the left side.
 [[nodiscard]] std::array<glm::vec3, kSkirtJoints> skirt_chain(std::size_t chain) noexcept;
 
 /// Adds the skirt. `hips` carries its waist; `joints`: of the skin, kSkirtJoints a chain.
