@@ -1,145 +1,137 @@
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <functional>
 #include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
+#include "apps/raks/avatar_picture.hpp"
 #include "apps/raks/commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "engine/show/figure_clip.hpp"
+#include "engine/show/figure_model.hpp"
+#include "engine/show/loaded_avatar.hpp"
 #include "engine/show/pose_file.hpp"
-#include "motion/skeleton/bvh.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
-#include "render/avatar/animation_sampler.hpp"
 #include "render/avatar/posed_text.hpp"
-#include "render/import/model_reader.hpp"
 
 #include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
 
-// Poses a second of clips that have no rate of their own.
-constexpr double kRate = 60.0;
 // Frames of a table: an hour of a clip at its rate.
 constexpr double kLongest = 3600.0;
 
-// What is shown, as poses at times.
-struct Motion {
-    std::function<motion::Pose(double)> pose_at;  // seconds
-    double duration = 0.0;                        // seconds to the last pose
-    double rate = kRate;
-    float hips_scale = 1.0F;
-};
-
-// A model that is posed.
+// A model that is posed: with what is drawn of it where a picture is asked for.
 struct Posed {
-    render::Model model;
-    render::AvatarRig rig;
+    engine::FigureModel figure;
+    std::shared_ptr<const render::AvatarRig> rig;
+    std::shared_ptr<const render::Avatar> avatar;  // null: no picture is asked for
+    glm::vec3 hips{0.0F};                          // where they rest
 };
 
-Expected<Posed> load_posed(const std::string& name) {
-    const auto file = engine::find_avatar(name);
-    if (!file) {
-        return fail(file.error());
-    }
-    if (file->empty()) {
+bool is_picture(const Path& output) { return output.extension() == ".png"; }
+
+Expected<Path> file_of(const std::string& name) {
+    auto file = engine::find_avatar(name);
+    if (file && file->empty()) {
         return fail("the mannequin is no file: it is made by Raks itself");
     }
-    auto model = render::load_model(*file);
-    if (!model) {
-        return fail(model.error());
+    return file;
+}
+
+void say_warnings(const std::string& name, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        say(fmt::format("{}: {}", printable(name), warning));
     }
-    Posed posed{.model = std::move(*model), .rig = {}};
-    posed.rig = render::build_rig(posed.model);
-    for (const std::vector<std::string>* list : {&posed.model.warnings, &posed.rig.warnings}) {
-        for (const std::string& warning : *list) {
-            say(fmt::format("{}: {}", printable(name), warning));
-        }
+}
+
+// Texts are in the file's own metres, unless a height is asked for; pictures as it dances.
+Expected<Posed> load_posed(const AvatarPoseArguments& arguments, const Path& file) {
+    auto figure = engine::load_figure(file, arguments.options);
+    if (!figure) {
+        return fail(figure.error());
     }
-    if (posed.rig.humanoid.joint(motion::Bone::hips) < 0) {
-        return fail(fmt::format("{}: no humanoid: it names no hips", printable(name)));
+    Posed posed{.figure = std::move(*figure), .rig = {}, .avatar = {}, .hips = {}};
+    if (is_picture(arguments.output)) {
+        const auto avatar = engine::make_avatar(posed.figure, file.filename().string());
+        say_warnings(arguments.model, avatar.warnings);
+        posed.avatar = avatar.avatar;
+        posed.rig = avatar.avatar->rig;
+        posed.hips = avatar.avatar->skeleton.offsets[0];
+        return posed;
     }
+    if (!arguments.options.height) {
+        posed.figure.options.scale = 1.0F;
+    }
+    posed.rig = std::make_shared<const render::AvatarRig>(
+        render::build_rig(posed.figure.model, posed.figure.options));
+    say_warnings(arguments.model, posed.figure.model.warnings);
+    say_warnings(arguments.model, posed.rig->warnings);
+    posed.hips = posed.rig->humanoid.rest_hips();
     return posed;
 }
 
-Expected<Motion> motion_of_bvh(const Path& path, const render::HumanoidRig& rig) {
-    const auto clip = motion::read_bvh(path);
-    if (!clip) {
-        return fail(clip.error());
+// What is shown, as poses and faces at times.
+struct Motion {
+    std::function<motion::Pose(double)> pose_at;  // seconds
+    std::function<render::Face(double)> face_at;
+    double duration = 0.0;  // seconds to the last pose
+    double rate = 1.0;      // poses a second
+};
+
+// A picture of a posture stands on the floor; a mesh has the hips where they rest.
+Expected<Motion> posture(const std::string& argument, const Posed& posed) {
+    auto pose = engine::read_pose(argument);
+    if (!pose) {
+        return fail(pose.error());
     }
-    motion::Skeleton skeleton;
-    skeleton.offsets[0] = rig.rest_hips();
-    const auto retargeted = motion::retarget(*clip, skeleton);
-    if (!retargeted) {
-        return fail(fmt::format("{}: {}", printable(path.string()), retargeted.error().message));
+    pose->hips_position = posed.hips;
+    if (posed.avatar != nullptr) {
+        *pose = standing_on_floor(*posed.avatar, *pose);
     }
-    const auto poses = std::make_shared<std::vector<motion::Pose>>(retargeted->poses);
-    const double rate = retargeted->frames_per_second;
-    const auto pose_at = [poses, rate](double seconds) {
-        const double last = static_cast<double>(poses->size() - 1);
-        const double frame = std::clamp(seconds * rate, 0.0, last);
-        const auto before = static_cast<std::size_t>(frame);
-        const std::size_t after = std::min(before + 1, poses->size() - 1);
-        const auto part = static_cast<float>(frame - std::floor(frame));
-        return motion::interpolate((*poses)[before], (*poses)[after], part);
-    };
-    return Motion{.pose_at = pose_at,
-                  .duration = static_cast<double>(poses->size() - 1) / rate,
-                  .rate = rate,
-                  .hips_scale = 1.0F};
+    return Motion{.pose_at = [pose = *pose](double) { return pose; },
+                  .face_at = [](double) { return render::Face(); },
+                  .duration = 0.0,
+                  .rate = 1.0};
 }
 
-Expected<Motion> motion_of_model(const Path& path, const render::HumanoidRig& rig) {
-    auto read = render::load_model(path);
-    if (!read) {
-        return fail(read.error());
-    }
-    if (read->animations.empty()) {
-        return fail(fmt::format("{}: there is no clip in it", printable(path.string())));
-    }
-    const auto model = std::make_shared<const render::Model>(std::move(*read));
-    const auto sampler = std::make_shared<const render::AnimationSampler>(*model, 0);
-    // The sampler looks into the model, so both live as long as the motion.
-    const glm::vec3 rest = rig.rest_hips();
-    const bool travels = sampler->has_travel() && sampler->rest_hips().y > 0.0F;
-    const auto pose_at = [model, sampler, rest, travels](double seconds) {
-        motion::Pose pose = sampler->pose_at(static_cast<float>(seconds));
-        if (!travels) {
-            pose.hips_position = rest;
-        }
-        return pose;
-    };
-    return Motion{.pose_at = pose_at,
-                  .duration = static_cast<double>(sampler->duration()),
-                  .rate = kRate,
-                  .hips_scale = travels ? rest.y / sampler->rest_hips().y : 1.0F};
-}
-
-Expected<Motion> find_motion(const AvatarPoseArguments& arguments, const render::HumanoidRig& rig) {
+Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
+                             const Path& file,
+                             const Posed& posed) {
     if (!arguments.pose.empty()) {
-        auto pose = engine::read_pose(arguments.pose);
-        if (!pose) {
-            return fail(pose.error());
-        }
-        pose->hips_position = rig.rest_hips();
-        return Motion{.pose_at = [pose = *pose](double) { return pose; },
-                      .duration = 0.0,
-                      .rate = kRate,
-                      .hips_scale = 1.0F};
+        return posture(arguments.pose, posed);
     }
-    return arguments.motion.extension() == ".bvh" ? motion_of_bvh(arguments.motion, rig)
-                                                  : motion_of_model(arguments.motion, rig);
+    // A label file is for the model, whose own clip this may be.
+    std::error_code ignored;
+    const bool is_own =
+        std::filesystem::equivalent(engine::FigureClip::file_of(arguments.motion), file, ignored);
+    auto clip = engine::FigureClip::load(
+        arguments.motion, posed.hips, is_own ? Path(arguments.options.labels) : Path());
+    if (!clip) {
+        return fail(std::move(clip.error()));
+    }
+    const double duration = clip->duration();
+    const double rate = clip->rate();
+    const auto shared = std::make_shared<const engine::FigureClip>(std::move(*clip));
+    return Motion{.pose_at = [shared](double seconds) { return shared->pose_at(seconds); },
+                  .face_at = [shared](double seconds) { return shared->face_at(seconds); },
+                  .duration = duration,
+                  .rate = rate};
 }
 
 // The times to show. Errors: neither a number nor "all", later than the clip ends.
 Expected<std::vector<double>> times_of(const std::string& text, const Motion& motion) {
     std::vector<double> times;
     if (text == "all") {
+        constexpr double kSlack = 1e-3;  // of a frame: clips have their times as floats
         const double end = std::min(motion.duration, kLongest);
-        for (std::size_t i = 0; static_cast<double>(i) <= end * motion.rate + 1e-6; ++i) {
+        for (std::size_t i = 0; static_cast<double>(i) <= end * motion.rate + kSlack; ++i) {
             times.push_back(static_cast<double>(i) / motion.rate);
         }
         return times;
@@ -162,31 +154,37 @@ Expected<std::vector<double>> times_of(const std::string& text, const Motion& mo
 class Mover {
  public:
     // `has_springs`: they swing with the motion; else they are at rest.
-    Mover(const Posed& posed, const Motion& motion, bool has_springs)
-        : posed_(posed), motion_(motion), has_springs_(has_springs), state_(posed.rig) {}
+    Mover(const render::AvatarRig& rig, const Motion& motion, bool has_springs)
+        : rig_(rig), motion_(motion), has_springs_(has_springs), state_(rig) {}
 
     // Goes on to a time; springs have swung since the start of the motion.
     const render::RigState& at(double seconds) {
-        const auto pose_at = [&](StreamTime time) { return motion_.pose_at(to_seconds(time)); };
         // In steps that springs take for going on: after a longer one they would begin anew.
         constexpr double kStep = 0.1;
         for (; has_springs_ && reached_ < seconds; reached_ += kStep) {
-            render::advance(posed_.rig,
-                            stream_time_from_seconds(reached_),
-                            motion_.hips_scale,
-                            pose_at,
-                            state_);
+            swing_to(reached_);
         }
-        const StreamTime time = stream_time_from_seconds(seconds);
         if (has_springs_) {
-            render::advance(posed_.rig, time, motion_.hips_scale, pose_at, state_);
+            swing_to(seconds);
         }
-        render::pose_avatar(posed_.rig, pose_at(time), {}, motion_.hips_scale, state_);
+        render::pose_avatar(
+            rig_, motion_.pose_at(seconds), motion_.face_at(seconds), kOwnBody, state_);
         return state_;
     }
 
  private:
-    const Posed& posed_;
+    static constexpr float kOwnBody = 1.0F;  // poses are on this body already
+
+    void swing_to(double seconds) {
+        render::advance(
+            rig_,
+            stream_time_from_seconds(seconds),
+            kOwnBody,
+            [&](StreamTime time) { return motion_.pose_at(to_seconds(time)); },
+            state_);
+    }
+
+    const render::AvatarRig& rig_;
     const Motion& motion_;
     bool has_springs_;
     render::RigState state_;
@@ -196,17 +194,32 @@ class Mover {
 // Errors: what can be said before anything is read.
 Expected<void> check(const AvatarPoseArguments& arguments) {
     const std::string ending = arguments.output.extension().string();
-    if (ending != ".obj" && ending != ".tsv") {
-        return fail(fmt::format("{}: a posed avatar is written as .obj or .tsv",
+    if (ending != ".obj" && ending != ".tsv" && ending != ".png") {
+        return fail(fmt::format("{}: a posed avatar is written as .png, .obj or .tsv",
                                 printable(arguments.output.string())));
     }
     if (arguments.pose.empty() && arguments.motion.empty()) {
         return fail("give --pose FILE.json#NAME, or --motion with a clip");
     }
-    if (ending == ".obj" && arguments.time == "all") {
-        return fail("an .obj holds one time: give --time in seconds, or write a .tsv");
+    if (ending != ".tsv" && arguments.time == "all") {
+        return fail(fmt::format(
+            "{} holds one time: give --time in seconds, or write a .tsv (a film: raks render "
+            "--motion)",
+            ending == ".obj" ? "an .obj" : "a picture"));
     }
-    return check_output(arguments.output, {arguments.model, arguments.motion});
+    return check_output(arguments.output,
+                        {arguments.model, engine::FigureClip::file_of(arguments.motion)});
+}
+
+Expected<void> write_table(const Path& output,
+                           Mover& mover,
+                           const Posed& posed,
+                           const std::vector<double>& times) {
+    std::string text = render::joint_heads();
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        text += render::joint_lines(*posed.rig, mover.at(times[i]), i);
+    }
+    return write_file(output, text);
 }
 
 }  // namespace
@@ -215,11 +228,15 @@ ExitCode avatar_pose(const AvatarPoseArguments& arguments) {
     if (auto possible = check(arguments); !possible) {
         return fail(possible.error());
     }
-    const auto posed = load_posed(arguments.model);
+    const auto file = file_of(arguments.model);
+    if (!file) {
+        return fail(file.error());
+    }
+    const auto posed = load_posed(arguments, *file);
     if (!posed) {
         return fail(posed.error());
     }
-    const auto motion = find_motion(arguments, posed->rig.humanoid);
+    const auto motion = find_motion(arguments, *file, *posed);
     if (!motion) {
         return fail(motion.error());
     }
@@ -227,18 +244,24 @@ ExitCode avatar_pose(const AvatarPoseArguments& arguments) {
     if (!times) {
         return fail(times.error());
     }
-    Mover mover(*posed, *motion, arguments.pose.empty());
-    if (arguments.output.extension() == ".obj") {
+    Mover mover(*posed->rig, *motion, arguments.pose.empty());
+    if (arguments.output.extension() == ".tsv") {
+        return exit_code_of(write_table(arguments.output, mover, *posed, *times));
+    }
+    const double time = times->front();
+    const render::RigState& state = mover.at(time);
+    if (posed->avatar != nullptr) {
+        const motion::Pose pose = motion->pose_at(time);
         return exit_code_of(
-            write_file(arguments.output,
-                       render::obj_text(
-                           posed->model, posed->rig, mover.at(times->front()), posed->model.name)));
+            write_avatar_picture(arguments.output,
+                                 *posed->avatar,
+                                 pose,
+                                 state,
+                                 {.camera = whole_camera(posed->figure, *posed->avatar, pose)}));
     }
-    std::string text = render::joint_heads();
-    for (std::size_t i = 0; i < times->size(); ++i) {
-        text += render::joint_lines(posed->rig, mover.at((*times)[i]), i);
-    }
-    return exit_code_of(write_file(arguments.output, text));
+    const render::Model& model = posed->figure.model;
+    return exit_code_of(
+        write_file(arguments.output, render::obj_text(model, *posed->rig, state, model.name)));
 }
 
 }  // namespace raks::apps

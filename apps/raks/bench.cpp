@@ -266,6 +266,7 @@ ExitCode bench(const BenchArguments& arguments) {
                   : arguments.what == "motion" ? bench_motion(arguments.seconds)
                   : arguments.what == "render" ? bench_render()
                   : arguments.what == "train"  ? bench_train()
+                  : arguments.what == "avatar" ? bench_avatar(arguments.model)
                                                : bench_latency(arguments.seconds);
     if (!report) {
         return fail(report.error());

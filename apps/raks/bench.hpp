@@ -50,6 +50,12 @@ struct BenchReport {
 /// iterations.
 [[nodiscard]] Expected<BenchReport> bench_train();
 
+/// Measures a model as an avatar: loading it (from file to the driver's memory), pictures in two sizes
+/// beside the mannequin's with fast shaders, a step of its drivers, memory; and moving vertices on
+/// the processor. Ratios are against a fixed workload of the same run. Errors: those of
+/// engine::load_avatar; no OpenGL.
+[[nodiscard]] Expected<BenchReport> bench_avatar(const std::string& model);
+
 /// A WAV file of generated music, removed when this is destroyed.
 class TemporaryMusic {
  public:

@@ -39,9 +39,9 @@ Expected<void> check_alive(const engine::ClickPlayer& player) {
 }
 
 // Nothing: a signal came.
-using Measured = Expected<std::optional<engine::MeasuredOffset>>;
+using MaybeOffset = Expected<std::optional<engine::MeasuredOffset>>;
 
-Measured measure_loop(const audio::AudioDevice& output, const audio::AudioDevice& input) {
+MaybeOffset measure_loop(const audio::AudioDevice& output, const audio::AudioDevice& input) {
     const engine::ClickTrain train = engine::irregular_clicks(kLoopClicks);
     auto recorder = engine::LoopRecorder::start(input, train.seconds + 2.0 * kLongestWay);
     if (!recorder) {
@@ -76,10 +76,10 @@ Measured measure_loop(const audio::AudioDevice& output, const audio::AudioDevice
         return fail(input.name + ": " + heard.error().message);
     }
     const auto offset = engine::loop_offset(train, *sent, *heard);
-    return offset ? Measured(*offset) : fail(offset.error());
+    return offset ? MaybeOffset(*offset) : fail(offset.error());
 }
 
-Measured measure_taps(const audio::AudioDevice& output) {
+MaybeOffset measure_taps(const audio::AudioDevice& output) {
     const engine::ClickTrain train = engine::regular_clicks(kTapClicks, kTapDistance);
     say(fmt::format("tap any key to the clicks, {} times", engine::kTaps));
     TapReader keys;
@@ -113,7 +113,7 @@ Measured measure_taps(const audio::AudioDevice& output) {
         clicks.push_back(sent->heard_at(std::llround(click * sent->rate().hertz())));
     }
     const auto offset = engine::tap_offset(clicks, taps);
-    return offset ? Measured(*offset) : fail(offset.error());
+    return offset ? MaybeOffset(*offset) : fail(offset.error());
 }
 
 ExitCode forget(engine::DeviceOffsets offsets, const audio::AudioDevice& output) {
@@ -175,7 +175,7 @@ ExitCode calibrate(const CalibrateArguments& arguments) {
         return forget(std::move(*offsets), output->device);
     }
     say("sound goes to " + output->reason);
-    Measured measured;
+    MaybeOffset measured;
     if (arguments.by_taps) {
         measured = measure_taps(output->device);
     } else {

@@ -8,6 +8,7 @@
 
 #include "apps/terminal/program.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/show/figure_model.hpp"
 #include "motion/figures/figure_model.hpp"
 
 /// The commands of the program `raks`, one function each. Arguments are checked for their form
@@ -65,19 +66,23 @@ struct AvatarListArguments {
 
 /// Arguments of `raks avatar show`.
 struct AvatarShowArguments {
-    std::string model;     ///< file, or a name of `raks avatar list`
-    bool as_json = false;  ///< one JSON document instead of text
+    std::string model;              ///< file, or a name of `raks avatar list`
+    engine::AvatarOptions options;  ///< of its file
+    std::string expression;         ///< "happy=1,blink=0.6"; empty: none
+    Path thumbnail;                 ///< .png; empty: none
+    bool as_json = false;           ///< one JSON document instead of text
 };
 /// Tells what is in a model. Errors: no such model; those of reading it.
 [[nodiscard]] ExitCode avatar_show(const AvatarShowArguments& arguments);
 
 /// Arguments of `raks avatar pose`.
 struct AvatarPoseArguments {
-    std::string model;       ///< file, or a name of `raks avatar list`
-    std::string pose;        ///< "FILE.json" or "FILE.json#NAME"; empty: `motion` is given
-    Path motion;             ///< clip; empty: `pose` is given
-    std::string time = "0";  ///< seconds into the clip, or "all"
-    Path output;             ///< .obj or .tsv
+    std::string model;              ///< file, or a name of `raks avatar list`
+    engine::AvatarOptions options;  ///< of its file
+    std::string pose;               ///< "FILE.json" or "FILE.json#NAME"; empty: `motion` is given
+    std::string motion;             ///< clip: FILE, or FILE#NAME; empty: `pose` is given
+    std::string time = "0";         ///< seconds into the clip, or "all"
+    Path output;                    ///< .png, .obj or .tsv
 };
 /// Writes a model's posed mesh or its joints. Errors: no model or not a figure, no posture, no clip
 /// or not a figure's, a time that it does not have, the output's ending.
@@ -99,6 +104,7 @@ struct RenderArguments {
     engine::Settings settings;  ///< of the files and the options
     Path input;                 ///< empty: the demo salsa
     Path output;                ///< .mp4, .mkv, .webm, .avi, or a folder for .png
+    std::string motion;         ///< clip to perform: FILE, or FILE#NAME; empty: the dance
     Section section;            ///< of the input
     bool is_as_live = false;    ///< it is analyzed as it comes, as an input is
     bool has_overlay = false;   ///< beat, tempo and levels on top, whatever the settings say
@@ -158,7 +164,7 @@ struct EvalDanceArguments {
 struct DanceArguments {
     engine::Settings settings;  ///< of the files and the options
     Path input;                 ///< the music file
-    Path output;                ///< x.bvh; of several dancers x_1.bvh, x_2.bvh, ...
+    Path output;                ///< x.bvh or x.vrma; of several dancers x_1.bvh, x_2.bvh, ...
     double fps = 60.0;          ///< [1, 240]
     bool is_as_live = false;    ///< the music is analyzed as it comes, as an input is
 };
@@ -189,6 +195,7 @@ struct DancesArguments {
 struct SheetArguments {
     engine::Settings settings;  ///< of the files and the options
     Path output;                ///< .png: a sheet; else a film
+    std::string motion;         ///< clip in a dance's place: FILE, or FILE#NAME; empty: none
     std::string figure;         ///< of the dance; empty: its first
     double bpm = 180.0;         ///< [50, 230]
 };
@@ -226,7 +233,8 @@ struct SynthArguments {
 
 /// Arguments of `raks bench`.
 struct BenchArguments {
-    std::string what;       ///< latency, analysis, motion, render or train
+    std::string what;       ///< latency, analysis, motion, render, avatar or train
+    std::string model;      ///< the avatar's: file, or a name of `raks avatar list`
     bool as_json = false;   ///< one JSON document instead of text
     double seconds = 20.0;  ///< length of the music
 };

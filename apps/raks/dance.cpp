@@ -9,11 +9,22 @@
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/vrma.hpp"
 
 #include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
+
+// Writes one dancer's poses; null: this kind of file is not known.
+using Writer = decltype(&motion::write_bvh);
+
+Writer writer_of(const Path& output) {
+    const Path ending = output.extension();
+    return ending == ".bvh"    ? &motion::write_bvh
+           : ending == ".vrma" ? &motion::write_vrma
+                               : nullptr;
+}
 
 // The file of one dancer: x.bvh when there is one, else x_1.bvh, x_2.bvh, ...; of a couple 1 leads.
 Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
@@ -31,8 +42,10 @@ Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
 ExitCode dance(const DanceArguments& given) {
     DanceArguments arguments = given;
     // Checked before the music is read, as everything that can fail at once.
-    if (arguments.output.extension() != ".bvh") {
-        return fail(arguments.output.string() + ": cannot write this kind of motion; known: .bvh");
+    const Writer write = writer_of(arguments.output);
+    if (write == nullptr) {
+        return fail(arguments.output.string() +
+                    ": cannot write this kind of motion; known: .bvh, .vrma");
     }
     if (auto checked = check_output(arguments.output, {arguments.input}); !checked) {
         return fail(std::move(checked.error()));
@@ -49,7 +62,7 @@ ExitCode dance(const DanceArguments& given) {
     if (!driver) {
         return fail(std::move(driver.error()));
     }
-    // Poses are kept in memory: BVH needs their number before the first.
+    // Poses are kept in memory: files need their number before the first.
     engine::CollectPoses collect(arguments.fps);
     ProgressLine progress("dancing");
     for (auto block = source->next(); !block.mono.empty() && !stop_signal();
@@ -68,13 +81,12 @@ ExitCode dance(const DanceArguments& given) {
     say_if_stopped(arguments.output, source->given());
     // No hop was danced.
     if (collect.dancers.empty()) {
-        collect.dancers.emplace_back();  // of no length: write_bvh says that there are no poses
+        collect.dancers.emplace_back();  // of no length: the writer says that there are no poses
     }
     // One file a dancer.
     for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
         const Path path = file_of(arguments.output, i, collect.dancers.size());
-        if (auto written =
-                motion::write_bvh(path, setup->skeleton, collect.dancers[i], arguments.fps);
+        if (auto written = write(path, setup->skeleton, collect.dancers[i], arguments.fps);
             !written) {
             return fail(written.error());
         }

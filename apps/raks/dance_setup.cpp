@@ -9,6 +9,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "engine/offline/song_planner.hpp"
+#include "engine/show/avatar_files.hpp"
 
 #include <fmt/format.h>
 
@@ -22,16 +23,44 @@ bool is_written_dance(const fs::path& place) { return place.extension() == ".tom
 
 }  // namespace
 
-// A name that could be a dance's is not looked for as a folder: "salsa" is the dance even where a
-// folder of that name lies.
+engine::AvatarOptions avatar_options(const engine::Settings& settings) {
+    engine::AvatarOptions options;
+    if (settings.avatar_height > 0.0) {
+        options.height = static_cast<float>(settings.avatar_height);
+    }
+    options.labels = settings.avatar_labels;
+    return options;
+}
+
+Expected<engine::FigureClip> open_clip(const std::string& motion,
+                                       const engine::Settings& settings) {
+    std::error_code ignored;
+    const auto avatar = engine::find_avatar(settings.avatar);
+    const bool is_own =
+        avatar && fs::equivalent(engine::FigureClip::file_of(motion), *avatar, ignored);
+    auto clip = engine::FigureClip::load(motion,
+                                         motion::mannequin_skeleton().offsets[0],
+                                         is_own ? fs::path(settings.avatar_labels) : fs::path());
+    if (clip) {
+        for (const std::string& warning : clip->warnings()) {
+            say_detail(warning);
+        }
+    }
+    return clip;
+}
+
 Expected<engine::Look> open_look(const engine::Settings& settings) {
     auto look = engine::read_look(settings);
     if (!look) {
         return look;
     }
-    auto avatar = engine::load_avatar(settings.avatar);
+    const engine::AvatarOptions options = avatar_options(settings);
+    auto avatar = engine::load_avatar(settings.avatar, options);
     if (!avatar) {
         return fail(std::move(avatar.error()));
+    }
+    if (settings.avatar == engine::kMannequinName && (options.height || !options.labels.empty())) {
+        say("the mannequin keeps its own height and bones");
     }
     if (!avatar->credit.empty()) {
         say("avatar: " + avatar->credit);
@@ -43,6 +72,8 @@ Expected<engine::Look> open_look(const engine::Settings& settings) {
     return look;
 }
 
+// A name that could be a dance's is not looked for as a folder: "salsa" is the dance even where a
+// folder of that name lies.
 bool is_dance_place(const std::string& dance) {
     std::error_code ignored;
     return is_written_dance(dance) || dance.find('/') != std::string::npos ||

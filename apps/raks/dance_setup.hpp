@@ -7,6 +7,7 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/formations.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/show/figure_clip.hpp"
 #include "engine/show/picture.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -18,6 +19,15 @@ struct DanceSetup {
     engine::AnalyzerModels models;     ///< of the analyzer
     motion::Skeleton skeleton;         ///< of the body that dances
 };
+
+/// What the settings say of the avatar's file.
+[[nodiscard]] engine::AvatarOptions avatar_options(const engine::Settings& settings);
+
+/// A clip in a dance's place, on the mannequin's body as dances are; says what its model lacks. The
+/// settings' label file is for it, too, where it is one of the avatar's own. Errors: those of
+/// engine::FigureClip::load.
+[[nodiscard]] Expected<engine::FigureClip> open_clip(const std::string& motion,
+                                                     const engine::Settings& settings);
 
 /// The look that the settings ask for, with its avatar; says whose work that is, and what its file
 /// lacks. Errors: those of engine::read_look and engine::load_avatar.

@@ -6,10 +6,24 @@
 namespace raks::apps {
 namespace {
 
+constexpr const char* kMotionHelp =
+    "clip to perform instead of a dance: X.vrma, X.bvh, X.glb, or X.glb#NAME of several";
+
 // Several commands have it; the names are checked with the settings.
 void add_formation_option(CLI::App& app, engine::Settings& settings) {
     app.add_option(
         "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
+}
+
+// Who dances.
+void add_avatar_options(CLI::App& app, engine::Settings& settings) {
+    app.add_option("--avatar",
+                   settings.avatar,
+                   "mannequin, a file (.vrm, .glb, .gltf), or one of raks avatar list");
+    app.add_option(
+        "--height", settings.avatar_height, "metres that the avatar is tall; 0: its own");
+    app.add_option(
+        "--labels", settings.avatar_labels, "file that says which nodes are the avatar's bones");
 }
 
 // The options that play, live and render share: they overwrite the settings of the files. Names and
@@ -23,9 +37,7 @@ void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overla
     add_formation_option(app, settings);
     add_generator_option(app, settings);
     app.add_option("--seed", settings.seed, "same seed, same dance");
-    app.add_option("--avatar",
-                   settings.avatar,
-                   "mannequin, a file (.vrm, .glb, .gltf), or one of raks avatar list");
+    add_avatar_options(app, settings);
     app.add_option("--theme", settings.theme, "stage, workshop_dark, studio_light or plain");
     app.add_option("--camera", settings.camera, "wide, portrait, front or side");
     app.add_option("--size", settings.size, "picture size, such as 1280x720");
@@ -106,6 +118,7 @@ void add_render(RaksCommands& table) {
     app->add_option("file", a->input, "music file; none: music of our own");
     app->add_option("-o,--out", a->output, "X.mp4, X.mkv, X.webm, X.avi, or a folder for .png")
         ->required();
+    app->add_option("--motion", a->motion, kMotionHelp);
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     add_picture_options(*app, a->settings, a->has_overlay);
@@ -114,7 +127,8 @@ void add_render(RaksCommands& table) {
 void add_dance(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "dance", "write the dance to a file as motion", dance);
     app->add_option("file", a->input, "music file")->required();
-    app->add_option("-o,--out", a->output, "X.bvh; of several dancers X_1.bvh, X_2.bvh, ...")
+    app->add_option(
+           "-o,--out", a->output, "X.bvh, X.vrma; of several dancers X_1.bvh, X_2.bvh, ...")
         ->required();
     app->add_option("--fps", a->fps, "poses a second")->check(in_range(1.0, 240.0));
     add_as_live_option(*app, a->is_as_live);
@@ -138,8 +152,11 @@ void add_sheet(RaksCommands& table) {
         table.add(table.app(), "sheet", "draw a figure as a pose sheet, or film it", sheet);
     app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.mkv, X.webm, X.avi, a folder")
         ->required();
-    app->add_option("--dance", a->settings.dance, "name, folder or written dance (X.toml)");
-    app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first");
+    auto* const motion = app->add_option("--motion", a->motion, kMotionHelp);
+    app->add_option("--dance", a->settings.dance, "name, folder or written dance (X.toml)")
+        ->excludes(motion);
+    app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first")
+        ->excludes(motion);
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
     app->add_option("--bpm", a->bpm, "tempo danced to")->check(in_range(50.0, 230.0));
@@ -148,9 +165,7 @@ void add_sheet(RaksCommands& table) {
         ->check(CLI::NonNegativeNumber);
     app->add_option("--fps", a->settings.fps, "pictures a second of a film")
         ->check(CLI::Range(1.0, 240.0));
-    app->add_option("--avatar",
-                    a->settings.avatar,
-                    "mannequin, a file (.vrm, .glb, .gltf), or one of raks avatar list");
+    add_avatar_options(*app, a->settings);
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
     app->add_option("--view", a->settings.view, "skin, stick or auto");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");

@@ -34,16 +34,33 @@ void add_devices(RaksCommands& table) {
     app->add_flag("--has-output", a->asks_for_output, "print nothing; fail without one");
 }
 
+// What a person says of a model's file.
+void add_model_options(CLI::App& app, std::string& model, engine::AvatarOptions& options) {
+    app.add_option("model", model, "file, or name of one of `raks avatar list`")->required();
+    app.add_option("--labels", options.labels, "file that says which nodes are its bones");
+}
+
+void add_height_option(CLI::App& app, engine::AvatarOptions& options) {
+    app.add_option_function<float>(
+           "--height",
+           [&options](const float& height) { options.height = height; },
+           "metres that it is tall; else as its file has it")
+        ->check(in_range(0.01F, 10.0F));
+}
+
 void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
     auto [app, a] =
         table.add(avatar, "pose", "write a model in a posture, or moved by a clip", avatar_pose);
-    app->add_option("model", a->model, "file, or name of one of `raks avatar list`")->required();
+    add_model_options(*app, a->model, a->options);
+    add_height_option(*app, a->options);
     auto* const pose =
         app->add_option("--pose", a->pose, "posture: FILE.json, or FILE.json#NAME of several");
-    auto* const motion = app->add_option("--motion", a->motion, "clip: .vrma, .glb or .bvh");
+    auto* const motion = app->add_option(
+        "--motion", a->motion, "clip: X.vrma, X.bvh, X.glb, or X.glb#NAME of several");
     pose->excludes(motion);
     app->add_option("--time", a->time, "seconds into the clip, or all")->needs(motion);
-    app->add_option("-o,--out", a->output, "X.obj: the mesh; X.tsv: the joints")->required();
+    app->add_option("-o,--out", a->output, "X.png: a picture; X.obj: the mesh; X.tsv: joints")
+        ->required();
 }
 
 // `avatar` itself does nothing: one of its commands must follow.
@@ -54,7 +71,10 @@ void add_avatar(RaksCommands& table) {
     list->add_flag("--json", l->as_json, "one JSON document");
     auto [show, s] =
         table.add(*avatar, "show", "tell what is in a model: VRM, glTF, VRMA", avatar_show);
-    show->add_option("model", s->model, "file, or name of one of `raks avatar list`")->required();
+    add_model_options(*show, s->model, s->options);
+    add_height_option(*show, s->options);
+    show->add_option("--expression", s->expression, "what a face does: happy=1,blink=0.6");
+    show->add_option("--thumbnail", s->thumbnail, "X.png: a picture of it");
     show->add_flag("--json", s->as_json, "one JSON document");
     add_avatar_pose(table, *avatar);
 }
@@ -158,9 +178,16 @@ void add_eval(RaksCommands& table) {
 
 void add_bench(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "bench", "measure this machine", bench);
-    app->add_option("what", a->what, "latency, analysis, motion, render or train")
+    app->add_option("what", a->what, "latency, analysis, motion, render, avatar or train")
         ->required()
-        ->check(one_of({"latency", "analysis", "motion", "render", "train"}));
+        ->check(one_of({"latency", "analysis", "motion", "render", "avatar", "train"}));
+    app->add_option("model", a->model, "of avatar: file, or name of one of `raks avatar list`");
+    app->parse_complete_callback([arguments = a] {
+        if ((arguments->what == "avatar") == arguments->model.empty()) {
+            throw CLI::RequiredError(arguments->model.empty() ? "MODEL of `raks bench avatar`"
+                                                              : "avatar, before a model");
+        }
+    });
     app->add_flag("--json", a->as_json, "one JSON document");
     app->add_option("--duration", a->seconds, "seconds of music")->check(in_range(5.0, 3600.0));
 }

@@ -1,5 +1,6 @@
 #include "apps/raks/commands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
+#include "engine/offline/clip_driver.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/show/show.hpp"
@@ -145,8 +147,10 @@ class Film final : public engine::OfflineDriver::Sink {
 
 // Feeds the music to dancer and film, to its end or to a signal; the film is complete in both
 // cases.
+// `Driver`: of dancers or of a clip.
+template <typename Driver>
 Expected<void> run(engine::MusicSource& source,
-                   engine::OfflineDriver& driver,
+                   Driver& driver,
                    render::VideoWriter& writer,
                    Film& film) {
     ProgressLine progress("rendering");
@@ -187,6 +191,131 @@ render::VideoOptions video_options(const RenderArguments& arguments, const engin
     return options;
 }
 
+// Where all pictures are drawn. The members are destroyed last to first: what is drawn with before
+// the context.
+struct Studio {
+    render::OffscreenContext context;
+    engine::Show show;
+    render::OffscreenTarget target;
+};
+
+// No window: rendering works without a display.
+Expected<Studio> open_studio(const RenderArguments& arguments,
+                             const engine::Look& look,
+                             std::shared_ptr<const DanceList> dances) {
+    auto context = render::OffscreenContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    auto show = engine::Show::create(look, arguments.has_overlay, std::move(dances));
+    if (!show) {
+        return fail(show.error());
+    }
+    auto target = render::OffscreenTarget::create(
+        {.width = look.size.width, .height = look.size.height, .samples = show->samples()});
+    if (!target) {
+        return fail(target.error());
+    }
+    return Studio{std::move(*context), std::move(*show), std::move(*target)};
+}
+
+// A film of `driver`, to music.
+template <typename Driver>
+ExitCode film_music(const RenderArguments& arguments,
+                    const engine::Look& look,
+                    engine::MusicSource& source,
+                    Driver& driver,
+                    std::shared_ptr<const DanceList> dances) {
+    render::VideoOptions options = video_options(arguments, look);
+    options.audio_rate = source.rate().hertz();
+    auto writer = render::VideoWriter::create(arguments.output, options);
+    if (!writer) {
+        return fail(writer.error());
+    }
+    auto studio = open_studio(arguments, look, std::move(dances));
+    if (!studio) {
+        return fail(studio.error());
+    }
+    Film film(studio->show, studio->target, **writer, arguments, options.rate, source.seconds());
+    if (auto ran = run(source, driver, **writer, film); !ran) {
+        return fail(ran.error());
+    }
+    say_if_stopped(arguments.output, source.given());
+    if (!source.warning().empty()) {
+        say(source.warning());
+    }
+    return kExitDone;
+}
+
+// A silent film of a clip, once through.
+ExitCode film_clip(const RenderArguments& arguments,
+                   const engine::Look& look,
+                   engine::ClipDriver driver,
+                   double seconds) {
+    render::VideoOptions options = video_options(arguments, look);
+    options.audio_channels = 0;
+    auto writer = render::VideoWriter::create(arguments.output, options);
+    if (!writer) {
+        return fail(writer.error());
+    }
+    auto studio = open_studio(arguments, look, std::make_shared<const DanceList>());
+    if (!studio) {
+        return fail(studio.error());
+    }
+    Film film(studio->show, studio->target, **writer, arguments, options.rate, seconds);
+    ProgressLine progress("rendering");
+    constexpr double kPart = 0.5;  // seconds between two looks at signals
+    double done = 0.0;
+    while (done < seconds && !stop_signal() && !film.fault()) {
+        done = std::min(done + kPart, seconds);
+        driver.perform(stream_time_from_seconds(done), film);
+        progress.show(done / seconds);
+    }
+    film.finish(stream_time_from_seconds(done));
+    if (film.fault()) {
+        return fail(*film.fault());
+    }
+    say_if_stopped(arguments.output, nanos_from_seconds(done));
+    return exit_code_of((*writer)->finish());
+}
+
+// The avatar performs a clip: once in silence, or over and over to music.
+ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
+    auto opened = open_clip(arguments.motion, arguments.settings);
+    if (!opened) {
+        return fail(opened.error());
+    }
+    const auto clip = std::make_shared<const engine::FigureClip>(std::move(*opened));
+    const double length = clip->duration();
+    if (arguments.input.empty()) {
+        const double start = arguments.section.start;
+        if (!(length > start)) {
+            return fail(fmt::format("{}: the clip ends at {:.3f} s", arguments.motion, length));
+        }
+        const double seconds =
+            std::min(arguments.section.duration.value_or(length), length - start);
+        const auto pose_at = [clip, start](double time) { return clip->pose_at(start + time); };
+        return film_clip(arguments, look, engine::ClipDriver(pose_at), seconds);
+    }
+    auto source = engine::MusicSource::open(
+        arguments.input, arguments.section.start, arguments.section.duration);
+    if (!source) {
+        return fail(source.error());
+    }
+    const auto setup = open_dances(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    auto driver =
+        engine::ClipDriver::create(source->rate(), setup->models, [clip, length](double time) {
+            return clip->pose_at(length > 0.0 ? std::fmod(time, length) : 0.0);
+        });
+    if (!driver) {
+        return fail(driver.error());
+    }
+    return film_music(arguments, look, *source, *driver, setup->catalogue.list());
+}
+
 }  // namespace
 
 ExitCode render(const RenderArguments& given) {
@@ -201,12 +330,18 @@ ExitCode render(const RenderArguments& given) {
     }
     // What cannot be written is said before anything is loaded. A film over its own music would
     // destroy it.
-    render::VideoOptions options = video_options(arguments, *look);
-    if (auto checked = check_is_no_input(arguments.output, {arguments.input}); !checked) {
+    if (auto checked = check_is_no_input(
+            arguments.output, {arguments.input, engine::FigureClip::file_of(arguments.motion)});
+        !checked) {
         return fail(std::move(checked.error()));
     }
-    if (auto checked = render::VideoWriter::check(arguments.output, options); !checked) {
+    if (auto checked =
+            render::VideoWriter::check(arguments.output, video_options(arguments, *look));
+        !checked) {
         return fail(checked.error());
+    }
+    if (!arguments.motion.empty()) {
+        return render_clip(arguments, *look);
     }
     // Without a file, the demo.
     if (arguments.input.empty()) {
@@ -231,34 +366,7 @@ ExitCode render(const RenderArguments& given) {
     if (!driver) {
         return fail(std::move(driver.error()));
     }
-    options.audio_rate = source->rate().hertz();
-    auto writer = render::VideoWriter::create(arguments.output, options);
-    if (!writer) {
-        return fail(writer.error());
-    }
-    // No window: rendering works without a display.
-    const auto context = render::OffscreenContext::create();
-    if (!context) {
-        return fail(context.error());
-    }
-    auto show = engine::Show::create(*look, arguments.has_overlay, setup->catalogue.list());
-    if (!show) {
-        return fail(show.error());
-    }
-    auto target = render::OffscreenTarget::create(
-        {.width = options.width, .height = options.height, .samples = show->samples()});
-    if (!target) {
-        return fail(target.error());
-    }
-    Film film(*show, *target, **writer, arguments, options.rate, source->seconds());
-    if (auto ran = run(*source, *driver, **writer, film); !ran) {
-        return fail(ran.error());
-    }
-    say_if_stopped(arguments.output, source->given());
-    if (!source->warning().empty()) {
-        say(source->warning());
-    }
-    return kExitDone;
+    return film_music(arguments, *look, *source, *driver, setup->catalogue.list());
 }
 
 }  // namespace raks::apps

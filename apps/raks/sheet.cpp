@@ -9,6 +9,7 @@
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
+#include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/trials/figure_alone.hpp"
@@ -29,11 +30,61 @@ struct SheetPlan {
     double poses_per_beat = kPosesPerBeat;
 };
 
+// Moments of a clip on a sheet: as many as a figure has, of a posture one.
+std::vector<double> even_times(double duration) {
+    constexpr int kTimes = kCounts * kPosesPerBeat / 2;
+    if (!(duration > 0.0)) {
+        return {0.0};
+    }
+    std::vector<double> times;
+    for (int i = 0; i < kTimes; ++i) {
+        times.push_back(duration * i / (kTimes - 1));
+    }
+    return times;
+}
+
+// Moments of a film's pictures.
+std::vector<double> film_times(double duration, double fps) {
+    std::vector<double> times;
+    for (int i = 0; i == 0 || i / fps < duration; ++i) {
+        times.push_back(i / fps);
+    }
+    return times;
+}
+
 // What a sheet shows.
 struct DancedFigure {
     std::string name;  // "salsa: basic"
     std::vector<motion::Pose> poses;
 };
+
+// A sheet or a film of a clip. Sheets have its poses at even times.
+ExitCode draw_clip(const SheetArguments& arguments, const engine::Look& look) {
+    const auto clip = open_clip(arguments.motion, arguments.settings);
+    if (!clip) {
+        return fail(clip.error());
+    }
+    auto studio = SheetStudio::open(look, best_quality(look));
+    if (!studio) {
+        return fail(studio.error());
+    }
+    const bool is_sheet = arguments.output.extension() == ".png";
+    const std::vector<double> times = is_sheet
+                                          ? even_times(clip->duration())
+                                          : film_times(clip->duration(), arguments.settings.fps);
+    std::vector<motion::Pose> poses;
+    for (const double time : times) {
+        poses.push_back(clip->pose_at(time));
+    }
+    if (!is_sheet) {
+        return exit_code_of(studio->write_film(arguments.output, poses, arguments.settings.fps));
+    }
+    SheetLabels labels{.title = printable(arguments.motion), .poses = {}};
+    for (const double time : times) {
+        labels.poses.push_back(fmt::format("{:.2f} s", time));
+    }
+    return exit_code_of(studio->write_sheet(arguments.output, poses, figure_sheet(), labels));
+}
 
 // One figure, danced by itself on a steady beat, from count 1 on. Errors: no such figure.
 Expected<DancedFigure> dance_a_figure(const SheetArguments& arguments,
@@ -77,6 +128,9 @@ ExitCode sheet(const SheetArguments& given) {
     const auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
+    }
+    if (!arguments.motion.empty()) {
+        return draw_clip(arguments, *look);
     }
     // The kind of output decides: a .png is a sheet, all else a film.
     const bool is_sheet = arguments.output.extension() == ".png";

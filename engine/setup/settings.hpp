@@ -31,6 +31,8 @@ struct Settings {
     double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]
     std::string avatar = "mannequin";  ///< or a file, or a name in the person's folder of avatars
+    double avatar_height = 0.0;        ///< metres; 0: its own; [0, 10]
+    std::string avatar_labels;         ///< file that says which nodes are its bones; empty: none
     std::string theme = "stage";       ///< stage, workshop_dark, studio_light or plain
     std::string camera = "wide";       ///< preset: wide, portrait, front or side
     std::string size = "1280x720";     ///< WIDTHxHEIGHT

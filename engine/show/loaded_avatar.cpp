@@ -8,11 +8,8 @@
 
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
-#include "engine/show/standing_model.hpp"
 #include "render/avatar/model_avatar.hpp"
-#include "render/import/humanoid_map.hpp"
 #include "render/import/image.hpp"
-#include "render/import/model_reader.hpp"
 #include "render/mannequin/mannequin.hpp"
 
 namespace raks::engine {
@@ -40,18 +37,6 @@ std::vector<render::Image> unpacked(render::Model& model) {
     return images;
 }
 
-/// The model's bones: its own map, or what names and shape say.
-Expected<void> find_bones(render::Model& model) {
-    if (auto mapped = render::map_humanoid(model); !mapped) {
-        return mapped;
-    }
-    const std::string missing = render::missing_bones(model.character.humanoid);
-    if (!missing.empty()) {
-        return fail("no figure that can dance: it lacks " + missing);
-    }
-    return {};
-}
-
 }  // namespace
 
 std::string credit_line(const render::Licence& licence, const std::string& file) {
@@ -76,7 +61,20 @@ LoadedAvatar mannequin() {
             .warnings = {}};
 }
 
-Expected<LoadedAvatar> load_avatar(const std::string& name, std::optional<float> height) {
+LoadedAvatar make_avatar(FigureModel& figure, const std::string& file) {
+    render::Model& model = figure.model;
+    std::vector<render::Image> images = unpacked(model);
+    auto avatar = std::make_shared<render::Avatar>(
+        render::build_avatar(model, std::move(images), figure.options));
+    std::vector<std::string> warnings = model.warnings;
+    warnings.insert(warnings.end(), avatar->rig->warnings.begin(), avatar->rig->warnings.end());
+    return {.avatar = std::move(avatar),
+            .credit = credit_line(model.character.licence, file),
+            .is_credit_required = model.character.licence.is_credit_required,
+            .warnings = std::move(warnings)};
+}
+
+Expected<LoadedAvatar> load_avatar(const std::string& name, const AvatarOptions& options) {
     const Expected<fs::path> path = find_avatar(name);
     if (!path) {
         return fail(path.error());
@@ -84,23 +82,11 @@ Expected<LoadedAvatar> load_avatar(const std::string& name, std::optional<float>
     if (path->empty()) {
         return mannequin();
     }
-    Expected<render::Model> model = render::load_model(*path);
-    if (!model) {
-        return fail(std::move(model.error()));
+    Expected<FigureModel> figure = load_figure(*path, options);
+    if (!figure) {
+        return fail(std::move(figure.error()));
     }
-    if (auto found = find_bones(*model); !found) {
-        return fail(std::move(found.error()).in(printable(path->string())));
-    }
-    const render::RigOptions options = stand_model(*model, height);
-    std::vector<render::Image> images = unpacked(*model);
-    auto avatar =
-        std::make_shared<render::Avatar>(render::build_avatar(*model, std::move(images), options));
-    std::vector<std::string> warnings = std::move(model->warnings);
-    warnings.insert(warnings.end(), avatar->rig->warnings.begin(), avatar->rig->warnings.end());
-    return LoadedAvatar{.avatar = std::move(avatar),
-                        .credit = credit_line(model->character.licence, path->filename().string()),
-                        .is_credit_required = model->character.licence.is_credit_required,
-                        .warnings = std::move(warnings)};
+    return make_avatar(*figure, path->filename().string());
 }
 
 }  // namespace raks::engine

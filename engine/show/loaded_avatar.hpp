@@ -2,11 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/expected.hpp"
+#include "engine/show/figure_model.hpp"
 
 namespace raks::render {
 struct Avatar;
@@ -29,11 +29,14 @@ struct LoadedAvatar {
 /// The avatar that comes with Raks.
 [[nodiscard]] LoadedAvatar mannequin();
 
-/// Loads what a setting names (find_avatar). `height`: metres; none: its own where that is
-/// 0.5 to 2.5 m, else 1.7. Errors: those of find_avatar; of the file (base/file.hpp); of its
-/// reader, with what is wrong and where; bones that a dancer needs are missing. Threads: workers.
+/// The avatar of a figure. `file`: its name, for the credit where the model has no title. What its
+/// images lack is a warning; the model's own warnings are taken over. Threads: workers.
 /// Real-time: no.
+[[nodiscard]] LoadedAvatar make_avatar(FigureModel& figure, const std::string& file);
+
+/// Loads what a setting names (find_avatar). Errors: those of find_avatar and load_figure.
+/// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<LoadedAvatar> load_avatar(const std::string& name,
-                                                 std::optional<float> height = std::nullopt);
+                                                 const AvatarOptions& options = {});
 
 }  // namespace raks::engine

@@ -78,17 +78,6 @@ void list_depth_first(std::size_t bone, std::vector<std::size_t>& order) {
     }
 }
 
-// A sum is finite only if all its terms are.
-bool is_finite(const Pose& pose) {
-    for (const glm::quat& q : pose.local_rotations) {
-        if (!std::isfinite(q.w + q.x + q.y + q.z)) {
-            return false;
-        }
-    }
-    const glm::vec3& p = pose.hips_position;
-    return std::isfinite(p.x + p.y + p.z);
-}
-
 }  // namespace
 
 Expected<void> write_bvh(const std::filesystem::path& path,

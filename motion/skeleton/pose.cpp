@@ -81,4 +81,15 @@ void set_hand_shape(Side side, double fist, Pose& pose) noexcept RAKS_NONBLOCKIN
     }
 }
 
+// A sum is finite only if all its terms are.
+bool is_finite(const Pose& pose) noexcept {
+    for (const glm::quat& q : pose.local_rotations) {
+        if (!std::isfinite(q.w + q.x + q.y + q.z)) {
+            return false;
+        }
+    }
+    const glm::vec3& p = pose.hips_position;
+    return std::isfinite(p.x + p.y + p.z);
+}
+
 }  // namespace raks::motion

@@ -56,6 +56,9 @@ static_assert(std::is_trivially_copyable_v<Pose>);
 /// The mirror image (plane x = 0): left and right exchanged. Threads: any. Real-time: yes.
 [[nodiscard]] Pose mirrored(const Pose& pose) noexcept;
 
+/// Whether all numbers of a pose are finite. Threads: any. Real-time: yes.
+[[nodiscard]] bool is_finite(const Pose& pose) noexcept;
+
 // Hand shape: fingers from open to closed.
 
 /// Sets the fingers of a hand, from open and flat (`fist` 0) to a fist with the thumb beside it

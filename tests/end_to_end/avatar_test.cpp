@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -108,9 +109,9 @@ TEST_F(Avatar, what_cannot_be_posed_is_told_in_one_line) {
     expect_one_line({"avatar", "pose", model, "--pose", poses + "#squad", "-o", path("x.obj")},
                     1,
                     "poses.json: pose \"squad\" is unknown; did you mean \"squat\"?");
-    expect_one_line({"avatar", "pose", model, "--motion", clip, "-o", path("x.png")},
+    expect_one_line({"avatar", "pose", model, "--motion", clip, "-o", path("x.jpg")},
                     1,
-                    "a posed avatar is written as .obj or .tsv");
+                    "a posed avatar is written as .png, .obj or .tsv");
     expect_one_line(
         {"avatar", "pose", model, "--motion", clip, "--time", "99", "-o", path("x.obj")},
         1,
@@ -122,6 +123,116 @@ TEST_F(Avatar, what_cannot_be_posed_is_told_in_one_line) {
     expect_one_line({"avatar", "pose", model, "--motion", model, "-o", path("x.obj")},
                     1,
                     "there is no clip in it");
+}
+
+TEST_F(Avatar, pose_draws_a_posture_and_a_clip) {
+    const std::string model = (kModels / "Godette_vrm_v4.vrm").string();
+    const std::string poses = (kModels / "three_vrm" / "poses.json").string();
+    const std::string clip = (kModels / "test.vrma").string();
+    const auto posed = run({"avatar", "pose", model, "--pose", poses + "#T", "-o", path("a.png")});
+    ASSERT_EQ(posed.exit_code, 0) << posed.err;
+    const auto moved =
+        run({"avatar", "pose", model, "--motion", clip, "--time", "0.2", "-o", path("b.png")});
+    ASSERT_EQ(moved.exit_code, 0) << moved.err;
+    EXPECT_NE(read_file(path("a.png")).value(), read_file(path("b.png")).value());
+    expect_one_line(
+        {"avatar", "pose", model, "--motion", clip, "--time", "all", "-o", path("c.png")},
+        1,
+        "a picture holds one time");
+}
+
+TEST_F(Avatar, height_makes_the_mesh_so_tall) {
+    const std::string model = (kModels / "RiggedFigure.glb").string();
+    const std::vector<std::string> words = {
+        "avatar", "pose", model, "--motion", model, "-o", path("x.tsv"), "--height"};
+    const auto height_of = [&](const std::string& height) {
+        auto all = words;
+        all.push_back(height);
+        const auto result = run(all);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        // Frame, node, name, x, y, z: the highest of the first frame.
+        std::istringstream lines(read_file(path("x.tsv")).value());
+        std::string line;
+        double highest = 0.0;
+        while (std::getline(lines, line) && (line[0] == 'f' || line.starts_with("0\t"))) {
+            const std::size_t y = line.rfind('\t', line.rfind('\t') - 1);
+            highest = line[0] == 'f' ? 0.0 : std::max(highest, std::stod(line.substr(y + 1)));
+        }
+        return highest;
+    };
+    EXPECT_NEAR(height_of("2.9") / height_of("1.45"), 2.0, 0.01);
+    expect_one_line({"avatar", "show", model, "--height", "0"}, 2, "--height");
+    const auto json =
+        nlohmann::json::parse(run({"avatar", "show", model, "--height", "2", "--json"}).out);
+    EXPECT_NEAR(json["dances_at_m"].get<double>(), 2.0, 1e-5);
+}
+
+TEST_F(Avatar, show_tells_what_a_face_moves) {
+    const std::string model = (kModels / "sphere.vrm").string();
+    const auto json = nlohmann::json::parse(
+        run({"avatar", "show", model, "--json", "--expression", "happy=1,blink=0.5"}).out);
+    ASSERT_TRUE(json["morph_weights"].is_array());
+    for (const auto& weight : json["morph_weights"]) {
+        EXPECT_TRUE(weight["node"].is_number_integer());
+        EXPECT_TRUE(weight["target"].is_number_integer());
+        EXPECT_GT(weight["weight"].get<double>(), 0.0);
+    }
+    expect_one_line({"avatar", "show", model, "--expression", "hapy=1"},
+                    1,
+                    "expression \"hapy\" is unknown; did you mean \"happy\"?");
+    expect_one_line({"avatar", "show", model, "--expression", "happy=2"},
+                    1,
+                    "happy is \"2\", must be a number from 0 to 1");
+    expect_one_line({"avatar", "show", model, "--expression", "happy"}, 1, "must be like happy=1");
+    expect_one_line(
+        {"avatar", "show", (kModels / "RiggedFigure.glb").string(), "--expression", "happy=1"},
+        1,
+        "the model has no expressions");
+}
+
+TEST_F(Avatar, show_draws_a_thumbnail) {
+    for (const char* name : {"Godette_vrm_v4.vrm", "SimpleSkin.gltf"}) {
+        const auto result =
+            run({"avatar", "show", (kModels / name).string(), "--thumbnail", path("x.png")});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(read_file(path("x.png")).value().substr(1, 3), "PNG");
+    }
+    const std::string clip = (kModels / "test.vrma").string();
+    expect_one_line({"avatar", "show", clip, "--thumbnail", path("y.png")},
+                    1,
+                    "there is nothing in it to draw");
+    expect_one_line({"avatar", "show", clip, "--thumbnail", path("y.jpg")},
+                    1,
+                    "a thumbnail is written as .png");
+}
+
+TEST_F(Avatar, performs_a_clip_in_a_dances_place) {
+    write_clicks("song.wav");
+    const std::string clip = (kModels / "six_poses.vrma").string();
+    const std::string model = (kModels / "Godette_vrm_v4.vrm").string();
+    const std::vector<std::string> film = {"render",
+                                           "--motion",
+                                           clip,
+                                           "--avatar",
+                                           model,
+                                           "--size",
+                                           "160x160",
+                                           "--quality",
+                                           "fast",
+                                           "-o"};
+    auto silent = film;
+    silent.push_back(path("silent.mp4"));
+    const auto result = run(silent);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    auto sounding = film;
+    sounding.insert(sounding.end(), {path("song.mp4"), path("song.wav"), "--duration", "1"});
+    const auto other = run(sounding);
+    ASSERT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_TRUE(fs::exists(path("song.mp4")));
+    const auto sheet = run({"sheet", "--motion", clip, "--avatar", model, "-o", path("x.png")});
+    ASSERT_EQ(sheet.exit_code, 0) << sheet.err;
+    expect_one_line({"sheet", "--motion", model, "-o", path("y.png")}, 1, "there is no clip in it");
+    expect_one_line({"render", "--motion", path("no.vrma"), "-o", path("y.mp4")}, 1, "no.vrma");
 }
 
 /// Bytes of a film in a row somewhere.

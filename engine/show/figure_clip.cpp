@@ -1,0 +1,200 @@
+#include "engine/show/figure_clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "base/file.hpp"
+#include "base/printable.hpp"
+#include "base/suggest.hpp"
+#include "engine/show/figure_model.hpp"
+#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/humanoid_mapping.hpp"
+#include "render/avatar/animation_sampler.hpp"
+#include "render/avatar/joint_tree.hpp"
+#include "render/avatar/node_clip.hpp"
+#include "render/import/bind_places.hpp"
+#include "render/import/model_reader.hpp"
+#include "render/import/standing_figure.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "FILE#NAME" apart; a file that has the whole as its name wins.
+std::pair<fs::path, std::string> parts_of(const std::string& argument) {
+    const std::size_t at = argument.rfind('#');
+    if (at == std::string::npos || is_there(argument)) {
+        return {argument, ""};
+    }
+    return {argument.substr(0, at), argument.substr(at + 1)};
+}
+
+/// The clip of a name, or the first. Errors: there is none.
+Expected<std::size_t> find_clip(const render::Model& model, const std::string& name) {
+    if (model.animations.empty()) {
+        return fail("there is no clip in it");
+    }
+    if (name.empty()) {
+        return 0;
+    }
+    std::vector<std::string_view> names;
+    for (const render::ModelAnimation& animation : model.animations) {
+        names.push_back(animation.name);
+    }
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        return fail(unknown_name("clip", name, names));
+    }
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+/// The T-pose of a figure that stands.
+render::BoneRest rest_of(const render::Model& model, const render::StandingFigure& figure) {
+    render::BoneRest rest;
+    rest.turn = figure.turn;
+    for (std::size_t bone = 0; bone < rest.world.size(); ++bone) {
+        const int node = model.character.humanoid.nodes[bone];
+        rest.world[bone] = motion::kNoRotation;
+        if (node >= 0) {
+            rest.world[bone] = figure.straighten[bone] *
+                               render::rotation_of(figure.world[static_cast<std::size_t>(node)]);
+        }
+    }
+    return rest;
+}
+
+}  // namespace
+
+/// Makes clips of the kinds of files.
+class FigureClipReader {
+ public:
+    FigureClipReader(fs::path file, std::string name, const glm::vec3& hips)
+        : file_(std::move(file)), name_(std::move(name)), hips_(hips) {}
+
+    Expected<FigureClip> read_bvh() const {
+        if (!name_.empty()) {
+            return fail("a BVH holds one clip, which has no name");
+        }
+        const auto clip = motion::read_bvh(file_);
+        if (!clip) {
+            return fail(clip.error());
+        }
+        motion::Skeleton body;
+        body.offsets[0] = hips_;
+        auto retargeted = motion::retarget(*clip, body);
+        if (!retargeted) {
+            return fail(std::move(retargeted.error()).in(printable(file_.string())));
+        }
+        if (retargeted->poses.empty()) {
+            return fail(printable(file_.string()) + ": there are no poses in it");
+        }
+        return clip_of(std::move(retargeted->poses), retargeted->frames_per_second);
+    }
+
+    Expected<FigureClip> read_model(const fs::path& labels) const {
+        auto read = render::load_model(file_);
+        if (!read) {
+            return fail(read.error());
+        }
+        auto model = std::make_shared<render::Model>(std::move(*read));
+        auto clip = clip_of(*model, labels, model);
+        if (!clip) {
+            return fail(std::move(clip.error()).in(printable(file_.string())));
+        }
+        return clip;
+    }
+
+ private:
+    static FigureClip clip_of(std::vector<motion::Pose> list, double rate) {
+        FigureClip clip;
+        clip.duration_ = static_cast<double>(list.size() - 1) / rate;
+        clip.rate_ = rate;
+        clip.pose_ = [poses = std::move(list), rate](double seconds) {
+            const double last = static_cast<double>(poses.size() - 1);
+            const double frame = std::clamp(seconds * rate, 0.0, last);
+            const auto before = static_cast<std::size_t>(frame);
+            const std::size_t after = std::min(before + 1, poses.size() - 1);
+            const auto part = static_cast<float>(frame - std::floor(frame));
+            return motion::interpolate(poses[before], poses[after], part);
+        };
+        return clip;
+    }
+
+    // `keeper` keeps the model alive, into which clips look.
+    Expected<FigureClip> clip_of(render::Model& model,
+                                 const fs::path& labels,
+                                 const std::shared_ptr<render::Model>& keeper) const {
+        const auto index = find_clip(model, name_);
+        if (!index) {
+            return fail(index.error());
+        }
+        if (model.animated_face.is_vrma) {
+            return vrma_clip(keeper, *index);
+        }
+        if (auto found = find_bones(model, labels); !found) {
+            return fail(found.error());
+        }
+        return own_clip(keeper, *index);
+    }
+
+    FigureClip vrma_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
+        const auto sampler = std::make_shared<const render::AnimationSampler>(*model, index);
+        const bool travels = sampler->has_travel() && sampler->rest_hips().y > 0.0F;
+        const float scale = travels ? hips_.y / sampler->rest_hips().y : 1.0F;
+        FigureClip clip;
+        clip.duration_ = static_cast<double>(sampler->duration());
+        clip.pose_ = [model, sampler, travels, scale, hips = hips_](double seconds) {
+            motion::Pose pose = sampler->pose_at(static_cast<float>(seconds));
+            pose.hips_position = travels ? pose.hips_position * scale : hips;
+            return pose;
+        };
+        clip.face_ = [model, sampler](double seconds) {
+            return sampler->face_at(static_cast<float>(seconds));
+        };
+        clip.warnings_ = model->warnings;
+        return clip;
+    }
+
+    FigureClip own_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
+        const render::StandingFigure figure = render::stand_up(*model);
+        const auto sampler =
+            std::make_shared<render::NodeClip>(*model, index, rest_of(*model, figure));
+        const auto hips_node = static_cast<std::size_t>(model->character.humanoid.nodes[0]);
+        // Over the floor that it stands on, wherever the file has that.
+        const float floor = render::mesh_box(*model, figure.world).lowest.y;
+        const float height = figure.world[hips_node][3].y - floor;
+        const float scale = height > 0.0F ? hips_.y / height : 1.0F;
+        FigureClip clip;
+        clip.duration_ = static_cast<double>(sampler->duration());
+        clip.pose_ = [model, sampler, floor, scale](double seconds) {
+            motion::Pose pose = sampler->pose_at(static_cast<float>(seconds));
+            pose.hips_position.y -= floor;
+            pose.hips_position *= scale;
+            return pose;
+        };
+        clip.warnings_ = model->warnings;
+        return clip;
+    }
+
+    fs::path file_;
+    std::string name_;
+    glm::vec3 hips_;
+};
+
+fs::path FigureClip::file_of(const std::string& argument) { return parts_of(argument).first; }
+
+Expected<FigureClip> FigureClip::load(const std::string& argument,
+                                      const glm::vec3& hips,
+                                      const fs::path& labels) {
+    const auto [file, name] = parts_of(argument);
+    const FigureClipReader reader(file, name, hips);
+    return file.extension() == ".bvh" ? reader.read_bvh() : reader.read_model(labels);
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,55 @@
+// What moves a figure in a dance's place: a clip of a file.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "render/avatar/face.hpp"
+
+#include <glm/vec3.hpp>
+
+namespace raks::engine {
+
+/// A clip on a body: of a VRMA, of a glTF (its own), or a BVH. Threads: one. Real-time: no.
+class FigureClip {
+ public:
+    /// `argument`: "FILE", whose first clip is taken, or "FILE#NAME". `hips`: where those of the
+    /// body rest; their travel is scaled by the ratio of hips heights. `labels`: a label file for
+    /// the clip's own model; empty: none. Errors, with the file's name: those of its reader, there
+    /// is no such clip in it, no figure.
+    [[nodiscard]] static Expected<FigureClip> load(const std::string& argument,
+                                                   const glm::vec3& hips,
+                                                   const std::filesystem::path& labels = {});
+
+    /// Seconds to the last pose.
+    [[nodiscard]] double duration() const noexcept { return duration_; }
+    /// Poses a second: the file's, or 60 where it has no rate.
+    [[nodiscard]] double rate() const noexcept { return rate_; }
+    /// What the model of the clip had mended; one line each.
+    [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
+
+    /// The pose at `seconds`, held before the start and after the end.
+    [[nodiscard]] motion::Pose pose_at(double seconds) const { return pose_(seconds); }
+    /// The face; at rest where the clip has none.
+    [[nodiscard]] render::Face face_at(double seconds) const {
+        return face_ ? face_(seconds) : render::Face();
+    }
+
+    /// The file of an argument, without the clip's name.
+    [[nodiscard]] static std::filesystem::path file_of(const std::string& argument);
+
+ private:
+    friend class FigureClipReader;
+
+    std::function<motion::Pose(double)> pose_;
+    std::function<render::Face(double)> face_;
+    double duration_ = 0.0;
+    double rate_ = 60.0;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace raks::engine

@@ -1,0 +1,61 @@
+#include "engine/show/figure_model.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#include "base/file.hpp"
+#include "base/printable.hpp"
+#include "engine/show/standing_model.hpp"
+#include "render/import/humanoid_labels.hpp"
+#include "render/import/humanoid_map.hpp"
+#include "render/import/model_reader.hpp"
+
+namespace raks::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestLabels = std::size_t{1} << 20U;  // bytes
+
+Expected<render::BoneLabels> load_labels(const fs::path& file) {
+    const auto text = read_text_file(file, kLargestLabels);
+    if (!text) {
+        return fail(text.error());
+    }
+    return render::read_bone_labels(*text, printable(file.string()));
+}
+
+}  // namespace
+
+Expected<void> find_bones(render::Model& model, const fs::path& labels) {
+    if (labels.empty()) {
+        return render::map_humanoid(model);
+    }
+    const auto read = load_labels(labels);
+    if (!read) {
+        return fail(read.error());
+    }
+    if (model.character.humanoid.nodes[0] >= 0) {
+        model.warnings.push_back(printable(labels.string()) +
+                                 ": not needed, the model names its bones itself");
+    }
+    return render::map_humanoid(model, &*read);
+}
+
+Expected<FigureModel> load_figure(const fs::path& file, const AvatarOptions& options) {
+    auto model = render::load_model(file);
+    if (!model) {
+        return fail(std::move(model.error()));
+    }
+    if (auto found = find_bones(*model, options.labels); !found) {
+        return fail(std::move(found.error()).in(printable(file.string())));
+    }
+    const std::string missing = render::missing_bones(model->character.humanoid);
+    if (!missing.empty()) {
+        return fail(printable(file.string()) + ": no figure that can dance: it lacks " + missing);
+    }
+    render::RigOptions rig = stand_model(*model, options.height);
+    return FigureModel{std::move(*model), std::move(rig)};
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,36 @@
+// A model file as the figure that dances in it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "base/expected.hpp"
+#include "render/avatar/avatar_rig.hpp"
+#include "render/model/model.hpp"
+
+namespace raks::engine {
+
+/// What a person says of an avatar's file.
+struct AvatarOptions {
+    /// Metres, above 0; none: its own where that is 0.5 to 2.5 m, else 1.7.
+    std::optional<float> height;
+    std::filesystem::path labels;  ///< a label file (render::BoneLabels); empty: none
+};
+
+/// Finds the bones of a model: those that it names itself, else by the label file, by names and by
+/// shape. A label file that is not needed is said in a warning of the model. Errors: those of the
+/// label file and of render::map_humanoid. Threads: workers. Real-time: no.
+[[nodiscard]] Expected<void> find_bones(render::Model& model, const std::filesystem::path& labels);
+
+/// A model whose nodes lie where its figure stands (stand_model), and what its rig needs.
+struct FigureModel {
+    render::Model model;
+    render::RigOptions options;
+};
+
+/// Reads a model and stands its figure up. Errors, with the file's name: those of its reader and of
+/// find_bones; bones that a dancer needs are missing. Threads: workers. Real-time: no.
+[[nodiscard]] Expected<FigureModel> load_figure(const std::filesystem::path& file,
+                                                const AvatarOptions& options = {});
+
+}  // namespace raks::engine

@@ -1,0 +1,56 @@
+// A model's own clips as poses: of any glTF whose figure is known, however it stands.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "motion/skeleton/humanoid.hpp"
+#include "motion/skeleton/pose.hpp"
+#include "render/model/model.hpp"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace raks::render {
+
+/// How the bones of a model stand in its T-pose, in the world in which the figure faces +z.
+struct BoneRest {
+    std::array<glm::quat, motion::kBoneCount> world{};  ///< rotation of each bone's node
+    /// The turn about y from the file's world into that one.
+    glm::quat turn{1.0F, 0.0F, 0.0F, 0.0F};
+};
+
+/// Samples one clip of a model whose humanoid is mapped: all nodes are moved as glTF says, and a
+/// bone's pose is its turn in the world since the T-pose against that of the next bone above it. So
+/// nodes between two bones may turn, and feet may hang on the root (inverse kinematics).
+/// The model must outlive it. Threads: one. Real-time: no.
+class NodeClip {
+ public:
+    /// `animation`: index in Model::animations.
+    NodeClip(const Model& model, std::size_t animation, const BoneRest& rest);
+
+    /// Seconds to the last key; 0: a single posture.
+    [[nodiscard]] float duration() const noexcept { return duration_; }
+
+    /// The pose at `seconds`, held before the first key and after the last one. The hips are where
+    /// they are in the file's metres.
+    [[nodiscard]] motion::Pose pose_at(float seconds);
+
+ private:
+    struct Moved {
+        const AnimationChannel* translation = nullptr;
+        const AnimationChannel* rotation = nullptr;
+        const AnimationChannel* scale = nullptr;
+    };
+    void move_nodes(float seconds);
+
+    const Model& model_;
+    BoneRest rest_;
+    std::vector<std::size_t> order_;  // nodes, parents first
+    std::vector<Moved> moved_;        // by node
+    std::vector<glm::mat4> world_;    // by node, as of the last pose
+    float duration_ = 0.0F;
+};
+
+}  // namespace raks::render

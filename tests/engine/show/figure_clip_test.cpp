@@ -1,0 +1,102 @@
+#include "engine/show/figure_clip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "base/pending_file.hpp"
+#include "engine/show/figure_model.hpp"
+#include "motion/skeleton/skeleton.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace raks::engine {
+namespace {
+
+namespace fs = std::filesystem;
+using motion::Bone;
+
+const fs::path kModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
+
+glm::vec3 hips() { return motion::mannequin_skeleton().offsets[0]; }
+
+Expected<FigureClip> clip_of(const std::string& name) {
+    return FigureClip::load((kModels / name).string(), hips());
+}
+
+// The mannequin stands in this pose: no head below its hips, no feet above.
+void expect_upright(const motion::Pose& pose) {
+    const motion::WorldPose world = motion::world_pose(motion::mannequin_skeleton(), pose);
+    EXPECT_GT(world.position(Bone::head).y, world.position(Bone::hips).y + 0.4F);
+    for (const Bone foot : {Bone::left_foot, Bone::right_foot}) {
+        EXPECT_LT(world.position(foot).y, world.position(Bone::hips).y - 0.4F);
+        EXPECT_NEAR(world.position(foot).y, 0.15F, 0.25F);
+    }
+}
+
+TEST(FigureClip, a_models_own_clip_moves_the_mannequin) {
+    const auto clip = clip_of("RiggedFigure.glb");
+    ASSERT_TRUE(clip) << clip.error().message;
+    EXPECT_GT(clip->duration(), 1.0);
+    for (int i = 0; i <= 10; ++i) {
+        expect_upright(clip->pose_at(clip->duration() * i / 10.0));
+    }
+    const motion::Pose first = clip->pose_at(0.0);
+    const motion::Pose later = clip->pose_at(clip->duration() / 2.0);
+    EXPECT_NE(first.local_rotations, later.local_rotations);
+}
+
+TEST(FigureClip, a_vrma_moves_the_mannequin) {
+    const auto clip = clip_of("six_poses.vrma");
+    ASSERT_TRUE(clip) << clip.error().message;
+    EXPECT_GT(clip->duration(), 0.5);
+    EXPECT_EQ(clip->rate(), 60.0);
+}
+
+TEST(FigureClip, what_is_no_clip_is_said_with_its_file) {
+    const auto message_of = [](const std::string& name) {
+        const auto clip = clip_of(name);
+        EXPECT_FALSE(clip) << name;
+        return clip ? std::string() : clip.error().message;
+    };
+    EXPECT_NE(message_of("sphere.vrm").find("sphere.vrm: there is no clip in it"),
+              std::string::npos);
+    EXPECT_NE(
+        message_of("RiggedFigure.glb#walk").find("RiggedFigure.glb: clip \"walk\" is unknown"),
+        std::string::npos);
+    EXPECT_NE(message_of("x.bvh#walk").find("which has no name"), std::string::npos);
+    EXPECT_NE(message_of("SimpleSkin.gltf").find("SimpleSkin.gltf: no humanoid is found"),
+              std::string::npos);
+}
+
+TEST(FigureModel, is_as_tall_as_is_asked_for) {
+    const auto own = load_figure(kModels / "RiggedFigure.glb");
+    const auto tall = load_figure(kModels / "RiggedFigure.glb", {.height = 2.9F, .labels = {}});
+    ASSERT_TRUE(own && tall);
+    EXPECT_FLOAT_EQ(own->options.scale, 1.0F);
+    EXPECT_NEAR(tall->options.scale, 2.9F / 1.45F, 0.01F);
+}
+
+TEST(FigureModel, a_label_file_says_which_nodes_are_bones) {
+    const test::TemporaryFolder folder;
+    const fs::path labels = folder / "labels.toml";
+    const std::string head = "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n";
+    const auto load = [&](const std::string& bones, const char* model = "RiggedFigure.glb") {
+        EXPECT_TRUE(write_file(labels, head + bones));
+        return load_figure(kModels / model, {.height = {}, .labels = labels});
+    };
+    const auto said = load("leftHand = \"arm_joint_L_3\"\n");
+    ASSERT_TRUE(said) << said.error().message;
+    const auto hand = motion::index_of(Bone::left_hand);
+    EXPECT_EQ(said->model.character.humanoid.reasons[hand], render::BoneReason::label);
+    EXPECT_NE(load("leftHand = \"claw\"\n").error().message.find("claw"), std::string::npos);
+    EXPECT_NE(load("leftHnd = \"claw\"\n").error().message.find("leftHand"), std::string::npos);
+    // VRM says so itself: the file is not needed, and that is said.
+    const auto vrm = load("leftHand = \"claw\"\n", "smoke_spring.vrm");
+    ASSERT_TRUE(vrm) << vrm.error().message;
+    ASSERT_FALSE(vrm->model.warnings.empty());
+    EXPECT_NE(vrm->model.warnings.back().find("not needed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace raks::engine

@@ -1,0 +1,109 @@
+#include "render/avatar/node_clip.hpp"
+
+#include <gtest/gtest.h>
+
+#include "render/avatar/avatar_rig.hpp"
+#include "tests/render/avatar/tiny_model.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::render {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): the tests' own small models
+using motion::Bone;
+
+// Every bone turned by an amount of its own.
+motion::Pose twisted_pose() {
+    motion::Pose pose;
+    for (std::size_t bone = 0; bone < pose.local_rotations.size(); ++bone) {
+        const auto angle = 0.05F * static_cast<float>(bone % 7);
+        pose.local_rotations[bone] = turn_about_z(angle) * turn_about_y(-angle);
+    }
+    pose.hips_position = {0.2F, 0.8F, -0.1F};
+    return pose;
+}
+
+BoneRest rest_of(const Model& model) {
+    const JointTree tree = build_joint_tree(model);
+    const JointState rest = rest_state(tree.joints);
+    BoneRest bones;
+    for (std::size_t bone = 0; bone < bones.world.size(); ++bone) {
+        const int joint = tree.joint_of(model.character.humanoid.nodes[bone]);
+        bones.world[bone] = joint < 0 ? motion::kNoRotation
+                                      : rotation_of(rest.world[static_cast<std::size_t>(joint)]);
+    }
+    return bones;
+}
+
+// A clip of one key that holds the model as `state` does.
+void add_clip(const AvatarRig& rig, const JointState& state, Model& model) {
+    ModelAnimation& clip = model.animations.emplace_back();
+    for (std::size_t joint = 0; joint < rig.tree.joints.size(); ++joint) {
+        const glm::quat& q = state.rotations[joint];
+        const glm::vec3& p = state.translations[joint];
+        clip.channels.push_back({.node = rig.tree.nodes[joint],
+                                 .path = ChannelPath::rotation,
+                                 .times = {1.0F},
+                                 .values = {q.x, q.y, q.z, q.w}});
+        clip.channels.push_back({.node = rig.tree.nodes[joint],
+                                 .path = ChannelPath::translation,
+                                 .times = {1.0F},
+                                 .values = {p.x, p.y, p.z}});
+    }
+}
+
+TEST(NodeClip, is_the_inverse_of_posing_a_crooked_body) {
+    Model model = crooked_humanoid_model();
+    const AvatarRig rig = build_rig(model);
+    RigState state(rig);
+    const motion::Pose pose = twisted_pose();
+    pose_joints(rig, pose, 1.0F, state);
+    add_clip(rig, state.joints, model);
+    NodeClip clip(model, 0, rest_of(model));
+    EXPECT_EQ(clip.duration(), 1.0F);
+    const motion::Pose again = clip.pose_at(0.5F);
+    for (std::size_t bone = 0; bone < pose.local_rotations.size(); ++bone) {
+        EXPECT_TRUE(
+            is_same_rotation(again.local_rotations[bone], pose.local_rotations[bone], 1e-3F))
+            << motion::kBoneNames[bone];
+    }
+    EXPECT_LT(glm::distance(again.hips_position, pose.hips_position), 1e-5F);
+}
+
+TEST(NodeClip, a_node_between_two_bones_turns_the_lower_one) {
+    Model model = humanoid_model();
+    HumanoidMap& map = model.character.humanoid;
+    const auto chest = motion::index_of(Bone::chest);
+    const int between = map.nodes[chest];
+    map.nodes[chest] = -1;
+    const BoneRest rest = rest_of(model);
+    const glm::quat turn = turn_about_y(0.4F);
+    model.animations.emplace_back().channels.push_back(
+        {.node = between,
+         .path = ChannelPath::rotation,
+         .times = {0.0F},
+         .values = {turn.x, turn.y, turn.z, turn.w}});
+    const motion::Pose pose = NodeClip(model, 0, rest).pose_at(0.0F);
+    EXPECT_TRUE(is_same_rotation(pose.rotation(Bone::chest), motion::kNoRotation));
+    EXPECT_TRUE(is_same_rotation(pose.rotation(Bone::upper_chest), turn));
+}
+
+TEST(NodeClip, a_model_that_faces_elsewhere_is_turned_to_the_front) {
+    Model model = humanoid_model();
+    BoneRest rest = rest_of(model);
+    rest.turn = turn_about_y(1.0F);
+    for (glm::quat& world : rest.world) {
+        world = rest.turn * world;
+    }
+    model.animations.emplace_back().channels.push_back({.node = 0,
+                                                        .path = ChannelPath::translation,
+                                                        .times = {0.0F},
+                                                        .values = {1.0F, 1.0F, 0.0F}});
+    const motion::Pose pose = NodeClip(model, 0, rest).pose_at(0.0F);
+    EXPECT_TRUE(is_same_rotation(pose.rotation(Bone::hips), motion::kNoRotation));
+    EXPECT_LT(glm::distance(pose.hips_position, rest.turn * glm::vec3(1.0F, 1.0F, 0.0F)), 1e-5F);
+}
+
+}  // namespace
+}  // namespace raks::render
