@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -36,6 +37,13 @@ std::string joined(const std::vector<std::string_view>& macros) {
         all.append(macro).append(" ");
     }
     return all;
+}
+
+/// Whether a program samples the texture of a slot. Fast shaders have no use for some.
+bool is_read(SurfaceSlot slot, std::initializer_list<const gl::Program*> programs) noexcept {
+    return std::any_of(programs.begin(), programs.end(), [slot](const gl::Program* program) {
+        return program != nullptr && program->uniform(slot_names(slot).sampler.data()) >= 0;
+    });
 }
 
 /// The samplers' units never change: they are set once.
@@ -176,7 +184,7 @@ Expected<void> SurfacePainter::add_part(const Surface& surface,
     for (std::size_t i = 0; i < kSurfaceSlots; ++i) {
         const auto slot = static_cast<SurfaceSlot>(i);
         const TextureUse& use = slot_use(material, slot);
-        if (use.texture >= 0) {
+        if (use.texture >= 0 && is_read(slot, {made.colour, made.outline, made.depth})) {
             made.textures.emplace_back(unit_of(slot),
                                        texture_for(surface, use, slot_names(slot).is_colour));
         }
