@@ -1,0 +1,113 @@
+// A dance that we write as VRMA, as Khronos' validator and pixiv's three-vrm-animation read it.
+// Skipped, with a word, where node, npm or the network is missing.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/file.hpp"
+#include "base/pending_file.hpp"
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kHere = fs::path(RAKS_SOURCE_DIR) / "tests" / "independent";
+const fs::path kModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
+// In the build folder: packages are fetched once for it.
+const fs::path kPackages = fs::path(RAKS_BINARY_DIR) / "tests" / "independent" / "packages";
+
+ProcessResult run_there(std::vector<std::string> command) {
+    ProcessPlan plan;
+    plan.command = std::move(command);
+    plan.folder = kPackages.string();
+    plan.timeout = std::chrono::seconds(300);
+    return run_process(plan);
+}
+
+/// Whether npm could not reach its registry, as it says it.
+bool is_network_fault(const std::string& message) {
+    for (const char* code : {"ENOTFOUND",
+                             "EAI_AGAIN",
+                             "ECONNREFUSED",
+                             "ECONNRESET",
+                             "ETIMEDOUT",
+                             "ENETUNREACH",
+                             "EHOSTUNREACH"}) {
+        if (message.find(code) != std::string::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+class IndependentReaders : public ProgramTest {
+ protected:
+    /// The exact packages of package-lock.json; skips the test where they cannot be had.
+    void SetUp() override {
+        fs::create_directories(kPackages);
+        if (run_there({"npm", "--version"}).exit_code != 0) {
+            GTEST_SKIP() << "node and npm are not installed";
+        }
+        const std::string lock = read_file(kHere / "package-lock.json").value();
+        const fs::path stamp = kPackages / "installed.json";
+        for (const char* name : {"package.json", "package-lock.json", "check_vrma.mjs"}) {
+            fs::copy_file(kHere / name, kPackages / name, fs::copy_options::overwrite_existing);
+        }
+        if (read_file(stamp).value_or("") == lock) {
+            return;
+        }
+        const auto fetched =
+            run_there({"npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"});
+        if (fetched.exit_code != 0 && is_network_fault(fetched.err + fetched.out)) {
+            GTEST_SKIP() << "npm cannot reach its registry";
+        }
+        ASSERT_EQ(fetched.exit_code, 0) << fetched.err;
+        ASSERT_TRUE(write_file(stamp, lock));
+    }
+
+    /// What the others say of a clip on a model.
+    nlohmann::json check(const std::string& clip, const fs::path& model) {
+        const auto posed = run({"avatar",
+                                "pose",
+                                model.string(),
+                                "--motion",
+                                clip,
+                                "--time",
+                                "all",
+                                "-o",
+                                path("ours.tsv")});
+        EXPECT_EQ(posed.exit_code, 0) << posed.err;
+        const auto said =
+            run_there({"node", "check_vrma.mjs", clip, model.string(), path("ours.tsv")});
+        EXPECT_EQ(said.exit_code, 0) << said.err;
+        return said.exit_code == 0 ? nlohmann::json::parse(said.out) : nlohmann::json();
+    }
+};
+
+TEST_F(IndependentReaders, find_no_fault_in_a_dance_and_pose_the_same_joints) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::montuno;
+    plan.tempo = {{0.0, 180.0}};
+    plan.seconds = 6.0;
+    write_music("song.wav", plan);
+    const auto danced =
+        run({"dance", path("song.wav"), "--dance", "salsa", "-o", path("dance.vrma")});
+    ASSERT_EQ(danced.exit_code, 0) << danced.err;
+    for (const char* name : {"Godette_vrm_v4.vrm", "smoke_spring.vrm"}) {
+        const nlohmann::json said = check(path("dance.vrma"), kModels / name);
+        ASSERT_TRUE(said.is_object()) << name;
+        EXPECT_EQ(said["errors"], 0) << said;
+        EXPECT_EQ(said["warnings"], 0) << said;
+        EXPECT_NEAR(said["duration"].get<double>(), 6.0, 0.05);
+        EXPECT_GT(said["compared"].get<int>(), 500);
+        // A tenth of a millimetre: floats of two programs.
+        EXPECT_LT(said["worst"].get<double>(), 1e-4) << name << ": " << said["where"];
+    }
+}
+
+}  // namespace
+}  // namespace raks::test
