@@ -33,6 +33,13 @@ std::string joined(const std::vector<std::string_view>& macros) {
     return all;
 }
 
+/// Whether a program samples the texture of a slot. Fast shaders have no use for some.
+bool is_read(SurfaceSlot slot, std::initializer_list<const gl::Program*> programs) noexcept {
+    return std::any_of(programs.begin(), programs.end(), [slot](const gl::Program* program) {
+        return program != nullptr && program->uniform(slot_names(slot).sampler.data()) >= 0;
+    });
+}
+
 /// The samplers' units never change: they are set once.
 void set_units(const gl::Program& program) noexcept {
     program.use();
@@ -149,11 +156,17 @@ void SurfaceUpload::add_part(const SurfacePart& part) {
     made.is_double_sided = material.is_double_sided;
     made.is_costume = material.is_costume;
     made.writes_depth = !is_blended || (material.mtoon && material.mtoon->transparent_with_z_write);
+}
+
+// The textures that a part's programs read.
+void SurfaceUpload::plan_textures(LoadedPart& part) {
+    const ModelMaterial& material =
+        surface_->materials[static_cast<std::size_t>(part.range.material)];
     for (std::size_t i = 0; i < kSurfaceSlots; ++i) {
         const auto slot = static_cast<SurfaceSlot>(i);
         const TextureUse& use = slot_use(material, slot);
-        if (use.texture >= 0) {
-            made.textures.emplace_back(unit_of(slot), planned(use, slot_names(slot).is_colour));
+        if (use.texture >= 0 && is_read(slot, {part.colour, part.outline, part.depth})) {
+            part.textures.emplace_back(unit_of(slot), planned(use, slot_names(slot).is_colour));
         }
     }
 }
@@ -170,10 +183,16 @@ std::size_t SurfaceUpload::planned(const TextureUse& use, bool is_colour) {
 }
 
 Expected<bool> SurfaceUpload::next() {
-    if (put_vertices() || put_indices() || put_texture()) {
+    if (put_vertices() || put_indices()) {
         return false;
     }
-    return add_program();
+    if (part_ < loaded_.parts.size()) {
+        if (auto added = add_program(); !added) {
+            return fail(std::move(added.error()));
+        }
+        return false;
+    }
+    return !put_texture();
 }
 
 // True: there was something to do.
@@ -234,11 +253,8 @@ bool SurfaceUpload::put_texture() {
     return true;
 }
 
-// One program of one part; those that another part has had built cost nothing. True: no more.
-Expected<bool> SurfaceUpload::add_program() {
-    if (part_ == loaded_.parts.size()) {
-        return true;
-    }
+// One program of one part; those that another part has had built cost nothing.
+Expected<void> SurfaceUpload::add_program() {
     LoadedPart& part = loaded_.parts[part_];
     const ModelMaterial& material =
         surface_->materials[static_cast<std::size_t>(part.range.material)];
@@ -255,8 +271,11 @@ Expected<bool> SurfaceUpload::add_program() {
         *program = *found;
     }
     pass_ = (pass_ + 1) % passes.size();
-    part_ += pass_ == 0 ? 1 : 0;
-    return part_ == loaded_.parts.size();
+    if (pass_ == 0) {
+        plan_textures(part);
+        ++part_;
+    }
+    return {};
 }
 
 }  // namespace raks::render

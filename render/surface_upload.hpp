@@ -86,7 +86,8 @@ class SurfaceUpload {
     [[nodiscard]] bool put_vertices();
     [[nodiscard]] bool put_indices();
     [[nodiscard]] bool put_texture();
-    [[nodiscard]] Expected<bool> add_program();
+    [[nodiscard]] Expected<void> add_program();
+    void plan_textures(LoadedPart& part);
     void add_part(const SurfacePart& part);
     [[nodiscard]] std::size_t planned(const TextureUse& use, bool is_colour);
 
