@@ -202,7 +202,7 @@ struct Renderer::Arrival {
     std::shared_ptr<const Avatar> avatar;
     std::unique_ptr<AvatarPainter> painter;
     std::optional<SurfaceUpload> upload;  // none: all is there
-    std::size_t warmed_up = 0;            // parts
+    std::size_t warmed_up = 0;            // steps
     bool is_warm = false;
 };
 
@@ -379,9 +379,8 @@ Expected<Renderer> Renderer::create(const Avatar& avatar, const RendererConfig& 
 
 Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
     // Not owned: it lives as long as this call.
-    Arrival arrival({std::shared_ptr<void>(), &avatar},
-                    parts_->body_programs,
-                    parts_->surface_programs);
+    Arrival arrival(
+        {std::shared_ptr<void>(), &avatar}, parts_->body_programs, parts_->surface_programs);
     for (;;) {
         const Expected<bool> is_done = arrival.next();
         if (!is_done) {
@@ -394,21 +393,21 @@ Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
 }
 
 void Renderer::begin_adding(std::shared_ptr<const Avatar> avatar) {
-    parts_->arrival.emplace(
-        std::move(avatar), parts_->body_programs, parts_->surface_programs);
+    parts_->arrival.emplace(std::move(avatar), parts_->body_programs, parts_->surface_programs);
 }
 
 Expected<std::optional<AvatarHandle>> Renderer::add_pieces(Nanos most) {
     std::optional<Arrival>& arrival = parts_->arrival;
     const HostTime until = HostClock::now() + most;
-    for (bool is_done = false; !is_done && HostClock::now() < until;) {
+    bool is_done = false;
+    do {
         const Expected<bool> next = arrival->next();
         if (!next) {
             arrival.reset();
             return fail(next.error());
         }
         is_done = *next;
-    }
+    } while (!is_done && HostClock::now() < until);
     if (!arrival->is_warm) {
         return std::nullopt;
     }
@@ -429,7 +428,7 @@ AvatarHandle Renderer::Parts::keep(std::unique_ptr<AvatarPainter> painter) {
     return AvatarHandle{place};
 }
 
-/// One part a picture; what is drawn is cleared away.
+/// One step a picture; what is drawn is cleared away.
 void Renderer::Parts::warm_up_arrival() {
     if (arrival && !arrival->upload) {
         arrival->is_warm = !arrival->painter->warm_up(arrival->warmed_up++);
