@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "render/shader_warm_up.hpp"
+
 namespace raks::engine {
 
 void AvatarChange::ask(std::string name) { asked_ = std::move(name); }
@@ -16,8 +18,15 @@ Expected<std::optional<LoadedAvatar>> AvatarChange::go_on(Drawing& drawing) {
     }
     if (asked_ && !loading_.valid()) {
         arriving_.reset();
-        loading_ = std::async(std::launch::async,
-                              [name = *std::exchange(asked_, {})] { return load_avatar(name); });
+        loading_ =
+            std::async(std::launch::async,
+                       [name = *std::exchange(asked_, {}), quality = drawing.renderer.quality()] {
+                           auto loaded = load_avatar(name);
+                           if (loaded) {
+                               render::warm_up_shaders(*loaded->avatar, quality);
+                           }
+                           return loaded;
+                       });
     }
     return arriving_ ? take_piece(drawing) : std::nullopt;
 }
