@@ -54,13 +54,13 @@ Expected<Posed> load_posed(const std::string& name) {
     }
     Posed posed{.model = std::move(*model), .rig = {}};
     posed.rig = render::build_rig(posed.model);
+    if (posed.rig.humanoid.joint(motion::Bone::hips) < 0) {
+        return fail(fmt::format("{}: no humanoid: it names no hips", printable(name)));
+    }
     for (const std::vector<std::string>* list : {&posed.model.warnings, &posed.rig.warnings}) {
         for (const std::string& warning : *list) {
             say(fmt::format("{}: {}", printable(name), warning));
         }
-    }
-    if (posed.rig.humanoid.joint(motion::Bone::hips) < 0) {
-        return fail(fmt::format("{}: no humanoid: it names no hips", printable(name)));
     }
     return posed;
 }

@@ -126,7 +126,8 @@ void Mutants::add_models() {
                           Form::glb,
                           {"x.tsv"}});
     }
-    const std::string figure = std::string(RAKS_SOURCE_DIR) + "/" + folder + "Godette_vrm_v4.vrm";
+    // Of which there is nothing to say.
+    const std::string figure = std::string(RAKS_SOURCE_DIR) + "/" + folder + "smoke_spring.vrm";
     doors_.push_back({"motion",
                       "m.vrma",
                       source(folder + "six_poses.vrma"),
