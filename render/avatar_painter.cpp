@@ -23,16 +23,16 @@ void AvatarPainter::set_surface(LoadedSurface surface, std::shared_ptr<const Ava
     rig_ = std::move(rig);
 }
 
-bool AvatarPainter::warm_up(std::size_t part) {
+bool AvatarPainter::warm_up(std::size_t step) {
     if (!surface_) {
         return false;
     }
-    if (part == 0) {
+    if (step == 0) {
         begin_picture();
         take({.avatar = {}, .pose = {}, .state = nullptr}, View::skin);
         prepare(0);
     }
-    return surface_->warm_up(part);
+    return surface_->warm_up(step);
 }
 
 /// What a dancer brings, or the pose alone with face and tails at rest.

@@ -21,8 +21,8 @@ class AvatarPainter {
     AvatarPainter(const Avatar& avatar, const BodyPrograms& programs);
     /// Takes its surface, too.
     void set_surface(LoadedSurface surface, std::shared_ptr<const AvatarRig> rig);
-    /// SurfacePainter::warm_up for one part, the figure in a pose. False: no such part.
-    [[nodiscard]] bool warm_up(std::size_t part);
+    /// SurfacePainter::warm_up, the figure in a pose. False: no such step.
+    [[nodiscard]] bool warm_up(std::size_t step);
 
     [[nodiscard]] float size() const noexcept { return size_; }
     [[nodiscard]] const motion::Skeleton& skeleton() const noexcept { return skeleton_; }

@@ -220,7 +220,7 @@ struct Renderer::Arrival {
     std::shared_ptr<const Avatar> avatar;
     std::unique_ptr<AvatarPainter> painter;
     std::optional<SurfaceUpload> upload;  // none: all is there
-    std::size_t warmed_up = 0;            // parts
+    std::size_t warmed_up = 0;            // steps
     bool is_warm = false;
 };
 
@@ -444,14 +444,15 @@ void Renderer::begin_adding(std::shared_ptr<const Avatar> avatar) {
 Expected<std::optional<AvatarHandle>> Renderer::add_pieces(Nanos most) {
     std::optional<Arrival>& arrival = parts_->arrival;
     const HostTime until = HostClock::now() + most;
-    for (bool is_done = false; !is_done && HostClock::now() < until;) {
+    bool is_done = false;
+    do {
         const Expected<bool> next = arrival->next();
         if (!next) {
             arrival.reset();
             return fail(next.error());
         }
         is_done = *next;
-    }
+    } while (!is_done && HostClock::now() < until);
     if (!arrival->is_warm) {
         return std::nullopt;
     }
@@ -472,7 +473,7 @@ AvatarHandle Renderer::Parts::keep(std::unique_ptr<AvatarPainter> painter) {
     return AvatarHandle{place};
 }
 
-/// One part a picture; what is drawn is cleared away.
+/// One step a picture; what is drawn is cleared away.
 void Renderer::Parts::warm_up_arrival() {
     if (arrival && !arrival->upload) {
         arrival->is_warm = !arrival->painter->warm_up(arrival->warmed_up++);

@@ -90,7 +90,7 @@ bool has_slot(const ModelMaterial& material, SurfaceSlot slot, SurfacePass pass)
 
 void add_toon_macros(const MToon& toon, SurfacePass pass, std::vector<std::string_view>& macros) {
     macros.emplace_back("TOON");
-    if (toon.rim_colour != glm::vec3(0.0F) && pass == SurfacePass::colour) {
+    if ((toon.rim_colour != glm::vec3(0.0F) || toon.has_face_rim) && pass == SurfacePass::colour) {
         macros.emplace_back("RIM");
     }
     if (pass == SurfacePass::outline) {
@@ -206,9 +206,7 @@ std::vector<std::string_view> surface_macros(const ModelMaterial& material,
     }
     for (std::size_t i = 0; i < kSurfaceSlots; ++i) {
         const auto slot = static_cast<SurfaceSlot>(i);
-        // Fast shaders light by the vertex: a normal map would need the fragment's own light.
-        const bool is_too_fine = slot == SurfaceSlot::normal && quality == Quality::fast;
-        if (!is_too_fine && has_slot(material, slot, pass)) {
+        if (has_slot(material, slot, pass)) {
             macros.push_back(slot_names(slot).macro);
         }
     }

@@ -131,16 +131,16 @@ void SurfacePainter::bind(std::size_t dancer, const LoadedPart& part) const noex
                      loaded_.materials[static_cast<std::size_t>(part.range.material)].name());
 }
 
-void SurfacePainter::draw_part(const LoadedPart& part,
-                               std::uint32_t indices,
-                               float mirror,
-                               float seconds) const noexcept {
-    const auto draw_with = [&](const gl::Program& program) {
-        program.use();
-        glUniform1f(program.uniform("mirror"), mirror);
-        glUniform1f(program.uniform("seconds"), seconds);
-        loaded_.mesh.draw_range(part.range.first_index, indices);
-    };
+void SurfacePainter::draw_with(const gl::Program& program,
+                               const LoadedPart& part,
+                               const Stroke& stroke) const noexcept {
+    program.use();
+    glUniform1f(program.uniform("mirror"), stroke.mirror);
+    glUniform1f(program.uniform("seconds"), stroke.seconds);
+    loaded_.mesh.draw_range(part.range.first_index, stroke.indices);
+}
+
+void SurfacePainter::draw_colour(const LoadedPart& part, const Stroke& stroke) const noexcept {
     if (part.layer == SurfaceLayer::blended) {
         glEnable(GL_BLEND);
         glDepthMask(part.writes_depth ? GL_TRUE : GL_FALSE);
@@ -148,11 +148,14 @@ void SurfacePainter::draw_part(const LoadedPart& part,
     if (part.is_double_sided) {
         glDisable(GL_CULL_FACE);
     }
-    draw_with(*part.colour);
+    draw_with(*part.colour, part, stroke);
     glEnable(GL_CULL_FACE);
+}
+
+void SurfacePainter::draw_outline(const LoadedPart& part, const Stroke& stroke) const noexcept {
     if (part.outline != nullptr) {
         glCullFace(GL_FRONT);
-        draw_with(*part.outline);
+        draw_with(*part.outline, part, stroke);
         glCullFace(GL_BACK);
     }
 }
@@ -160,21 +163,25 @@ void SurfacePainter::draw_part(const LoadedPart& part,
 void SurfacePainter::draw(std::size_t dancer, const Drawn& drawn) const noexcept {
     for (const LoadedPart& part : loaded_.parts) {
         if (part.layer == drawn.layer && (drawn.has_costume || !part.is_costume)) {
+            const Stroke all{
+                part.range.index_count, drawn.mirror, static_cast<float>(drawn.seconds)};
             bind(dancer, part);
-            draw_part(
-                part, part.range.index_count, drawn.mirror, static_cast<float>(drawn.seconds));
+            draw_colour(part, all);
+            draw_outline(part, all);
         }
     }
     end_drawing();
 }
 
-bool SurfacePainter::warm_up(std::size_t part) const noexcept {
-    if (part >= loaded_.parts.size()) {
+// Even steps are colours, odd ones outlines.
+bool SurfacePainter::warm_up(std::size_t step) const noexcept {
+    if (step / 2 >= loaded_.parts.size()) {
         return false;
     }
-    constexpr std::uint32_t kOneTriangle = 3;
-    bind(0, loaded_.parts[part]);
-    draw_part(loaded_.parts[part], kOneTriangle, 1.0F, 0.0F);
+    constexpr Stroke kOneTriangle{3, 1.0F, 0.0F};
+    const LoadedPart& part = loaded_.parts[step / 2];
+    bind(0, part);
+    step % 2 == 0 ? draw_colour(part, kOneTriangle) : draw_outline(part, kOneTriangle);
     end_drawing();
     return true;
 }

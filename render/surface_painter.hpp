@@ -38,9 +38,9 @@ class SurfacePainter {
     };
     void draw(std::size_t dancer, const Drawn& drawn) const noexcept;
 
-    /// Lets the driver finish the shaders of one part, which it does when they are first used:
-    /// draws a triangle of it as dancer 0, to be drawn over. False: there is no such part.
-    [[nodiscard]] bool warm_up(std::size_t part) const noexcept;
+    /// Lets the driver finish one program of one part, which it does when they are first used:
+    /// draws a triangle of it as dancer 0, to be drawn over. False: there is no such step.
+    [[nodiscard]] bool warm_up(std::size_t step) const noexcept;
 
     /// Depth alone, for the shadow map.
     void draw_depth(std::size_t dancer,
@@ -51,10 +51,17 @@ class SurfacePainter {
     void set_morphs(std::span<const float> weights);
     void set_materials(std::span<const MaterialFace> faces);
     void bind(std::size_t dancer, const LoadedPart& part) const noexcept;
-    void draw_part(const LoadedPart& part,
-                   std::uint32_t indices,
-                   float mirror,
-                   float seconds) const noexcept;
+    /// Which of a part's triangles, and how.
+    struct Stroke {
+        std::uint32_t indices;
+        float mirror;
+        float seconds;
+    };
+    void draw_colour(const LoadedPart& part, const Stroke& stroke) const noexcept;
+    void draw_outline(const LoadedPart& part, const Stroke& stroke) const noexcept;
+    void draw_with(const gl::Program& program,
+                   const LoadedPart& part,
+                   const Stroke& stroke) const noexcept;
 
     LoadedSurface loaded_;
     std::vector<std::vector<gl::Buffer>> skins_;  // matrices by dancer and skin

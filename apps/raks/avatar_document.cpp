@@ -41,6 +41,7 @@ void add_survey(const ModelSurvey& survey, Json& json) {
     json["animations"] = survey.animations;
     json["humanoid_bones"] = survey.humanoid_bones;
     json["springs"] = survey.springs;
+    json["spring_chains"] = survey.spring_chains;
     json["expressions"] = survey.expressions;
     json["unit"] = 1;
     json["rest_minus_bind_m"] = or_null(survey.rest_minus_bind);
@@ -163,11 +164,12 @@ std::string survey_text(const ModelSurvey& survey) {
 
 Json avatar_document(const Model& model, const std::string& file) {
     const ModelSurvey survey = render::survey(model);
-    Json json = {{"format", "raks-avatar"},
+    // `format` is the model's, as in tables of models.
+    Json json = {{"document", "raks-avatar"},
                  {"version", 1},
                  {"file", file},
                  {"name", model.name},
-                 {"model_format", survey.format}};
+                 {"format", survey.format}};
     add_survey(survey, json);
     Json& humanoid = json["humanoid"] = Json::object();
     for (const MappedBone& bone : mapped_bones(model)) {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "render/shader_warm_up.hpp"
+
 namespace raks::engine {
 
 void AvatarChange::ask(std::string name) { asked_ = std::move(name); }
@@ -16,12 +18,13 @@ Expected<std::optional<LoadedAvatar>> AvatarChange::go_on(Drawing& drawing) {
     }
     if (asked_ && !loading_.valid()) {
         give_up(drawing);
-        loading_ = std::async(std::launch::async, load, *std::exchange(asked_, {}));
+        loading_ = std::async(
+            std::launch::async, load, *std::exchange(asked_, {}), drawing.renderer.quality());
     }
     return arriving_ ? take_piece(drawing) : std::nullopt;
 }
 
-Expected<AvatarChange::Cast> AvatarChange::load(const std::string& name) {
+Expected<AvatarChange::Cast> AvatarChange::load(const std::string& name, render::Quality quality) {
     auto loaded = load_avatar(name);
     if (!loaded) {
         return fail(std::move(loaded.error()));
@@ -30,6 +33,9 @@ Expected<AvatarChange::Cast> AvatarChange::load(const std::string& name) {
     cast.bodies.push_back(cast.avatar.avatar);
     if (cast.avatar.is_mannequin) {
         cast.bodies.push_back(mannequin_partner());
+    }
+    for (const auto& body : cast.bodies) {
+        render::warm_up_shaders(*body, quality);
     }
     return cast;
 }

@@ -36,7 +36,7 @@ class AvatarChange {
         LoadedAvatar avatar;
         std::vector<std::shared_ptr<const render::Avatar>> bodies;
     };
-    [[nodiscard]] static Expected<Cast> load(const std::string& name);
+    [[nodiscard]] static Expected<Cast> load(const std::string& name, render::Quality quality);
     [[nodiscard]] Expected<void> take_loaded(Drawing& drawing);
     [[nodiscard]] Expected<std::optional<LoadedAvatar>> take_piece(Drawing& drawing);
     void give_up(Drawing& drawing);

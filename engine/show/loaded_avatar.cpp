@@ -26,7 +26,7 @@ std::vector<render::Image> unpacked(render::Model& model) {
         if (packed.packed.empty()) {
             continue;  // the reader has said why
         }
-        Expected<render::Image> read = render::decode_image(packed.packed);
+        Expected<render::Image> read = render::decode_image(packed.packed, packed.halvings);
         if (read) {
             image = std::move(*read);
         } else {

@@ -182,7 +182,8 @@ void Measure::set_trunk(motion::Girth& girth) const {
     const double front = percentile(fronts, 0.5);
     const double back = percentile(backs, 0.5);
     const float depth = sane(static_cast<float>(0.5 * (front - back)), girth.trunk);
-    const float width = sane(static_cast<float>(percentile(widths, 0.5)), girth.trunk + girth.flank);
+    const float width =
+        sane(static_cast<float>(percentile(widths, 0.5)), girth.trunk + girth.flank);
     girth.trunk = std::min(depth, width);
     girth.flank = width - girth.trunk;
     girth.trunk_ahead = static_cast<float>(0.5 * (front + back));

@@ -3,58 +3,13 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <string_view>
 #include <type_traits>
+
+#include "render/model/expression_names.hpp"
 
 #include <glm/vec3.hpp>
 
 namespace raks::render {
-
-/// The expressions that every figure may have (presets of VRM 1.0).
-enum class FaceExpression : std::uint8_t {
-    happy,
-    angry,
-    sad,
-    relaxed,
-    surprised,
-    neutral,
-    aa,
-    ih,
-    ou,
-    ee,
-    oh,
-    blink,
-    blink_left,
-    blink_right,
-    look_up,
-    look_down,
-    look_left,
-    look_right,
-};
-inline constexpr std::size_t kFaceExpressionCount = 18;
-
-/// VRM 1.0 names.
-inline constexpr std::array<std::string_view, kFaceExpressionCount> kFaceExpressionNames = {
-    "happy",
-    "angry",
-    "sad",
-    "relaxed",
-    "surprised",
-    "neutral",
-    "aa",
-    "ih",
-    "ou",
-    "ee",
-    "oh",
-    "blink",
-    "blinkLeft",
-    "blinkRight",
-    "lookUp",
-    "lookDown",
-    "lookLeft",
-    "lookRight",
-};
 
 /// A face at one moment. All zero: the face at rest.
 struct Face {

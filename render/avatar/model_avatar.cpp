@@ -19,6 +19,20 @@ BonePlaces bones_of(const HumanoidRig& humanoid) {
     return bones;
 }
 
+/// Rims without a colour of their own are drawn where an expression gives them one.
+void note_face_rims(const Model& model, Surface& surface) {
+    for (const Expression& expression : model.character.expressions) {
+        for (const ColourBind& bind : expression.colours) {
+            if (bind.kind == ColourBindKind::rim && bind.material >= 0) {
+                auto& toon = surface.materials[static_cast<std::size_t>(bind.material)].mtoon;
+                if (toon) {
+                    toon->has_face_rim = true;
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Avatar build_avatar(const Model& model, std::vector<Image> images, const RigOptions& options) {
@@ -28,6 +42,7 @@ Avatar build_avatar(const Model& model, std::vector<Image> images, const RigOpti
     avatar.licence = model.character.licence.name;
     auto rig = std::make_shared<AvatarRig>(build_rig(model, options));
     avatar.surface = build_surface(model, *rig, std::move(images));
+    note_face_rims(model, avatar.surface);
     avatar.skeleton = motion::mannequin_skeleton();
     avatar.rig = rig;
     // Without hips it is a thing, no figure.

@@ -377,6 +377,7 @@ void read_springs1(const JsonField& springs, Model& model) {
         const std::vector<int> places = read_colliders(own["colliders"], all, model);
         const auto groups = read_groups(own["colliderGroups"], places, model);
         for (const JsonField& spring : own["springs"].items(kMostChains)) {
+            ++model.character.stated_springs;
             if (all.is_full()) {
                 break;
             }
@@ -398,6 +399,7 @@ void read_springs0(const JsonField& springs, Model& model) {
     const bool is_good = read_part(springs, model, [&](const JsonField& own) {
         const auto colliders = read_groups0(own["colliderGroups"], all, model);
         for (const JsonField& group : own["boneGroups"].items(kMostChains)) {
+            ++model.character.stated_springs;
             BoneGroup read;
             if (read_part(group, model, [&](const JsonField& one) {
                     read = read_group0(one, colliders, model);

@@ -9,6 +9,7 @@
 #include "base/printable.hpp"
 #include "render/import/lenient.hpp"
 #include "render/import/vrm_parts.hpp"
+#include "render/model/expression_names.hpp"
 
 namespace raks::render {
 namespace {
@@ -16,27 +17,9 @@ namespace {
 constexpr NumberLimits kBindColour{0.0F, 1000.0F, 1.0F};
 constexpr NumberLimits kUv{-10'000.0F, 10'000.0F, 0.0F};
 
-constexpr std::array<std::string_view, 18> kPresets = {"happy",
-                                                       "angry",
-                                                       "sad",
-                                                       "relaxed",
-                                                       "surprised",
-                                                       "aa",
-                                                       "ih",
-                                                       "ou",
-                                                       "ee",
-                                                       "oh",
-                                                       "blink",
-                                                       "blinkLeft",
-                                                       "blinkRight",
-                                                       "lookUp",
-                                                       "lookDown",
-                                                       "lookLeft",
-                                                       "lookRight",
-                                                       "neutral"};
-
 bool is_preset_name(std::string_view name) {
-    return std::find(kPresets.begin(), kPresets.end(), name) != kPresets.end();
+    return std::find(kFaceExpressionNames.begin(), kFaceExpressionNames.end(), name) !=
+           kFaceExpressionNames.end();
 }
 
 // ---- Expressions

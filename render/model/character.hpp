@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -170,6 +171,8 @@ struct Character {
     bool has_look_at = false;
     std::vector<SpringCollider> colliders;
     std::vector<SpringChain> springs;
+    /// As the file counts them: chains in VRM 1.0, bone groups, of any number of chains, in 0.x.
+    std::size_t stated_springs = 0;
     std::vector<NodeConstraint> constraints;
     Licence licence;
     /// Faces -z, as VRM 0.x does: turned about y by half a turn before anything else.

@@ -67,6 +67,8 @@ struct MToon {
     float rim_lighting_mix = 1.0F;
     float rim_fresnel_power = 5.0F;
     float rim_lift = 0.0F;
+    /// An expression gives the rim a colour; set by build_avatar.
+    bool has_face_rim = false;
     OutlineWidth outline_mode = OutlineWidth::none;
     float outline_width =
         0.0F;  ///< metres in the file's unit, or a fraction of the picture's height

@@ -197,7 +197,8 @@ ModelSurvey survey(const Model& model) {
     survey.meshes = model.meshes.size();
     survey.images = model.images.size();
     survey.animations = model.animations.size();
-    survey.springs = model.character.springs.size();
+    survey.springs = model.character.stated_springs;
+    survey.spring_chains = model.character.springs.size();
     survey.expressions = model.character.expressions.size();
     for (const ModelMesh& mesh : model.meshes) {
         survey.primitives += mesh.primitives.size();

@@ -41,7 +41,8 @@ struct ModelSurvey {
     std::size_t images = 0;
     std::size_t animations = 0;
     std::size_t humanoid_bones = 0;
-    std::size_t springs = 0;
+    std::size_t springs = 0;  ///< chains, or VRM 0.x's bone groups
+    std::size_t spring_chains = 0;
     std::size_t expressions = 0;
     /// The farthest that a joint's place differs between the rest and the bind pose, metres of the
     /// file; none: no skin says its bind pose.

@@ -33,9 +33,9 @@ TEST_F(Avatar, show_tells_programs_what_is_in_a_model) {
     const auto result = run({"avatar", "show", (kModels / "RiggedFigure.glb").string(), "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto json = nlohmann::json::parse(result.out);
-    EXPECT_EQ(json["format"], "raks-avatar");
+    EXPECT_EQ(json["document"], "raks-avatar");
     EXPECT_EQ(json["version"], 1);
-    EXPECT_EQ(json["model_format"], "glTF 2.0");
+    EXPECT_EQ(json["format"], "glTF 2.0");
     EXPECT_EQ(json["joints_or_bones"], 19);
     EXPECT_EQ(json["triangles"], 256);
     EXPECT_NEAR(json["height_m"].get<double>(), 1.45, 0.001);

@@ -5,6 +5,8 @@
 #include <csignal>
 
 #include "tests/end_to_end/window.hpp"
+#include "tests/support/file_drop.hpp"
+#include "tests/support/program.hpp"
 
 namespace raks::test {
 namespace {
@@ -84,6 +86,25 @@ TEST_F(WindowTest, the_position_bar_and_the_play_sign_can_be_clicked) {
     EXPECT_TRUE(shows([&](const auto& now) { return lower(now) != there; })) << "it plays on";
     press({"q"});
     EXPECT_EQ(raks.wait().exit_code, 0);
+}
+
+TEST_F(WindowTest, a_model_that_is_dropped_dances_on_and_a_goes_back_to_the_mannequin) {
+    const std::string model =
+        std::string(RAKS_SOURCE_DIR) + "/tests/data/avatars/Godette_vrm_v4.vrm";
+    CapturedProcess raks(in_window({"play", "--no-sound", path("one.wav")}));
+    ASSERT_TRUE(raks.wait_for_output("one.wav"));
+    std::string id = run_program({"xdotool", "search", "--sync", "--name", "Raks"});
+    id.erase(id.find('\n'));
+    drop_files(id, {model});
+    ASSERT_TRUE(raks.wait_for_output("avatar: Low-Poly Godette by SirRichard94"));
+    drop_files(id, {path("two.wav")});
+    ASSERT_TRUE(raks.wait_for_output("only models are taken here"));
+    press({"a"});
+    ASSERT_TRUE(raks.wait_for_output("avatar: mannequin"));
+    press({"q"});
+    const ProcessResult result = raks.wait();
+    EXPECT_FALSE(result.timed_out);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
 TEST_F(WindowTest, ends_when_told_by_a_signal) {

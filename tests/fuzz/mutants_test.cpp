@@ -1,7 +1,7 @@
 // Damaged files through the program itself, over all readers: whatever lies in a file, the program
 // ends soon, says one line, and leaves nothing behind. By itself the test tries one file for each
-// reader. RAKS_MUTANTS=20000 tries 20,000; RAKS_MUTANTS_SEED is the seed of the first, and each
-// further one has the next seed.
+// reader. RAKS_MUTANTS=20000 tries 20,000, RAKS_MODEL_MUTANTS=2000 that many of models and their
+// motion; RAKS_MUTANTS_SEED is the seed of the first, and each further one has the next seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "base/random.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/support/extent.hpp"
@@ -30,6 +31,11 @@ namespace fs = std::filesystem;
 // What the program may take for any file.
 constexpr double kMostCpuSeconds = 5.0;
 constexpr long kMostKilobytes = 500'000;
+constexpr long kMostKilobytesOfModels = 1'000'000;  // unpacked pictures among them
+
+/// How a file is damaged: a text by its structure, all else byte by byte; of a GLB the text in it,
+/// every other time.
+enum class Form { text, bytes, glb };
 
 /// One way of a file into the program.
 struct Door {
@@ -37,7 +43,7 @@ struct Door {
     std::string file;                 ///< where the damaged file lies, in the test's folder
     std::string bytes;                ///< the good file
     std::vector<std::string> words;   ///< of the command
-    bool is_text = true;              ///< damaged by structure, else byte by byte
+    Form form = Form::text;           ///< what the file is
     std::vector<std::string> writes;  ///< what a good run leaves
 };
 
@@ -46,7 +52,6 @@ using Faults = std::map<std::string, int>;
 
 class Mutants : public ProgramTest {
  protected:
-    void SetUp() override;
     [[nodiscard]] std::string source(const std::string& name) const {
         return read_file(fs::path(RAKS_SOURCE_DIR) / name).value();
     }
@@ -54,29 +59,17 @@ class Mutants : public ProgramTest {
     void add_motion();
     void add_settings();
     void add_models();
+    void try_all(const char* count_name);
     void try_one(const Door& door, std::uint64_t seed);
     void note(const Door& door, std::uint64_t seed, const std::string& what);
 
     std::vector<Door> doors_;
     std::set<std::string> usual_;  ///< files that lie there before
     Faults faults_;
+    long most_allowed_ = kMostKilobytes;
     double most_cpu_ = 0.0;
     long most_kilobytes_ = 0;
 };
-
-void Mutants::SetUp() {
-    audio::MusicPlan plan;
-    plan.style = audio::Style::drums;
-    plan.seconds = 2.0;
-    write_music("song.wav", plan);
-    add_sounds();
-    add_motion();
-    add_settings();
-    add_models();
-    for (const std::string& name : files()) {
-        usual_.insert(name);
-    }
-}
 
 void Mutants::add_sounds() {
     for (const std::string ending : {"wav", "flac", "ogg", "opus", "mp3", "m4a", "mkv", "aiff"}) {
@@ -89,7 +82,7 @@ void Mutants::add_sounds() {
         const std::string bytes = read_file(file).value();
         fs::remove(file);
         const std::string name = "m." + ending;
-        doors_.push_back({ending, name, bytes, {"analyze", path(name)}, false, {}});
+        doors_.push_back({ending, name, bytes, {"analyze", path(name)}, Form::bytes, {}});
         doors_.push_back({ending + " sought",
                           name,
                           bytes,
@@ -103,28 +96,44 @@ void Mutants::add_sounds() {
                            "--duration",
                            "0.1",
                            "-q"},
-                          false,
+                          Form::bytes,
                           {}});
     }
 }
 
+/// Models: what is in them, how they are posed, and motion put on one that is whole.
 void Mutants::add_models() {
-    // Text is damaged by structure, containers byte by byte.
+    const std::string folder = "tests/data/avatars/";
+    const std::string table = path("x.tsv");
     doors_.push_back({"glTF",
                       "m.gltf",
-                      source("tests/data/avatars/SimpleSkin.gltf"),
+                      source(folder + "SimpleSkin.gltf"),
                       {"avatar", "show", path("m.gltf")},
-                      true,
+                      Form::text,
                       {}});
-    for (const std::string name : {"smoke_spring.vrm", "six_poses.vrma", "RiggedFigure.glb"}) {
+    for (const std::string name :
+         {"smoke_spring.vrm", "six_poses.vrma", "RiggedFigure.glb", "Godette_vrm_v4.vrm"}) {
         const std::string file = "m" + fs::path(name).extension().string();
-        doors_.push_back({name,
-                          file,
-                          source("tests/data/avatars/" + name),
-                          {"avatar", "show", path(file)},
-                          false,
-                          {}});
+        doors_.push_back(
+            {name, file, source(folder + name), {"avatar", "show", path(file)}, Form::glb, {}});
     }
+    const std::string whole = std::string(RAKS_SOURCE_DIR) + "/" + folder + "six_poses.vrma";
+    for (const std::string name : {"smoke_spring.vrm", "Godette_vrm_v4.vrm"}) {
+        doors_.push_back({"posed " + name,
+                          "m.vrm",
+                          source(folder + name),
+                          {"avatar", "pose", path("m.vrm"), "--motion", whole, "-o", table},
+                          Form::glb,
+                          {"x.tsv"}});
+    }
+    // Of which there is nothing to say.
+    const std::string figure = std::string(RAKS_SOURCE_DIR) + "/" + folder + "smoke_spring.vrm";
+    doors_.push_back({"motion",
+                      "m.vrma",
+                      source(folder + "six_poses.vrma"),
+                      {"avatar", "pose", figure, "--motion", path("m.vrma"), "-o", table},
+                      Form::glb,
+                      {"x.tsv"}});
 }
 
 void Mutants::add_motion() {
@@ -133,7 +142,7 @@ void Mutants::add_motion() {
                       "m.toml",
                       waltz,
                       {"train", "figure", path("m.toml"), "-o", path("out/")},
-                      true,
+                      Form::text,
                       {"out"}});
     ASSERT_EQ(run({"dance", path("song.wav"), "-o", path("good.bvh"), "--fps", "30"}).exit_code, 0);
     const std::string clip = read_file(path("good.bvh")).value();
@@ -141,7 +150,7 @@ void Mutants::add_motion() {
                       "m.bvh",
                       clip,
                       {"stick", path("m.bvh"), "--frame", "5", "-o", path("x.png")},
-                      true,
+                      Form::text,
                       {"x.png"}});
     ASSERT_TRUE(write_file(path("labels.tsv"), source("tests/fuzz/corpus/labels/good.tsv")));
     doors_.push_back(
@@ -149,7 +158,7 @@ void Mutants::add_motion() {
          "m.tsv",
          source("tests/fuzz/corpus/labels/good.tsv"),
          {"train", "figure", path("good.bvh"), "--labels", path("m.tsv"), "-o", path("out/")},
-         true,
+         Form::text,
          {"out"}});
     // A dance of files: each of them in turn.
     // Under a name that no shipped dance has: the program says when a dance hides a shipped one.
@@ -165,7 +174,7 @@ void Mutants::add_motion() {
                           name,
                           read_file(entry.path()).value(),
                           {"dance", path("song.wav"), "--dance", path("mine"), "-o", path("x.bvh")},
-                          true,
+                          Form::text,
                           {"x.bvh"}});
     }
 }
@@ -175,35 +184,35 @@ void Mutants::add_settings() {
                       "config/raks/config.toml",
                       source("config/default.toml"),
                       {"config", "show"},
-                      true,
+                      Form::text,
                       {}});
     doors_.push_back({"devices",
                       "state/raks/devices.toml",
                       source("tests/fuzz/corpus/devices/good.toml"),
                       {"devices"},
-                      true,
+                      Form::text,
                       {}});
     const std::string list = "#EXTM3U\n#EXTINF:2,a\nsong.wav\n";
-    doors_.push_back({"m3u", "m.m3u", list, {"analyze", path("m.m3u")}, true, {}});
+    doors_.push_back({"m3u", "m.m3u", list, {"analyze", path("m.m3u")}, Form::text, {}});
     doors_.push_back({"pls",
                       "m.pls",
                       "[playlist]\nFile1=song.wav\nTitle1=a\nNumberOfEntries=1\nVersion=2\n",
                       {"analyze", path("m.pls")},
-                      true,
+                      Form::text,
                       {}});
     doors_.push_back({"xspf",
                       "m.xspf",
                       "<?xml version=\"1.0\"?>\n<playlist version=\"1\"><trackList><track>"
                       "<location>song.wav</location></track></trackList></playlist>\n",
                       {"analyze", path("m.xspf")},
-                      true,
+                      Form::text,
                       {}});
     doors_.push_back(
         {"beats",
          "m.beats",
          "0.5 1\n1.0 2\n1.5 3\n",
          {"analyze", path("song.wav"), "--plot", path("x.svg"), "--reference", path("m.beats")},
-         true,
+         Form::text,
          {"x.svg"}});
 }
 
@@ -219,10 +228,51 @@ void Mutants::note(const Door& door, std::uint64_t seed, const std::string& what
     }
 }
 
+std::string mangled_bytes(const std::string& bytes, std::uint64_t seed) {
+    return mangled(bytes, {seed, 1 + seed % 40, seed % 3 == 0 ? 400U : ~0U});
+}
+
+std::string little_endian(std::size_t number) {
+    std::string bytes;
+    for (std::size_t byte = 0; byte < 4; ++byte) {
+        bytes += static_cast<char>(number >> (8 * byte));
+    }
+    return bytes;
+}
+
+/// A GLB whose text is damaged by structure; all lengths are right again.
+std::string mutated_glb(const std::string& bytes, std::uint64_t seed) {
+    constexpr std::size_t kHead = 12;
+    constexpr std::size_t kChunkHead = 8;
+    const auto byte = [&](std::size_t at) {
+        return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at]));
+    };
+    const std::size_t length = byte(kHead) | byte(kHead + 1) << 8U | byte(kHead + 2) << 16U;
+    std::string text = fuzz::mutated(bytes.substr(kHead + kChunkHead, length), seed);
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::string rest = bytes.substr(kHead + kChunkHead + length);
+    return bytes.substr(0, 8) + little_endian(kHead + kChunkHead + text.size() + rest.size()) +
+           little_endian(text.size()) + bytes.substr(kHead + 4, 4) + text + rest;
+}
+
+std::string damaged(const Door& door, std::uint64_t seed) {
+    switch (door.form) {
+        case Form::text:
+            return fuzz::mutated(door.bytes, seed);
+        case Form::glb:
+            // By another bit than the door: doors come by turns, too.
+            if (CounterRandom(seed).below(0, 2) == 0) {
+                return mutated_glb(door.bytes, seed);
+            }
+            break;
+        case Form::bytes:
+            break;
+    }
+    return mangled_bytes(door.bytes, seed);
+}
+
 void Mutants::try_one(const Door& door, std::uint64_t seed) {
-    const std::string changed =
-        door.is_text ? fuzz::mutated(door.bytes, seed)
-                     : mangled(door.bytes, {seed, 1 + seed % 40, seed % 3 == 0 ? 400U : ~0U});
+    const std::string changed = damaged(door, seed);
     fs::create_directories(fs::path(path(door.file)).parent_path());
     ASSERT_TRUE(write_file(path(door.file), changed));
     ProcessPlan planned = plan(door.words);
@@ -236,8 +286,8 @@ void Mutants::try_one(const Door& door, std::uint64_t seed) {
     if (result.cpu_seconds > kMostCpuSeconds) {
         note(door, seed, fmt::format("took over {} s of CPU", kMostCpuSeconds));
     }
-    if (result.most_kilobytes > kMostKilobytes) {
-        note(door, seed, "took over 500 MB");
+    if (result.most_kilobytes > most_allowed_) {
+        note(door, seed, fmt::format("took over {} MB", most_allowed_ / 1000));
     }
     const auto lines = std::count(result.err.begin(), result.err.end(), '\n');
     // With exit code 3 the program says one line for each file that it left out.
@@ -260,9 +310,12 @@ void Mutants::try_one(const Door& door, std::uint64_t seed) {
     }
 }
 
-TEST_F(Mutants, end_the_program_soon_with_one_line) {
+void Mutants::try_all(const char* count_name) {
+    for (const std::string& name : files()) {
+        usual_.insert(name);
+    }
     const std::int64_t count =
-        number_from("RAKS_MUTANTS").value_or(static_cast<std::int64_t>(doors_.size()));
+        number_from(count_name).value_or(static_cast<std::int64_t>(doors_.size()));
     const auto first = static_cast<std::uint64_t>(number_from("RAKS_MUTANTS_SEED").value_or(1));
     for (std::int64_t i = 0; i < count; ++i) {
         const Door& door = doors_[static_cast<std::size_t>(i) % doors_.size()];
@@ -273,6 +326,23 @@ TEST_F(Mutants, end_the_program_soon_with_one_line) {
     for (const auto& [what, times] : faults_) {
         ADD_FAILURE() << times << " x " << what;
     }
+}
+
+TEST_F(Mutants, end_the_program_soon_with_one_line) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::drums;
+    plan.seconds = 2.0;
+    write_music("song.wav", plan);
+    add_sounds();
+    add_motion();
+    add_settings();
+    try_all("RAKS_MUTANTS");
+}
+
+TEST_F(Mutants, of_models_end_the_program_soon_with_one_line) {
+    most_allowed_ = kMostKilobytesOfModels;
+    add_models();
+    try_all("RAKS_MODEL_MUTANTS");
 }
 
 }  // namespace

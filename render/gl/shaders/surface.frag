@@ -63,7 +63,11 @@ in vec4 light;
 in vec3 added;
 #endif
 #ifdef HAS_NORMAL
+#ifdef FAST
+in vec3 key_here;
+#else
 in vec4 world_tangent;
+#endif
 uniform sampler2D normal_map;
 #endif
 #ifdef HAS_MATCAP
@@ -100,14 +104,31 @@ vec3 to_screen(vec3 linear) {
 #endif
 }
 
-#ifndef FAST
+#ifdef HAS_NORMAL
+vec3 mapped_normal(vec4 both) {
+    vec3 s = texture(normal_map, AT(SLOT_NORMAL)).xyz * 2.0 - 1.0;
+    return normalize(vec3(s.xy * matcap_factor.a, s.z));
+}
+#endif
+
+#ifdef FAST
+// Cosine to the key light. A normal map turns it against the vertices' light alone: the light is
+// brought into the surface's own axes at the vertices, so no normal is made here.
+float key_cosine(vec4 both) {
+#ifdef HAS_NORMAL
+    return dot(mapped_normal(both), key_here);
+#else
+    return light.a;
+#endif
+}
+#else
 vec3 fragment_normal(vec4 both) {
     vec3 n = normalize(world_normal);
 #ifdef HAS_NORMAL
     vec3 t = normalize(world_tangent.xyz - n * dot(n, world_tangent.xyz) + vec3(1e-9));
     vec3 b = cross(n, t) * world_tangent.w;
-    vec3 s = texture(normal_map, AT(SLOT_NORMAL)).xyz * 2.0 - 1.0;
-    n = normalize(t * (s.x * matcap_factor.a) + b * (s.y * matcap_factor.a) + n * s.z);
+    vec3 s = mapped_normal(both);
+    n = normalize(t * s.x + b * s.y + n * s.z);
 #endif
     return gl_FrontFacing ? n : -n;
 }
@@ -117,7 +138,7 @@ vec3 fragment_normal(vec4 both) {
 vec3 toon_colour(vec3 base, vec3 shade, vec4 both) {
 #ifdef FAST
     // The inner side of cloth and hair is lit as its outer side turned over.
-    float cosine = gl_FrontFacing ? light.a : -light.a;
+    float cosine = gl_FrontFacing ? key_cosine(both) : -key_cosine(both);
     float up = 0.5;
 #else
     vec3 n = fragment_normal(both);
@@ -184,7 +205,11 @@ vec3 lit_colour(vec3 base, vec4 both) {
     // the diffuse light stands for it.
     vec3 albedo = base * mix(1.0, 0.6, metallic);
 #ifdef FAST
-    return albedo * light.rgb * open + added;
+    vec3 received = light.rgb;
+#ifdef HAS_NORMAL
+    received += key_light.rgb * (max(key_cosine(both), 0.0) - max(light.a, 0.0));
+#endif
+    return albedo * max(received, 0.0) * open + added;
 #else
     vec3 n = fragment_normal(both);
     vec3 v = normalize(vec3(eye.x, eye.y * mirror, eye.z) - world);

@@ -24,7 +24,11 @@ out vec4 light;  // rgb: what a lit surface gets; a: cosine to the key light
 out vec3 added;  // rim
 #endif
 #ifdef HAS_NORMAL
+#ifdef FAST
+out vec3 key_here;  // the key light's direction along tangent, bitangent and normal
+#else
 out vec4 world_tangent;
+#endif
 #endif
 #ifdef HAS_MATCAP
 out vec2 matcap_uv;
@@ -65,8 +69,14 @@ void main() {
     world = at;
     world_normal = n;
 #ifdef HAS_NORMAL
-    vec3 t = tangent.xyz;
-    world_tangent = vec4(dot(r0.xyz, t), dot(r1.xyz, t), dot(r2.xyz, t), tangent.w);
+    vec3 t = vec3(dot(r0.xyz, tangent.xyz), dot(r1.xyz, tangent.xyz), dot(r2.xyz, tangent.xyz));
+#ifdef FAST
+    t = normalize(t - n * dot(n, t) + vec3(1e-9));
+    vec3 b = cross(n, t) * tangent.w;
+    key_here = vec3(dot(t, key_direction.xyz), dot(b, key_direction.xyz), dot(n, key_direction.xyz));
+#else
+    world_tangent = vec4(t, tangent.w);
+#endif
 #endif
     vec3 v = normalize(vec3(eye.x, eye.y * mirror, eye.z) - at);
 #ifdef HAS_MATCAP

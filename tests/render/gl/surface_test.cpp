@@ -174,6 +174,73 @@ TEST_F(SurfaceTest, toon_steps_and_rims_follow_their_formula) {
     }
 }
 
+// In both qualities, in `fast` by light that is brought into the surface's own axes.
+TEST_F(SurfaceTest, a_normal_map_turns_the_surface_against_the_light) {
+    ModelMaterial material;
+    material.base_colour = glm::vec4(1.0F);
+    material.mtoon = MToon{};
+    material.mtoon->shading_toony = 0.0F;
+    material.normal_texture.texture = 0;
+    Model model = sphere_model(material);
+    model.textures.push_back({.image = 0, .is_smooth = false, .has_mipmaps = false});
+    model.images.emplace_back();
+    const glm::vec3 tilt(195.0F / 255.0F * 2.0F - 1.0F, 0.0F, 218.0F / 255.0F * 2.0F - 1.0F);
+    const Avatar avatar = build_avatar(model, {{1, 1, {195, 128, 218, 255}}});
+    const Scene scene = plain_scene();
+    const glm::vec3 key = light_directions(scene.camera).key;
+    const auto truth = [&](glm::vec3 n) {
+        const glm::vec3 along = glm::normalize(glm::vec3(n.z, 0.0F, -n.x));
+        const glm::vec3 turned = glm::normalize(along * tilt.x + n * tilt.z);
+        return glm::vec3(std::clamp((glm::dot(turned, key) + 1.0F) / 2.0F, 0.0F, 1.0F));
+    };
+    EXPECT_LE(farthest(draw(avatar, scene, Quality::high), scene.camera, truth), 3.0F);
+    // Between black and white a square root differs from sRGB by up to 9.
+    EXPECT_LE(farthest(draw(avatar, scene, Quality::fast), scene.camera, truth), 12.0F);
+}
+
+// What the material has not by itself: no rim, no glow.
+TEST_F(SurfaceTest, an_expression_colours_what_the_material_is_black_in) {
+    for (const ColourBindKind kind : {ColourBindKind::rim,
+                                      ColourBindKind::emission,
+                                      ColourBindKind::shade,
+                                      ColourBindKind::outline}) {
+        ModelMaterial material;
+        material.base_colour = {0.0F, 0.0F, 0.0F, 1.0F};
+        material.mtoon = MToon{};
+        material.mtoon->rim_fresnel_power = 0.5F;
+        material.mtoon->outline_mode = OutlineWidth::world;
+        material.mtoon->outline_width = 0.05F;
+        material.mtoon->outline_lighting_mix = 0.0F;
+        Model model = sphere_model(material);
+        Expression& expression = model.character.expressions.emplace_back();
+        expression.name = "glow";
+        expression.colours.push_back(
+            {.material = 0, .kind = kind, .target = {0.0F, 1.0F, 0.0F, 1.0F}});
+        const Avatar avatar = build_avatar(model, {});
+        for (const Quality quality : {Quality::fast, Quality::high}) {
+            Expected<Renderer> renderer = Renderer::create(avatar, {.quality = quality});
+            ASSERT_TRUE(renderer.has_value());
+            OffscreenTarget target = make_target(kSide, kSide, 1);
+            RigState state(*avatar.rig);
+            const Dancer dancer{.avatar = {}, .pose = standing_pose(), .state = &state};
+            Scene scene = plain_scene();
+            scene.backdrop = Backdrop::transparent;
+            const auto green = [&](float weight) {
+                avatar.rig->expressions.apply(std::array{weight}, state.face);
+                renderer->draw(scene, std::span(&dancer, 1), target.frame());
+                const Picture picture = read_picture(target);
+                int most = 0;
+                for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+                    most = std::max(most, picture.rgba[i + 1] - picture.rgba[i]);
+                }
+                return most;
+            };
+            EXPECT_LT(green(0.0F), 30) << static_cast<int>(kind);
+            EXPECT_GT(green(1.0F), 100) << static_cast<int>(kind);
+        }
+    }
+}
+
 TEST_F(SurfaceTest, a_texture_lies_where_its_coordinates_say) {
     ModelMaterial material;
     material.is_unlit = true;
