@@ -7,7 +7,14 @@
 namespace raks::render {
 
 AvatarPainter::AvatarPainter(const Avatar& avatar, const BodyPrograms& programs)
-    : size_(size_of(avatar)), skeleton_(avatar.skeleton), body_(avatar, programs) {}
+    : size_(size_of(avatar)),
+      skeleton_(avatar.skeleton),
+      pelvis_drop_(avatar.pelvis_drop),
+      body_(avatar, programs) {}
+
+motion::Pose AvatarPainter::own(const motion::Pose& pose) const noexcept {
+    return retargeted(pose, motion::mannequin_skeleton(), skeleton_, pelvis_drop_);
+}
 
 Expected<void> AvatarPainter::add_surface(const Avatar& avatar, SurfacePrograms& programs) {
     if (avatar.rig == nullptr) {
