@@ -16,7 +16,12 @@ AvatarPainter::AvatarPainter(const Avatar& avatar, const BodyPrograms& programs)
     : size_(size_of(avatar)),
       has_skin_(!avatar.vertices.empty()),
       skeleton_(avatar.skeleton),
+      pelvis_drop_(avatar.pelvis_drop),
       body_(avatar, programs) {}
+
+motion::Pose AvatarPainter::own(const motion::Pose& pose) const noexcept {
+    return retargeted(pose, motion::mannequin_skeleton(), skeleton_, pelvis_drop_);
+}
 
 void AvatarPainter::set_surface(LoadedSurface surface, std::shared_ptr<const AvatarRig> rig) {
     surface_.emplace(std::move(surface));

@@ -26,6 +26,8 @@ class AvatarPainter {
 
     [[nodiscard]] float size() const noexcept { return size_; }
     [[nodiscard]] const motion::Skeleton& skeleton() const noexcept { return skeleton_; }
+    /// A pose of the body that dances are solved for, on its own.
+    [[nodiscard]] motion::Pose own(const motion::Pose& pose) const noexcept;
     [[nodiscard]] BodyPainter& body() noexcept { return body_; }
 
     /// Takes a dancer; returns its number for the calls below. Its state must stay until they are
@@ -49,6 +51,7 @@ class AvatarPainter {
     float size_;
     bool has_skin_;
     motion::Skeleton skeleton_;
+    float pelvis_drop_;
     BodyPainter body_;
     std::optional<SurfacePainter> surface_;
     std::shared_ptr<const AvatarRig> rig_;  // of the surface

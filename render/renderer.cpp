@@ -502,11 +502,7 @@ void Renderer::draw(const Scene& scene,
     dancers.reserve(poses.size());
     const AvatarPainter* const painter = parts_->find({});
     for (const motion::Pose& pose : poses) {
-        dancers.push_back({.avatar = {}, .pose = pose});
-        if (painter != nullptr) {
-            dancers.back().pose.hips_position *=
-                painter->skeleton().hips_height() / motion::mannequin_skeleton().hips_height();
-        }
+        dancers.push_back({.avatar = {}, .pose = painter != nullptr ? painter->own(pose) : pose});
     }
     draw(scene, std::span<const Dancer>(dancers), target);
 }

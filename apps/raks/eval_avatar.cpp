@@ -102,7 +102,7 @@ Expected<AvatarDance> measured(const DanceSetup& setup,
     dance.dance = task.dance.name;
     dance.mesh = engine::measure_avatar(avatar, poses, engine::kTrialPosesPerSecond);
     dance.trial = std::move(*result);
-    dance.hips_height = static_cast<double>(avatar.skeleton.hips_height());
+    dance.pelvis_height = static_cast<double>(avatar.skeleton.hips_height() - avatar.pelvis_drop);
     return dance;
 }
 
@@ -117,7 +117,7 @@ Expected<AvatarRow> row_of(const std::string& model,
     }
     const render::Avatar& avatar = *loaded->avatar;
     AvatarRow row{.model = model,
-                  .name = printable(avatar.name, 60),
+                  .name = printable(Path(model).stem().string(), 60),
                   .height = static_cast<double>(avatar.height),
                   .hips_height = static_cast<double>(avatar.skeleton.hips_height()),
                   .dances = {}};

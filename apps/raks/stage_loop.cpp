@@ -396,6 +396,8 @@ render::Camera StageLoop::framed(render::Camera preset) const {
 
 // One stage and one moment for all dancers: they must not be drawn at different times.
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
+    // Whoever is seen: an avatar may have been taken over meanwhile.
+    formations_.ask_for_body(render::dance_body(picture.bodies.avatar()));
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
     const engine::ShownMoment shown{

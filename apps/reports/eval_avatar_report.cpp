@@ -22,10 +22,10 @@ Limit no_bound(const AvatarDance& /*dance*/) { return std::nullopt; }
 
 // From the mannequin's size, at which dances are solved, to the avatar's own.
 double own_size(const AvatarDance& dance) {
-    return dance.hips_height / static_cast<double>(motion::mannequin_skeleton().hips_height());
+    return dance.pelvis_height / static_cast<double>(motion::mannequin_skeleton().hips_height());
 }
 
-double by_hips(const AvatarDance& dance) { return dance.hips_height / kPeoplesHips; }
+double by_hips(const AvatarDance& dance) { return dance.pelvis_height / kPeoplesHips; }
 
 // A row gives: id, title, decimals, how the value is read and which bound applies.
 constexpr AvatarQuantity kAvatarQuantities[] = {

@@ -17,13 +17,13 @@ struct AvatarDance {
     std::string dance;            ///< its name
     engine::TrialResult trial;    ///< of the bones, as large as the mannequin
     engine::AvatarMeasures mesh;  ///< of what is drawn
-    double hips_height = 0.0;     ///< of the avatar; metres
+    double pelvis_height = 0.0;   ///< of the avatar (render::Avatar::pelvis_drop); metres
 };
 
 /// One avatar.
 struct AvatarRow {
     std::string model;                ///< as it was named
-    std::string name;                 ///< as its file has it
+    std::string name;                 ///< of its file, without ending
     double height = 0.0;              ///< of the mesh; metres
     double hips_height = 0.0;         ///< metres
     std::vector<AvatarDance> dances;  ///< one a dance
@@ -42,7 +42,7 @@ struct AvatarQuantity {
     int digits;              ///< decimals in the text table
     /// Reads it; nothing where the avatar does not have it.
     std::optional<double> (*value)(const AvatarDance& dance);
-    /// Its bound; nothing: it is only reported. Lengths of feet go by the height of the hips.
+    /// Its bound; nothing: it is only reported. Lengths of feet go by the height of the pelvis.
     std::optional<Bound> (*bound)(const AvatarDance& dance);
 };
 /// All quantities. Threads: any.

@@ -405,6 +405,10 @@ void Dancers::stop_solving() noexcept {
     is_stopped_->store(true, std::memory_order_relaxed);  // relaxed: a wish by itself
 }
 
+bool Dancers::is_stopped() const noexcept {
+    return is_stopped_->load(std::memory_order_relaxed);  // relaxed: as above
+}
+
 bool Dancers::is_done() const {
     return !others_.valid() ||
            others_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;

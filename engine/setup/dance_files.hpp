@@ -101,6 +101,8 @@ class Dancers {
     [[nodiscard]] const Cast& cast() const noexcept { return cast_; }
     /// No more dances are begun to be solved: nobody waits for them any more.
     void stop_solving() noexcept;
+    /// Whether stop_solving() was called: some dances may never be there.
+    [[nodiscard]] bool is_stopped() const noexcept;
     /// Whether all dances are solved, or no more will be: to be destroyed without waiting.
     [[nodiscard]] bool is_done() const;
 

@@ -82,7 +82,7 @@ std::optional<Dancers>& Formations::dancers_for(Formation formation) noexcept {
 
 bool Formations::has_dancers_for(Formation formation) const noexcept {
     const std::optional<Dancers>& dancers = is_couple(formation) ? couple_ : alone_;
-    return dancers && dancers->cast().skeleton == body_;
+    return dancers && dancers->cast().skeleton == body_ && !dancers->is_stopped();
 }
 
 // Whether those who are asked for know a dance.

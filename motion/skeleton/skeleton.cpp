@@ -83,6 +83,7 @@ Skeleton scaled(Skeleton skeleton, float factor) noexcept {
     for (glm::vec3* point : {&skeleton.ball, &skeleton.toe_tip, &skeleton.heel}) {
         *point *= factor;
     }
+    skeleton.sole_half *= factor;
     Girth& girth = skeleton.girth;
     for (float* length : {&girth.flank,
                           &girth.trunk,

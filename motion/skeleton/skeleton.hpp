@@ -39,9 +39,10 @@ struct Skeleton {
     /// Ball of the foot on the sole, in the left foot bone's frame in T-pose (mirrored for the
     /// right). Its y is the sole: rest height of the foot + y = 0, the floor.
     glm::vec3 ball{};
-    glm::vec3 toe_tip{};  ///< tip of the toes, likewise
-    glm::vec3 heel{};     ///< back of the heel, likewise
-    Girth girth;          ///< of its flesh and clothes
+    glm::vec3 toe_tip{};     ///< tip of the toes, likewise
+    glm::vec3 heel{};        ///< back of the heel, likewise
+    float sole_half = 0.0F;  ///< half the width of the soles; metres. The mannequin's are lines
+    Girth girth;             ///< of its flesh and clothes
 
     /// Standing height of the hips; metres.
     [[nodiscard]] float hips_height() const noexcept { return offsets[0].y; }

@@ -83,15 +83,22 @@ glm::mat4 matrix_of(const glm::quat& rotation, glm::vec3 position) noexcept {
 float size_of(const Avatar& avatar) noexcept { return avatar.height / kMannequinHeight; }
 
 motion::Skeleton dance_body(const Avatar& avatar) noexcept {
-    return motion::scaled(
-        avatar.skeleton,
-        motion::mannequin_skeleton().hips_height() / avatar.skeleton.hips_height());
+    motion::Skeleton body = avatar.skeleton;
+    const glm::vec3 drop(0.0F, avatar.pelvis_drop, 0.0F);
+    body.offsets[motion::index_of(Bone::hips)] -= drop;
+    for (const Bone bone : {Bone::spine, Bone::left_upper_leg, Bone::right_upper_leg}) {
+        body.offsets[motion::index_of(bone)] += drop;
+    }
+    return motion::scaled(body, motion::mannequin_skeleton().hips_height() / body.hips_height());
 }
 
 motion::Pose retargeted(motion::Pose pose,
                         const motion::Skeleton& made_for,
-                        const Avatar& avatar) noexcept {
-    pose.hips_position *= avatar.skeleton.hips_height() / made_for.hips_height();
+                        const motion::Skeleton& skeleton,
+                        float pelvis_drop) noexcept {
+    const float size = (skeleton.hips_height() - pelvis_drop) / made_for.hips_height();
+    pose.hips_position =
+        size * pose.hips_position + pose.rotation(Bone::hips) * glm::vec3(0.0F, pelvis_drop, 0.0F);
     return pose;
 }
 

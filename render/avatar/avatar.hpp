@@ -112,6 +112,11 @@ struct Avatar {
     /// From the floor to the top of the mesh, with hair and hat, in the T-pose; metres.
     float height = kMannequinHeight;
 
+    /// How far below the hips' joint the pelvis is that dances move: as far over the legs' joints,
+    /// by their height, as the mannequin's hips. Figures with short legs have their joint in the
+    /// belly; steps go by the legs. Metres, may be negative.
+    float pelvis_drop = 0.0F;
+
     // A surface and what moves it; none: `rig` is null.
     Surface surface;
     std::shared_ptr<const AvatarRig> rig;
@@ -130,16 +135,23 @@ struct Avatar {
 /// meshes, 1 for the mannequin. A figure with a large head is larger than its legs tell.
 [[nodiscard]] float size_of(const Avatar& avatar) noexcept;
 
-/// The body that dances are solved for: the avatar's, as large as the mannequin by the height of
-/// its hips. So all that is measured in metres (how far two stand apart, a step aside) suits it,
-/// and its poses are the avatar's own by retargeted(). The mannequin's is its skeleton.
+/// The body that dances are solved for: the avatar's from its pelvis on, as large as the mannequin
+/// by the height of that. So all that is measured in metres (how far two stand apart, a step aside)
+/// suits it, and its poses are the avatar's own by retargeted(). The mannequin's is its skeleton.
 [[nodiscard]] motion::Skeleton dance_body(const Avatar& avatar) noexcept;
 
-/// A pose that was made for another body, on this one: the hips' place by the ratio of their
-/// heights. Threads: any. Real-time: yes.
+/// A pose that was made for another body, on one with this skeleton: the pelvis' place by the ratio
+/// of their heights. Threads: any. Real-time: yes.
 [[nodiscard]] motion::Pose retargeted(motion::Pose pose,
                                       const motion::Skeleton& made_for,
-                                      const Avatar& avatar) noexcept;
+                                      const motion::Skeleton& skeleton,
+                                      float pelvis_drop) noexcept;
+/// The same on an avatar.
+[[nodiscard]] inline motion::Pose retargeted(const motion::Pose& pose,
+                                             const motion::Skeleton& made_for,
+                                             const Avatar& avatar) noexcept {
+    return retargeted(pose, made_for, avatar.skeleton, avatar.pelvis_drop);
+}
 
 /// Rotation of a helper against its parent, from the local rotation of its source bone.
 /// Threads: any. Real-time: yes.

@@ -23,9 +23,9 @@ constexpr double kOuter = 0.9;
 
 glm::vec3 mirrored(glm::vec3 place) noexcept { return {-place.x, place.y, place.z}; }
 
-/// Kept within what a body may be.
+/// Kept within what a body may be; figures with short legs and a round trunk reach 5 times.
 float sane(float value, float usual) noexcept {
-    return std::isfinite(value) ? std::clamp(value, 0.5F * usual, 3.0F * usual) : usual;
+    return std::isfinite(value) ? std::clamp(value, 0.5F * usual, 8.0F * usual) : usual;
 }
 
 /// One body while it is measured. Left and right limbs are measured together.
@@ -56,7 +56,8 @@ class Measure {
     std::span<const FleshPoint> flesh_;
     const BonePlaces& bones_;
     float soles_ = 0.0F;
-    float size_ = 1.0F;  // against the mannequin
+    float pelvis_ = 0.0F;  // its height
+    float size_ = 1.0F;    // against the mannequin
 };
 
 template <typename Take>
@@ -122,9 +123,11 @@ void Measure::set_feet(motion::Skeleton& skeleton) const {
     }
     const float near_floor = sole + 0.03F * size_;
     std::vector<double> ahead;
+    std::vector<double> aside;
     const auto take_from = [&](const glm::vec3& from_foot) {
         if (from_foot.y < near_floor) {
             ahead.push_back(static_cast<double>(from_foot.z));
+            aside.push_back(static_cast<double>(from_foot.x));
         }
     };
     const glm::vec3 toes_from_foot = place(Bone::left_toes) - place(Bone::left_foot);
@@ -134,6 +137,11 @@ void Measure::set_feet(motion::Skeleton& skeleton) const {
         const auto [back, front] = std::minmax_element(ahead.begin(), ahead.end());
         skeleton.heel.z = std::min(static_cast<float>(*back), -0.01F * size_);
         skeleton.toe_tip.z = std::max(static_cast<float>(*front), 0.03F * size_);
+        // The edges by most of the sole: its ends are rounded.
+        const double width = percentile(aside, kOuter) - percentile(aside, 1.0 - kOuter);
+        skeleton.sole_half = std::min(static_cast<float>(0.5 * width), 0.08F * size_);
+        skeleton.toe_tip.x = skeleton.heel.x =
+            static_cast<float>(0.5 * (percentile(aside, kOuter) + percentile(aside, 1.0 - kOuter)));
     }
     const float least_toes = 0.012F * size_;
     glm::vec3& toes = skeleton.offsets[index_of(Bone::left_toes)];
@@ -148,10 +156,10 @@ void Measure::set_feet(motion::Skeleton& skeleton) const {
     skeleton.offsets[index_of(Bone::right_toes)] = mirrored(toes);
 }
 
-/// The trunk in slices from the hips to the upper chest: half its width and depth in each.
+/// The trunk in slices from the pelvis to the upper chest: half its width and depth in each.
 void Measure::set_trunk(motion::Girth& girth) const {
     constexpr std::size_t kSlices = 6;
-    const float low = place(Bone::hips).y;
+    const float low = pelvis_;
     const float high = place(Bone::upper_chest).y + girth.chest_height;
     const float within = std::abs(place(Bone::left_upper_arm).x);
     std::array<std::vector<double>, kSlices> aside;
@@ -236,8 +244,10 @@ float Measure::hand_radius(float usual) const {
 MeasuredBody Measure::body() {
     soles_ = soles();
     const motion::Skeleton& mannequin = motion::mannequin_skeleton();
-    const float hips = std::max(place(Bone::hips).y - soles_, 1e-3F);
-    size_ = hips / mannequin.hips_height();
+    // Steps go by the legs: the hips' joint may lie anywhere in the belly.
+    const float legs = std::max(place(Bone::left_upper_leg).y - soles_, 1e-3F);
+    size_ = legs / (mannequin.hips_height() + mannequin.offsets[index_of(Bone::left_upper_leg)].y);
+    pelvis_ = soles_ + size_ * mannequin.hips_height();
     motion::Skeleton skeleton = motion::scaled(mannequin, size_);
     set_offsets(skeleton);
     set_feet(skeleton);
@@ -248,7 +258,10 @@ MeasuredBody Measure::body() {
     girth.shin = limb_radius(Bone::left_lower_leg, Bone::left_foot, 0.1F, girth.shin);
     girth.forearm = limb_radius(Bone::left_lower_arm, Bone::left_hand, 0.5F, girth.forearm);
     girth.hand = hand_radius(girth.hand);
-    return {.skeleton = skeleton, .soles = soles_, .height = top() - soles_};
+    return {.skeleton = skeleton,
+            .soles = soles_,
+            .height = top() - soles_,
+            .pelvis_drop = place(Bone::hips).y - pelvis_};
 }
 
 }  // namespace

@@ -36,11 +36,12 @@ struct MeasuredBody {
     motion::Skeleton skeleton;  ///< standing on the floor
     float soles = 0.0F;         ///< height of the soles where `flesh` was measured; metres
     float height = 0.0F;        ///< from soles to top; metres
+    float pelvis_drop = 0.0F;   ///< as Avatar has it
 };
 
 /// Measures bones, soles and girth. What the mesh does not say (no foot, no finger, fewer than 8
 /// vertices on a limb) is taken from the mannequin, as large as this body by the height of the
-/// hips; girth is kept within 0.5 and 3 times that. A foot without toes bends at its tip.
+/// legs; girth is kept within 0.5 and 8 times that. A foot without toes bends at its tip.
 /// Threads: any. Real-time: no.
 [[nodiscard]] MeasuredBody measure_body(std::span<const FleshPoint> flesh, const BonePlaces& bones);
 

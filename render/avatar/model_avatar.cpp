@@ -51,6 +51,7 @@ Avatar build_avatar(const Model& model, std::vector<Image> images, const RigOpti
         avatar.skeleton = body.skeleton;
         avatar.soles = body.soles;
         avatar.height = body.height;
+        avatar.pelvis_drop = body.pelvis_drop;
     }
     return avatar;
 }

@@ -48,7 +48,7 @@ TEST_F(EvalAvatar, names_what_cannot_dance_and_measures_the_others) {
         run({"eval", "avatar", path("x.glb"), "mannequin", "--dance", "rock"});
     EXPECT_EQ(result.exit_code, 3) << result.err;
     EXPECT_NE(result.err.find("x.glb: "), std::string::npos) << result.err;
-    EXPECT_NE(result.out.find("| Raks mannequin | "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("| mannequin | "), std::string::npos) << result.out;
     expect_one_line({"eval", "avatar", path("x.glb")}, 1, "x.glb: ");
     expect_one_line({"eval", "avatar", "mannequin", "--dance", "rok"}, 1, "rock");
 }

@@ -135,13 +135,15 @@ float lowest_of_sole(const Skeleton& skeleton,
     const glm::vec3 toe_tip = toes + mirrored_toes * (skeleton.toe_tip - toes);
     // The skeleton stores the left sole; the right one is its mirror image.
     float lowest = 1e9F;
+    // A foot that is rolled stands on the edge of its sole.
+    const float edge = skeleton.sole_half * std::abs((foot_rotation * glm::vec3(1, 0, 0)).y);
     for (glm::vec3 point : {skeleton.ball, toe_tip, skeleton.heel}) {
         if (side == Side::right) {
             point.x = -point.x;
         }
         lowest = std::min(lowest, (foot_rotation * point).y);
     }
-    return lowest;
+    return lowest - edge;
 }
 
 void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {

@@ -103,6 +103,23 @@ TEST(Formations, are_solved_for_another_body_while_the_dance_goes_on) {
     EXPECT_EQ(formations.cast().skeleton, body);
 }
 
+TEST(Formations, go_back_to_a_body_with_all_their_dances) {
+    Formations formations = formations_of("auto", "solo");
+    motion::Skeleton body = motion::mannequin_skeleton();
+    body.girth.trunk = 0.12F;
+    formations.ask_for_body(body);
+    formations.ask_for_body(motion::mannequin_skeleton());
+    EXPECT_EQ(error_when_there(formations), "");
+    EXPECT_EQ(formations.cast().skeleton, motion::mannequin_skeleton());
+    EXPECT_TRUE(formations.wait().empty());
+    const auto& dances = *installed::dances().list();
+    for (std::size_t i = 0; i < dances.size(); ++i) {
+        EXPECT_NE(formations.cast().members.front().repertoire->of(static_cast<DanceId>(i)),
+                  nullptr)
+            << i;
+    }
+}
+
 TEST(Formations, of_another_kind_are_solved_for_the_body_that_was_asked_for) {
     Formations formations = formations_of("salsa", "solo");
     motion::Skeleton body = motion::mannequin_skeleton();

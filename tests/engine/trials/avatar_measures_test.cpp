@@ -18,7 +18,7 @@ const render::Avatar& mannequin_avatar() {
     return avatar;
 }
 
-std::vector<motion::Pose> standing(std::size_t poses = 20) {
+std::vector<motion::Pose> stood_still(std::size_t poses = 20) {
     std::vector<motion::Pose> stood;
     for (std::size_t i = 0; i < poses; ++i) {
         stood.push_back(motion::idle_pose(
@@ -28,7 +28,7 @@ std::vector<motion::Pose> standing(std::size_t poses = 20) {
 }
 
 TEST(AvatarMeasures, of_one_who_stands_find_nothing_wrong) {
-    const AvatarMeasures is = measure_avatar(mannequin_avatar(), standing(), kRate);
+    const AvatarMeasures is = measure_avatar(mannequin_avatar(), stood_still(), kRate);
     EXPECT_NEAR(is.lowest_sole, 0.0, 0.006);
     EXPECT_EQ(is.planted_share, 1.0);
     EXPECT_LT(is.planted_p99, 0.006);
@@ -40,12 +40,12 @@ TEST(AvatarMeasures, of_one_who_stands_find_nothing_wrong) {
 }
 
 TEST(AvatarMeasures, tell_how_deep_soles_are_in_the_floor_and_how_far_planted_ones_hang_over_it) {
-    std::vector<motion::Pose> sunk = standing();
+    std::vector<motion::Pose> sunk = stood_still();
     for (motion::Pose& pose : sunk) {
         pose.hips_position.y -= 0.04F;
     }
     EXPECT_NEAR(measure_avatar(mannequin_avatar(), sunk, kRate).lowest_sole, -0.04, 0.006);
-    std::vector<motion::Pose> lifted = standing();
+    std::vector<motion::Pose> lifted = stood_still();
     lifted.back().hips_position.y += 0.05F;
     const AvatarMeasures is = measure_avatar(mannequin_avatar(), lifted, kRate);
     EXPECT_NEAR(is.planted_share, 0.95, 1e-6);
@@ -53,7 +53,7 @@ TEST(AvatarMeasures, tell_how_deep_soles_are_in_the_floor_and_how_far_planted_on
 }
 
 TEST(AvatarMeasures, tell_a_forearm_that_is_put_through_the_trunk) {
-    std::vector<motion::Pose> poses = standing();
+    std::vector<motion::Pose> poses = stood_still();
     for (std::size_t i = 0; i < 5; ++i) {
         // The arm hangs, the elbow bends square to the inside.
         poses[i].rotation(motion::Bone::left_upper_arm) = glm::angleAxis(-1.5F, glm::vec3(0, 0, 1));
@@ -65,12 +65,12 @@ TEST(AvatarMeasures, tell_a_forearm_that_is_put_through_the_trunk) {
 }
 
 TEST(AvatarMeasures, tell_skin_that_is_torn) {
-    std::vector<motion::Pose> poses = standing();
+    std::vector<motion::Pose> poses = stood_still();
     for (motion::Pose& pose : poses) {
         pose.rotation(motion::Bone::spine) = glm::angleAxis(2.9F, glm::vec3(0, 1, 0));
     }
     const double torn = measure_avatar(mannequin_avatar(), poses, kRate).stretch_p995;
-    EXPECT_GT(torn, measure_avatar(mannequin_avatar(), standing(), kRate).stretch_p995);
+    EXPECT_GT(torn, measure_avatar(mannequin_avatar(), stood_still(), kRate).stretch_p995);
 }
 
 TEST(AvatarMeasures, of_no_pose_are_none) {

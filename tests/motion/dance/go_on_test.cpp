@@ -15,9 +15,9 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kDancedTempoBpm = 168.0;
-constexpr HopIndex kChange = 1'700;
-constexpr HopIndex kDancedHops = 2'400;
+constexpr double kGoingOnBpm = 168.0;
+constexpr HopIndex kGoesOnAt = 1'700;
+constexpr HopIndex kGoingOnHops = 2'400;
 
 /// A body as high as the mannequin that is thicker, with longer arms and thighs, shorter shins.
 Skeleton other_body() {
@@ -38,41 +38,41 @@ std::shared_ptr<const Repertoire> one_figure_on(const Skeleton& body) {
                                         *DanceLibrary::build(std::span(&model, 1), body));
 }
 
-struct Danced {
+struct GoneOn {
     std::vector<Pose> poses;
     std::vector<DancerStatus> hops;
 };
 
-/// Dances on the mannequin, from kChange on with the dancer given, if any.
-Danced dance(Dancer* next) {
+/// Dances on the mannequin, from kGoesOnAt on with the dancer given, if any.
+GoneOn dance_and_go_on(Dancer* next) {
     Dancer first;
     EXPECT_TRUE(
         first.prepare(one_figure_on(mannequin_skeleton()), mannequin_skeleton(), DancerPart{}));
-    Danced danced;
+    GoneOn danced;
     const auto track = std::make_unique<PoseTrack>();
     Dancer* dancer = &first;
-    for (HopIndex hop = 0; hop < kDancedHops; ++hop) {
-        if (hop == kChange && next != nullptr) {
+    for (HopIndex hop = 0; hop < kGoingOnHops; ++hop) {
+        if (hop == kGoesOnAt && next != nullptr) {
             next->go_on_from(first);
             dancer = next;
         }
-        dancer->advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), *track);
+        dancer->advance(test::sure_state(hop, test::steady_grid(kGoingOnBpm)), *track);
         danced.poses.push_back(track->at_hop(hop));
         danced.hops.push_back(dancer->status());
     }
     return danced;
 }
 
-Dancer dancer_on(const Skeleton& body) {
+Dancer dancer_of_body(const Skeleton& body) {
     Dancer dancer;
     EXPECT_TRUE(dancer.prepare(one_figure_on(body), body, DancerPart{}));
     return dancer;
 }
 
 TEST(GoingOn, on_the_same_body_changes_nothing) {
-    Dancer same = dancer_on(mannequin_skeleton());
-    const Danced changed = dance(&same);
-    const Danced alone = dance(nullptr);
+    Dancer same = dancer_of_body(mannequin_skeleton());
+    const GoneOn changed = dance_and_go_on(&same);
+    const GoneOn alone = dance_and_go_on(nullptr);
     for (std::size_t hop = 0; hop < changed.poses.size(); ++hop) {
         ASSERT_LT(glm::distance(changed.poses[hop].hips_position, alone.poses[hop].hips_position),
                   1e-4F)
@@ -83,28 +83,28 @@ TEST(GoingOn, on_the_same_body_changes_nothing) {
 }
 
 TEST(GoingOn, on_another_body_is_the_same_dance_without_a_leap) {
-    Dancer other = dancer_on(other_body());
-    const Danced changed = dance(&other);
-    for (std::size_t hop = kChange; hop < changed.hops.size(); ++hop) {
+    Dancer other = dancer_of_body(other_body());
+    const GoneOn changed = dance_and_go_on(&other);
+    for (std::size_t hop = kGoesOnAt; hop < changed.hops.size(); ++hop) {
         ASSERT_TRUE(changed.hops[hop].is_dancing) << hop;
     }
-    const double usual = test::largest_step(changed.poses, 0, kChange - 1);
-    EXPECT_LT(test::largest_step(changed.poses, kChange - 1, kDancedHops), 1.25 * usual);
-    EXPECT_EQ(changed.hops[kChange].number, changed.hops[kChange - 1].number);
+    const double usual = test::largest_step(changed.poses, 0, kGoesOnAt - 1);
+    EXPECT_LT(test::largest_step(changed.poses, kGoesOnAt - 1, kGoingOnHops), 1.25 * usual);
+    EXPECT_EQ(changed.hops[kGoesOnAt].number, changed.hops[kGoesOnAt - 1].number);
     // At last it dances as one who danced on that body from the beginning.
     const auto track = std::make_unique<PoseTrack>();
-    Dancer always = dancer_on(other_body());
-    for (HopIndex hop = 0; hop < kDancedHops; ++hop) {
-        always.advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), *track);
+    Dancer always = dancer_of_body(other_body());
+    for (HopIndex hop = 0; hop < kGoingOnHops; ++hop) {
+        always.advance(test::sure_state(hop, test::steady_grid(kGoingOnBpm)), *track);
     }
-    EXPECT_LT(glm::distance(track->at_hop(kDancedHops - 1).hips_position,
+    EXPECT_LT(glm::distance(track->at_hop(kGoingOnHops - 1).hips_position,
                             changed.poses.back().hips_position),
               0.01F);
 }
 
 TEST(GoingOn, before_the_first_hop_and_while_standing_is_to_stand) {
-    Dancer first = dancer_on(mannequin_skeleton());
-    Dancer other = dancer_on(other_body());
+    Dancer first = dancer_of_body(mannequin_skeleton());
+    Dancer other = dancer_of_body(other_body());
     other.go_on_from(first);
     EXPECT_GT(other.shown().hips_position.y, 0.8F);
     const auto track = std::make_unique<PoseTrack>();
@@ -113,7 +113,7 @@ TEST(GoingOn, before_the_first_hop_and_while_standing_is_to_stand) {
 }
 
 TEST(GoingOn, with_a_dance_that_is_not_known_is_to_stand_there_softly) {
-    Dancer first = dancer_on(mannequin_skeleton());
+    Dancer first = dancer_of_body(mannequin_skeleton());
     const FigureModel& model = test::basic_step();
     Dancer stranger;
     ASSERT_TRUE(stranger.prepare(
@@ -123,15 +123,15 @@ TEST(GoingOn, with_a_dance_that_is_not_known_is_to_stand_there_softly) {
         DancerPart{}));
     const auto track = std::make_unique<PoseTrack>();
     std::vector<Pose> poses;
-    for (HopIndex hop = 0; hop < kChange + 40; ++hop) {
-        if (hop == kChange) {
+    for (HopIndex hop = 0; hop < kGoesOnAt + 40; ++hop) {
+        if (hop == kGoesOnAt) {
             stranger.go_on_from(first);
         }
-        Dancer& dancer = hop < kChange ? first : stranger;
-        dancer.advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), *track);
+        Dancer& dancer = hop < kGoesOnAt ? first : stranger;
+        dancer.advance(test::sure_state(hop, test::steady_grid(kGoingOnBpm)), *track);
         poses.push_back(track->at_hop(hop));
     }
-    EXPECT_LT(test::largest_step(poses, kChange - 1, kChange + 40), test::kFastestStep);
+    EXPECT_LT(test::largest_step(poses, kGoesOnAt - 1, kGoesOnAt + 40), test::kFastestStep);
 }
 
 TEST(GoingOn, allocates_nothing) {
@@ -143,11 +143,11 @@ TEST(GoingOn, allocates_nothing) {
     ASSERT_TRUE(after.prepare(members_of(Formation::unison, other, other, 1), other_body()));
     std::vector<PoseTrack> tracks(before.size());
     for (HopIndex hop = 0; hop < 300; ++hop) {
-        before.advance(test::sure_state(hop, test::steady_grid(kDancedTempoBpm)), tracks);
+        before.advance(test::sure_state(hop, test::steady_grid(kGoingOnBpm)), tracks);
     }
     ::raks::test::RealtimeScope scope;
     after.go_on_from(before);
-    after.advance(test::sure_state(300, test::steady_grid(kDancedTempoBpm)), tracks);
+    after.advance(test::sure_state(300, test::steady_grid(kGoingOnBpm)), tracks);
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
 
