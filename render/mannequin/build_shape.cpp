@@ -27,7 +27,6 @@ constexpr std::array kLeadGirths = {
     Girth{"forearm", 1.12F, 1.10F},
     Girth{"lat", 1.15F, 1.05F},
     Girth{"glute", 0.94F, 0.86F},
-    Girth{"belly", 1.10F, 1.0F},
     Girth{"thigh", 0.99F, 1.0F},
 };
 

@@ -13,7 +13,7 @@
 namespace raks::render {
 
 /// Chains about the hips, and joints of each: the last is its tip.
-inline constexpr std::size_t kSkirtChains = 12;
+inline constexpr std::size_t kSkirtChains = 16;
 inline constexpr std::size_t kSkirtJoints = 4;
 
 /// Places of one chain's joints in the T-pose, from its root down; chain 0 is before the

@@ -195,7 +195,7 @@ class WornModel {
                                               .shape = ColliderShape::capsule,
                                               .offset = {0.0F, -0.030F, 0.0F},
                                               .tail = {0.0F, -0.390F, 0.004F},
-                                              .radius = 0.086F}));
+                                              .radius = 0.094F}));
         }
         std::vector<std::uint16_t> joints;
         for (std::size_t c = 0; c < kSkirtChains; ++c) {
