@@ -1,8 +1,10 @@
 #include "render/shader_warm_up.hpp"
 
 #include <bit>
+#include <span>
 
 #include "render/avatar/avatar.hpp"
+#include "render/gl/objects.hpp"
 #include "render/gl/offscreen.hpp"
 
 namespace raks::render {
@@ -39,7 +41,9 @@ class WindowLikeTarget {
 
 /// A stand-in that takes no memory. Drivers look at whether sides are powers of two.
 Image stand_in(const Image& image) {
-    const auto side_of = [](int side) { return std::has_single_bit(unsigned(side)) ? 2 : 3; };
+    const auto side_of = [](int side) {
+        return std::has_single_bit(static_cast<unsigned>(side)) ? 2 : 3;
+    };
     Image small{.width = side_of(image.width), .height = side_of(image.height), .pixels = {}};
     small.pixels.assign(
         static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height) * 4, 255);
