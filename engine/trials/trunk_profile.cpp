@@ -31,7 +31,7 @@ TrunkProfile::TrunkProfile(const render::SkinnedMesh& mesh,
       high_(bones.position(Bone::left_upper_arm).y) {
     // Below the armpits, where the arms begin.
     high_ -= 0.25F * (high_ - low_);
-    const float within = std::abs(bones.position(Bone::left_upper_arm).x);
+    const float within = 2.0F * std::abs(bones.position(Bone::left_upper_arm).x);
     std::array<std::vector<glm::vec3>, kSlices> slices;
     for (std::size_t i = 0; i < at_rest.size(); ++i) {
         const float share = (at_rest[i].y - low_) / std::max(high_ - low_, 1e-3F);

@@ -161,7 +161,8 @@ void Measure::set_trunk(motion::Girth& girth) const {
     constexpr std::size_t kSlices = 6;
     const float low = pelvis_;
     const float high = place(Bone::upper_chest).y + girth.chest_height;
-    const float within = std::abs(place(Bone::left_upper_arm).x);
+    // Under the armpits; what lies far beyond the shoulders is none of it.
+    const float within = 2.0F * std::abs(place(Bone::left_upper_arm).x);
     std::array<std::vector<double>, kSlices> aside;
     std::array<std::vector<double>, kSlices> ahead;
     for (const FleshPoint& point : flesh_) {
