@@ -58,11 +58,12 @@ void DancerBodies::move(std::size_t dancer,
                 danced.tracks[dancer].at(time + danced.lead), made_for_, *avatar_);
         },
         body.state);
-    render::pose_avatar(*avatar_->rig,
-                        pose,
-                        body.face.face_at(moment, avatar_->skeleton, pose),
-                        kOwnBody,
-                        body.state);
+    render::pose_avatar(
+        *avatar_->rig,
+        pose,
+        danced.face ? *danced.face : body.face.face_at(moment, avatar_->skeleton, pose),
+        kOwnBody,
+        body.state);
     dancers_[dancer].state = &body.state;
 }
 
