@@ -119,10 +119,12 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
     const double duration = clip->duration();
     const double rate = clip->rate();
     const auto shared = std::make_shared<const engine::FigureClip>(std::move(*clip));
-    return Motion{.pose_at = [shared](double seconds) { return shared->pose_at(seconds); },
-                  .face_at = [shared](double seconds) { return shared->face_at(seconds); },
-                  .duration = duration,
-                  .rate = rate};
+    return Motion{
+        .pose_at = [shared](double seconds) { return shared->pose_at(seconds); },
+        .face_at =
+            [shared](double seconds) { return shared->face_at(seconds).value_or(render::Face()); },
+        .duration = duration,
+        .rate = rate};
 }
 
 // The times to show. Errors: neither a number nor "all", later than the clip ends.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -67,6 +68,10 @@ class Film final : public engine::OfflineDriver::Sink {
         }
     }
 
+    // Of a clip, by seconds of the film; none: faces go by the music.
+    using FaceAt = std::function<std::optional<render::Face>(double)>;
+    void set_face(FaceAt face) { face_at_ = std::move(face); }
+
     [[nodiscard]] const std::optional<Error>& fault() const noexcept { return fault_; }
     [[nodiscard]] std::int64_t pictures() const noexcept { return next_; }
 
@@ -88,10 +93,14 @@ class Film final : public engine::OfflineDriver::Sink {
         render::OverlayState info;
         info.source = source_;
         info.position = start_seconds_ + to_seconds(moment);
-        show_.draw(
-            {last_->music, last_->dancer, {.tracks = tracks_, .moment = moment, .lead = lead_}},
-            info,
-            target_.frame());
+        show_.draw({last_->music,
+                    last_->dancer,
+                    {.tracks = tracks_,
+                     .moment = moment,
+                     .lead = lead_,
+                     .face = face_at_ ? face_at_(to_seconds(moment)) : std::nullopt}},
+                   info,
+                   target_.frame());
         // The first fault ends the film: later pictures are not drawn.
         auto done = target_.read_rgba(rgba_);
         if (done) {
@@ -144,6 +153,7 @@ class Film final : public engine::OfflineDriver::Sink {
     std::optional<Last> last_;
     std::span<const motion::PoseTrack> tracks_;
     std::optional<Error> fault_;
+    FaceAt face_at_;
 };
 
 // Feeds the music to dancer and film, to its end or to a signal; the film is complete in both
@@ -226,7 +236,8 @@ ExitCode film_music(const RenderArguments& arguments,
                     const engine::Look& look,
                     engine::MusicSource& source,
                     Driver& driver,
-                    std::shared_ptr<const DanceList> dances) {
+                    std::shared_ptr<const DanceList> dances,
+                    Film::FaceAt face = {}) {
     render::VideoOptions options = video_options(arguments, look);
     options.audio_rate = source.rate().hertz();
     auto writer = render::VideoWriter::create(arguments.output, options);
@@ -238,6 +249,7 @@ ExitCode film_music(const RenderArguments& arguments,
         return fail(studio.error());
     }
     Film film(studio->show, studio->target, **writer, arguments, options.rate, source.seconds());
+    film.set_face(std::move(face));
     if (auto ran = run(source, driver, **writer, film); !ran) {
         return fail(ran.error());
     }
@@ -252,6 +264,7 @@ ExitCode film_music(const RenderArguments& arguments,
 ExitCode film_clip(const RenderArguments& arguments,
                    const engine::Look& look,
                    engine::ClipDriver driver,
+                   Film::FaceAt face,
                    double seconds) {
     render::VideoOptions options = video_options(arguments, look);
     options.audio_channels = 0;
@@ -264,6 +277,7 @@ ExitCode film_clip(const RenderArguments& arguments,
         return fail(studio.error());
     }
     Film film(studio->show, studio->target, **writer, arguments, options.rate, seconds);
+    film.set_face(std::move(face));
     ProgressLine progress("rendering");
     constexpr double kPart = 0.5;  // seconds between two looks at signals
     double done = 0.0;
@@ -295,8 +309,12 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
         }
         const double seconds =
             std::min(arguments.section.duration.value_or(length), length - start);
-        const auto pose_at = [clip, start](double time) { return clip->pose_at(start + time); };
-        return film_clip(arguments, look, engine::ClipDriver(pose_at), seconds);
+        return film_clip(
+            arguments,
+            look,
+            engine::ClipDriver([clip, start](double time) { return clip->pose_at(start + time); }),
+            [clip, start](double time) { return clip->face_at(start + time); },
+            seconds);
     }
     auto source = engine::MusicSource::open(
         arguments.input, arguments.section.start, arguments.section.duration);
@@ -307,14 +325,20 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
     if (!setup) {
         return fail(setup.error());
     }
+    const auto in_clip = [length](double time) {
+        return length > 0.0 ? std::fmod(time, length) : 0.0;
+    };
     auto driver =
-        engine::ClipDriver::create(source->rate(), setup->models, [clip, length](double time) {
-            return clip->pose_at(length > 0.0 ? std::fmod(time, length) : 0.0);
+        engine::ClipDriver::create(source->rate(), setup->models, [clip, in_clip](double time) {
+            return clip->pose_at(in_clip(time));
         });
     if (!driver) {
         return fail(driver.error());
     }
-    return film_music(arguments, look, *source, *driver, setup->catalogue.list());
+    return film_music(
+        arguments, look, *source, *driver, setup->catalogue.list(), [clip, in_clip](double time) {
+            return clip->face_at(in_clip(time));
+        });
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ ExitCode draw_clip(const SheetArguments& arguments, const engine::Look& look) {
     if (!is_sheet) {
         return exit_code_of(studio->write_film(arguments.output, poses, arguments.settings.fps));
     }
-    SheetLabels labels{.title = printable(arguments.motion), .poses = {}};
+    SheetLabels labels{.title = printable(Path(arguments.motion).filename().string()), .poses = {}};
     for (const double time : times) {
         labels.poses.push_back(fmt::format("{:.2f} s", time));
     }

@@ -377,11 +377,6 @@ void StageLoop::change_formation() {
 }
 
 // The same dance goes on, solved for the body that is seen.
-// Until it is solved for the avatar, the dance is retargeted.
-void StageLoop::take_avatar(const render::Avatar& avatar) {
-    formations_.ask_for_body(render::dance_body(avatar));
-}
-
 void StageLoop::change_body() {
     const auto replaced =
         graph_->replace_dancers(formations_.cast(), engine::MotionStage::Entry::onward);

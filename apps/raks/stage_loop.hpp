@@ -77,7 +77,6 @@ class StageLoop final : private engine::WindowContent {
     void use(render::OverlayControl control, double share) override;
     [[nodiscard]] bool is_finished() const override;
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
-    void take_avatar(const render::Avatar& avatar) override;
 
     void bind(engine::ActionDispatcher& actions);
     void run_headless(const std::string& source);

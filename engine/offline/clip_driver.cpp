@@ -1,11 +1,13 @@
 #include "engine/offline/clip_driver.hpp"
 
-#include <array>
 #include <utility>
+
+#include "engine/offline/last_hops.hpp"
 
 namespace raks::engine {
 
 void ClipDriver::Performer::on_state(const MusicState& state) noexcept {
+    newest = state.time;
     track_.append_final(state.hop, pose_at_(to_seconds(state.time)));
     constexpr motion::DancerStatus kNobodyDances{};
     sink->on_hop({state, track_, std::span(&track_, 1), kNobodyDances});
@@ -32,18 +34,12 @@ void ClipDriver::feed(std::span<const float> mono, OfflineDriver::Sink& sink) {
 
 void ClipDriver::finish(OfflineDriver::Sink& sink) {
     performer_.sink = &sink;
-    const StreamTime end = rate_.time_of(samples_fed_);
-    const std::array<float, 256> silence{};
-    for (Nanos left = analyzer_->delay() + kHop;
-         left.count() > 0 && time_of_hop(performer_.newest() + 1) < end;
-         left -= rate_.time_of(silence.size()).time_since_epoch()) {
-        analyzer_->process(silence, performer_);
-    }
+    bring_last_hops_out(*analyzer_, rate_, rate_.time_of(samples_fed_), performer_);
 }
 
 void ClipDriver::perform(StreamTime end, OfflineDriver::Sink& sink) {
     performer_.sink = &sink;
-    for (HopIndex hop = performer_.newest() + 1; time_of_hop(hop) < end; ++hop) {
+    for (HopIndex hop = performer_.newest_hop() + 1; time_of_hop(hop) < end; ++hop) {
         MusicState silence;
         silence.hop = hop;
         silence.time = time_of_hop(hop);

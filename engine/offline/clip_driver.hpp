@@ -41,9 +41,10 @@ class ClipDriver {
      public:
         explicit Performer(PoseAt pose_at) : pose_at_(std::move(pose_at)) {}
         void on_state(const MusicState& state) noexcept override;
-        [[nodiscard]] HopIndex newest() const noexcept { return track_.newest_final(); }
+        [[nodiscard]] HopIndex newest_hop() const noexcept { return track_.newest_final(); }
 
         OfflineDriver::Sink* sink = nullptr;
+        StreamTime newest{Nanos(-1)};  // time of the last state
 
      private:
         PoseAt pose_at_;

@@ -96,7 +96,11 @@ void DancerBodies::move(std::size_t dancer,
         },
         body.state);
     render::pose_avatar(
-        *avatar.rig, pose, body.face.face_at(moment, avatar.skeleton, pose), kOwnBody, body.state);
+        *avatar.rig,
+        pose,
+        danced.face ? *danced.face : body.face.face_at(moment, avatar.skeleton, pose),
+        kOwnBody,
+        body.state);
     dancers_[dancer].state = &body.state;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct DancedMoment {
     std::span<const motion::PoseTrack> tracks;  ///< one a dancer, on the stage
     StreamTime moment{};                        ///< that is seen and heard
     Nanos lead{0};                              ///< by which the poses are ahead of it
+    std::optional<render::Face> face{};         ///< of a clip; none: by the music
 };
 
 /// The bodies of all dancers: one avatar, or two in turn, and for each dancer what its springs and

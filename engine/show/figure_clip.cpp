@@ -154,9 +154,11 @@ class FigureClipReader {
             pose.hips_position = travels ? pose.hips_position * scale : hips;
             return pose;
         };
-        clip.face_ = [model, sampler](double seconds) {
-            return sampler->face_at(static_cast<float>(seconds));
-        };
+        if (sampler->has_face()) {
+            clip.face_ = [model, sampler](double seconds) {
+                return sampler->face_at(static_cast<float>(seconds));
+            };
+        }
         clip.warnings_ = model->warnings;
         return clip;
     }

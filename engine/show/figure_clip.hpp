@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,9 @@ class FigureClip {
 
     /// The pose at `seconds`, held before the start and after the end.
     [[nodiscard]] motion::Pose pose_at(double seconds) const { return pose_(seconds); }
-    /// The face; at rest where the clip has none.
-    [[nodiscard]] render::Face face_at(double seconds) const {
-        return face_ ? face_(seconds) : render::Face();
+    /// The face; none: the clip has none.
+    [[nodiscard]] std::optional<render::Face> face_at(double seconds) const {
+        return face_ ? std::optional(face_(seconds)) : std::nullopt;
     }
 
     /// The file of an argument, without the clip's name.

@@ -30,6 +30,10 @@ class AnimationSampler {
     [[nodiscard]] float duration() const noexcept { return duration_; }
     /// Whether the hips travel; else they stay at their rest place.
     [[nodiscard]] bool has_travel() const noexcept { return has_travel_; }
+    /// Whether it moves expressions or the gaze.
+    [[nodiscard]] bool has_face() const noexcept {
+        return !expressions_.empty() || gaze_ != nullptr;
+    }
     /// Place of the hips at rest; metres. The ratio of hips heights scales their travel.
     [[nodiscard]] const glm::vec3& rest_hips() const noexcept { return rest_hips_; }
 
