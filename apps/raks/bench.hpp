@@ -50,9 +50,9 @@ struct BenchReport {
 /// iterations.
 [[nodiscard]] Expected<BenchReport> bench_train();
 
-/// Measures a model as an avatar: loading it (from file to the driver's memory), pictures in two sizes
-/// beside the mannequin's with fast shaders, a step of its drivers, memory; and moving vertices on
-/// the processor. Ratios are against a fixed workload of the same run. Errors: those of
+/// Measures a model as an avatar: loading it (from file to the driver's memory), pictures in two
+/// sizes beside the mannequin's with fast shaders, a step of its drivers, memory; and moving
+/// vertices on the processor. Ratios are against a fixed workload of the same run. Errors: those of
 /// engine::load_avatar; no OpenGL.
 [[nodiscard]] Expected<BenchReport> bench_avatar(const std::string& model);
 

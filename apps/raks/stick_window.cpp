@@ -21,12 +21,13 @@ Expected<void> show_in_window(render::Window window,
                               const engine::Look& look,
                               engine::WindowContent& content) {
     // No cards: there is no music to inform about.
-    auto loop = engine::WindowLoop::create(
-        std::move(window),
-        look,
-        {.cards = engine::Cards::none, .say = say, .say_detail = say_detail, .is_stop_requested = [] {
-             return stop_signal().has_value();
-         }});
+    auto loop =
+        engine::WindowLoop::create(std::move(window),
+                                   look,
+                                   {.cards = engine::Cards::none,
+                                    .say = say,
+                                    .say_detail = say_detail,
+                                    .is_stop_requested = [] { return stop_signal().has_value(); }});
     if (!loop) {
         return fail(loop.error());
     }

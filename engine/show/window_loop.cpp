@@ -133,7 +133,7 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
         // Time passes by the clock and not by pictures: a slow picture must not slow the content.
         content.advance(to_seconds(now - last));
         last = now;
-        change_avatar(content);
+        change_avatar();
         draw(content);
         // Checked after the picture, so that a screenshot asked for with the last key is still
         // taken.
@@ -374,14 +374,13 @@ void WindowLoop::go_to_next_avatar() {
 }
 
 // Before each picture: a part of the work, if there is any.
-void WindowLoop::change_avatar(WindowContent& content) {
+void WindowLoop::change_avatar() {
     const float size_before = render::size_of(drawing_.bodies.avatar());
     auto changed = avatar_change_.go_on(drawing_);
     if (!changed) {
         say(changed.error().message);
     } else if (*changed) {
         take_avatar(**changed, size_before);
-        content.take_avatar(drawing_.bodies.avatar());
     }
 }
 

@@ -55,9 +55,6 @@ class WindowContent {
     /// Whether the avatar is seen in it: then people can change it.
     [[nodiscard]] virtual bool has_avatar() const { return true; }
 
-    /// The dancers wear another avatar from here on.
-    virtual void take_avatar(const render::Avatar& /*avatar*/) {}
-
     /// A preset camera, moved to where it must stand for this content.
     [[nodiscard]] virtual render::Camera framed(render::Camera preset) const { return preset; }
 };
@@ -137,7 +134,7 @@ class WindowLoop {
     void go_to_next_camera(const WindowContent& content);
     void go_to_next_theme();
     void go_to_next_avatar();
-    void change_avatar(WindowContent& content);
+    void change_avatar();
     void take_avatar(const LoadedAvatar& avatar, float size_before);
     [[nodiscard]] render::Camera preset(const WindowContent& content) const;
 

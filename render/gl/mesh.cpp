@@ -30,10 +30,7 @@ Mesh::Mesh(std::span<const std::byte> vertices,
            std::span<const std::uint16_t> indices)
     : index_count_(static_cast<GLsizei>(indices.size())), index_type_(GL_UNSIGNED_SHORT) {
     const std::span<const std::byte> packed = std::as_bytes(indices);
-    upload({vertices.data(), vertices.size()},
-           stride,
-           attributes,
-           {packed.data(), packed.size()});
+    upload({vertices.data(), vertices.size()}, stride, attributes, {packed.data(), packed.size()});
 }
 
 Mesh::Mesh(std::span<const std::byte> vertices,
@@ -42,10 +39,7 @@ Mesh::Mesh(std::span<const std::byte> vertices,
            std::span<const std::uint32_t> indices)
     : index_count_(static_cast<GLsizei>(indices.size())), index_type_(GL_UNSIGNED_INT) {
     const std::span<const std::byte> packed = std::as_bytes(indices);
-    upload({vertices.data(), vertices.size()},
-           stride,
-           attributes,
-           {packed.data(), packed.size()});
+    upload({vertices.data(), vertices.size()}, stride, attributes, {packed.data(), packed.size()});
 }
 
 Mesh::Mesh(std::size_t vertex_bytes,
@@ -66,10 +60,8 @@ void Mesh::upload(Bytes vertices,
     // The vertex array records the attributes and the index buffer bound while it is current.
     glBindVertexArray(array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    glBufferData(GL_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(vertices.size),
-                 vertices.data,
-                 GL_STATIC_DRAW);
+    glBufferData(
+        GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size), vertices.data, GL_STATIC_DRAW);
     for (const Attribute& attribute : attributes) {
         describe(attribute, static_cast<GLsizei>(stride));
     }

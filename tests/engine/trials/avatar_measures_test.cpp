@@ -36,7 +36,8 @@ TEST(AvatarMeasures, of_one_who_stands_find_nothing_wrong) {
     EXPECT_LT(is.stretch_p995, 2.0);
     ASSERT_TRUE(is.mirrored_p99);
     EXPECT_LT(*is.mirrored_p99, 0.001);
-    EXPECT_FALSE(is.tails) << "nothing swings";
+    ASSERT_TRUE(is.tails) << "hair and skirt";
+    EXPECT_TRUE(is.tails->is_finite);
 }
 
 TEST(AvatarMeasures, tell_how_deep_soles_are_in_the_floor_and_how_far_planted_ones_hang_over_it) {
