@@ -5,7 +5,6 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -19,106 +18,13 @@
 #include "render/avatar_painter.hpp"
 #include "render/dress.hpp"
 #include "render/frame_uniforms.hpp"
-#include "render/gl/mesh.hpp"
 #include "render/gl/objects.hpp"
-#include "render/gl/program.hpp"
 #include "render/gl/shadow_map.hpp"
-#include "render/scene/stage_shapes.hpp"
+#include "render/stage_painter.hpp"
 #include "render/surface_upload.hpp"
 
 namespace raks::render {
 namespace {
-
-/// A mesh with one attribute: the vertex itself.
-template <typename Vertex>
-gl::Mesh float_mesh(const Shape<Vertex>& shape) {
-    const std::array<gl::Attribute, 1> attributes = {
-        {{.location = 0, .components = static_cast<GLint>(Vertex::length()), .type = GL_FLOAT}}};
-    return {std::as_bytes(std::span(shape.vertices)), sizeof(Vertex), attributes, shape.indices};
-}
-
-/// The program of one part of the stage. Vertex and fragment shader have the same stem.
-Expected<gl::Program> build(Quality quality, std::string_view name, std::string_view vertex) {
-    const std::string_view stem = vertex.substr(0, vertex.find('.'));
-    const std::string fragment_file = std::string(stem) + ".frag";
-    const std::array<std::string_view, 2> vertex_files = {"frame.glsl", vertex};
-    const std::array<std::string_view, 3> fragment_files = {
-        "frame.glsl", "shadow.glsl", fragment_file};
-    const std::array<std::string_view, 1> defines = {
-        quality == Quality::fast ? std::string_view("FAST") : std::string_view("HIGH")};
-    return gl::Program::build({name, vertex_files, fragment_files, defines});
-}
-
-/// Floor, beat rings and backdrop. Sets no state but program and vertex array; the frame's uniform
-/// block must be bound. Threads: the context's.
-class StagePainter {
- public:
-    /// `quality` is fast or high. Errors: a shader that the driver refuses.
-    [[nodiscard]] static Expected<StagePainter> create(Quality quality);
-
-    /// The floor disc with its shadows; with Quality::high with rings and reflection.
-    void draw_floor() const noexcept;
-    /// The rings as geometry; with Quality::high they are part of the floor and this does nothing.
-    void draw_rings(int count) const noexcept;
-    /// Fills what is still empty, at the far end of the depth range.
-    void draw_backdrop() const noexcept;
-
- private:
-    struct Programs {
-        gl::Program floor;
-        gl::Program rings;
-        gl::Program backdrop;
-    };
-    StagePainter(Quality quality, Programs programs);
-
-    Quality quality_;
-    gl::Mesh floor_;
-    gl::Mesh ring_;
-    gl::Mesh backdrop_;
-    Programs programs_;
-};
-
-Expected<StagePainter> StagePainter::create(Quality quality) {
-    Expected<gl::Program> floor = build(quality, "floor", "floor.vert");
-    if (!floor) {
-        return fail(std::move(floor.error()));
-    }
-    Expected<gl::Program> rings = build(quality, "beat rings", "ring.vert");
-    if (!rings) {
-        return fail(std::move(rings.error()));
-    }
-    Expected<gl::Program> backdrop = build(quality, "backdrop", "backdrop.vert");
-    if (!backdrop) {
-        return fail(std::move(backdrop.error()));
-    }
-    return StagePainter(quality,
-                        Programs{std::move(*floor), std::move(*rings), std::move(*backdrop)});
-}
-
-StagePainter::StagePainter(Quality quality, Programs programs)
-    : quality_(quality),
-      floor_(float_mesh(floor_disc())),
-      ring_(float_mesh(ring_strip())),
-      backdrop_(float_mesh(backdrop_grid())),
-      programs_(std::move(programs)) {}
-
-void StagePainter::draw_floor() const noexcept {
-    programs_.floor.use();
-    floor_.draw();
-}
-
-void StagePainter::draw_rings(int count) const noexcept {
-    // In high quality the floor's fragment shader draws the rings.
-    if (quality_ == Quality::fast) {
-        programs_.rings.use();
-        ring_.draw_instances(count);
-    }
-}
-
-void StagePainter::draw_backdrop() const noexcept {
-    programs_.backdrop.use();
-    backdrop_.draw();
-}
 
 constexpr GLsizei kShadowSide = 2048;
 constexpr int kRings = 4;  // of frame.glsl

@@ -134,6 +134,13 @@ void Mutants::add_models() {
                       {"avatar", "pose", figure, "--motion", path("m.vrma"), "-o", table},
                       Form::glb,
                       {"x.tsv"}});
+    ASSERT_TRUE(write_file(path("figure.glb"), source(folder + "RiggedFigure.glb")));
+    doors_.push_back({"labels of bones",
+                      "m.toml",
+                      source("tests/fuzz/corpus/bone_labels/rigged_figure.toml"),
+                      {"avatar", "show", path("figure.glb"), "--labels", path("m.toml")},
+                      Form::text,
+                      {}});
 }
 
 void Mutants::add_motion() {

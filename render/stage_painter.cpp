@@ -1,0 +1,78 @@
+#include "render/stage_painter.hpp"
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "render/scene/stage_shapes.hpp"
+
+namespace raks::render {
+namespace {
+
+/// A mesh with one attribute: the vertex itself.
+template <typename Vertex>
+gl::Mesh float_mesh(const Shape<Vertex>& shape) {
+    const std::array<gl::Attribute, 1> attributes = {
+        {{.location = 0, .components = static_cast<GLint>(Vertex::length()), .type = GL_FLOAT}}};
+    return {std::as_bytes(std::span(shape.vertices)), sizeof(Vertex), attributes, shape.indices};
+}
+
+/// The program of one part of the stage. Vertex and fragment shader have the same stem.
+Expected<gl::Program> build(Quality quality, std::string_view name, std::string_view vertex) {
+    const std::string_view stem = vertex.substr(0, vertex.find('.'));
+    const std::string fragment_file = std::string(stem) + ".frag";
+    const std::array<std::string_view, 2> vertex_files = {"frame.glsl", vertex};
+    const std::array<std::string_view, 3> fragment_files = {
+        "frame.glsl", "shadow.glsl", fragment_file};
+    const std::array<std::string_view, 1> defines = {
+        quality == Quality::fast ? std::string_view("FAST") : std::string_view("HIGH")};
+    return gl::Program::build({name, vertex_files, fragment_files, defines});
+}
+
+}  // namespace
+
+Expected<StagePainter> StagePainter::create(Quality quality) {
+    Expected<gl::Program> floor = build(quality, "floor", "floor.vert");
+    if (!floor) {
+        return fail(std::move(floor.error()));
+    }
+    Expected<gl::Program> rings = build(quality, "beat rings", "ring.vert");
+    if (!rings) {
+        return fail(std::move(rings.error()));
+    }
+    Expected<gl::Program> backdrop = build(quality, "backdrop", "backdrop.vert");
+    if (!backdrop) {
+        return fail(std::move(backdrop.error()));
+    }
+    return StagePainter(quality,
+                        Programs{std::move(*floor), std::move(*rings), std::move(*backdrop)});
+}
+
+StagePainter::StagePainter(Quality quality, Programs programs)
+    : quality_(quality),
+      floor_(float_mesh(floor_disc())),
+      ring_(float_mesh(ring_strip())),
+      backdrop_(float_mesh(backdrop_grid())),
+      programs_(std::move(programs)) {}
+
+void StagePainter::draw_floor() const noexcept {
+    programs_.floor.use();
+    floor_.draw();
+}
+
+void StagePainter::draw_rings(int count) const noexcept {
+    // In high quality the floor's fragment shader draws the rings.
+    if (quality_ == Quality::fast) {
+        programs_.rings.use();
+        ring_.draw_instances(count);
+    }
+}
+
+void StagePainter::draw_backdrop() const noexcept {
+    programs_.backdrop.use();
+    backdrop_.draw();
+}
+
+}  // namespace raks::render
