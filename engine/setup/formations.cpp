@@ -67,6 +67,10 @@ void Formations::ask_for_body(const motion::Skeleton& body) {
         return;
     }
     body_ = body;
+    // A formation that the dance has not is not asked for again with the body.
+    if (!is_waiting_) {
+        asked_ = danced_;
+    }
     is_waiting_ = true;
     // They go on to dance what they know; the processor is for the others.
     for (std::optional<Dancers>* const dancers : {&alone_, &couple_}) {
@@ -124,13 +128,13 @@ Expected<void> Formations::take_loaded() {
         dancers.emplace(std::move(*loaded));
     } else if (is_waiting_ && is_couple(asked_) == is_couple(loading_for_)) {
         is_waiting_ = false;
-        const bool is_of_body = asked_ == danced_;
-        asked_ = danced_;
+        // A body that cannot be danced with is not asked for again with the next picture.
+        if (asked_ == danced_) {
+            return fail("not solved for this avatar: " + loaded.error().message);
+        }
+        // The formation after this one is asked for next; the body is still to be solved for.
         body_ = cast_.skeleton;
-        return fail(
-            is_of_body
-                ? "not solved for this avatar: " + loaded.error().message
-                : fmt::format("formation {}: {}", name_of(loading_for_), loaded.error().message));
+        return fail(fmt::format("formation {}: {}", name_of(loading_for_), loaded.error().message));
     }
     return {};
 }

@@ -66,6 +66,7 @@ Skeleton make_mannequin_skeleton() noexcept {
     skeleton.ball = {0.002F, sole, 0.125F};
     skeleton.toe_tip = {0.004F, sole, 0.190F};
     skeleton.heel = {0.0F, sole, -0.050F};
+    skeleton.sole_half = 0.030F;
     return skeleton;
 }
 

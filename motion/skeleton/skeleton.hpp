@@ -41,7 +41,7 @@ struct Skeleton {
     glm::vec3 ball{};
     glm::vec3 toe_tip{};     ///< tip of the toes, likewise
     glm::vec3 heel{};        ///< back of the heel, likewise
-    float sole_half = 0.0F;  ///< half the width of the soles; metres. The mannequin's are lines
+    float sole_half = 0.0F;  ///< half the width of the soles; metres
     Girth girth;             ///< of its flesh and clothes
 
     /// Standing height of the hips; metres.

@@ -66,15 +66,15 @@ TEST(DanceCache, solves_anew_what_is_damaged) {
     EXPECT_TRUE(*read_file(file) == good) << "it is mended";
 }
 
-TEST(DanceCache, keeps_each_form_and_drops_what_is_older) {
+TEST(DanceCache, keeps_each_form_and_each_body_and_drops_what_is_older) {
     const test::TemporaryFolder folder;
     const DanceCache cache(folder.path());
+    ASSERT_TRUE(write_file(folder / "waltz-lead-0123456789abcdef.baked", "of another version"));
     (void)waltz_from(cache);
     DanceForm frames;
     frames.generator = motion::Generator::frames;
     (void)waltz_from(cache, frames);
     ASSERT_EQ(kept_in(folder).size(), 2U);
-    // The same dance for another body takes the place of the first.
     const auto larger = load_dance(installed::dances(),
                                    "waltz",
                                    motion::scaled(motion::mannequin_skeleton(), 1.1F),
@@ -82,7 +82,7 @@ TEST(DanceCache, keeps_each_form_and_drops_what_is_older) {
                                    {},
                                    cache);
     ASSERT_TRUE(larger);
-    EXPECT_EQ(kept_in(folder).size(), 2U);
+    EXPECT_EQ(kept_in(folder).size(), 3U);
     EXPECT_FALSE((*larger)->packed() == waltz_from(DanceCache({}))->packed());
 }
 
