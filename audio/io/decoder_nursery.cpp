@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "audio/io/decode_protocol.hpp"
@@ -24,6 +25,7 @@ namespace {
 constexpr int kFirstFree = 10;  // above the descriptor that the child gets
 constexpr Nanos kLongestStart = std::chrono::seconds(30);
 constexpr std::chrono::milliseconds kPoll{50};
+constexpr std::chrono::milliseconds kTurn{2};  // between two looks whether the other is done
 
 tl::unexpected<Error> cannot_start(int error_number) {
     return fail("raks-decode cannot be started: " + std::generic_category().message(error_number));
@@ -156,10 +158,12 @@ Expected<pid_t> DecoderNursery::start_decoder(const std::array<int, 3>& descript
         return fail(program.error());
     }
     std::unique_lock lock(mutex_, std::defer_lock);
-    while (!lock.try_lock_for(kPoll)) {
+    // Another thread that starts one takes some milliseconds, or must be stopped, too.
+    while (!lock.try_lock()) {
         if (is_stop_requested()) {
             return fail("was stopped before its first sound");
         }
+        std::this_thread::sleep_for(kTurn);
     }
     if (program_ != *program) {
         end();

@@ -24,9 +24,9 @@ class DecoderNursery {
     DecoderNursery& operator=(const DecoderNursery&) = delete;  ///< likewise
 
     /// Starts a decoder that speaks over `descriptors` (socket, memory, lifeline; they stay the
-    /// caller's) and is this process's own child. `is_stop_requested` is asked every 50 ms.
-    /// Errors: raks-decode is not installed, cannot be started, broke off, or gave no answer for
-    /// 30 s; stopped.
+    /// caller's) and is this process's own child. `is_stop_requested` is asked every 50 ms or more
+    /// often. Errors: raks-decode is not installed, cannot be started, broke off, or gave no answer
+    /// for 30 s; stopped.
     [[nodiscard]] Expected<pid_t> start_decoder(const std::array<int, 3>& descriptors,
                                                 const std::function<bool()>& is_stop_requested);
 
@@ -40,7 +40,7 @@ class DecoderNursery {
                                std::int64_t& answer) const;
     std::string end();
 
-    std::timed_mutex mutex_;
+    std::mutex mutex_;
     std::filesystem::path program_;
     pid_t pid_ = -1;  // < 0: there is none
     int socket_ = -1;
