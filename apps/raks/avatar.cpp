@@ -11,7 +11,7 @@
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 #include "engine/show/loaded_avatar.hpp"
 #include "engine/show/standing_model.hpp"
 #include "render/import/humanoid_map.hpp"
@@ -66,7 +66,7 @@ Expected<void> write_thumbnail(const AvatarShowArguments& arguments, render::Mod
     if (model.meshes.empty()) {
         return fail(fmt::format("{}: there is nothing in it to draw", printable(arguments.model)));
     }
-    engine::FigureModel figure{std::move(model), {}};
+    engine::AvatarModel figure{std::move(model), {}};
     if (render::missing_bones(figure.model.character.humanoid).empty()) {
         figure.options = engine::stand_model(figure.model, arguments.options.height);
     }

@@ -65,7 +65,7 @@ motion::Pose standing_on_floor(const render::Avatar& avatar, motion::Pose pose) 
     return pose;
 }
 
-render::Camera whole_camera(const engine::FigureModel& figure,
+render::Camera whole_camera(const engine::AvatarModel& figure,
                             const render::Avatar& avatar,
                             const motion::Pose& pose) {
     constexpr float kAspect = 0.75F;
@@ -83,7 +83,7 @@ render::Camera whole_camera(const engine::FigureModel& figure,
     return camera;
 }
 
-render::Camera portrait_camera(const engine::FigureModel& figure, const render::Avatar& avatar) {
+render::Camera portrait_camera(const engine::AvatarModel& figure, const render::Avatar& avatar) {
     render::Camera camera = front_camera();
     const auto box = render::rest_box(figure.model);
     if (!box) {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/expected.hpp"
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/scene/camera.hpp"
@@ -17,12 +17,12 @@ namespace raks::apps {
 [[nodiscard]] motion::Pose standing_on_floor(const render::Avatar& avatar, motion::Pose pose);
 
 /// A camera before the whole of `figure`, for a picture of 3:4.
-[[nodiscard]] render::Camera whole_camera(const engine::FigureModel& figure,
+[[nodiscard]] render::Camera whole_camera(const engine::AvatarModel& figure,
                                           const render::Avatar& avatar,
                                           const motion::Pose& pose);
 
 /// A camera before head and shoulders of `figure`; before all of a model that is no figure.
-[[nodiscard]] render::Camera portrait_camera(const engine::FigureModel& figure,
+[[nodiscard]] render::Camera portrait_camera(const engine::AvatarModel& figure,
                                              const render::Avatar& avatar);
 
 /// A picture of an avatar to write.

@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -12,9 +11,9 @@
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
+#include "engine/show/avatar_clip.hpp"
 #include "engine/show/avatar_files.hpp"
-#include "engine/show/figure_clip.hpp"
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 #include "engine/show/loaded_avatar.hpp"
 #include "engine/show/pose_file.hpp"
 #include "render/avatar/posed_text.hpp"
@@ -29,7 +28,7 @@ constexpr double kLongest = 3600.0;
 
 // A model that is posed: with what is drawn of it where a picture is asked for.
 struct Posed {
-    engine::FigureModel figure;
+    engine::AvatarModel figure;
     std::shared_ptr<const render::AvatarRig> rig;
     std::shared_ptr<const render::Avatar> avatar;  // null: no picture is asked for
     glm::vec3 hips{0.0F};                          // where they rest
@@ -53,7 +52,7 @@ void say_warnings(const std::string& name, const std::vector<std::string>& warni
 
 // Texts are in the file's own metres, unless a height is asked for; pictures as it dances.
 Expected<Posed> load_posed(const AvatarPoseArguments& arguments, const Path& file) {
-    auto figure = engine::load_figure(file, arguments.options);
+    auto figure = engine::load_avatar_model(file, arguments.options);
     if (!figure) {
         return fail(figure.error());
     }
@@ -107,18 +106,14 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
     if (!arguments.pose.empty()) {
         return posture(arguments.pose, posed);
     }
-    // A label file is for the model, whose own clip this may be.
-    std::error_code ignored;
-    const bool is_own =
-        std::filesystem::equivalent(engine::FigureClip::file_of(arguments.motion), file, ignored);
-    auto clip = engine::FigureClip::load(
-        arguments.motion, posed.hips, is_own ? Path(arguments.options.labels) : Path());
+    auto clip =
+        engine::AvatarClip::load(arguments.motion, posed.hips, file, arguments.options.labels);
     if (!clip) {
         return fail(std::move(clip.error()));
     }
     const double duration = clip->duration();
     const double rate = clip->rate();
-    const auto shared = std::make_shared<const engine::FigureClip>(std::move(*clip));
+    const auto shared = std::make_shared<const engine::AvatarClip>(std::move(*clip));
     return Motion{
         .pose_at = [shared](double seconds) { return shared->pose_at(seconds); },
         .face_at =
@@ -210,7 +205,7 @@ Expected<void> check(const AvatarPoseArguments& arguments) {
             ending == ".obj" ? "an .obj" : "a picture"));
     }
     return check_output(arguments.output,
-                        {arguments.model, engine::FigureClip::file_of(arguments.motion)});
+                        {arguments.model, engine::AvatarClip::file_of(arguments.motion)});
 }
 
 Expected<void> write_table(const Path& output,

@@ -8,7 +8,7 @@
 
 #include "apps/terminal/program.hpp"
 #include "engine/setup/settings.hpp"
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 #include "motion/figures/figure_model.hpp"
 
 /// The commands of the program `raks`, one function each. Arguments are checked for their form

@@ -32,15 +32,12 @@ engine::AvatarOptions avatar_options(const engine::Settings& settings) {
     return options;
 }
 
-Expected<engine::FigureClip> open_clip(const std::string& motion,
+Expected<engine::AvatarClip> open_clip(const std::string& motion,
                                        const engine::Settings& settings) {
-    std::error_code ignored;
-    const auto avatar = engine::find_avatar(settings.avatar);
-    const bool is_own =
-        avatar && fs::equivalent(engine::FigureClip::file_of(motion), *avatar, ignored);
-    auto clip = engine::FigureClip::load(motion,
+    auto clip = engine::AvatarClip::load(motion,
                                          motion::mannequin_skeleton().offsets[0],
-                                         is_own ? fs::path(settings.avatar_labels) : fs::path());
+                                         engine::find_avatar(settings.avatar).value_or(fs::path()),
+                                         settings.avatar_labels);
     if (clip) {
         for (const std::string& warning : clip->warnings()) {
             say_detail(warning);

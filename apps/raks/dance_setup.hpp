@@ -7,7 +7,7 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/formations.hpp"
 #include "engine/setup/settings.hpp"
-#include "engine/show/figure_clip.hpp"
+#include "engine/show/avatar_clip.hpp"
 #include "engine/show/picture.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -25,8 +25,8 @@ struct DanceSetup {
 
 /// A clip in a dance's place, on the mannequin's body as dances are; says what its model lacks. The
 /// settings' label file is for it, too, where it is one of the avatar's own. Errors: those of
-/// engine::FigureClip::load.
-[[nodiscard]] Expected<engine::FigureClip> open_clip(const std::string& motion,
+/// engine::AvatarClip::load.
+[[nodiscard]] Expected<engine::AvatarClip> open_clip(const std::string& motion,
                                                      const engine::Settings& settings);
 
 /// The look that the settings ask for, with its avatar; says whose work that is, and what its file

@@ -300,7 +300,7 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
     if (!opened) {
         return fail(opened.error());
     }
-    const auto clip = std::make_shared<const engine::FigureClip>(std::move(*opened));
+    const auto clip = std::make_shared<const engine::AvatarClip>(std::move(*opened));
     const double length = clip->duration();
     if (arguments.input.empty()) {
         const double start = arguments.section.start;
@@ -356,7 +356,7 @@ ExitCode render(const RenderArguments& given) {
     // What cannot be written is said before anything is loaded. A film over its own music would
     // destroy it.
     if (auto checked = check_is_no_input(
-            arguments.output, {arguments.input, engine::FigureClip::file_of(arguments.motion)});
+            arguments.output, {arguments.input, engine::AvatarClip::file_of(arguments.motion)});
         !checked) {
         return fail(std::move(checked.error()));
     }

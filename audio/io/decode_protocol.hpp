@@ -16,13 +16,13 @@
 /// Threads: any. Real-time: no.
 namespace raks::audio {
 
-/// Descriptors of a decoder; the nursery (decoder_nursery.hpp) has the first alone.
+/// Descriptors of a decoder; the fork server (decoder_fork_server.hpp) has the first alone.
 inline constexpr int kDecodeSocket = 3;
 inline constexpr int kDecodeMemory = 4;
 inline constexpr int kDecodeLifeline = 5;  ///< a pipe that closes when raks ends
 
 /// Names of the processes, as lists of them show.
-inline constexpr const char* kNurseryName = "raks-decoders";
+inline constexpr const char* kForkServerName = "raks-decoders";
 inline constexpr const char* kDecoderName = "raks-decode";
 
 /// Of every message; other builds have another one.
@@ -31,7 +31,7 @@ inline constexpr std::size_t kDecodeTextBytes = 8192;  ///< of the text in a mes
 
 /// raks asks for the first five, raks-decode answers with the others.
 enum class DecodeKind : std::uint32_t {
-    start,      ///< to the nursery: a decoder, with its socket, memory and lifeline
+    start,      ///< to the fork server: a decoder, with its socket, memory and lifeline
     open_file,  ///< text: its name; with the descriptor
     open_pipe,  ///< the same; value: nanoseconds to wait for the head
     take_back,  ///< a slot that was read

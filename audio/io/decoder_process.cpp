@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "audio/io/decoder_nursery.hpp"
+#include "audio/io/decoder_fork_server.hpp"
 
 namespace raks::audio {
 namespace {
@@ -73,7 +73,7 @@ Expected<std::unique_ptr<DecoderProcess>> DecoderProcess::start(
         return no_room();
     }
     process->memory_ = static_cast<DecodeMemory*>(memory);
-    const auto pid = DecoderNursery::get().start_decoder(
+    const auto pid = DecoderForkServer::get().start_decoder(
         {links.child_socket.number, links.memory.number, links.child_lifeline.number},
         is_stop_requested);
     if (!pid) {

@@ -16,7 +16,7 @@ namespace raks::audio {
 class DecoderProcess {
  public:
     /// A new one. `is_stop_requested` is asked every 50 ms while it is waited for. Errors: those of
-    /// DecoderNursery::start_decoder; no descriptors or memory are left.
+    /// DecoderForkServer::start_decoder; no descriptors or memory are left.
     [[nodiscard]] static Expected<std::unique_ptr<DecoderProcess>> start(
         const std::function<bool()>& is_stop_requested);
     /// Kills it and waits for its end.

@@ -11,7 +11,7 @@
 #include "audio/io/file_window.hpp"
 #include "engine/decode/confine.hpp"
 #include "engine/decode/decode_server.hpp"
-#include "engine/decode/nursery.hpp"
+#include "engine/decode/fork_server.hpp"
 
 namespace raks::engine {
 namespace {

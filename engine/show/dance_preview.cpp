@@ -152,13 +152,7 @@ void DancePreview::show(std::size_t figure) {
 
 // Poses lie on a grid of frames: the beat's place between two of them is interpolated.
 motion::Pose DancePreview::at_beat(double beat) const {
-    const double last = static_cast<double>(evaluated_.poses.size() - 1);
-    const double frame = std::clamp(evaluated_.frame_of(beat), 0.0, last);
-    // The second to last at most, as two neighbours are needed.
-    const auto i = std::min(static_cast<std::size_t>(frame), evaluated_.poses.size() - 2);
-    return interpolate(evaluated_.poses[i],
-                       evaluated_.poses[i + 1],
-                       static_cast<float>(frame - static_cast<double>(i)));
+    return motion::pose_between(evaluated_.poses, evaluated_.frame_of(beat));
 }
 
 motion::Pose DancePreview::pose() const { return at_beat(beat_); }

@@ -67,7 +67,7 @@ std::shared_ptr<const render::Avatar> mannequin_partner() {
     return std::make_shared<render::Avatar>(render::build_mannequin(render::MannequinBuild::lead));
 }
 
-LoadedAvatar make_avatar(FigureModel& figure, const std::string& file) {
+LoadedAvatar make_avatar(AvatarModel& figure, const std::string& file) {
     render::Model& model = figure.model;
     std::vector<render::Image> images = unpacked(model);
     auto avatar = std::make_shared<render::Avatar>(
@@ -90,7 +90,7 @@ Expected<LoadedAvatar> load_avatar(const std::string& name, const AvatarOptions&
     if (path->empty()) {
         return mannequin();
     }
-    Expected<FigureModel> figure = load_figure(*path, options);
+    Expected<AvatarModel> figure = load_avatar_model(*path, options);
     if (!figure) {
         return fail(std::move(figure.error()));
     }

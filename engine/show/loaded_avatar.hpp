@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 
 namespace raks::render {
 struct Avatar;
@@ -36,9 +36,9 @@ struct LoadedAvatar {
 /// The avatar of a figure. `file`: its name, for the credit where the model has no title. What its
 /// images lack is a warning; the model's own warnings are taken over. Threads: workers.
 /// Real-time: no.
-[[nodiscard]] LoadedAvatar make_avatar(FigureModel& figure, const std::string& file);
+[[nodiscard]] LoadedAvatar make_avatar(AvatarModel& figure, const std::string& file);
 
-/// Loads what a setting names (find_avatar). Errors: those of find_avatar and load_figure.
+/// Loads what a setting names (find_avatar). Errors: those of find_avatar and load_avatar_model.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<LoadedAvatar> load_avatar(const std::string& name,
                                                  const AvatarOptions& options = {});

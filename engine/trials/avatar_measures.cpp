@@ -151,11 +151,7 @@ void AvatarTrial::wear(const motion::Pose& pose, render::RigState* state) {
 /// Poses joints and tails as they are drawn at a moment.
 void AvatarTrial::swing(std::span<const motion::Pose> poses, double rate, std::size_t at) {
     const auto pose_at = [&](StreamTime time) {
-        const double frame = std::max(to_seconds(time.time_since_epoch()) * rate, 0.0);
-        const auto before = std::min(static_cast<std::size_t>(frame), poses.size() - 1);
-        const std::size_t after = std::min(before + 1, poses.size() - 1);
-        return motion::interpolate(
-            poses[before], poses[after], static_cast<float>(frame - std::floor(frame)));
+        return motion::pose_between(poses, to_seconds(time.time_since_epoch()) * rate);
     };
     const StreamTime time = stream_time_from_seconds(static_cast<double>(at) / rate);
     render::advance(*avatar_.rig, time, 1.0F, pose_at, *state_);

@@ -92,10 +92,7 @@ std::vector<Pose> resampled(std::span<const Pose> poses, double from, double to)
         if (at > last) {
             return result;
         }
-        const auto before = static_cast<std::size_t>(at);
-        const std::size_t after = std::min(before + 1, poses.size() - 1);
-        result.push_back(
-            interpolate(poses[before], poses[after], static_cast<float>(at - std::floor(at))));
+        result.push_back(pose_between(poses, at));
     }
 }
 

@@ -1,7 +1,9 @@
 #include "motion/skeleton/pose.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace raks::motion {
 
@@ -21,6 +23,15 @@ Pose interpolate(const Pose& from, const Pose& to, float t) noexcept RAKS_NONBLO
     result.hips_position = from.hips_position * (1.0F - t) + to.hips_position * t;
     result.foot_contact = t < 0.5F ? from.foot_contact : to.foot_contact;
     return result;
+}
+
+Pose pose_between(std::span<const Pose> poses, double index) noexcept RAKS_NONBLOCKING {
+    const std::size_t last = poses.size() - 1;
+    const double at = std::clamp(index, 0.0, static_cast<double>(last));
+    const auto before = static_cast<std::size_t>(at);
+    return interpolate(poses[before],
+                       poses[std::min(before + 1, last)],
+                       static_cast<float>(at - static_cast<double>(before)));
 }
 
 Pose mirrored(const Pose& pose) noexcept {

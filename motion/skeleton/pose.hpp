@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <type_traits>
 
 #include "base/realtime.hpp"
@@ -52,6 +53,11 @@ static_assert(std::is_trivially_copyable_v<Pose>);
 /// Interpolates two poses: rotations along the shorter arc (normalised linear), position linear,
 /// contacts those of the nearer pose; `t` in [0, 1]. Threads: any. Real-time: yes.
 [[nodiscard]] Pose interpolate(const Pose& from, const Pose& to, float t) noexcept RAKS_NONBLOCKING;
+
+/// The pose at a fractional index of `poses` (at least one), held before the first and behind the
+/// last. Threads: any. Real-time: yes.
+[[nodiscard]] Pose pose_between(std::span<const Pose> poses,
+                                double index) noexcept RAKS_NONBLOCKING;
 
 /// The mirror image (plane x = 0): left and right exchanged. Threads: any. Real-time: yes.
 [[nodiscard]] Pose mirrored(const Pose& pose) noexcept;

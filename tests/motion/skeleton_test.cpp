@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+#include <vector>
+
 #include "motion/skeleton/pose_track.hpp"
 
 namespace raks::motion {
@@ -81,6 +84,21 @@ TEST(PoseTrack, interpolates_between_hops_and_clamps_outside) {
     EXPECT_NEAR(track.at(stream_time_from_seconds(0.0525)).hips_position.x, 5.25F, 1e-4F);
     EXPECT_EQ(track.at(stream_time_from_seconds(-1)).hips_position.x, 0.0F);
     EXPECT_EQ(track.at(stream_time_from_seconds(5)).hips_position.x, 9.0F);
+}
+
+TEST(Pose, between_two_of_a_list_is_their_share_and_held_at_both_ends) {
+    std::vector<Pose> poses(3);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        poses[i].hips_position.x = static_cast<float>(i * i);
+    }
+    const auto x = [&](double index) { return pose_between(poses, index).hips_position.x; };
+    EXPECT_EQ(x(1.0), 1.0F);
+    EXPECT_EQ(x(0.25), 0.25F);
+    EXPECT_EQ(x(1.5), 2.5F);
+    EXPECT_EQ(x(2.0), 4.0F);
+    EXPECT_EQ(x(-3.0), 0.0F);
+    EXPECT_EQ(x(9.0), 4.0F);
+    EXPECT_EQ(pose_between(std::span(poses).first(1), 0.7).hips_position.x, 0.0F);
 }
 
 TEST(Pose, interpolation_takes_the_shorter_arc) {

@@ -226,18 +226,12 @@ std::vector<Pose> poses_on_phase(std::span<const Pose> poses,
     RAKS_ASSERT(!poses.empty());
     const PhaseWarp warp(beat_frames);
     const int samples = static_cast<int>(beat_frames.size() - 1) * samples_per_beat;
-    const double last = static_cast<double>(poses.size() - 1);
     std::vector<Pose> result;
     // One sample before and two after the figure: central differences at both ends need them. Poses
     // beyond the clip are held.
     for (int i = -1; i <= samples + 1; ++i) {
         const double beat = static_cast<double>(i) / samples_per_beat;
-        const double frame = std::clamp(warp.frame_at(beat), 0.0, last);
-        const std::size_t from = std::min(static_cast<std::size_t>(frame), poses.size() - 1);
-        const std::size_t to = std::min(from + 1, poses.size() - 1);
-        const float t = static_cast<float>(frame - static_cast<double>(from));
-        // Between two frames: linear, with rotations normalized.
-        result.push_back(interpolate(poses[from], poses[to], t));
+        result.push_back(pose_between(poses, warp.frame_at(beat)));
     }
     return result;
 }

@@ -170,9 +170,9 @@ TEST_F(Decoders, are_started_anew_when_what_starts_them_was_killed) {
     const fs::path path = noise();
     ASSERT_TRUE(open_audio_file(path));
     for (const int signal : {SIGKILL, SIGTERM}) {
-        const std::vector<pid_t> nursery = raks::test::children_of(::getpid());
-        ASSERT_EQ(nursery.size(), 1U);
-        ::kill(nursery.front(), signal);
+        const std::vector<pid_t> server = raks::test::children_of(::getpid());
+        ASSERT_EQ(server.size(), 1U);
+        ::kill(server.front(), signal);
         const auto reader = open_audio_file(path);
         ASSERT_TRUE(reader) << reader.error().message;
         EXPECT_EQ(test::read_rest(**reader).size(), 2U * 6 * 48'000);

@@ -1,4 +1,4 @@
-#include "engine/show/figure_clip.hpp"
+#include "engine/show/avatar_clip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/pending_file.hpp"
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -20,8 +20,8 @@ const fs::path kModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars
 
 glm::vec3 hips() { return motion::mannequin_skeleton().offsets[0]; }
 
-Expected<FigureClip> clip_of(const std::string& name) {
-    return FigureClip::load((kModels / name).string(), hips());
+Expected<AvatarClip> clip_of(const std::string& name) {
+    return AvatarClip::load((kModels / name).string(), hips());
 }
 
 // The mannequin stands in this pose: no head below its hips, no feet above.
@@ -34,7 +34,7 @@ void expect_upright(const motion::Pose& pose) {
     }
 }
 
-TEST(FigureClip, a_models_own_clip_moves_the_mannequin) {
+TEST(AvatarClip, a_models_own_clip_moves_the_mannequin) {
     const auto clip = clip_of("RiggedFigure.glb");
     ASSERT_TRUE(clip) << clip.error().message;
     EXPECT_GT(clip->duration(), 1.0);
@@ -46,14 +46,14 @@ TEST(FigureClip, a_models_own_clip_moves_the_mannequin) {
     EXPECT_NE(first.local_rotations, later.local_rotations);
 }
 
-TEST(FigureClip, a_vrma_moves_the_mannequin) {
+TEST(AvatarClip, a_vrma_moves_the_mannequin) {
     const auto clip = clip_of("six_poses.vrma");
     ASSERT_TRUE(clip) << clip.error().message;
     EXPECT_GT(clip->duration(), 0.5);
     EXPECT_EQ(clip->rate(), 60.0);
 }
 
-TEST(FigureClip, what_is_no_clip_is_said_with_its_file) {
+TEST(AvatarClip, what_is_no_clip_is_said_with_its_file) {
     const auto message_of = [](const std::string& name) {
         const auto clip = clip_of(name);
         EXPECT_FALSE(clip) << name;
@@ -69,21 +69,22 @@ TEST(FigureClip, what_is_no_clip_is_said_with_its_file) {
               std::string::npos);
 }
 
-TEST(FigureModel, is_as_tall_as_is_asked_for) {
-    const auto own = load_figure(kModels / "RiggedFigure.glb");
-    const auto tall = load_figure(kModels / "RiggedFigure.glb", {.height = 2.9F, .labels = {}});
+TEST(AvatarModel, is_as_tall_as_is_asked_for) {
+    const auto own = load_avatar_model(kModels / "RiggedFigure.glb");
+    const auto tall =
+        load_avatar_model(kModels / "RiggedFigure.glb", {.height = 2.9F, .labels = {}});
     ASSERT_TRUE(own && tall);
     EXPECT_FLOAT_EQ(own->options.scale, 1.0F);
     EXPECT_NEAR(tall->options.scale, 2.9F / 1.45F, 0.01F);
 }
 
-TEST(FigureModel, a_label_file_says_which_nodes_are_bones) {
+TEST(AvatarModel, a_label_file_says_which_nodes_are_bones) {
     const test::TemporaryFolder folder;
     const fs::path labels = folder / "labels.toml";
     const std::string head = "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n";
     const auto load = [&](const std::string& bones, const char* model = "RiggedFigure.glb") {
         EXPECT_TRUE(write_file(labels, head + bones));
-        return load_figure(kModels / model, {.height = {}, .labels = labels});
+        return load_avatar_model(kModels / model, {.height = {}, .labels = labels});
     };
     const auto said = load("leftHand = \"arm_joint_L_3\"\n");
     ASSERT_TRUE(said) << said.error().message;

@@ -16,14 +16,15 @@
 namespace raks::engine {
 
 /// A clip on a body: of a VRMA, of a glTF (its own), or a BVH. Threads: one. Real-time: no.
-class FigureClip {
+class AvatarClip {
  public:
     /// `argument`: "FILE", whose first clip is taken, or "FILE#NAME". `hips`: where those of the
-    /// body rest; their travel is scaled by the ratio of hips heights. `labels`: a label file for
-    /// the clip's own model; empty: none. Errors, with the file's name: those of its reader, there
-    /// is no such clip in it, no figure.
-    [[nodiscard]] static Expected<FigureClip> load(const std::string& argument,
+    /// body rest; their travel is scaled by the ratio of hips heights. `labels`: the label file of
+    /// the model `avatar`, which counts where the clip is that model's own; empty: none. Errors,
+    /// with the file's name: those of its reader, there is no such clip in it, no figure.
+    [[nodiscard]] static Expected<AvatarClip> load(const std::string& argument,
                                                    const glm::vec3& hips,
+                                                   const std::filesystem::path& avatar = {},
                                                    const std::filesystem::path& labels = {});
 
     /// Seconds to the last pose.
@@ -44,7 +45,7 @@ class FigureClip {
     [[nodiscard]] static std::filesystem::path file_of(const std::string& argument);
 
  private:
-    friend class FigureClipReader;
+    friend class AvatarClipReader;
 
     std::function<motion::Pose(double)> pose_;
     std::function<render::Face(double)> face_;

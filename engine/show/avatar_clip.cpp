@@ -1,15 +1,15 @@
-#include "engine/show/figure_clip.hpp"
+#include "engine/show/avatar_clip.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/bvh.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "render/avatar/animation_sampler.hpp"
@@ -72,12 +72,12 @@ render::BoneRest rest_of(const render::Model& model, const render::StandingFigur
 }  // namespace
 
 /// Makes clips of the kinds of files.
-class FigureClipReader {
+class AvatarClipReader {
  public:
-    FigureClipReader(fs::path file, std::string name, const glm::vec3& hips)
+    AvatarClipReader(fs::path file, std::string name, const glm::vec3& hips)
         : file_(std::move(file)), name_(std::move(name)), hips_(hips) {}
 
-    Expected<FigureClip> read_bvh() const {
+    Expected<AvatarClip> read_bvh() const {
         if (!name_.empty()) {
             return fail("a BVH holds one clip, which has no name");
         }
@@ -97,7 +97,7 @@ class FigureClipReader {
         return clip_of(std::move(retargeted->poses), retargeted->frames_per_second);
     }
 
-    Expected<FigureClip> read_model(const fs::path& labels) const {
+    Expected<AvatarClip> read_model(const fs::path& labels) const {
         auto read = render::load_model(file_);
         if (!read) {
             return fail(read.error());
@@ -111,23 +111,18 @@ class FigureClipReader {
     }
 
  private:
-    static FigureClip clip_of(std::vector<motion::Pose> list, double rate) {
-        FigureClip clip;
+    static AvatarClip clip_of(std::vector<motion::Pose> list, double rate) {
+        AvatarClip clip;
         clip.duration_ = static_cast<double>(list.size() - 1) / rate;
         clip.rate_ = rate;
         clip.pose_ = [poses = std::move(list), rate](double seconds) {
-            const double last = static_cast<double>(poses.size() - 1);
-            const double frame = std::clamp(seconds * rate, 0.0, last);
-            const auto before = static_cast<std::size_t>(frame);
-            const std::size_t after = std::min(before + 1, poses.size() - 1);
-            const auto part = static_cast<float>(frame - std::floor(frame));
-            return motion::interpolate(poses[before], poses[after], part);
+            return motion::pose_between(poses, seconds * rate);
         };
         return clip;
     }
 
     // `keeper` keeps the model alive, into which clips look.
-    Expected<FigureClip> clip_of(render::Model& model,
+    Expected<AvatarClip> clip_of(render::Model& model,
                                  const fs::path& labels,
                                  const std::shared_ptr<render::Model>& keeper) const {
         const auto index = find_clip(model, name_);
@@ -143,11 +138,11 @@ class FigureClipReader {
         return own_clip(keeper, *index);
     }
 
-    FigureClip vrma_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
+    AvatarClip vrma_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
         const auto sampler = std::make_shared<const render::AnimationSampler>(*model, index);
         const bool travels = sampler->has_travel() && sampler->rest_hips().y > 0.0F;
         const float scale = travels ? hips_.y / sampler->rest_hips().y : 1.0F;
-        FigureClip clip;
+        AvatarClip clip;
         clip.duration_ = static_cast<double>(sampler->duration());
         clip.pose_ = [model, sampler, travels, scale, hips = hips_](double seconds) {
             motion::Pose pose = sampler->pose_at(static_cast<float>(seconds));
@@ -163,7 +158,7 @@ class FigureClipReader {
         return clip;
     }
 
-    FigureClip own_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
+    AvatarClip own_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
         const render::StandingFigure figure = render::stand_up(*model);
         const auto sampler =
             std::make_shared<render::NodeClip>(*model, index, rest_of(*model, figure));
@@ -172,7 +167,7 @@ class FigureClipReader {
         const float floor = render::mesh_box(*model, figure.world).lowest.y;
         const float height = figure.world[hips_node][3].y - floor;
         const float scale = height > 0.0F ? hips_.y / height : 1.0F;
-        FigureClip clip;
+        AvatarClip clip;
         clip.duration_ = static_cast<double>(sampler->duration());
         clip.pose_ = [model, sampler, floor, scale](double seconds) {
             motion::Pose pose = sampler->pose_at(static_cast<float>(seconds));
@@ -189,14 +184,20 @@ class FigureClipReader {
     glm::vec3 hips_;
 };
 
-fs::path FigureClip::file_of(const std::string& argument) { return parts_of(argument).first; }
+fs::path AvatarClip::file_of(const std::string& argument) { return parts_of(argument).first; }
 
-Expected<FigureClip> FigureClip::load(const std::string& argument,
+Expected<AvatarClip> AvatarClip::load(const std::string& argument,
                                       const glm::vec3& hips,
+                                      const fs::path& avatar,
                                       const fs::path& labels) {
     const auto [file, name] = parts_of(argument);
-    const FigureClipReader reader(file, name, hips);
-    return file.extension() == ".bvh" ? reader.read_bvh() : reader.read_model(labels);
+    const AvatarClipReader reader(file, name, hips);
+    if (file.extension() == ".bvh") {
+        return reader.read_bvh();
+    }
+    std::error_code ignored;
+    const bool is_own = !avatar.empty() && fs::equivalent(file, avatar, ignored);
+    return reader.read_model(is_own ? labels : fs::path());
 }
 
 }  // namespace raks::engine

@@ -12,16 +12,16 @@
 
 namespace raks::audio {
 
-/// The raks-decode that decodes nothing, and starts those that do: its libraries are loaded once,
-/// which takes 100 ms, and each decoder is a copy of it, which takes 2. It is started by the first
-/// file, and never sees a byte of any. For audio/io alone. Threads: any. Real-time: no.
-class DecoderNursery {
+/// A fork server: the raks-decode that decodes nothing, and starts those that do. Its libraries are
+/// loaded once, which takes 100 ms, and each decoder is a copy of it. The first file starts it. It
+/// never sees a byte of any. For audio/io alone. Threads: any. Real-time: no.
+class DecoderForkServer {
  public:
     /// Of this process.
-    [[nodiscard]] static DecoderNursery& get();
-    ~DecoderNursery() { end(); }
-    DecoderNursery(const DecoderNursery&) = delete;             ///< one a process
-    DecoderNursery& operator=(const DecoderNursery&) = delete;  ///< likewise
+    [[nodiscard]] static DecoderForkServer& get();
+    ~DecoderForkServer() { end(); }
+    DecoderForkServer(const DecoderForkServer&) = delete;             ///< one a process
+    DecoderForkServer& operator=(const DecoderForkServer&) = delete;  ///< likewise
 
     /// Starts a decoder that speaks over `descriptors` (socket, memory, lifeline; they stay the
     /// caller's) and is this process's own child. `is_stop_requested` is asked every 50 ms or more
@@ -33,7 +33,7 @@ class DecoderNursery {
  private:
     enum class Answered : std::uint8_t { yes, broke, hung, stopped };
 
-    DecoderNursery() = default;
+    DecoderForkServer() = default;
     [[nodiscard]] Expected<void> open();
     [[nodiscard]] Answered ask(const std::array<int, 3>& descriptors,
                                const std::function<bool()>& is_stop_requested,

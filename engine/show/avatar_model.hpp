@@ -23,14 +23,14 @@ struct AvatarOptions {
 [[nodiscard]] Expected<void> find_bones(render::Model& model, const std::filesystem::path& labels);
 
 /// A model whose nodes lie where its figure stands (stand_model), and what its rig needs.
-struct FigureModel {
+struct AvatarModel {
     render::Model model;
     render::RigOptions options;
 };
 
 /// Reads a model and stands its figure up. Errors, with the file's name: those of its reader and of
 /// find_bones; bones that a dancer needs are missing. Threads: workers. Real-time: no.
-[[nodiscard]] Expected<FigureModel> load_figure(const std::filesystem::path& file,
-                                                const AvatarOptions& options = {});
+[[nodiscard]] Expected<AvatarModel> load_avatar_model(const std::filesystem::path& file,
+                                                      const AvatarOptions& options = {});
 
 }  // namespace raks::engine

@@ -1,4 +1,4 @@
-#include "engine/decode/nursery.hpp"
+#include "engine/decode/fork_server.hpp"
 
 #include <sched.h>
 #include <sys/prctl.h>
@@ -44,7 +44,7 @@ bool become_decoder() {
     static_assert(audio::kDecodeMemory == audio::kDecodeSocket + 1 &&
                   audio::kDecodeLifeline == audio::kDecodeSocket + 2);
     // Lists of processes show which is which.
-    static_cast<void>(::prctl(PR_SET_NAME, audio::kNurseryName));
+    static_cast<void>(::prctl(PR_SET_NAME, audio::kForkServerName));
     audio::DecodeMessage message;
     Given given{};
     while (audio::receive_message(audio::kDecodeSocket, message, given) == audio::Passed::yes &&

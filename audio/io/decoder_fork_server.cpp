@@ -1,4 +1,4 @@
-#include "audio/io/decoder_nursery.hpp"
+#include "audio/io/decoder_fork_server.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -91,12 +91,12 @@ std::string end_child(pid_t pid) {
     return "exit code " + std::to_string(WEXITSTATUS(status));
 }
 
-DecoderNursery& DecoderNursery::get() {
-    static DecoderNursery nursery;
-    return nursery;
+DecoderForkServer& DecoderForkServer::get() {
+    static DecoderForkServer server;
+    return server;
 }
 
-std::string DecoderNursery::end() {
+std::string DecoderForkServer::end() {
     if (pid_ < 0) {
         return {};
     }
@@ -104,7 +104,7 @@ std::string DecoderNursery::end() {
     return end_child(std::exchange(pid_, -1));
 }
 
-Expected<void> DecoderNursery::open() {
+Expected<void> DecoderForkServer::open() {
     std::array<int, 2> ends{-1, -1};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         return cannot_start(errno);
@@ -126,9 +126,9 @@ Expected<void> DecoderNursery::open() {
     return {};
 }
 
-DecoderNursery::Answered DecoderNursery::ask(const std::array<int, 3>& descriptors,
-                                             const std::function<bool()>& is_stop_requested,
-                                             std::int64_t& answer) const {
+DecoderForkServer::Answered DecoderForkServer::ask(const std::array<int, 3>& descriptors,
+                                                   const std::function<bool()>& is_stop_requested,
+                                                   std::int64_t& answer) const {
     DecodeMessage message;
     message.kind = DecodeKind::start;
     if (send_message(socket_, message, descriptors) != Passed::yes) {
@@ -151,8 +151,8 @@ DecoderNursery::Answered DecoderNursery::ask(const std::array<int, 3>& descripto
     return Answered::yes;
 }
 
-Expected<pid_t> DecoderNursery::start_decoder(const std::array<int, 3>& descriptors,
-                                              const std::function<bool()>& is_stop_requested) {
+Expected<pid_t> DecoderForkServer::start_decoder(const std::array<int, 3>& descriptors,
+                                                 const std::function<bool()>& is_stop_requested) {
     const auto program = find_program_part("raks-decode", "libexec/raks", "RAKS_DECODER");
     if (!program) {
         return fail(program.error());

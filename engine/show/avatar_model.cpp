@@ -1,4 +1,4 @@
-#include "engine/show/figure_model.hpp"
+#include "engine/show/avatar_model.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -42,7 +42,7 @@ Expected<void> find_bones(render::Model& model, const fs::path& labels) {
     return render::map_humanoid(model, &*read);
 }
 
-Expected<FigureModel> load_figure(const fs::path& file, const AvatarOptions& options) {
+Expected<AvatarModel> load_avatar_model(const fs::path& file, const AvatarOptions& options) {
     auto model = render::load_model(file);
     if (!model) {
         return fail(std::move(model.error()));
@@ -55,7 +55,7 @@ Expected<FigureModel> load_figure(const fs::path& file, const AvatarOptions& opt
         return fail(printable(file.string()) + ": no figure that can dance: it lacks " + missing);
     }
     render::RigOptions rig = stand_model(*model, options.height);
-    return FigureModel{std::move(*model), std::move(rig)};
+    return AvatarModel{std::move(*model), std::move(rig)};
 }
 
 }  // namespace raks::engine
