@@ -24,13 +24,61 @@ struct BeatEvent {
     float confidence = 0.0F;  ///< [0, 1]
 };
 
+/// How much the music gives, from its loudness, low band, density of onsets and brightness. Each
+/// [0, 1] against the song's own range so far: 0 its calmest, 0.5 as usual, 1 its fullest.
+struct MusicEnergy {
+    float now = 0.5F;     ///< of about half a second; falls to 0 in silence
+    float lately = 0.5F;  ///< of the last 4 s; in a song that is known, of the 4 s around the hop
+    float longer = 0.5F;  ///< of the last 30 s
+};
+
+/// What the music is doing at a hop.
+enum class MusicPart : std::uint8_t {
+    stopped,    ///< nothing sounds: before the music, in a pause, or after its end
+    playing,    ///< the whole band, or all that this song has
+    breakdown,  ///< the rhythm section is gone; something goes on
+    build_up,   ///< it rises towards a drop
+};
+
+/// A change in what the music is doing.
+struct MusicEvent {
+    /// What happens.
+    enum class Kind : std::uint8_t {
+        none,       ///< nothing: no event
+        stop,       ///< the sound is gone or cut
+        entry,      ///< music begins, or goes on after a stop
+        breakdown,  ///< the rhythm section leaves
+        build_up,   ///< it begins to rise
+        drop,       ///< everything comes in after a breakdown or a build-up
+        end,        ///< the song is over
+    };
+    Kind kind = Kind::none;  ///< what happens
+    StreamTime time{};       ///< when it sounds in the input
+};
+
+/// A strong onset.
+struct MusicAccent {
+    /// Where in the spectrum it is strongest.
+    enum class Band : std::uint8_t {
+        low,     ///< below 200 Hz: bass drum, bass
+        middle,  ///< 200 Hz to 4 kHz: snare, chords, voices
+        high,    ///< above 4 kHz: cymbals, claps
+    };
+    StreamTime time{};         ///< when it sounds in the input
+    float strength = 0.0F;     ///< (0, 1] against the strongest of the last half minute
+    Band band = Band::middle;  ///< where it is strongest
+    bool is_on_beat = false;   ///< within 70 ms of a beat
+};
+
 /// What is known beyond a hop where the whole song was analysed before it sounds.
 struct Foresight {
     bool is_known = false;  ///< false: the rest means nothing, only the past is known
     StreamTime begins{};    ///< the first downbeat that can be danced to
     StreamTime ends{};      ///< the last beat that can
-    float energy =
-        0.5F;  ///< [0, 1]: loudness of the next two bars or so; 0.5: as in the whole song
+    /// [0, 1]: loudness of the next two bars or so; 0.5: as in the whole song
+    float energy = 0.5F;
+    /// The events that come next, the nearer one first; kind none: no more.
+    std::array<MusicEvent, 2> events{};
 };
 
 /// What the analyzer knows at one hop (10 ms): the only data that passes from audio to motion.
@@ -57,6 +105,11 @@ struct MusicState {
     float onset_strength = 0.0F;    ///< [0, inf), all bands; 0 in silence
     bool is_silent = true;          ///< no sound to analyse
     bool is_discontinuity = false;  ///< samples were lost before this hop; grid was re-anchored
+
+    MusicEnergy energy;                   ///< how much the music gives
+    MusicPart part = MusicPart::stopped;  ///< what it is doing
+    MusicEvent event;    ///< that became known at this hop; kind none: there was none
+    MusicAccent accent;  ///< that became known at this hop; strength 0: there was none
 
     Foresight ahead;  ///< of a song that is known before it sounds
 };
