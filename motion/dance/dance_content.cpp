@@ -375,21 +375,14 @@ FigureChoice choose_ways(std::size_t figure,
     return choice;
 }
 
-Pose pose_of(const DanceContent& content,
-             const FigureChoice& choice,
-             double beat) noexcept RAKS_NONBLOCKING {
-    const LibraryFigure& figure = content.figures[choice.figure];
-    Pose pose = content.rest;
-    shape_hands(figure, beat, pose);
-    figure.passages[choice.body].at(beat, pose);
-    if (content.generator == Generator::frames) {
-        // Arms of another draw, so that repeats are not equal one time in eight. Not mixed: a mean
-        // of two draws would have less variance than one.
-        figure.passages[choice.arms[0]].arms_at(beat, pose);
-        return pose;
-    }
-    // Mixed as rotations relative to the learnt arms. Straight between two passages, the shorter
-    // way round may change from one moment to the next.
+namespace {
+
+// Arms mixed from two passages, as rotations relative to the learnt arms. Straight between two
+// passages, the shorter way round may change from one moment to the next.
+void mix_arms(const LibraryFigure& figure,
+              const FigureChoice& choice,
+              double beat,
+              Pose& pose) noexcept {
     Pose learnt = pose;
     Pose first = pose;
     Pose second = pose;
@@ -409,8 +402,48 @@ Pose pose_of(const DanceContent& content,
         pose.rotation(bone) = learnt.rotation(bone) *
                               glm::normalize(turn(first) * (1.0F - share) + turn(second) * share);
     }
-    if (!choice.size.is_as_learnt()) {
-        resize(figure.middle, choice.size, content.skeleton, pose);
+}
+
+// The trunk over the hips, and the head, of another beat: they wait on beats while the legs go on.
+void take_trunk(const FigurePassage& passage, double beat, Pose& pose) noexcept {
+    Pose other = pose;
+    passage.at(beat, other);
+    for (const Bone bone : {Bone::spine, Bone::chest, Bone::upper_chest, Bone::neck, Bone::head}) {
+        pose.rotation(bone) = other.rotation(bone);
+    }
+}
+
+FigureSize size_of(const FigureChoice& choice, const Manner& manner) noexcept {
+    FigureSize size = choice.size;
+    size.body *= manner.body;
+    size.arms *= manner.arms;
+    size.steps = {size.steps[0] * manner.steps[0], size.steps[1] * manner.steps[1]};
+    size.bend += manner.bend;
+    return size;
+}
+
+}  // namespace
+
+Pose pose_of(const DanceContent& content,
+             const FigureChoice& choice,
+             double beat,
+             const Manner& manner) noexcept RAKS_NONBLOCKING {
+    const LibraryFigure& figure = content.figures[choice.figure];
+    Pose pose = content.rest;
+    shape_hands(figure, beat, pose);
+    figure.passages[choice.body].at(beat, pose);
+    if (content.generator == Generator::frames) {
+        // Arms of another draw, so that repeats are not equal one time in eight. Not mixed: a mean
+        // of two draws would have less variance than one.
+        figure.passages[choice.arms[0]].arms_at(beat, pose);
+        return pose;
+    }
+    if (manner.sharpness > 0.0F) {
+        take_trunk(figure.passages[choice.body], sharpened(beat, manner.sharpness), pose);
+    }
+    mix_arms(figure, choice, sharpened(beat, manner.sharpness), pose);
+    if (const FigureSize size = size_of(choice, manner); !size.is_as_learnt()) {
+        resize(figure.middle, size, content.skeleton, pose);
     }
     return pose;
 }

@@ -13,6 +13,7 @@
 #include "motion/dance/baking/figure_passage.hpp"
 #include "motion/dance/baking/figure_size.hpp"
 #include "motion/dance/beat_phase.hpp"
+#include "motion/dance/dynamics/manner.hpp"
 #include "motion/dance/figure_chooser.hpp"
 #include "motion/dance/generator.hpp"
 
@@ -74,10 +75,11 @@ struct FigureChoice {
                                        std::uint64_t seed,
                                        std::uint64_t number) noexcept RAKS_NONBLOCKING;
 
-/// The pose at a beat of a figure danced by `choice`, in the frame of its start. Threads: any.
-/// Real-time: yes.
+/// The pose at a beat of a figure danced by `choice`, in the frame of its start. `manner`: of now;
+/// the paper's generator knows none. Threads: any. Real-time: yes.
 [[nodiscard]] Pose pose_of(const DanceContent& content,
                            const FigureChoice& choice,
-                           double beat) noexcept RAKS_NONBLOCKING;
+                           double beat,
+                           const Manner& manner = {}) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

@@ -8,10 +8,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kNowHops = 250.0;     // 2.5 s: about two bars
-constexpr double kUsualHops = 3000.0;  // half a minute
-constexpr double kQuietest = -60.0;    // LUFS: below it is silence, which says nothing of the music
-constexpr double kSpan = 10.0;         // LU between the calmest and the liveliest
 constexpr double kFit = 2.5;  // how much a figure's energy must fit: exp(-kFit |difference|)
 // Weights by which a soloist prefers to stay facing the audience, and to turn back to it at once.
 // Salsa then shows its face (less than 60 degrees aside) for 0.64 to 0.78 of the time. With 1 and
@@ -23,28 +19,6 @@ constexpr double kTurnsBack = 30.0;
 constexpr std::uint64_t kFigureStream = 1;
 
 }  // namespace
-
-// Two exponential means of the loudness; both start at the first one measured.
-void MusicEnergy::advance(const MusicState& music) noexcept RAKS_NONBLOCKING {
-    known_.reset();
-    if (music.ahead.is_known) {
-        known_ = static_cast<double>(music.ahead.energy);
-    }
-    const double loudness = static_cast<double>(music.loudness_lufs);
-    if (music.is_silent || loudness < kQuietest) {
-        return;
-    }
-    if (!is_started_) {
-        is_started_ = true;
-        now_ = usual_ = loudness;
-    }
-    now_ += (loudness - now_) / kNowHops;
-    usual_ += (loudness - usual_) / kUsualHops;
-}
-
-double MusicEnergy::value() const noexcept RAKS_NONBLOCKING {
-    return known_.value_or(std::clamp(0.5 + (now_ - usual_) / kSpan, 0.0, 1.0));
-}
 
 // The grammar's weight, times how well the energies fit, times the preference for facing the
 // audience.

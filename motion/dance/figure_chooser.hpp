@@ -7,29 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/music_state.hpp"
 #include "base/realtime.hpp"
 #include "motion/figures/figure_grammar.hpp"
 
 namespace raks::motion {
-
-/// How lively the music is: the energy of the next bars where the song is known, else the loudness
-/// of about two bars against that of the last half minute. Threads: one. Real-time: yes.
-class MusicEnergy {
- public:
-    /// One hop; silence is skipped.
-    void advance(const MusicState& music) noexcept RAKS_NONBLOCKING;
-    /// Liveliness in [0, 1]; 0.5 is as usual.
-    [[nodiscard]] double value() const noexcept RAKS_NONBLOCKING;
-    /// Forgets what came before.
-    void reset() noexcept { *this = MusicEnergy(); }
-
- private:
-    double now_ = 0.0;    // LUFS, smoothed over 2.5 s
-    double usual_ = 0.0;  // LUFS, smoothed over half a minute
-    bool is_started_ = false;
-    std::optional<double> known_;  // of a song that is known
-};
 
 /// What the user wants of the next figure.
 struct FigureWish {
@@ -61,6 +42,9 @@ class FigureChooser {
     /// `turns_half`: by figure, whether it ends half a turn from where it began.
     FigureChooser(FigureGrammar grammar, std::vector<bool> turns_half)
         : grammar_(std::move(grammar)), turns_half_(std::move(turns_half)) {}
+
+    /// What the dancers do beside the figures.
+    [[nodiscard]] const DanceHabits& habits() const noexcept { return grammar_.habits; }
 
     /// Index of the next figure; `number`: how many figures were begun. A wished figure comes
     /// first, then the lock.

@@ -5,7 +5,6 @@
 
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/curves.hpp"
-#include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 
 namespace raks::motion {
@@ -37,12 +36,6 @@ constexpr float kStepLift = 0.05F;     // metres, at the middle of the step
 constexpr int kFootSamples = 16;       // samples of both figures over the join
 constexpr float kStillMetres = 0.012F;  // metres between two samples, up to which a foot rests
 
-/// Pivot and rotation of a foot, world.
-struct FootPlace {
-    glm::vec3 pivot{};
-    glm::quat rotation{};
-};
-
 /// How far a foot has moved from one figure to the next, and how high it is lifted on the way.
 struct FootShare {
     float share = 0.0F;
@@ -50,16 +43,6 @@ struct FootShare {
     // Place of the pivot (x, z) to start from; none: the last figure's
     std::optional<glm::vec3> held;
 };
-
-/// The point about which a planted foot turns, world.
-glm::vec3 pivot_of(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
-    const Bone foot = on_side(Bone::left_foot, side);
-    return world.position(foot) + pivot_from_ankle(skeleton, side, world.rotation(foot));
-}
-
-FootPlace place_of(const Skeleton& skeleton, const WorldPose& world, Side side) noexcept {
-    return {pivot_of(skeleton, world, side), world.rotation(on_side(Bone::left_foot, side))};
-}
 
 // Horizontal distance.
 float over_floor(const glm::vec3& a, const glm::vec3& b) noexcept {
@@ -85,11 +68,11 @@ Pose average(const DanceContent& content,
         const FootShare& own = feet[static_cast<std::size_t>(side)];
         // The pivot is interpolated, so that a foot that both plant there stays, though its heel be
         // higher in one.
-        FootPlace before = place_of(skeleton, a, side);
+        FootPlace before = foot_place(skeleton, a, side);
         if (own.held) {
             before.pivot = {own.held->x, before.pivot.y, own.held->z};
         }
-        const FootPlace after = place_of(skeleton, b, side);
+        const FootPlace after = foot_place(skeleton, b, side);
         const glm::vec3 place = glm::mix(before.pivot, after.pivot, own.share);
         FootTarget target;
         target.rotation = glm::slerp(before.rotation, after.rotation, own.share);
@@ -193,8 +176,10 @@ void FigureSequence::jump(Beats phase) noexcept RAKS_NONBLOCKING {
     next_.reset();
 }
 
-Pose FigureSequence::pose_of(const Danced& danced, double phase) const noexcept {
-    const Pose pose = motion::pose_of(*content_, danced.choice, phase - danced.start);
+Pose FigureSequence::pose_of(const Danced& danced,
+                             double phase,
+                             const Manner& manner) const noexcept {
+    const Pose pose = motion::pose_of(*content_, danced.choice, phase - danced.start, manner);
     const FloorMove& place = content_->figures[danced.choice.figure].place;
     return (floor_of(*content_, stage_, danced.is_turned) * place)(pose);
 }
@@ -207,7 +192,8 @@ double FigureSequence::margin_between(const Danced& before, const Danced& after)
 
 Pose FigureSequence::joined(const Danced& before,
                             const Danced& after,
-                            double phase) const noexcept {
+                            double phase,
+                            const Manner& manner) const noexcept {
     const double margin = margin_between(before, after);
     const float share =
         smootherstep(static_cast<float>((phase - after.start + margin) / (2.0 * margin)));
@@ -224,11 +210,12 @@ Pose FigureSequence::joined(const Danced& before,
         }
         if (phase > after.start + join.held) {
             const WorldPose world =
-                world_pose(content_->skeleton, pose_of(before, after.start + join.held));
-            feet[s].held = pivot_of(content_->skeleton, world, kSides[s]);
+                world_pose(content_->skeleton, pose_of(before, after.start + join.held, manner));
+            feet[s].held = foot_place(content_->skeleton, world, kSides[s]).pivot;
         }
     }
-    return average(*content_, pose_of(before, phase), pose_of(after, phase), share, feet);
+    return average(
+        *content_, pose_of(before, phase, manner), pose_of(after, phase, manner), share, feet);
 }
 
 double FigureSequence::joined_until(const Danced& before, const Danced& after) const noexcept {
@@ -245,7 +232,7 @@ std::optional<double> FigureSequence::standing_from(const Danced& danced,
         kLatestSwing, content_->figures[danced.choice.figure].beats - FigurePassage::kMargin);
     const double sample = 2.0 * margin / kFootSamples;
     for (double beat = margin; beat <= latest; beat += sample) {
-        const Pose pose = pose_of(danced, danced.start + beat);
+        const Pose pose = pose_of(danced, danced.start + beat, {});
         if (pose.foot_contact[static_cast<std::size_t>(side)]) {
             return beat > margin ? std::optional(beat) : std::nullopt;
         }
@@ -263,14 +250,14 @@ std::array<FigureSequence::FootState, 2> FigureSequence::states_of_feet(
     for (int sample = 0; sample <= kFootSamples; ++sample) {
         const double beat = margin * (2.0 * sample / kFootSamples - 1.0);
         const std::array<WorldPose, 2> poses = {
-            world_pose(content_->skeleton, pose_of(before, after.start + beat)),
-            world_pose(content_->skeleton, pose_of(after, after.start + beat))};
+            world_pose(content_->skeleton, pose_of(before, after.start + beat, {})),
+            world_pose(content_->skeleton, pose_of(after, after.start + beat, {}))};
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);
             FootState& foot = feet[s];
             bool rests = sample > 0;
             for (std::size_t figure = 0; figure < poses.size(); ++figure) {
-                const glm::vec3 place = pivot_of(content_->skeleton, poses[figure], side);
+                const glm::vec3 place = foot_place(content_->skeleton, poses[figure], side).pivot;
                 const bool is_still = glm::distance(place, last[figure][s]) < kStillMetres;
                 last[figure][s] = place;
                 rests = rests && is_still;
@@ -299,12 +286,12 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     const FootJoin& last = foot.swings[0];
     FootJoin join = foot.swings[1];
     if (join.lasts() >= least) {
-        const Pose pose = pose_of(after, after.start + join.to);
+        const Pose pose = pose_of(after, after.start + join.to, {});
         const WorldPose world = world_pose(content_->skeleton, pose);
         // The swing seems to end just before the margin, but the figure plants the foot later: it
         // only creeps near the floor. It then moves until it is planted.
         if (stands && margin - join.to <= kCreeps &&
-            pivot_of(content_->skeleton, world, side).y < kCreepsUnder) {
+            foot_place(content_->skeleton, world, side).pivot.y < kCreepsUnder) {
             join.to = *stands;
             join.held = foot.since[0];
         } else if (last.lasts() > 0.0 && last.from > -margin && last.from < join.to &&
@@ -331,26 +318,19 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     return {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
 }
 
-Pose FigureSequence::at(Beats phase) const noexcept RAKS_NONBLOCKING {
-    Pose pose = free_at(phase.count());
-    if (content_->generator == Generator::trajectories) {
-        clear_hands(content_->skeleton, pose);
-    }
-    return pose;
-}
-
 // Joins may outlast the margin, so the one before is asked first.
-Pose FigureSequence::free_at(double at) const noexcept {
+Pose FigureSequence::at(Beats phase, const Manner& manner) const noexcept RAKS_NONBLOCKING {
+    const double at = phase.count();
     if (before_ && at < current_.start + joined_until(*before_, current_)) {
-        return joined(*before_, current_, at);
+        return joined(*before_, current_, at, manner);
     }
     if (next_ && at > next_->start + joined_until(current_, *next_)) {
-        return pose_of(*next_, at);
+        return pose_of(*next_, at, manner);
     }
     if (next_ && at > next_->start - margin_between(current_, *next_)) {
-        return joined(current_, *next_, at);
+        return joined(current_, *next_, at, manner);
     }
-    return pose_of(current_, at);
+    return pose_of(current_, at, manner);
 }
 
 }  // namespace raks::motion

@@ -46,8 +46,9 @@ class FigureSequence {
         stage_ = stage;
     }
 
-    /// The pose in the world at a phase up to kDecided after the last advance.
-    [[nodiscard]] Pose at(Beats phase) const noexcept RAKS_NONBLOCKING;
+    /// The pose in the world at a phase up to kDecided after the last advance. Hands may be inside
+    /// the body: see clear_hands().
+    [[nodiscard]] Pose at(Beats phase, const Manner& manner = {}) const noexcept RAKS_NONBLOCKING;
 
     /// The present figure.
     [[nodiscard]] const LibraryFigure& figure() const noexcept {
@@ -99,9 +100,9 @@ class FigureSequence {
                                                       double margin) const noexcept;
     [[nodiscard]] double end_of(const Danced& danced) const noexcept RAKS_NONBLOCKING;
     [[nodiscard]] bool turned_after(const Danced& danced) const noexcept;
-    [[nodiscard]] Pose pose_of(const Danced& danced, double phase) const noexcept;
-    /// The pose before clear_hands().
-    [[nodiscard]] Pose free_at(double phase) const noexcept;
+    [[nodiscard]] Pose pose_of(const Danced& danced,
+                               double phase,
+                               const Manner& manner) const noexcept;
     /// Beats on either side of a change in which both figures are danced; short enough that two
     /// joins never meet.
     [[nodiscard]] double margin_between(const Danced& before, const Danced& after) const noexcept;
@@ -109,7 +110,8 @@ class FigureSequence {
     [[nodiscard]] double joined_until(const Danced& before, const Danced& after) const noexcept;
     [[nodiscard]] Pose joined(const Danced& before,
                               const Danced& after,
-                              double phase) const noexcept;
+                              double phase,
+                              const Manner& manner) const noexcept;
 
     const DanceContent* content_ = nullptr;
     Bpm tempo_{120.0};

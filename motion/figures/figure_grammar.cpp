@@ -10,6 +10,7 @@
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
+#include "motion/figures/dance_habits_reader.hpp"
 
 namespace raks::motion {
 namespace {
@@ -86,6 +87,9 @@ class GrammarReader {
                                   "dance",
                                   "beats_per_bar",
                                   "starts",
+                                  "holds",
+                                  "rests",
+                                  "rest_at",
                                   "lead",
                                   "follow",
                                   "figure"});
@@ -127,6 +131,9 @@ class GrammarReader {
             return fail(name_ + ": starts must be \"common\" or \"own\"");
         }
         grammar.starts = static_cast<FigureGrammar::Starts>(named - kStartsNames.begin());
+        if (auto ok = read_habits(root, grammar.habits); !ok) {
+            return fail(name_ + ": " + ok.error().message);
+        }
         for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
             if (auto ok = read_place(root, role, grammar); !ok) {
                 return ok;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/figures/dance_habits.hpp"
 #include "motion/figures/figure_model.hpp"
 
 #include <glm/vec2.hpp>
@@ -44,6 +45,7 @@ struct FigureGrammar {
     std::string dance;               ///< the dance's label
     int beats_per_bar = 4;           ///< 2 to 12
     Starts starts = Starts::common;  ///< whether figures share a stance
+    DanceHabits habits;              ///< beside its figures
     std::vector<Place> places;       ///< one a role; none: each turns about its own point
     std::vector<Rule> rules;         ///< one a figure; the dance begins with the first
 
@@ -55,13 +57,14 @@ struct FigureGrammar {
 };
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
-/// 12; default 4), starts ("common", the default, or "own"), and one [[figure]] each with name,
-/// energy, `seen` (default 1) and `after` = { figure = weight, ... }; without `after` every other
-/// figure follows, weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left,
-/// forward] and heading in degrees, and in a figure lead_aside and follow_aside = [left, forward].
-/// Errors, one line: not readable, not TOML, another format, a newer version, unknown keys and
-/// figures (the nearest name is given), two figures of one name, weights that are negative or no
-/// numbers, a figure that nothing follows. Threads: workers. Real-time: no.
+/// 12; default 4), starts ("common", the default, or "own"), holds, rests and rest_at (see
+/// DanceHabits), and one [[figure]] each with name, energy, `seen` (default 1) and `after` = {
+/// figure = weight, ... }; without `after` every other figure follows, weighted by its `seen`. For
+/// couples [lead] and [follow] with turn_point = [left, forward] and heading in degrees, and in a
+/// figure lead_aside and follow_aside = [left, forward]. Errors, one line: not readable, not TOML,
+/// another format, a newer version, unknown keys and figures (the nearest name is given), two
+/// figures of one name, weights that are negative or no numbers, a figure that nothing follows.
+/// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);

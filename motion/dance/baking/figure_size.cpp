@@ -98,6 +98,7 @@ FigureSize figure_size(const SizeByTempo& law, Bpm learnt, Bpm tempo) noexcept R
     constexpr double kHighestFlight = 1.15;  // no higher than a casual leap
     FigureSize size;
     size.body = std::min(1.0F, static_cast<float>(size_at(law.body, learnt, tempo)));
+    size.steps = {size.body, size.body};
     size.arms = std::min(1.0F, static_cast<float>(size_at(law.arms, learnt, tempo)));
     // Height of a jump goes with the square of its time, g t^2 / 8.
     if (law.body > 0.0) {
@@ -123,20 +124,24 @@ void resize(const FigureMiddle& middle,
     }
     const float flown = size.flight * feet.flight;
     // A figure that travels keeps its way: scaled, it would not end where the next one begins.
-    const auto sized = [&](const glm::vec3& place, const glm::vec3& centre) {
-        return middle.comes_back ? glm::mix(centre, place, size.body) : place;
+    const auto sized = [&](const glm::vec3& place, const glm::vec3& centre, float steps) {
+        return middle.comes_back ? glm::mix(centre, place, steps) : place;
     };
     const glm::vec3& centre = middle.pose.hips_position;
     const float height = glm::mix(centre.y, pose.hips_position.y - feet.flight, size.body);
-    pose.hips_position = sized(pose.hips_position, centre);
-    pose.hips_position.y = height + flown;
+    pose.hips_position = sized(pose.hips_position, centre, 0.5F * (size.steps[0] + size.steps[1]));
+    pose.hips_position.y = height + flown - size.bend;
+    std::array<glm::vec3, 2> ankles{};
+    for (std::size_t s = 0; s < ankles.size(); ++s) {
+        const float own = feet.targets[s].ankle.y - feet.flight;
+        ankles[s] = sized(feet.targets[s].ankle, middle.ankles[s], size.steps[s]);
+        ankles[s].y = own + flown;
+    }
+    // Longer steps and straighter knees than learnt may reach too far.
+    lower_to_reach(skeleton, ankles, pose);
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
-        FootTarget& target = feet.targets[s];
-        const float own = target.ankle.y - feet.flight;
-        target.ankle = sized(target.ankle, middle.ankles[s]);
-        target.ankle.y = own + flown;
-        solve_leg(skeleton, side, target, pose);
+        solve_leg(skeleton, side, {ankles[s], feet.targets[s].rotation}, pose);
     }
 }
 

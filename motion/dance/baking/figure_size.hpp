@@ -15,14 +15,18 @@ namespace raks::motion {
 
 /// How large a figure is danced relative to how it was learnt; 1 is as learnt.
 struct FigureSize {
-    float body = 1.0F;  ///< hips, trunk and steps
+    float body = 1.0F;  ///< trunk, head, and how far the hips rise and sink
     float arms = 1.0F;  ///< arms
+    /// By Side: way of the feet over the floor; the hips' is their mean.
+    std::array<float, 2> steps{1.0F, 1.0F};
     /// Height of jumps: falls with the square of the time that a beat leaves for them.
     float flight = 1.0F;
+    float bend = 0.0F;  ///< how much lower the hips are; metres
 
     /// Whether resizing changes nothing.
     [[nodiscard]] bool is_as_learnt() const noexcept {
-        return body == 1.0F && arms == 1.0F && flight == 1.0F;
+        return body == 1.0F && arms == 1.0F && steps[0] == 1.0F && steps[1] == 1.0F &&
+               flight == 1.0F && bend == 0.0F;
     }
 };
 

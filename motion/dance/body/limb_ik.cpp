@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/dance/body/curves.hpp"
+
 #include <glm/geometric.hpp>
 
 namespace raks::motion {
@@ -102,6 +104,14 @@ glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
     return rotation * (mirror * skeleton.ball) + kBeforeBall * toes;
 }
 
+FootPlace foot_place(const Skeleton& skeleton,
+                     const WorldPose& world,
+                     Side side) noexcept RAKS_NONBLOCKING {
+    const Bone foot = on_side(Bone::left_foot, side);
+    const glm::quat& rotation = world.rotation(foot);
+    return {world.position(foot) + pivot_from_ankle(skeleton, side, rotation), rotation};
+}
+
 float leg_length(const Skeleton& skeleton) noexcept {
     return glm::length(skeleton.offsets[index_of(Bone::left_lower_leg)]) +
            glm::length(skeleton.offsets[index_of(Bone::left_foot)]);
@@ -121,6 +131,24 @@ void solve_leg(const Skeleton& skeleton,
     leg.ahead = hips * glm::vec3(0, 0, 1);
     const glm::quat shin = solve_limb(skeleton, leg, target.ankle, pose);
     pose.rotation(leg.end) = glm::normalize(glm::conjugate(shin) * target.rotation);
+}
+
+void lower_to_reach(const Skeleton& skeleton,
+                    const std::array<glm::vec3, 2>& ankles,
+                    Pose& pose) noexcept RAKS_NONBLOCKING {
+    constexpr float kSoftReach = 0.01F;  // metres
+    const float reach = kLongestReach * leg_length(skeleton);
+    float lower = 0.0F;
+    for (const Side side : kSides) {
+        const glm::vec3 hip = pose.hips_position +
+                              pose.rotation(Bone::hips) *
+                                  skeleton.offsets[index_of(on_side(Bone::left_upper_leg, side))];
+        const glm::vec3 leg = hip - ankles[static_cast<std::size_t>(side)];
+        const float aside = leg.x * leg.x + leg.z * leg.z;
+        const float most = std::sqrt(std::max(0.04F * reach * reach, reach * reach - aside));
+        lower = soft_max(lower, leg.y - most, kSoftReach);
+    }
+    pose.hips_position.y -= lower;
 }
 
 float lowest_of_sole(const Skeleton& skeleton,
@@ -144,6 +172,27 @@ float lowest_of_sole(const Skeleton& skeleton,
         lowest = std::min(lowest, (foot_rotation * point).y);
     }
     return lowest - edge;
+}
+
+void put_feet_as(const Skeleton& skeleton,
+                 const Pose& other,
+                 Pose& pose) noexcept RAKS_NONBLOCKING {
+    const WorldPose world = world_pose(skeleton, other);
+    std::array<glm::vec3, 2> ankles{};
+    for (const Side side : kSides) {
+        const Bone foot = on_side(Bone::left_foot, side);
+        const float standing = -lowest_of_sole(
+            skeleton, side, world.rotation(foot), pose.rotation(on_side(Bone::left_toes, side)));
+        glm::vec3& ankle = ankles[static_cast<std::size_t>(side)];
+        ankle = world.position(foot);
+        ankle.y = std::max(ankle.y, standing);
+    }
+    lower_to_reach(skeleton, ankles, pose);
+    for (const Side side : kSides) {
+        const Bone foot = on_side(Bone::left_foot, side);
+        solve_leg(
+            skeleton, side, {ankles[static_cast<std::size_t>(side)], world.rotation(foot)}, pose);
+    }
 }
 
 void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {

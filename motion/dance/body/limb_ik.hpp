@@ -1,6 +1,8 @@
 // Two-bone inverse kinematics of arms and legs.
 #pragma once
 
+#include <array>
+
 #include "base/realtime.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -52,6 +54,16 @@ struct FootTarget {
                                          Side side,
                                          const glm::quat& rotation) noexcept RAKS_NONBLOCKING;
 
+/// Where a foot is, in the world.
+struct FootPlace {
+    glm::vec3 pivot{};                ///< the point about which it turns while it is planted
+    glm::quat rotation{kNoRotation};  ///< of the foot bone
+};
+/// The place of the foot of one side. Threads: any. Real-time: yes.
+[[nodiscard]] FootPlace foot_place(const Skeleton& skeleton,
+                                   const WorldPose& world,
+                                   Side side) noexcept RAKS_NONBLOCKING;
+
 /// Turns thigh, shin and foot of one side so that the ankle reaches the target (as far as the leg
 /// does) and the foot has its rotation. The knee keeps its direction about the line from hip to
 /// ankle. Hips and the rest of the body stay.
@@ -60,6 +72,16 @@ void solve_leg(const Skeleton& skeleton,
                Side side,
                const FootTarget& target,
                Pose& pose) noexcept RAKS_NONBLOCKING;
+
+/// Lowers the hips, softly, until both feet are in reach; the legs are to be solved afterwards.
+/// `ankles`: where the feet shall be. Threads: any. Real-time: yes.
+void lower_to_reach(const Skeleton& skeleton,
+                    const std::array<glm::vec3, 2>& ankles,
+                    Pose& pose) noexcept RAKS_NONBLOCKING;
+
+/// Solves both legs of `pose` so that its feet are where `other` has them, but not below the floor.
+/// The hips are lowered where a leg is too short for that. Threads: any. Real-time: yes.
+void put_feet_as(const Skeleton& skeleton, const Pose& other, Pose& pose) noexcept RAKS_NONBLOCKING;
 
 /// Lifts each foot whose sole is below the floor onto it, by the leg alone.
 /// Threads: any. Real-time: yes.

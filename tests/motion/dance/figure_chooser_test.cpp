@@ -91,24 +91,6 @@ TEST(FigureChooser, turns_to_the_audience_when_it_can_and_away_from_it_more_seld
     EXPECT_GT(of_three(Audience::ahead)[2], 500);
 }
 
-TEST(MusicEnergy, is_of_the_last_bars_beside_the_last_half_minute) {
-    MusicEnergy energy;
-    MusicState music = test::sure_state(0, test::steady_grid(120.0));
-    const auto play = [&](float lufs, int hops) {
-        music.loudness_lufs = lufs;
-        for (int i = 0; i < hops; ++i) {
-            energy.advance(music);
-        }
-        return energy.value();
-    };
-    EXPECT_NEAR(play(-20.0F, 3000), 0.5, 0.01);
-    EXPECT_GT(play(-12.0F, 400), 0.85);
-    EXPECT_LT(play(-26.0F, 500), 0.25);
-    music.is_silent = true;
-    const double before = energy.value();
-    EXPECT_EQ(play(-100.0F, 500), before) << "silence says nothing";
-}
-
 const DanceContent& salsa() {
     static const DanceContent content = [] {
         auto made = make_content(test::salsa_figures(), mannequin_skeleton(), nullptr);

@@ -62,7 +62,7 @@ TEST(FigureSize, as_large_as_learnt_changes_nothing) {
 
 TEST(FigureSize, smaller_steps_stand_as_still_as_large_ones) {
     const std::vector<Pose> learnt = poses_of({});
-    const std::vector<Pose> small = poses_of({0.8F, 0.8F, 1.0F});
+    const std::vector<Pose> small = poses_of({.body = 0.8F, .arms = 0.8F, .steps = {0.8F, 0.8F}});
     for (const Side side : kSides) {
         EXPECT_NEAR(step_length(small, side) / step_length(learnt, side), 0.8F, 0.02F);
         const auto ball = [&](const Pose& pose) {
@@ -86,7 +86,7 @@ TEST(FigureSize, jumps_come_down_in_their_time) {
     Pose jumping = standing;
     jumping.hips_position.y += 0.10F;
     Pose lower = jumping;
-    resize(middle, {1.0F, 1.0F, 0.5F}, content().skeleton, lower);
+    resize(middle, {.flight = 0.5F}, content().skeleton, lower);
     const auto toe = [&](const Pose& pose) {
         return toe_tip(content().skeleton, world_pose(content().skeleton, pose), Side::left).y;
     };

@@ -1,0 +1,68 @@
+#include "motion/dance/dynamics/manner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/time.hpp"
+
+namespace raks::motion {
+namespace {
+
+// Time constants of the two smoothings in a row; seconds.
+constexpr double kGrows = 0.12;
+constexpr double kShrinks = 0.22;
+// The moment counts as much as the last seconds: accents show, and a calm part stays calm.
+constexpr float kOfNow = 0.5F;
+
+/// Sizes in the calmest music, as usual, and in the fullest.
+struct Range {
+    float calm;
+    float usual;
+    float full;
+
+    [[nodiscard]] float at(float energy) const noexcept {
+        const float up = std::clamp(2.0F * energy - 1.0F, 0.0F, 1.0F);
+        const float down = std::clamp(1.0F - 2.0F * energy, 0.0F, 1.0F);
+        return usual + up * (full - usual) + down * (calm - usual);
+    }
+};
+
+// Larger than full, and hands meet the head and feet leave the reach of the legs; smaller than
+// calm, and nobody sees which figure it is.
+constexpr Range kBody{0.55F, 1.0F, 1.25F};
+constexpr Range kArms{0.55F, 1.0F, 1.25F};
+constexpr Range kSteps{0.60F, 1.0F, 1.12F};
+constexpr Range kSharpness{0.05F, 0.35F, 0.70F};
+constexpr Range kBend{-0.004F, 0.0F, 0.03F};
+
+float approached(float from, float to, double seconds) noexcept {
+    const double share = 1.0 - std::exp(-to_seconds(kHop) / seconds);
+    return from + static_cast<float>(share) * (to - from);
+}
+
+}  // namespace
+
+void MannerOfMusic::advance(const MusicState& music) noexcept RAKS_NONBLOCKING {
+    const float asked = kOfNow * music.energy.now + (1.0F - kOfNow) * music.energy.lately;
+    const float wanted = std::clamp(asked, 0.0F, 1.0F);
+    energy_ = approached(energy_, wanted, wanted > energy_ ? kGrows : kShrinks);
+    eased_ = approached(eased_, energy_, energy_ > eased_ ? kGrows : kShrinks);
+}
+
+void MannerOfMusic::swing(Side side, float metres) noexcept RAKS_NONBLOCKING {
+    constexpr float kWay = 0.10F;  // metres in which 63 % of the difference are made up
+    float& steps = steps_[static_cast<std::size_t>(side)];
+    steps += (kSteps.at(eased_) - steps) * (1.0F - std::exp(-metres / kWay));
+}
+
+Manner MannerOfMusic::manner() const noexcept RAKS_NONBLOCKING {
+    return {kBody.at(eased_), kArms.at(eased_), steps_, kSharpness.at(eased_), kBend.at(eased_)};
+}
+
+// The slope is 1 - sharpness on a beat and 1 + sharpness half way to the next.
+double sharpened(double beat, float sharpness) noexcept RAKS_NONBLOCKING {
+    constexpr double kTurn = 2.0 * M_PI;
+    return beat - static_cast<double>(sharpness) / kTurn * std::sin(kTurn * beat);
+}
+
+}  // namespace raks::motion

@@ -1,0 +1,116 @@
+// Dancer state: what is behind the dancer's door.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/timed_commands.hpp"
+#include "motion/dance/beat_phase.hpp"
+#include "motion/dance/dynamics/hand_rests.hpp"
+#include "motion/dance/dynamics/manner.hpp"
+#include "motion/dance/dynamics/phrases.hpp"
+#include "motion/dance/dynamics/planted_feet.hpp"
+#include "motion/dance/dynamics/stillness.hpp"
+#include "motion/dance/figure_sequence.hpp"
+#include "motion/dance/inertialization.hpp"
+#include "motion/dance/standing.hpp"
+#include "motion/dancer.hpp"
+#include "motion/library_content.hpp"
+#include "motion/repertoire.hpp"
+
+namespace raks::motion {
+
+/// How far a dance has come: what another dancer can go on from.
+struct Dancer::Course {
+    /// Why the dance stands still.
+    enum class Cause : std::uint8_t {
+        phrase,  ///< a phrase ends, and this dancer chose to hold
+        stop,    ///< the music stopped
+        ending,  ///< the song is over
+    };
+
+    DanceId genre = DanceId::none;     // of what is danced, or was last
+    DanceId selected = DanceId::none;  // by command
+    int bars_to_wait = 0;              // downbeats that still pass before the start
+    FigureSequence sequence;
+    FigureWish wish;
+    bool stands_turned = false;  // half a turn from where the first dance began: couples
+    Standing standing;
+
+    bool is_dancing = false;
+    bool is_held = false;        // by command, until release
+    bool is_after_line = false;  // the last hop was just after a bar line
+    bool is_at_line = false;     // this hop is the first after a bar line
+    int bars_unwanted = 0;       // bar lines that passed in a dance that is no longer wanted
+    int hops_sure = 0;           // consecutive hops above BeatGrid::kDanceable
+    int hops_unsure = 0;         // consecutive hops of silence or below kStopConfidence
+    DancePhase phase;
+    double pace = 1.0;  // danced tempo / learnt tempo, smoothed over about a second
+    Nanos delay{};      // landing delay of the figure, smoothed over about a second
+    std::uint32_t reanchors = 0;
+
+    MannerOfMusic manner;
+    Phrases phrases;
+    Stillness still;
+    Cause cause = Cause::phrase;          // of `still`
+    Beats resumes{};                      // phase at which a phrase's hold ends
+    std::uint64_t phrase_asked = ~0ULL;   // the last phrase for which a hold was drawn
+    std::uint64_t figure_rested = ~0ULL;  // the last figure for which rests were drawn
+    HandRests hands;
+    PlantedFeet feet;
+
+    Inertialization smoothing;  // decays the jump of the last change
+    StreamTime changed_at{};    // hop before the change, at which its difference was measured
+    Pose shown;                 // the last final pose
+    Pose shown_before;          // the one before it
+    HopIndex last_hop = -1;     // -1: none yet
+
+    TimedCommands<DancerCommand, 16> commands;
+};
+
+struct Dancer::State : Dancer::Course {
+    std::shared_ptr<const Repertoire> repertoire;
+    Skeleton skeleton;
+    DancerPart part;
+    const DanceLibrary* dance = nullptr;  // being danced, or the last one
+    FloorMove stage;                      // from a figure's start to the stage
+    DanceMetre metre;                     // decides octave and pace
+
+    [[nodiscard]] const DanceLibrary::Content& content() const noexcept { return dance->content(); }
+    void reset() noexcept;
+    void take_up(DanceId other) noexcept;
+    void find(DanceId other) noexcept;
+    void go_on_from(const State& before) noexcept;
+    [[nodiscard]] FloorMove place() const noexcept;
+    void apply(const DancerCommand& command) noexcept;
+
+    // Decisions of one hop (dancer_course.cpp).
+    void decide(const MusicState& music) noexcept;
+    void go_on(const MusicState& music) noexcept;
+    void dance_on(const MusicState& music, bool has_reanchored) noexcept;
+    void stay_still(const MusicState& music) noexcept;
+    void begin(const MusicState& music, bool is_turned) noexcept;
+    void start_at_line(const MusicState& music) noexcept;
+    void leave(const MusicState& music) noexcept;
+    void settle(StreamTime now) noexcept;
+    [[nodiscard]] bool hold_at_phrase_end(const MusicState& music) noexcept;
+    [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
+    void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;
+    void resume(const MusicState& music) noexcept;
+    void rest_hands(const MusicState& music) noexcept;
+    void show_pose(StreamTime now) noexcept;
+    [[nodiscard]] DanceId wanted(DanceId recognized) const noexcept;
+
+    // Poses (dancer_state.cpp).
+    [[nodiscard]] bool is_free() const noexcept;
+    [[nodiscard]] Beats shown_phase(StreamTime now, Nanos ahead) const noexcept;
+    [[nodiscard]] Pose danced(StreamTime now, Nanos ahead) const noexcept;
+    [[nodiscard]] Pose layered(StreamTime now, Nanos ahead, Pose pose) const noexcept;
+    [[nodiscard]] Pose target(StreamTime now, Nanos ahead) const noexcept;
+    [[nodiscard]] Pose next(StreamTime now, Nanos ahead, PlantedFeet& own) const noexcept;
+    [[nodiscard]] Pose smoothed(StreamTime now, Nanos ahead, Pose pose) const noexcept;
+    void change(StreamTime now) noexcept;
+    void note_swings() noexcept;
+};
+
+}  // namespace raks::motion

@@ -1,0 +1,34 @@
+// Dance habits: what the dancers of a dance do beside its figures.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace raks::motion {
+
+/// Where a hand can be, beside the dance.
+enum class HandPlace : std::uint8_t {
+    thigh,    ///< hangs beside the thigh, a little off it
+    hip,      ///< on the hip bone, the elbow out
+    belly,    ///< before the belly
+    chest,    ///< before the chest, the forearm level
+    wide,     ///< out to the side at the height of the shoulder, softly bent
+    high,     ///< up and out, over the head
+    low,      ///< down and out, away from the body
+    offered,  ///< ahead and out, the hand offered
+};
+/// Names in files, in the order of HandPlace.
+inline constexpr std::array<std::string_view, 8> kHandPlaceNames = {
+    "thigh", "hip", "belly", "chest", "wide", "high", "low", "offered"};
+
+/// What the dancers of a dance do beside its figures.
+struct DanceHabits {
+    double holds = 0.35;  ///< share of the phrases of eight bars that end in a hold; [0, 1]
+    double rests = 0.30;  ///< share of the figures in which a hand rests; [0, 1]
+    /// Where hands rest; at least one
+    std::vector<HandPlace> rest_at{HandPlace::hip, HandPlace::thigh, HandPlace::chest};
+};
+
+}  // namespace raks::motion

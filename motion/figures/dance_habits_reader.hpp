@@ -1,0 +1,14 @@
+// Reading of dance habits.
+#pragma once
+
+#include "base/expected.hpp"
+#include "base/toml_tree.hpp"
+#include "motion/figures/dance_habits.hpp"
+
+namespace raks::motion {
+
+/// Reads `holds`, `rests` and `rest_at` of the head of a dance's file; what is absent stays as it
+/// is. Errors, one line without the file's name: a share that is none, an unknown place.
+[[nodiscard]] Expected<void> read_habits(const toml::table& root, DanceHabits& habits);
+
+}  // namespace raks::motion
