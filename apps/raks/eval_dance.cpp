@@ -207,10 +207,34 @@ Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& argumen
     return as_rows(*takes);
 }
 
+// The dances that `raks dance` would dance to these files, which need not be one dance.
+ExitCode eval_against(EvalDanceArguments& arguments) {
+    const auto setup = open_dancers(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    const auto files = followed_files(arguments.against, {setup->models, setup->dancers.cast(), 0});
+    if (!files) {
+        return fail(files.error());
+    }
+    if (files->empty()) {
+        return kExitDone;  // stopped: half a table would mislead
+    }
+    if (arguments.as_json) {
+        print_json(to_json(std::span(*files)));
+    } else {
+        print_text(to_text(std::span(*files)));
+    }
+    return kExitDone;
+}
+
 }  // namespace
 
 ExitCode eval_dance(const EvalDanceArguments& given) {
     EvalDanceArguments arguments = given;
+    if (!arguments.against.empty()) {
+        return eval_against(arguments);
+    }
     const auto setup = open_dances(arguments.settings);
     if (!setup) {
         return fail(setup.error());
@@ -236,17 +260,6 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     const auto cast = cast_of(measured, *figures);
     if (!cast) {
         return fail(cast.error());
-    }
-    if (!arguments.against.empty()) {
-        const auto files = followed_files(arguments.against, *cast);
-        if (!files) {
-            return fail(files.error());
-        }
-        if (!files->empty()) {
-            arguments.as_json ? print_json(to_json(std::span(*files)))
-                              : print_text(to_text(std::span(*files)));
-        }
-        return kExitDone;
     }
     // Clips before trials: a fault in them should not cost the minute that the trials take.
     auto people = people_of(arguments, report.role, *figures);

@@ -1,5 +1,9 @@
 #include "apps/raks/commands.hpp"
 
+#include <array>
+#include <string>
+#include <string_view>
+
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/pending_file.hpp"
@@ -76,6 +80,10 @@ Expected<std::vector<audio::FormSection>> form_of(const std::string& form,
     }
     if (form == "song") {
         return audio::song_form_of(plan);
+    }
+    if (form.find(':') == std::string::npos) {
+        constexpr std::array<std::string_view, 2> kForms{"steady", "song"};
+        return fail(unknown_name("--form", form, kForms) + ", or sections such as full:32,stop:4");
     }
     auto sections = audio::parse_form(form);
     if (!sections) {

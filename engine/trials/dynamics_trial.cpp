@@ -109,11 +109,7 @@ struct DancedPiece {
                                                     int beats_per_bar) const {
         motion::BarBeats beats{{}, beats_per_bar};
         for (const audio::ReferenceBeat& beat : music.beats) {
-            // Bars are cut at downbeats.
-            if (to_seconds(beat.time) > kLeftOut &&
-                (!beats.times.empty() || beat.bar_position == 1)) {
-                beats.times.push_back(to_seconds(beat.time));
-            }
+            beats.times.push_back(to_seconds(beat.time));
         }
         const motion::DanceStretch stretch{kLeftOut, to_seconds(music.sections.back().to)};
         return motion::measure_dynamics(
@@ -219,8 +215,13 @@ Expected<DynamicsResult> run_dynamics_trial(const DanceInfo& dance,
         return fail(song.error());
     }
     result.phrased = song->measures(skeleton, bar);
-    result.follows_loudness = motion::loudness_correlation(
-        speeds_of(song->dance, skeleton), loudness_by_frame(song->music.mono(), song->music.rate));
+    std::vector<double> loudness = loudness_by_frame(song->music.mono(), song->music.rate);
+    // Without the silence after its end, which would outweigh all else.
+    loudness.resize(std::min(loudness.size(),
+                             static_cast<std::size_t>(to_seconds(song->music.sections.back().to) *
+                                                      motion::kDynamicsRate)));
+    result.follows_loudness =
+        motion::loudness_correlation(speeds_of(song->dance, skeleton), loudness);
     measure_beginning(*song, bar_seconds, result);
     const auto steady = dance_piece(own_music(dance, seed, kSteadySong), cast, knowledge);
     if (!steady) {

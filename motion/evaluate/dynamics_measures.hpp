@@ -74,7 +74,7 @@ struct DynamicsTrack {
 /// Beats of the music that bars are cut by.
 struct BarBeats {
     std::vector<double> times;  ///< seconds from the dance's first frame, ascending
-    int beats_per_bar = 4;      ///< from the first of them on
+    int beats_per_bar = 4;      ///< from the first of them on that lies in the track
 };
 
 /// The measures. Of people: 2 to 5 holds a minute, second_spread 2.4-4, body_spread 3.0-4.6, hands

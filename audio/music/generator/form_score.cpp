@@ -39,7 +39,9 @@ bool is_bass(Sound sound) { return sound == Sound::bass || sound == Sound::synth
 
 // Drums that keep time softly where there is nothing but drums.
 bool keeps_time(Sound sound) {
-    return sound == Sound::closed_hat || sound == Sound::click_high || sound == Sound::click_low;
+    return sound == Sound::closed_hat || sound == Sound::click_high || sound == Sound::click_low ||
+           sound == Sound::clave || sound == Sound::maracas || sound == Sound::riq ||
+           sound == Sound::darbuka_ka;
 }
 
 bool is_at(double beat, double place) { return std::abs(beat - place) < 0.02; }
@@ -52,8 +54,6 @@ class Arranger {
         std::stable_sort(score_.begin(), score_.end(), [](const Note& a, const Note& b) {
             return a.beat < b.beat;
         });
-        has_tones_ = std::any_of(
-            score_.begin(), score_.end(), [](const Note& note) { return is_pitched(note.sound); });
     }
 
     void play(const SectionSpan& section) {
@@ -113,20 +113,23 @@ class Arranger {
         each_in(section, [&](const Note& note) { notes_.push_back(note); });
     }
 
-    // No drums. The bass holds its first note of a bar, a strummed guitar rings for half a bar:
-    // what else drives on would not sound like a breakdown.
+    // No drums. The bass holds its first note of a bar softly, a strummed guitar rings for half a
+    // bar: what else drives on would not sound like a breakdown. Where the band has nothing but
+    // drums, or drums and bass, what keeps time goes on softly.
     void play_breakdown(const SectionSpan& section) {
         const int bar = beats_per_bar(style_);
         each_in(section, [&](Note note) {
             const double in_bar = std::fmod(note.beat, bar);
-            if (!is_pitched(note.sound)) {
-                note.velocity *= 0.5;
-                if (!has_tones_ && keeps_time(note.sound)) {
+            const double start = note.beat - in_bar;
+            if (!has_chords_in(start, start + bar)) {
+                note.velocity *= is_pitched(note.sound) ? 0.7 : 0.5;
+                if (is_pitched(note.sound) || keeps_time(note.sound)) {
                     notes_.push_back(note);
                 }
             } else if (is_bass(note.sound)) {
                 note.beats = bar - 0.1 - in_bar;
-                if (!has_bass_in(note.beat - in_bar, note.beat)) {
+                note.velocity *= 0.5;
+                if (!has_bass_in(start, note.beat)) {
                     notes_.push_back(note);
                 }
             } else if (note.sound == Sound::guitar) {
@@ -134,9 +137,18 @@ class Arranger {
                 if (is_at(std::fmod(note.beat, 2.0), 0.0)) {
                     notes_.push_back(note);
                 }
-            } else {
+            } else if (is_pitched(note.sound)) {
                 notes_.push_back(note);
             }
+        });
+    }
+
+    // Whether anything with a pitch but the bass sounds in these beats: a pad may have begun
+    // before.
+    [[nodiscard]] bool has_chords_in(double from, double to) const {
+        const auto notes = notes_in(from - 8.0, to);
+        return std::any_of(notes.begin(), notes.end(), [&](const Note& note) {
+            return is_pitched(note.sound) && !is_bass(note.sound) && note.beat + note.beats > from;
         });
     }
 
@@ -204,7 +216,6 @@ class Arranger {
     Notes score_;  // by beat
     Style style_;
     FormDrums drums_;
-    bool has_tones_ = false;
     Notes notes_;
 };
 

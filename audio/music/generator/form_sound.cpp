@@ -63,7 +63,9 @@ void FormSound::set_goals(std::int64_t frame) {
                        static_cast<double>(std::max<std::int64_t>(now.to - now.from, 1)),
                    0.0,
                    1.0);
-    goal_gain_ = now.gain_from + share * (now.gain_to - now.gain_from);
+    // Squared at the end: what falls evenly to the ear falls faster at first.
+    const double way = now.gain_to > 0.0 ? share : 1.0 - (1.0 - share) * (1.0 - share);
+    goal_gain_ = now.gain_from + way * (now.gain_to - now.gain_from);
     goal_wet_ = now.hertz_from > 0.0 ? 1.0 : 0.0;
     if (now.hertz_from > 0.0) {
         const double hertz = now.hertz_from * std::pow(now.hertz_to / now.hertz_from, share);
