@@ -134,19 +134,19 @@ void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexc
     const bool is_unwanted = wanted(music.genre) != genre;
     if (is_held || (hops_unsure > kHopsToStop && !music.is_silent)) {
         settle(music.time);
-    } else if (!is_free() && stop_with(music)) {
+    } else if (has_dynamics() && stop_with(music)) {
         return;
     } else if (hops_unsure > kHopsToStop ||
                (music.ahead.is_known && music.time >= music.ahead.ends)) {
         settle(music.time);
     } else if (is_unwanted && is_at_line) {
         leave(music);
-    } else if (!is_free() && hold_at_phrase_end(music)) {
+    } else if (has_dynamics() && hold_at_phrase_end(music)) {
         return;
     } else if (has_reanchored) {
         ++reanchors;
         change(music.time);
-    } else if (!is_free()) {
+    } else if (has_dynamics()) {
         rest_hands(music);
     }
     if (!is_unwanted) {

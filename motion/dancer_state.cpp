@@ -119,6 +119,11 @@ void Dancer::State::reset() noexcept RAKS_NONBLOCKING {
 /// Whether nothing but the figures is to be seen: with the paper's generator.
 bool Dancer::State::is_free() const noexcept { return content().generator == Generator::frames; }
 
+/// Whether the dance follows more of the music than its beats.
+bool Dancer::State::has_dynamics() const noexcept {
+    return part.dynamics == Dynamics::on && !is_free();
+}
+
 Beats Dancer::State::shown_phase(StreamTime now, Nanos ahead) const noexcept {
     return still.is_on() ? still.phase(now + ahead)
                          : phase.phase_after(ahead + landing_lead(delay, pace));
@@ -129,7 +134,7 @@ Pose Dancer::State::danced(StreamTime now, Nanos ahead) const noexcept {
     if (still.posture() && still.is_at_rest(now + ahead)) {
         return *still.posture();
     }
-    return sequence.at(shown_phase(now, ahead), is_free() ? Manner() : manner.manner());
+    return sequence.at(shown_phase(now, ahead), has_dynamics() ? manner.manner() : Manner());
 }
 
 /// What the dancer does beside the figures.

@@ -103,6 +103,7 @@ struct Dancer::State : Dancer::Course {
 
     // Poses (dancer_state.cpp).
     [[nodiscard]] bool is_free() const noexcept;
+    [[nodiscard]] bool has_dynamics() const noexcept;
     [[nodiscard]] Beats shown_phase(StreamTime now, Nanos ahead) const noexcept;
     [[nodiscard]] Pose danced(StreamTime now, Nanos ahead) const noexcept;
     [[nodiscard]] Pose layered(StreamTime now, Nanos ahead, Pose pose) const noexcept;

@@ -80,8 +80,10 @@ DancerStatus Ensemble::status() const noexcept RAKS_NONBLOCKING {
 std::vector<EnsembleMember> members_of(Formation formation,
                                        const std::shared_ptr<const Repertoire>& lead,
                                        const std::shared_ptr<const Repertoire>& follow,
-                                       std::uint64_t seed) {
+                                       std::uint64_t seed,
+                                       Dynamics dynamics) {
     DancerPart part;
+    part.dynamics = dynamics;
     part.seed = part.ways = seed;
     if (formation == Formation::solo) {
         return {{lead, part}};

@@ -78,6 +78,7 @@ inline constexpr std::array<std::string_view, 5> kFormationNames = {
     Formation formation,
     const std::shared_ptr<const Repertoire>& lead,
     const std::shared_ptr<const Repertoire>& follow,
-    std::uint64_t seed);
+    std::uint64_t seed,
+    Dynamics dynamics = Dynamics::on);
 
 }  // namespace raks::motion

@@ -67,6 +67,8 @@ void add_training_commands(RaksCommands& table);
 void add_figures_option(CLI::App& app, engine::Settings& settings);
 /// Adds --audio-system, which several commands have.
 void add_audio_system_option(CLI::App& app, engine::Settings& settings);
+/// Adds --dynamics, which several commands have.
+void add_dynamics_option(CLI::App& app, engine::Settings& settings);
 /// Adds --generator, which several commands have.
 void add_generator_option(CLI::App& app, engine::Settings& settings);
 

@@ -36,6 +36,7 @@ void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overla
     add_figures_option(app, settings);
     add_formation_option(app, settings);
     add_generator_option(app, settings);
+    add_dynamics_option(app, settings);
     app.add_option("--seed", settings.seed, "same seed, same dance");
     add_avatar_options(app, settings);
     app.add_option("--theme", settings.theme, "stage, workshop_dark, studio_light or plain");
@@ -141,6 +142,7 @@ void add_dance(RaksCommands& table) {
                     "the dance to keep to: name, folder or written dance (X.toml); or auto");
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
+    add_dynamics_option(*app, a->settings);
     app->add_option("--seed", a->settings.seed, "same seed, same dance");
 }
 

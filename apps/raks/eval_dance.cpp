@@ -66,6 +66,7 @@ struct Measured {
     const DanceSetup& setup;
     const DanceReport& report;
     engine::DanceForm form;
+    motion::Dynamics dynamics = motion::Dynamics::on;
 
     [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> library(
         motion::DanceRole role) const {
@@ -95,7 +96,8 @@ Expected<engine::TrialCast> cast_of(const Measured& measured, const Figures& fig
         if (!library) {
             return fail(library.error());
         }
-        return engine::TrialCast{setup.models, engine::cast_of(*library, setup.skeleton, seed), 0};
+        return engine::TrialCast{
+            setup.models, engine::cast_of(*library, setup.skeleton, seed, measured.dynamics), 0};
     }
     const auto lead = measured.library(motion::DanceRole::lead);
     if (!lead) {
@@ -105,13 +107,15 @@ Expected<engine::TrialCast> cast_of(const Measured& measured, const Figures& fig
     if (!follow) {
         return fail(follow.error());
     }
-    return engine::TrialCast{
-        setup.models,
-        {motion::members_of(
-             Formation::couple, Repertoire::of_one(*lead), Repertoire::of_one(*follow), seed),
-         setup.skeleton},
-        // The lead is member 0, the follow member 1.
-        static_cast<std::size_t>(measured.report.role)};
+    return engine::TrialCast{setup.models,
+                             {motion::members_of(Formation::couple,
+                                                 Repertoire::of_one(*lead),
+                                                 Repertoire::of_one(*follow),
+                                                 seed,
+                                                 measured.dynamics),
+                              setup.skeleton},
+                             // The lead is member 0, the follow member 1.
+                             static_cast<std::size_t>(measured.report.role)};
 }
 
 // The figures of a written dance, each danced by itself; empty where the dance was captured.
@@ -246,7 +250,10 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     report.seed = arguments.settings.seed;
     report.generator = arguments.settings.generator;
     // Refers to the report, whose dance and role are set above.
-    const Measured measured{*setup, report, engine::form_of(arguments.settings)};
+    const Measured measured{*setup,
+                            report,
+                            engine::form_of(arguments.settings),
+                            engine::dynamics_of(arguments.settings)};
     // The trained figures say where each step lands: trials and takes are measured against them.
     const auto figures = engine::trained_figures(
         *setup->catalogue.find(report.dance.name), report.role, measured.form.features);

@@ -109,6 +109,11 @@ void add_generator_option(CLI::App& app, engine::Settings& settings) {
         "--generator", settings.generator, "trajectories, or frames: the paper's, for comparison");
 }
 
+void add_dynamics_option(CLI::App& app, engine::Settings& settings) {
+    app.add_option(
+        "--dynamics", settings.dynamics, "on, or off: the dance follows nothing but the beat");
+}
+
 }  // namespace raks::apps
 
 int main(int argc, char** argv) {

@@ -124,6 +124,7 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
     app->add_option("--dance", a->settings.dance, "the dance to measure");
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
+    add_dynamics_option(*app, a->settings);
     app->add_option("--formation", a->settings.formation, "solo or couple")
         ->check(one_of({"solo", "couple"}));
     app->add_option("--seed", a->settings.seed, "same seed, same dance");

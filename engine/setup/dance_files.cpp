@@ -326,6 +326,10 @@ DanceForm form_of(const Settings& settings) {
     return form;
 }
 
+motion::Dynamics dynamics_of(const Settings& settings) {
+    return settings.dynamics == "off" ? motion::Dynamics::off : motion::Dynamics::on;
+}
+
 Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const DanceCatalogue& catalogue,
                                                                  std::string_view dance,
                                                                  const motion::Skeleton& skeleton,
@@ -356,9 +360,13 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const DanceCata
 
 Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
              const motion::Skeleton& skeleton,
-             std::uint64_t seed) {
-    return {motion::members_of(
-                motion::Formation::solo, Repertoire::of_one(std::move(library)), nullptr, seed),
+             std::uint64_t seed,
+             motion::Dynamics dynamics) {
+    return {motion::members_of(motion::Formation::solo,
+                               Repertoire::of_one(std::move(library)),
+                               nullptr,
+                               seed,
+                               dynamics),
             skeleton};
 }
 
@@ -388,10 +396,12 @@ Expected<Dancers> Dancers::load(const Settings& settings,
         loader.follow = std::move(*follow);
     }
     Dancers dancers;
-    dancers.cast_ = {
-        motion::members_of(
-            formation, loader.lead, loader.follow, static_cast<std::uint64_t>(settings.seed)),
-        skeleton};
+    dancers.cast_ = {motion::members_of(formation,
+                                        loader.lead,
+                                        loader.follow,
+                                        static_cast<std::uint64_t>(settings.seed),
+                                        dynamics_of(settings)),
+                     skeleton};
     // From here on the others are solved on their own thread; the future joins it when destroyed.
     const auto others = other_dances(settings, *catalogue.list());
     dancers.others_ =

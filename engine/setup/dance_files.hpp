@@ -66,6 +66,9 @@ class DanceCache {
 /// else that passed validate() is ours) and formation.
 [[nodiscard]] DanceForm form_of(const Settings& settings);
 
+/// Whether the settings ask for dynamics.
+[[nodiscard]] motion::Dynamics dynamics_of(const Settings& settings);
+
 /// Reads the trained figures of a dance and solves them for a skeleton; figures of positions where
 /// the dance has such, else of angles. A dance that an earlier run solved is taken from the cache.
 /// Errors: as DanceCatalogue::read and DanceLibrary::build. Threads: workers. Real-time: no.
@@ -85,7 +88,8 @@ struct Cast {
 /// A cast of one dancer who knows one dance. `seed`: of all random choices.
 [[nodiscard]] Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
                            const motion::Skeleton& skeleton,
-                           std::uint64_t seed);
+                           std::uint64_t seed,
+                           motion::Dynamics dynamics = motion::Dynamics::on);
 
 /// The dancers that the settings ask for: dance, figures, formation, generator and seed. The dance
 /// that a show begins with is ready at once; with `dance = "auto"` a thread of its own solves all

@@ -170,7 +170,8 @@ Formations::Change Formations::form() {
     cast_.members = motion::members_of(asked_,
                                        found.members.front().repertoire,
                                        found.members.back().repertoire,
-                                       static_cast<std::uint64_t>(settings_.seed));
+                                       static_cast<std::uint64_t>(settings_.seed),
+                                       dynamics_of(settings_));
     cast_.skeleton = found.skeleton;
     danced_ = asked_;
     is_waiting_ = false;

@@ -68,6 +68,12 @@ const std::array kKeys = std::to_array<Key>({
     {"dance", "figures", &Settings::figures, 0, 0, "learnt as angles or positions of the joints"},
     {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
     {"dance", "generator", &Settings::generator, 0, 0, "trajectories, or frames: the paper's"},
+    {"dance",
+     "dynamics",
+     &Settings::dynamics,
+     0,
+     0,
+     "on, or off: nothing but the beat is followed"},
     // 9e15: below 2^53, so that a seed survives the comparison in double.
     {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
     {"dance",
@@ -220,6 +226,7 @@ struct Name {
 
 constexpr std::array<std::string_view, 4> kAudioSystems = {"auto", "portaudio", "jack", "pulse"};
 constexpr std::array<std::string_view, 2> kGenerators = {"trajectories", "frames"};
+constexpr std::array<std::string_view, 2> kOnOff = {"on", "off"};
 constexpr std::array<std::string_view, 3> kQualities = {"auto", "fast", "high"};
 constexpr std::array<std::string_view, 3> kViews = {"auto", "skin", "stick"};
 constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
@@ -228,6 +235,7 @@ constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
 const std::array kNames = std::to_array<Name>({
     {"audio.audio_system", &Settings::audio_system, kAudioSystems},
     {"dance.generator", &Settings::generator, kGenerators},
+    {"dance.dynamics", &Settings::dynamics, kOnOff},
     {"picture.quality", &Settings::quality, kQualities},
     {"picture.view", &Settings::view, kViews},
     {"dance.figures", &Settings::figures, kFigures},

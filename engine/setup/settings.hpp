@@ -27,6 +27,7 @@ struct Settings {
     std::string figures = "angles";          ///< learnt as angles or positions of the joints
     std::string formation = "solo";          ///< solo, couple, unison, canon or free
     std::string generator = "trajectories";  ///< or frames: the paper's
+    std::string dynamics = "on";             ///< or off: the dance follows nothing but the beat
     std::int64_t seed = 1;                   ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]
