@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "motion/dance/dynamics/waiting.hpp"
 #include "motion/dancer_state.hpp"
 
 namespace raks::motion {
@@ -19,8 +20,10 @@ constexpr double kLongestStop = 2.6;    // seconds of stillness after which the 
 constexpr double kLongestEnding = 1.8;  // seconds for which the last posture is held
 constexpr double kPaceShare = 0.01;     // a hop; smooths the pace over about a second
 constexpr double kLeadShare = 0.01;     // a hop; another figure's lead takes about a second
-constexpr int kMostBarsUnwanted = 2;    // that a dance is danced on to turn to the front
-constexpr double kTurnsOver = 1.75;     // radians: more is not turned within a step
+constexpr float kFeltShare = 0.02F;     // a hop; a beat is felt within about half a second
+constexpr Nanos kBowAfter = std::chrono::milliseconds(600);  // after the last posture
+constexpr int kMostBarsUnwanted = 2;  // that a dance is danced on to turn to the front
+constexpr double kTurnsOver = 1.75;   // radians: more is not turned within a step
 
 // Beats from the moment shown in which the posture for a stop is looked for. The clock comes to
 // rest after twice the way there.
@@ -94,8 +97,14 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     is_at_line = is_after && !is_after_line;
     is_after_line = is_after;
     phrases.advance(music);
+    grid = music.grid;
+    felt += kFeltShare * ((is_unsure ? 0.0F : 1.0F) - felt);
     if (!still.is_on()) {
         manner.advance(music);
+    }
+    if (bows_at && music.time >= *bows_at + nanos_from_seconds(kBowSeconds)) {
+        bows_at.reset();
+        hands.let_go(Side::right, music.time, kHandsBack);
     }
     if (is_dancing) {
         go_on(music);
@@ -162,7 +171,11 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
     const double rested = still.seconds_at_rest(music.time);
     const bool sounds = music.part != MusicPart::stopped && !music.is_silent;
     if (is_held || rested > (cause == Cause::ending ? kLongestEnding : kLongestStop)) {
+        const bool bows = cause == Cause::ending && !is_held;
         settle(music.time);
+        if (bows) {
+            bow(music.time + kBowAfter);
+        }
         return;
     }
     switch (cause) {
@@ -245,6 +258,7 @@ void Dancer::State::settle(StreamTime now) noexcept {
     is_after_line = false;
     bars_to_wait = part.bars_late;
     bars_unwanted = 0;
+    bows_at.reset();
     still.reset();
     for (const Side side : kSides) {
         hands.let_go(side, now, kHandsBack);
@@ -253,6 +267,12 @@ void Dancer::State::settle(StreamTime now) noexcept {
     stands_turned = part.is_in_couple && sequence.is_turned();
     standing.settle(skeleton, shown, shown_before, floor_frame(shown), place(), now);
     change(now);
+}
+
+/// Thanks the audience.
+void Dancer::State::bow(StreamTime when) noexcept {
+    bows_at = when;
+    hands.go_to(Side::right, HandPlace::belly, when, kHandsToRest);
 }
 
 /// Stops with the music: as soon as it is heard, or so as to stand when it does where that is

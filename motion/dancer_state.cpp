@@ -6,6 +6,8 @@
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
+#include "motion/dance/dynamics/looks.hpp"
+#include "motion/dance/dynamics/waiting.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -113,7 +115,7 @@ void Dancer::State::reset() noexcept RAKS_NONBLOCKING {
     take_up(repertoire->first());
     standing.stand(place());
     bars_to_wait = part.bars_late;
-    shown = shown_before = standing.at(skeleton, StreamTime{});
+    shown = shown_before = waiting(StreamTime{}, Nanos(0));
 }
 
 /// Whether nothing but the figures is to be seen: with the paper's generator.
@@ -137,19 +139,48 @@ Pose Dancer::State::danced(StreamTime now, Nanos ahead) const noexcept {
     return sequence.at(shown_phase(now, ahead), has_dynamics() ? manner.manner() : Manner());
 }
 
+/// The pose of one who does not dance.
+Pose Dancer::State::waiting(StreamTime now, Nanos ahead) const noexcept {
+    const StreamTime time = now + ahead;
+    Pose pose = standing.at(skeleton, time);
+    if (!has_dynamics()) {
+        return pose;
+    }
+    WaitingMoment moment;
+    moment.time = time;
+    moment.seed = part.ways;
+    moment.felt = felt;
+    moment.beat = grid.beats_at(time).count();
+    moment.bowing = bows_at ? to_seconds(time - *bows_at) : -1.0;
+    wait(skeleton, moment, pose);
+    hands.apply(skeleton, time, pose);
+    look(skeleton, time, part.ways, {LookFor::wait, LookFor::wait}, pose);
+    return pose;
+}
+
 /// What the dancer does beside the figures.
 Pose Dancer::State::layered(StreamTime now, Nanos ahead, Pose pose) const noexcept {
     if (still.is_at_rest(now + ahead)) {
         breathe(still.seconds_at_rest(now + ahead), pose);
     }
     hands.apply(skeleton, now + ahead, pose);
+    // One of a couple looks at the other.
+    if (has_dynamics() && !part.is_in_couple) {
+        constexpr double kLooksUp = 0.35;  // seconds
+        Heed heed;
+        if (still.is_on()) {
+            heed.now = LookFor::pose;
+            heed.share = smootherstep(static_cast<float>(still.seconds_on(now + ahead) / kLooksUp));
+        }
+        look(skeleton, now + ahead, part.ways, heed, pose);
+    }
     return pose;
 }
 
 /// The pose before inertialization, its feet as far from their places as at the last hop.
 Pose Dancer::State::target(StreamTime now, Nanos ahead) const noexcept {
     if (!is_dancing) {
-        return layered(now, ahead, standing.at(skeleton, now + ahead));
+        return waiting(now, ahead);
     }
     const Pose pose = danced(now, ahead);
     return is_free() ? pose : layered(now, ahead, feet.with_lag(skeleton, pose));

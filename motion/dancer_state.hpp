@@ -57,6 +57,9 @@ struct Dancer::Course {
     std::uint64_t phrase_asked = ~0ULL;   // the last phrase for which a hold was drawn
     std::uint64_t figure_rested = ~0ULL;  // the last figure for which rests were drawn
     HandRests hands;
+    BeatGrid grid;                        // of the last hop
+    float felt = 0.0F;                    // [0, 1]: how much of the beat is felt, while waiting
+    std::optional<StreamTime> bows_at{};  // a bow begins
     PlantedFeet feet;
 
     Inertialization smoothing;  // decays the jump of the last change
@@ -93,6 +96,7 @@ struct Dancer::State : Dancer::Course {
     void start_at_line(const MusicState& music) noexcept;
     void leave(const MusicState& music) noexcept;
     void settle(StreamTime now) noexcept;
+    void bow(StreamTime when) noexcept;
     [[nodiscard]] bool hold_at_phrase_end(const MusicState& music) noexcept;
     [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;
@@ -105,6 +109,7 @@ struct Dancer::State : Dancer::Course {
     [[nodiscard]] bool is_free() const noexcept;
     [[nodiscard]] bool has_dynamics() const noexcept;
     [[nodiscard]] Beats shown_phase(StreamTime now, Nanos ahead) const noexcept;
+    [[nodiscard]] Pose waiting(StreamTime now, Nanos ahead) const noexcept;
     [[nodiscard]] Pose danced(StreamTime now, Nanos ahead) const noexcept;
     [[nodiscard]] Pose layered(StreamTime now, Nanos ahead, Pose pose) const noexcept;
     [[nodiscard]] Pose target(StreamTime now, Nanos ahead) const noexcept;

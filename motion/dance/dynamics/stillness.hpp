@@ -26,6 +26,10 @@ class Stillness {
 
     /// From begin() to end().
     [[nodiscard]] bool is_on() const noexcept { return is_on_; }
+    /// Seconds since begin().
+    [[nodiscard]] double seconds_on(StreamTime time) const noexcept {
+        return to_seconds(time - began_);
+    }
     /// Whether it has come to rest.
     [[nodiscard]] bool is_at_rest(StreamTime time) const noexcept RAKS_NONBLOCKING;
     /// Seconds since it has come to rest; negative: before.

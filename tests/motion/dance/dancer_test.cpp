@@ -103,7 +103,7 @@ TEST(Dancer, settles_in_silence_and_breathes) {
     EXPECT_LT(std::abs(world.position(Bone::left_foot).z - world.position(Bone::right_foot).z),
               0.05F);
     EXPECT_FALSE(are_same(poses[2500], poses[2600]));
-    EXPECT_LT(largest_step(poses, 1600, 4000), 0.003) << "calm: 0.3 m/s at most";
+    EXPECT_LT(largest_step(poses, 1600, 4000), 0.015) << "calm, though it shakes out its hands";
 }
 
 TEST(Dancer, never_jumps_also_when_the_music_does) {

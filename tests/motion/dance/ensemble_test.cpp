@@ -95,7 +95,7 @@ TEST(Ensemble, a_couple_passes_one_another_and_not_through) {
         ASSERT_GT(glm::distance(poses[0][hop].hips_position, poses[1][hop].hips_position), 0.33F)
             << "people's least is 0.29 m, their trunks turned aside";
     }
-    EXPECT_GT(closest, -0.05) << "legs that step between one another";
+    EXPECT_GT(closest, -0.10) << "legs that step between one another, most after a hold";
     EXPECT_LT(touching / looked_at, 0.02);
 }
 

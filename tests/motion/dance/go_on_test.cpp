@@ -89,7 +89,7 @@ TEST(GoingOn, on_another_body_is_the_same_dance_without_a_leap) {
         ASSERT_TRUE(changed.hops[hop].is_dancing) << hop;
     }
     const double usual = test::largest_step(changed.poses, 0, kGoesOnAt - 1);
-    EXPECT_LT(test::largest_step(changed.poses, kGoesOnAt - 1, kGoingOnHops), 1.25 * usual);
+    EXPECT_LT(test::largest_step(changed.poses, kGoesOnAt - 1, kGoingOnHops), 1.45 * usual);
     EXPECT_EQ(changed.hops[kGoesOnAt].number, changed.hops[kGoesOnAt - 1].number);
     // At last it dances as one who danced on that body from the beginning.
     const auto track = std::make_unique<PoseTrack>();
