@@ -19,6 +19,7 @@ BeatLengths lengths_of(const BeatGrid& grid) noexcept {
         bar *= 2.0;
     }
     lengths.beat = static_cast<int>(beat);
+    lengths.phrase = static_cast<int>(4.0 * beat * grid.beats_per_bar);
     lengths.bar = static_cast<int>(std::min(bar, 400.0));
     return lengths;
 }
@@ -39,7 +40,14 @@ void FormTracker::set_part(MusicState& state) const noexcept {
 void FormTracker::advance(std::span<const float, HopListener::kMelBands> mel,
                           MusicState& state) noexcept RAKS_NONBLOCKING {
     sound_ = listener_.advance(state.level_dbfs, mel);
-    queue(pauses_.advance(state.hop, sound_.level));
+    MusicEvent event = pauses_.advance(state.hop, sound_.level);
+    if (event.kind == MusicEvent::Kind::entry) {
+        sections_.go_on(state.hop);
+    } else if (event.kind == MusicEvent::Kind::end) {
+        // Its last chord or beat is the end; what rings after it is not.
+        event.time = std::min(event.time, accents_.last_onset());
+    }
+    queue(event);
     energy_ = energy_meter_.advance(sound_, pauses_.is_stopped());
     if (!pauses_.is_stopped()) {
         queue(sections_.advance(state.hop, sound_, lengths_of(state.grid)));

@@ -11,18 +11,22 @@ constexpr float kOver = 6.0F;            // dB over that: sounds again
 constexpr float kLeastLevel = -72.0F;    // dBFS: quiet whatever was heard
 constexpr float kFirstLevel = -58.0F;    // dBFS: music that begins is louder
 constexpr float kOverRest = 8.0F;        // dB over the noise of a stop: sounds again
-constexpr float kForget = 0.02F;         // dB a hop that the loudest falls while music sounds
+constexpr float kForget = 0.06F;         // dB a hop that the loudest falls while music sounds
+constexpr float kForgetLong = 0.01F;     // and the loudest of the song
+constexpr float kFarUnder = 50.0F;       // dB under that: quiet, however soft the music was
 constexpr float kForgetStopped = 0.10F;  // and while it is stopped: the next song may be softer
 constexpr float kRestRate = 0.05F;       // a hop, of the smoothed level of a stop
 constexpr int kEntryHops = 2;            // that must sound in a row
-constexpr int kStopHops = 8;             // least pause that is a stop
+constexpr float kCut = 40.0F;            // dB within 30 ms: no instrument falls so fast
+constexpr int kStopHops = 8;             // least pause that is a stop where the sound was cut
+constexpr int kFadedHops = 26;           // and where it faded, as between two notes
 constexpr int kUnsureHops = 70;          // while the song's habits are not known
 constexpr int kMostHops = 150;           // beyond any gap between notes
 constexpr int kHabitHops = 500;          // heard before habits are known
 constexpr HopIndex kRemembered = 1200;   // hops: older gaps are no habit
 constexpr std::size_t kHabit = 3;        // gaps that make one
 constexpr int kShortGap = 40;            // hops: one such gap is a habit already
-constexpr int kLeastGap = 3;             // hops: shorter dips are the ripple of low notes
+constexpr int kShortestGap = 3;          // hops: shorter dips are the ripple of low notes
 constexpr int kEndHops = 300;            // a stop of 3 s is the end
 
 }  // namespace
@@ -31,6 +35,7 @@ float PauseDetector::quiet_level() const noexcept { return std::max(loud_ - kUnd
 
 void PauseDetector::follow_level(float level) noexcept {
     loud_ = std::max(level, loud_ - (is_stopped_ ? kForgetStopped : kForget));
+    song_ = std::max(level, song_ - (is_stopped_ ? kForgetStopped : kForgetLong));
 }
 
 // A pause must be longer than the third longest gap of the last 12 s: what the song did once or
@@ -50,12 +55,12 @@ int PauseDetector::hops_to_stop(HopIndex hop) const noexcept {
         }
     }
     habit = std::max(habit, longest.back());
-    const int least = heard_hops_ < kHabitHops ? kUnsureHops : kStopHops;
+    const int least = heard_hops_ < kHabitHops ? kUnsureHops : is_cut_ ? kStopHops : kFadedHops;
     return std::clamp(habit + habit / 4 + 2, least, kMostHops);
 }
 
 void PauseDetector::remember(HopIndex hop) noexcept {
-    if (quiet_hops_ >= kLeastGap && quiet_hops_ <= kMostHops) {
+    if (quiet_hops_ >= kShortestGap && quiet_hops_ <= kMostHops) {
         gaps_[gap_count_ % kGaps] = {hop, quiet_hops_};
         ++gap_count_;
     }
@@ -67,7 +72,13 @@ MusicEvent PauseDetector::listen(HopIndex hop, float level) noexcept {
     if (level >= quiet_level()) {
         remember(hop);
         heard_hops_ = std::min(heard_hops_ + 1, kHabitHops);
+        std::shift_left(before_.begin(), before_.end(), 1);
+        before_.back() = level;
         return {};
+    }
+    if (quiet_hops_ < 2) {
+        // The hop in which it was cut is half full.
+        is_cut_ = *std::max_element(before_.begin(), before_.end()) - level >= kCut;
     }
     if (++quiet_hops_ < hops_to_stop(hop)) {
         return {};

@@ -1,41 +1,36 @@
 #pragma once
 
+#include <algorithm>
+
 #include "audio/form/hop_sums.hpp"
 
 /// What tells a breakdown, a drop and a build-up: the same for a stream and for a song that is
 /// known.
 namespace raks::audio {
 
-/// How far a stretch fell under the full band: counts of what is gone.
+/// How far a stretch fell under the full band, each share 0 (as full) to 1 (gone).
 struct Fall {
-    bool has_low = true;     ///< the low band is there
-    bool has_beat = true;    ///< its onsets are there
-    bool has_onsets = true;  ///< onsets of all bands are there
-    float level = 0.0F;      ///< dB under the full band
-    float low = 0.0F;        ///< dB of the low band under the full band's
-    /// Whether the rhythm section is gone.
+    float low = 0.0F;         ///< low band: 1 at 8 dB
+    float low_onsets = 0.0F;  ///< 1 at 45 % of them
+    float onsets = 0.0F;      ///< 1 at 60 % of them
+    float level = 0.0F;       ///< 1 at 6 dB
+    /// All together, 0 to 4.
+    [[nodiscard]] float sum() const noexcept { return low + low_onsets + onsets + level; }
+    /// Whether the rhythm section is gone: a softer verse keeps its onsets.
     [[nodiscard]] bool is_breakdown() const noexcept {
-        const int gone = (has_low ? 0 : 1) + (has_beat ? 0 : 1) + (has_onsets ? 0 : 1);
-        return gone >= 2 && level > 2.0F;
+        return sum() > 2.0F && low_onsets + onsets > 0.6F;
     }
     /// Whether the whole band plays.
-    [[nodiscard]] bool is_full() const noexcept {
-        return low < 5.0F && has_beat && has_onsets && level < 3.5F;
-    }
+    [[nodiscard]] bool is_full() const noexcept { return sum() < 1.3F && level < 0.6F; }
 };
 
 /// Compares a stretch of about a bar with the full band.
 [[nodiscard]] inline Fall fall_of(const StretchSound& now, const StretchSound& full) noexcept {
-    constexpr float kLowGone = 8.0F;     // dB
-    constexpr float kBeatGone = 0.45F;   // of the onsets of the low band
-    constexpr float kOnsetsGone = 0.6F;  // of all onsets
-    Fall fall;
-    fall.low = full.low - now.low;
-    fall.level = full.level - now.level;
-    fall.has_low = fall.low < kLowGone;
-    fall.has_beat = now.low_onsets > kBeatGone * full.low_onsets;
-    fall.has_onsets = now.onsets > kOnsetsGone * full.onsets;
-    return fall;
+    const auto share = [](float fallen) { return std::clamp(fallen, 0.0F, 1.0F); };
+    return {share((full.low - now.low) / 8.0F),
+            share((1.0F - now.low_onsets / (full.low_onsets + 1e-4F)) / 0.55F),
+            share((1.0F - now.onsets / (full.onsets + 1e-4F)) / 0.4F),
+            share((full.level - now.level) / 6.0F)};
 }
 
 /// How much the sound falls from one stretch to the next, in shares of the full band: where it is

@@ -1,6 +1,7 @@
 #include "audio/form/section_tracker.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raks::audio {
 namespace {
@@ -10,7 +11,9 @@ constexpr std::size_t kKnown = 25;    // bars after which there is something to 
 constexpr double kFull = 0.7;         // share of the bars that are less full
 constexpr int kSureHops = 12;         // in which a bar must be a breakdown
 constexpr HopIndex kLongest = 4'500;  // hops: after 45 s a breakdown is how the song is
-constexpr float kBuildUpRise = 1.0F;  // rise_of() of a build-up
+constexpr float kBuildUpRise = 1.2F;  // rise_of() of a build-up
+constexpr float kStepLevel = 6.0F;    // dB from the bar before to the first beat of a drop
+constexpr float kStepLow = 6.0F;      // likewise of the low band
 
 }  // namespace
 
@@ -37,7 +40,9 @@ HopIndex SectionTracker::place_of_fall(const BeatLengths& lengths) const noexcep
     float greatest = -1e9F;
     for (std::size_t ago = least; ago <= most; ++ago) {
         const std::size_t from = std::min(sums_.size(), ago + bar);
-        const float step = step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
+        // A short stretch differs by chance.
+        const float sure = std::sqrt(static_cast<float>(std::min(ago, bar)));
+        const float step = sure * step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
         if (step > greatest) {
             greatest = step;
             best = ago;
@@ -62,7 +67,8 @@ HopIndex SectionTracker::place_of_drop(const BeatLengths& lengths) const noexcep
 // While the whole band plays.
 MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noexcept {
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
-    const bool is_known = low_.size() >= kKnown;
+    // After a drop the last bar must be of the whole band.
+    const bool is_known = low_.size() >= kKnown && hop - entered_ > lengths.bar;
     if (!is_known || !fall_of(bar, full_).is_breakdown()) {
         fallen_hops_ = 0;
         if (count_ % kBarEvery == 0) {
@@ -74,21 +80,48 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noex
         return {};
     }
     enter(MusicPart::breakdown, hop);
-    calm_ = bar;
+    calm_ = sums_.mean(2 * static_cast<std::size_t>(lengths.beat), 0);
     calm_hop_ = hop;
-    return {MusicEvent::Kind::breakdown, time_of_hop(place_of_fall(lengths))};
+    fell_ = place_of_fall(lengths);
+    went_on_ = -1;
+    return {MusicEvent::Kind::breakdown, time_of_hop(fell_)};
+}
+
+// Whether everything has come in within the last beat. Loudness alone does not tell it from a
+// build-up, which is as loud in the end: it comes after a stop, or with a great step, or at the end
+// of a phrase.
+bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const auto beat = static_cast<std::size_t>(lengths.beat);
+    const StretchSound now = sums_.mean(beat, 0);
+    if (!fall_of(now, full_).is_full()) {
+        return false;
+    }
+    if (went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat) {
+        return true;
+    }
+    const StretchSound before = sums_.mean(std::min(sums_.size(), 5 * beat), beat);
+    const float step =
+        std::min((now.level - before.level) / kStepLevel, (now.low - before.low) / kStepLow);
+    if (part_ == MusicPart::breakdown && step > 1.0F) {
+        return true;
+    }
+    // Phrases since the breakdown began, one beat ago.
+    const double phrases = static_cast<double>(hop - lengths.beat - fell_) / lengths.phrase;
+    const double apart = std::abs(phrases - std::round(phrases)) * lengths.phrase;
+    return phrases > 0.5 && apart < 0.35 * lengths.beat;
 }
 
 // While the rhythm section is gone.
 MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexcept {
-    const auto beat = static_cast<std::size_t>(lengths.beat);
-    if (fall_of(sums_.mean(beat, 0), full_).is_full()) {
+    if (is_drop(hop, lengths)) {
+        const HopIndex at =
+            went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat ? went_on_ : place_of_drop(lengths);
         enter(MusicPart::playing, hop);
-        return {MusicEvent::Kind::drop, time_of_hop(place_of_drop(lengths))};
+        return {MusicEvent::Kind::drop, time_of_hop(at)};
     }
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
-    const Fall fall = fall_of(bar, full_);
-    if (hop - entered_ > kLongest || (part_ == MusicPart::breakdown && fall.is_full())) {
+    if (hop - entered_ > kLongest ||
+        (part_ == MusicPart::breakdown && fall_of(bar, full_).is_full())) {
         // How the song goes on: there is nothing to wait for.
         for (auto* range : {&low_, &level_, &low_onsets_, &onsets_}) {
             range->reset();
@@ -96,16 +129,22 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
         enter(MusicPart::playing, hop);
         return {};
     }
-    if (bar.level <= calm_.level) {
-        calm_ = bar;
-        calm_hop_ = hop;
+    const auto beat = static_cast<std::size_t>(lengths.beat);
+    const StretchSound now = sums_.mean(2 * beat, 0);
+    if (now.level + now.low <= calm_.level + calm_.low) {
+        calm_ = now;
+        calm_hop_ = hops_[(count_ - 2 * beat) % HopSums::kKept];
     }
-    if (part_ == MusicPart::breakdown && rise_of(calm_, bar, full_) > kBuildUpRise) {
+    // It rises step by step; a drop rises at once.
+    if (part_ == MusicPart::breakdown && rise_of(calm_, now, full_) > kBuildUpRise &&
+        rise_of(calm_, sums_.mean(3 * beat, beat), full_) > 0.4F * kBuildUpRise) {
         part_ = MusicPart::build_up;
         return {MusicEvent::Kind::build_up, time_of_hop(calm_hop_)};
     }
     return {};
 }
+
+void SectionTracker::go_on(HopIndex hop) noexcept RAKS_NONBLOCKING { went_on_ = hop; }
 
 MusicEvent SectionTracker::advance(HopIndex hop,
                                    const HopSound& sound,

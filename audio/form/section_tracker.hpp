@@ -14,8 +14,9 @@ namespace raks::audio {
 
 /// Lengths in hops by the beat grid.
 struct BeatLengths {
-    int beat = 50;  ///< one beat
-    int bar = 200;  ///< one bar, or about 2 s where bars are short
+    int beat = 50;     ///< one beat
+    int bar = 200;     ///< one bar, or two where bars are short
+    int phrase = 800;  ///< four bars
 };
 
 /// Tells in which part of its form music is while it sounds: with the whole band, without its
@@ -27,6 +28,8 @@ class SectionTracker {
     MusicEvent advance(HopIndex hop,
                        const HopSound& sound,
                        const BeatLengths& lengths) noexcept RAKS_NONBLOCKING;
+    /// Music goes on after a stop.
+    void go_on(HopIndex hop) noexcept RAKS_NONBLOCKING;
     /// The part of the music that sounds: playing, breakdown or build_up.
     [[nodiscard]] MusicPart part() const noexcept { return part_; }
     /// Forgets the stream.
@@ -38,6 +41,7 @@ class SectionTracker {
     void remember(const StretchSound& bar) noexcept;
     [[nodiscard]] MusicEvent listen(HopIndex hop, const BeatLengths& lengths) noexcept;
     [[nodiscard]] MusicEvent wait(HopIndex hop, const BeatLengths& lengths) noexcept;
+    [[nodiscard]] bool is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_fall(const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_drop(const BeatLengths& lengths) const noexcept;
     void enter(MusicPart part, HopIndex hop) noexcept;
@@ -48,7 +52,9 @@ class SectionTracker {
     std::array<HopIndex, HopSums::kKept> hops_{};  // of the hops in sums_, ring
     std::array<float, HopSums::kKept> hits_{};     // likewise, of all bands
     std::size_t count_ = 0;
-    int fallen_hops_ = 0;  // in a row in which the last bar was a breakdown
+    int fallen_hops_ = 0;    // in a row in which the last bar was a breakdown
+    HopIndex fell_ = 0;      // hop at which the present breakdown began
+    HopIndex went_on_ = -1;  // hop of the entry after a stop in it; -1: there was none
 
     RunningRange<kRemembered> low_, level_, low_onsets_, onsets_;  // of bars
     StretchSound full_;                                            // their higher values

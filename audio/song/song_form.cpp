@@ -15,7 +15,7 @@ namespace raks::audio {
 namespace {
 
 constexpr std::size_t kAccentReach = 1500;  // hops to either side among which an accent is strong
-constexpr float kLastOnset = 0.3F;  // of the strongest of the last half minute: the last chord
+constexpr std::size_t kLate = 300;          // hops before an onset among which it stands out
 
 // An event at the hop at which it is told.
 struct FormEvent {
@@ -92,10 +92,12 @@ void write_parts(const std::vector<SongPause>& pauses,
     }
 }
 
-// The last onset of the music that counts: its last chord or beat.
-std::size_t last_onset(const std::vector<float>& peaks, const std::vector<float>& strongest) {
+// The last onset of the music that stands out among those before it: its last chord or beat.
+std::size_t last_onset(const std::vector<float>& peaks) {
     for (std::size_t i = peaks.size(); i-- > 0;) {
-        if (peaks[i] > 0.0F && peaks[i] >= kLastOnset * strongest[i]) {
+        const auto at = peaks.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto first = at - static_cast<std::ptrdiff_t>(std::min(i, kLate));
+        if (*at > 0.0F && *at >= AccentDetector::kStandsOut * *std::max_element(first, at + 1)) {
             return i;
         }
     }
@@ -197,8 +199,7 @@ void write_form(const SongRecording& song,
     const std::vector<float> strongest = strongest_around(peaks);
     write_accents(song.sounds, peaks, strongest, states);
     write_parts(pauses, breakdowns, states);
-    write_events(events_of(pauses, breakdowns, last_onset(peaks, strongest), states.size()),
-                 states);
+    write_events(events_of(pauses, breakdowns, last_onset(peaks), states.size()), states);
 }
 
 }  // namespace raks::audio

@@ -9,8 +9,9 @@ namespace {
 constexpr float kUnder = 30.0F;           // dB under the loudest around: quiet
 constexpr float kLeastLevel = -72.0F;     // dBFS: quiet whatever is around
 constexpr std::size_t kBlock = 100;       // hops of which the loudest is kept
-constexpr std::size_t kAround = 8;        // blocks on either side
-constexpr std::size_t kLeastGap = 3;      // of a gap: shorter dips are the ripple of low notes
+constexpr std::size_t kAround = 2;        // blocks on either side
+constexpr float kFarUnder = 50.0F;        // dB under the loudest of the song: quiet in any case
+constexpr std::size_t kShortestGap = 3;   // of a gap: shorter dips are the ripple of low notes
 constexpr std::size_t kHabitHops = 1600;  // on either side of a pause in which others are alike
 constexpr std::size_t kHabit = 3;         // others that make it a habit
 
@@ -20,13 +21,14 @@ std::vector<float> quiet_levels(std::span<const HopSound> sounds) {
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         loudest[i / kBlock] = std::max(loudest[i / kBlock], sounds[i].level);
     }
+    const float song = *std::max_element(loudest.begin(), loudest.end());
     std::vector<float> quiet(loudest.size());
     for (std::size_t i = 0; i < loudest.size(); ++i) {
         const std::size_t first = i - std::min(i, kAround);
         const std::size_t end = std::min(loudest.size(), i + kAround + 1);
         const float around = *std::max_element(loudest.begin() + static_cast<std::ptrdiff_t>(first),
                                                loudest.begin() + static_cast<std::ptrdiff_t>(end));
-        quiet[i] = std::max(around - kUnder, kLeastLevel);
+        quiet[i] = std::max({around - kUnder, song - kFarUnder, kLeastLevel});
     }
     return quiet;
 }
@@ -45,7 +47,7 @@ std::vector<SongPause> find_gaps(std::span<const HopSound> sounds) {
             gaps.push_back({i, i + 1});
         }
     }
-    std::erase_if(gaps, [](const SongPause& gap) { return gap.hops() < kLeastGap; });
+    std::erase_if(gaps, [](const SongPause& gap) { return gap.hops() < kShortestGap; });
     return gaps;
 }
 
