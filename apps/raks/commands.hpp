@@ -149,13 +149,14 @@ struct EvalDanceArguments {
     engine::Settings settings;                         ///< of the files and the options
     motion::DanceRole role = motion::DanceRole::lead;  ///< which part is measured
     std::vector<std::string> trials;                   ///< by name; empty: all
-    Path clips;            ///< folder of people's clips, TAKE.bvh; empty: none
-    Path labels;           ///< TSV; needed with clips
-    Path counts;           ///< TSV; empty: counts lie evenly in a label, no BAS
-    Path faults;           ///< TSV of capture faults; empty: none
-    double fps = 0.0;      ///< of the clips; 0: the files'
-    double scale = 1.0;    ///< metres per unit of the clips
-    bool as_json = false;  ///< one JSON document instead of text
+    std::vector<Path> against;  ///< music; its loudness is compared with the dance, nothing else is
+    Path clips;                 ///< folder of people's clips, TAKE.bvh; empty: none
+    Path labels;                ///< TSV; needed with clips
+    Path counts;                ///< TSV; empty: counts lie evenly in a label, no BAS
+    Path faults;                ///< TSV of capture faults; empty: none
+    double fps = 0.0;           ///< of the clips; 0: the files'
+    double scale = 1.0;         ///< metres per unit of the clips
+    bool as_json = false;       ///< one JSON document instead of text
 };
 /// Measures the dancer, from generated music to poses, beside people's clips.
 [[nodiscard]] ExitCode eval_dance(const EvalDanceArguments& arguments);
@@ -231,9 +232,12 @@ struct StickArguments {
 
 /// Arguments of `raks synth`.
 struct SynthArguments {
-    std::string style;      ///< of the generator, or a dance; empty: the first dance's
-    Path output;            ///< .wav
-    Path beats;             ///< its beats as text; empty: not written
+    std::string style;  ///< of the generator, or a dance; empty: the first dance's
+    Path output;        ///< .wav
+    Path beats;         ///< its beats as text; empty: not written
+    Path events;        ///< its sections' events as text; empty: not written
+    /// "steady", "song": drawn from the seed, or sections and their beats (audio::parse_form)
+    std::string form = "steady";
     double bpm = 0.0;       ///< [50, 230]; 0: the usual tempo of the style
     double seconds = 60;    ///< (0, 3600]
     std::int64_t seed = 1;  ///< same seed, same music

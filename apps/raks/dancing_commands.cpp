@@ -206,6 +206,11 @@ void add_synth(RaksCommands& table) {
         "clicks; none: the first dance's");
     app->add_option("-o,--out", a->output, "X.wav")->required();
     app->add_option("--beats", a->beats, "X.beats: when each beat falls, and its place in the bar");
+    app->add_option("--form",
+                    a->form,
+                    "steady; song: one drawn from the seed; or sections and their beats, such as "
+                    "full:32,breakdown:16,stop:4,drop:32,ending:8");
+    app->add_option("--events", a->events, "X.events: when sections begin, stop and end");
     app->add_option("--bpm", a->bpm, "tempo; else the usual one of the style")
         ->check(in_range(50.0, 230.0));
     app->add_option("--duration", a->seconds, "seconds")->check(in_range(1.0, 3600.0));

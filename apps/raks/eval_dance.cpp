@@ -9,6 +9,7 @@
 #include "apps/reports/eval_dance_report.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "audio/io/audio_file.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/trials/trained_figures.hpp"
@@ -19,7 +20,10 @@ namespace {
 
 using Figures = std::vector<motion::FigureModel>;
 
-// All standard trials of the dance, or those named. Errors: an unknown name.
+// The name of the trial that measures the dynamics; it has no landings, feet and jerks.
+constexpr std::string_view kDynamicsTrial = "dynamics";
+
+// All standard trials of the dance, or those named but for kDynamicsTrial. Errors: an unknown name.
 Expected<std::vector<engine::DanceTrial>> chosen_trials(const DanceInfo& dance,
                                                         const Figures& figures,
                                                         const std::vector<std::string>& names) {
@@ -37,12 +41,16 @@ Expected<std::vector<engine::DanceTrial>> chosen_trials(const DanceInfo& dance,
     }
     // For the suggestion.
     std::vector<std::string_view> known;
-    known.reserve(all.size());
+    known.reserve(all.size() + 1);
     for (const engine::DanceTrial& trial : all) {
         known.push_back(trial.name);
     }
+    known.push_back(kDynamicsTrial);
     std::vector<engine::DanceTrial> chosen;
     for (const std::string& name : names) {
+        if (name == kDynamicsTrial) {
+            continue;
+        }
         const auto found = std::find_if(
             all.begin(), all.end(), [&](const auto& trial) { return trial.name == name; });
         if (found == all.end()) {
@@ -118,6 +126,58 @@ Expected<std::vector<engine::DancedWrittenFigure>> written_of(const Measured& me
                                           static_cast<std::uint64_t>(measured.report.seed));
 }
 
+// The dynamics, where they were asked for.
+Expected<std::optional<DynamicsReport>> dynamics_of(const EvalDanceArguments& arguments,
+                                                    const DanceInfo& dance,
+                                                    const engine::TrialCast& cast,
+                                                    ProgressLine& progress) {
+    const auto& names = arguments.trials;
+    if (!names.empty() && std::find(names.begin(), names.end(), kDynamicsTrial) == names.end()) {
+        return std::optional<DynamicsReport>();
+    }
+    const auto seed = static_cast<std::uint64_t>(arguments.settings.seed);
+    progress.show("dynamics, known");
+    auto known = engine::run_dynamics_trial(dance, cast, seed, engine::Knowledge::known);
+    if (!known) {
+        return fail(std::move(known.error()).in("dynamics"));
+    }
+    progress.show("dynamics, live");
+    auto live = engine::run_dynamics_trial(dance, cast, seed, engine::Knowledge::live);
+    if (!live) {
+        return fail(std::move(live.error()).in("dynamics"));
+    }
+    return std::optional(DynamicsReport{*known, *live});
+}
+
+// How the dances to the files follow their loudness; empty when a signal came before all were done.
+Expected<std::vector<FollowedFile>> followed_files(const std::vector<Path>& files,
+                                                   const engine::TrialCast& cast) {
+    std::vector<FollowedFile> followed;
+    ProgressLine progress("dancing");
+    for (const Path& file : files) {
+        progress.show(file.filename().string());
+        const auto music = audio::read_all_mono(file);
+        if (!music) {
+            return fail(music.error());
+        }
+        FollowedFile& one = followed.emplace_back();
+        one.name = file.filename().string();
+        for (const auto& [result, knowledge] : {std::pair{&one.known, engine::Knowledge::known},
+                                                {&one.live, engine::Knowledge::live}}) {
+            if (stop_signal()) {
+                return std::vector<FollowedFile>();  // half a table would mislead
+            }
+            auto following =
+                engine::loudness_following(music->samples, music->rate, cast, knowledge);
+            if (!following) {
+                return fail(std::move(following.error()).in(file.string()));
+            }
+            *result = *following;
+        }
+    }
+    return followed;
+}
+
 // People's takes, measured like trials; none without clips.
 Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& arguments,
                                                motion::DanceRole role,
@@ -147,10 +207,34 @@ Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& argumen
     return as_rows(*takes);
 }
 
+// The dances that `raks dance` would dance to these files, which need not be one dance.
+ExitCode eval_against(EvalDanceArguments& arguments) {
+    const auto setup = open_dancers(arguments.settings);
+    if (!setup) {
+        return fail(setup.error());
+    }
+    const auto files = followed_files(arguments.against, {setup->models, setup->dancers.cast(), 0});
+    if (!files) {
+        return fail(files.error());
+    }
+    if (files->empty()) {
+        return kExitDone;  // stopped: half a table would mislead
+    }
+    if (arguments.as_json) {
+        print_json(to_json(std::span(*files)));
+    } else {
+        print_text(to_text(std::span(*files)));
+    }
+    return kExitDone;
+}
+
 }  // namespace
 
 ExitCode eval_dance(const EvalDanceArguments& given) {
     EvalDanceArguments arguments = given;
+    if (!arguments.against.empty()) {
+        return eval_against(arguments);
+    }
     const auto setup = open_dances(arguments.settings);
     if (!setup) {
         return fail(setup.error());
@@ -183,11 +267,14 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
         return fail(people.error());
     }
     report.people = std::move(*people);
-    auto written = written_of(measured);
-    if (!written) {
-        return fail(written.error());
+    // The figures by themselves are not of the dynamics.
+    if (arguments.trials.empty() || !trials->empty()) {
+        auto written = written_of(measured);
+        if (!written) {
+            return fail(written.error());
+        }
+        report.written = std::move(*written);
     }
-    report.written = std::move(*written);
     // In a scope of its own: the progress line is cleared before the report is printed.
     {
         ProgressLine progress("dancing");
@@ -202,6 +289,11 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
             }
             report.trials.push_back({trial.name, trial.kind, std::move(*result)});
         }
+        auto dynamics = dynamics_of(arguments, report.dance, *cast, progress);
+        if (!dynamics) {
+            return fail(std::move(dynamics.error()));
+        }
+        report.dynamics = std::move(*dynamics);
     }
     if (arguments.as_json) {
         print_json(to_json(report));

@@ -127,8 +127,12 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
     app->add_option("--formation", a->settings.formation, "solo or couple")
         ->check(one_of({"solo", "couple"}));
     app->add_option("--seed", a->settings.seed, "same seed, same dance");
-    app->add_option("--trial", a->trials, "only this one, such as drums-120")
-        ->allow_extra_args(false);
+    auto* const trial =
+        app->add_option("--trial", a->trials, "only this one, such as drums-120 or dynamics")
+            ->allow_extra_args(false);
+    app->add_option(
+           "--against", a->against, "music files: how dances to them follow their loudness")
+        ->excludes(trial);
     auto* clips = app->add_option("--clips", a->clips, "folder of people's clips, TAKE.bvh");
     auto* labels =
         app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");

@@ -1,5 +1,9 @@
 #include "apps/raks/commands.hpp"
 
+#include <array>
+#include <string>
+#include <string_view>
+
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/pending_file.hpp"
@@ -59,6 +63,35 @@ std::string text_of(const std::vector<audio::ReferenceBeat>& beats) {
     return text;
 }
 
+// One event a line: seconds, and what happens.
+std::string text_of(const std::vector<MusicEvent>& events) {
+    std::string text;
+    for (const MusicEvent& event : events) {
+        text += fmt::format("{:.6f}\t{}\n", to_seconds(event.time), audio::event_name(event.kind));
+    }
+    return text;
+}
+
+// "steady", "song" or sections with their beats, as the form of this plan.
+Expected<std::vector<audio::FormSection>> form_of(const std::string& form,
+                                                  const audio::MusicPlan& plan) {
+    if (form == "steady") {
+        return std::vector<audio::FormSection>{};
+    }
+    if (form == "song") {
+        return audio::song_form_of(plan);
+    }
+    if (form.find(':') == std::string::npos) {
+        constexpr std::array<std::string_view, 2> kForms{"steady", "song"};
+        return fail(unknown_name("--form", form, kForms) + ", or sections such as full:32,stop:4");
+    }
+    auto sections = audio::parse_form(form);
+    if (!sections) {
+        return fail(std::move(sections.error()).in("--form"));
+    }
+    return sections;
+}
+
 // Block by block: an hour would not fit into the memory of small machines.
 ExitCode write_music(const audio::MusicPlan& plan, const SynthArguments& arguments) {
     auto file = audio::WavWriter::create(
@@ -67,18 +100,23 @@ ExitCode write_music(const audio::MusicPlan& plan, const SynthArguments& argumen
         return fail(file.error());
     }
     Expected<void> wrote;
-    const auto beats = audio::generate(plan, [&](std::span<const float> samples) {
+    const auto truth = audio::generate(plan, [&](std::span<const float> samples) {
         wrote = file->write(samples);
         return wrote.has_value();
     });
-    if (!beats) {
-        return fail(wrote ? beats.error() : wrote.error());
+    if (!truth) {
+        return fail(wrote ? truth.error() : wrote.error());
     }
     if (auto written = file->commit(); !written) {
         return fail(written.error());
     }
     if (!arguments.beats.empty()) {
-        if (auto written = write_file(arguments.beats, text_of(*beats)); !written) {
+        if (auto written = write_file(arguments.beats, text_of(truth->beats)); !written) {
+            return fail(written.error());
+        }
+    }
+    if (!arguments.events.empty()) {
+        if (auto written = write_file(arguments.events, text_of(truth->events)); !written) {
             return fail(written.error());
         }
     }
@@ -91,8 +129,8 @@ ExitCode synth(const SynthArguments& arguments) {
     if (arguments.output.extension() != ".wav") {
         return fail(arguments.output.string() + ": cannot write this kind of sound; known: .wav");
     }
-    // Both files can be written, or neither is.
-    for (const Path& file : {arguments.output, arguments.beats}) {
+    // All files can be written, or none is.
+    for (const Path& file : {arguments.output, arguments.beats, arguments.events}) {
         if (auto checked = file.empty() ? Expected<void>() : check_output(file, {}); !checked) {
             return fail(checked.error());
         }
@@ -101,12 +139,17 @@ ExitCode synth(const SynthArguments& arguments) {
     if (!what) {
         return fail(what.error());
     }
-    // All but these four are the generator's defaults.
+    // All but these are the generator's defaults.
     audio::MusicPlan plan;
     plan.style = what->style;
     plan.tempo = {{0.0, arguments.bpm > 0.0 ? arguments.bpm : what->tempo.bpm()}};
     plan.seconds = arguments.seconds;
     plan.seed = static_cast<std::uint64_t>(arguments.seed);
+    auto form = form_of(arguments.form, plan);
+    if (!form) {
+        return fail(std::move(form.error()));
+    }
+    plan.form = std::move(*form);
     return write_music(plan, arguments);
 }
 

@@ -163,6 +163,9 @@ std::string to_json(const DanceReport& report) {
     }
     // Over all trials together.
     document["figures"] = figures_of(report.trials);
+    if (report.dynamics) {
+        document["dynamics"] = to_json(*report.dynamics);
+    }
     if (!report.written.empty()) {
         document["written_figures"] = written_of(report);
     }

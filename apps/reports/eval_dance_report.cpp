@@ -31,20 +31,6 @@ constexpr std::array<TopicTitle, 4> kTopics = {
 // A number with the quantity's decimals.
 std::string number(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
 
-// A bound as text: "<= 25", ">= 0.95" or "-15..15"; empty where there is none.
-std::string bound_cell(const std::optional<Bound>& bound, int digits) {
-    if (!bound) {
-        return "";
-    }
-    if (std::isinf(bound->lowest)) {
-        return "<= " + number(bound->highest, digits);
-    }
-    if (std::isinf(bound->highest)) {
-        return ">= " + number(bound->lowest, digits);
-    }
-    return number(bound->lowest, digits) + ".." + number(bound->highest, digits);
-}
-
 // A value as text; "!" marks one that lies outside its bound.
 std::string value_cell(const DanceQuantity& quantity,
                        const MeasuredDance& dance,
@@ -263,6 +249,11 @@ std::string verdict(const DanceReport& report) {
         bounded += 2;
         outside += (figure.faults.empty() ? 0U : 1U) + (is_varied(figure) ? 0U : 1U);
     }
+    if (report.dynamics) {
+        const Verdict dynamics = verdict_of(*report.dynamics);
+        bounded += dynamics.bounded;
+        outside += dynamics.outside;
+    }
     return fmt::format(
         "{} of {} values that have a bound are within it\n", bounded - outside, bounded);
 }
@@ -357,14 +348,20 @@ std::string to_text(const DanceReport& report) {
     if (!report.people.empty()) {
         rows.push_back(&people.emplace(all_people(report.people)));
     }
+    // Without trials and people the tables would be empty: only the dynamics were asked for.
     for (const TopicTitle& topic : kTopics) {
-        text += table_of(rows, jerk_standard(report.dance, report.role), topic);
+        text += rows.empty() ? "" : table_of(rows, jerk_standard(report.dance, report.role), topic);
     }
     if (people) {
         text += paces_table(report);
     }
-    return text + figures_table(report) + written_table(report) + couple_table(report) +
-           verdict(report);
+    if (!rows.empty()) {
+        text += figures_table(report);
+    }
+    if (report.dynamics) {
+        text += to_text(*report.dynamics);
+    }
+    return text + written_table(report) + couple_table(report) + verdict(report);
 }
 
 }  // namespace raks::apps

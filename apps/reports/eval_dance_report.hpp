@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "apps/reports/bound.hpp"
+#include "apps/reports/eval_dynamics_report.hpp"
 #include "engine/trials/dance_trial.hpp"
 #include "engine/trials/figure_alone.hpp"
 #include "motion/evaluate/captured_dance.hpp"
@@ -20,17 +21,6 @@ struct MeasuredDance {
     std::optional<engine::TrialKind> kind;  ///< none: a take of people
     engine::TrialResult result;         ///< of people only what they have: landings and measures
     motion::JerkByPace jerk_by_pace{};  ///< of people only
-};
-
-/// The range that a quantity must lie in, both ends included.
-struct Bound {
-    double lowest = -std::numeric_limits<double>::infinity();  ///< -infinity: no lower bound
-    double highest = std::numeric_limits<double>::infinity();  ///< +infinity: no upper bound
-
-    /// True inside the range; false for NaN.
-    [[nodiscard]] bool holds(double value) const noexcept {
-        return value >= lowest && value <= highest;
-    }
 };
 
 /// Bounds of the jerk, m/s^3: relative to the people that a dance was learnt from, or, for a
@@ -52,6 +42,7 @@ struct DanceReport {
     std::vector<MeasuredDance> trials;  ///< one a trial, in the order of standard_trials()
     std::vector<MeasuredDance> people;  ///< by take, empty without clips
     std::vector<engine::DancedWrittenFigure> written;  ///< each by itself; empty: captured
+    std::optional<DynamicsReport> dynamics;            ///< none: they were not measured
 };
 
 /// Captured takes as rows of the report. What only a dancer has (pace, re-anchors) stays empty.

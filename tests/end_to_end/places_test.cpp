@@ -94,6 +94,31 @@ TEST_F(Places, a_signal_ends_the_loading_at_once) {
     EXPECT_FALSE(fs::exists(path("x.bvh"))) << "it did not go on to dance";
 }
 
+TEST_F(Places, a_form_is_played_and_its_events_are_written) {
+    const ProcessResult result = run({"synth",
+                                      "drums",
+                                      "-o",
+                                      path("a.wav"),
+                                      "--form",
+                                      "full:8,breakdown:8,stop:4,drop:8,ending:4",
+                                      "--events",
+                                      path("a.events"),
+                                      "--duration",
+                                      "20"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(read_file(path("a.events")).value(),
+              "0.000000\tentry\n4.000000\tbreakdown\n8.000000\tstop\n10.000000\tdrop\n"
+              "14.000000\tend\n");
+    const ProcessResult wrong = run({"synth", "drums", "-o", path("b.wav"), "--form", "songs"});
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_TRUE(is_one_error_line(wrong.err)) << wrong.err;
+    EXPECT_FALSE(fs::exists(path("b.wav")));
+    ASSERT_EQ(run({"synth", "--form", "song", "-o", path("c.wav"), "--events", path("c.events")})
+                  .exit_code,
+              0);
+    EXPECT_NE(read_file(path("c.events")).value().find("drop"), std::string::npos);
+}
+
 TEST_F(Places, music_of_our_own_comes_with_its_beats_and_the_tempo_of_its_style) {
     for (const auto& [style, seconds_a_beat, bar] :
          {std::tuple{"waltz", 60.0 / 140.0, 3}, std::tuple{"clicks", 0.5, 4}}) {

@@ -155,10 +155,14 @@ void Reverb::clear() {
     }
 }
 
-Mixer::Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score)
+Mixer::Mixer(const MusicPlan& plan,
+             const TempoCurve& curve,
+             const Notes& score,
+             std::span<const SectionSpan> form)
     : plan_(plan),
       total_frames_(std::llround(plan.seconds * plan.rate.hertz())),
-      reverb_(plan.rate.hertz()) {
+      reverb_(plan.rate.hertz()),
+      form_sound_(form, curve, plan.rate.hertz()) {
     int stroke = 0;
     // Lengths and brightness are rounded, so that few different sounds are needed.
     for (const Note& note : score) {
@@ -224,6 +228,7 @@ bool Mixer::render_silence(std::int64_t frames, const MusicSink& sink) {
 // One stretch from silence to silence: notes from before are not continued in it.
 bool Mixer::render_stretch(std::int64_t from, std::int64_t to, const MusicSink& sink) {
     reverb_.clear();
+    form_sound_.begin(from);
     playing_.clear();
     while (next_event_ < events_.size() && events_[next_event_].start < from) {
         ++next_event_;  // would have started inside the silence
@@ -237,6 +242,7 @@ bool Mixer::render_stretch(std::int64_t from, std::int64_t to, const MusicSink& 
             static_cast<std::size_t>(std::min(to - at, static_cast<std::int64_t>(kBlock)));
         mix_events(at, frames);
         reverb_.process(std::span(send_).first(frames), left_, right_);
+        form_sound_.process(at, std::span(left_).first(frames), std::span(right_).first(frames));
         const std::span<float> block = limited(frames);
         for (std::size_t i = 0; i < frames; ++i) {
             const std::int64_t left = to - 1 - at - static_cast<std::int64_t>(i);

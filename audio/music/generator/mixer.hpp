@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "audio/music/generator/form_sound.hpp"
 #include "audio/music/generator/notes.hpp"
 #include "audio/music/generator/tempo_curve.hpp"
 
@@ -47,8 +48,12 @@ struct FrameRange {
 /// and limits the sum softly.
 class Mixer {
  public:
-    /// Makes all sounds that the score needs. `curve`: times of the notes' beats.
-    Mixer(const MusicPlan& plan, const TempoCurve& curve, const Notes& score);
+    /// Makes all sounds that the score needs. `curve`: times of the notes' beats. `form`: levels
+    /// and filters of the sections; empty: none.
+    Mixer(const MusicPlan& plan,
+          const TempoCurve& curve,
+          const Notes& score,
+          std::span<const SectionSpan> form);
     /// The whole piece in order, stereo, interleaved, as blocks to `sink`; digital silence in
     /// `silences` (ascending, not overlapping). Ends early, with false, when `sink` returns false.
     /// To be called once.
@@ -85,6 +90,7 @@ class Mixer {
     std::size_t next_event_ = 0;
     std::vector<Event> playing_;  // events that overlap the current block
     Reverb reverb_;
+    FormSound form_sound_;
     std::array<float, kBlock> left_{};
     std::array<float, kBlock> right_{};
     std::array<float, kBlock> send_{};

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "audio/music/generator/form_score.hpp"
 #include "audio/music/generator/mixer.hpp"
 #include "audio/music/generator/notes.hpp"
 #include "base/suggest.hpp"
@@ -81,6 +82,13 @@ std::string faults_of(const MusicPlan& plan) {
                    "channels is " + std::to_string(plan.channels) + ", must be 1 or 2");
     faults.require(is_in(plan.first_beat_seconds, 0.0, kMaxSeconds),
                    "first_beat_seconds must be 0 to 3600");
+    faults.require(plan.form.empty() || plan.silences.empty(),
+                   "form and silences cannot both be given: stops are sections");
+    for (std::size_t i = 0; i < plan.form.size(); ++i) {
+        faults.require(plan.form[i].beats >= 1 && plan.form[i].beats <= 10'000,
+                       "form[" + std::to_string(i) + "].beats is " +
+                           std::to_string(plan.form[i].beats) + ", must be 1 to 10000");
+    }
     return faults.text();
 }
 
@@ -107,21 +115,63 @@ Notes write_score(Style style, double beats, std::uint64_t seed) {
     return {};
 }
 
+// The sections of the form that begin inside the piece, the last one cut at its end.
+std::vector<SectionSpan> played_spans(const MusicPlan& plan, const TempoCurve& curve) {
+    std::vector<SectionSpan> spans = spans_of(plan.form);
+    std::erase_if(spans, [&](const SectionSpan& span) {
+        return curve.seconds_at(span.from) >= plan.seconds;
+    });
+    return spans;
+}
+
+// Stretches without sound, seconds: those of the plan, or the form's stops and all after its end.
+std::vector<Silence> silences_of(const MusicPlan& plan,
+                                 const TempoCurve& curve,
+                                 std::span<const SectionSpan> form) {
+    if (form.empty()) {
+        return plan.silences;
+    }
+    std::vector<Silence> silences;
+    for (const SectionSpan& section : form) {
+        if (section.kind == SectionKind::stop) {
+            silences.push_back({curve.seconds_at(section.from), curve.seconds_at(section.to)});
+        }
+    }
+    silences.push_back({curve.seconds_at(form.back().to), plan.seconds});
+    std::erase_if(silences, [](const Silence& silence) {
+        return silence.to_seconds <= silence.from_seconds;
+    });
+    return silences;
+}
+
 // In frames, rounded as the mixer rounds the starts of notes.
-std::vector<FrameRange> silent_frames(const MusicPlan& plan) {
+std::vector<FrameRange> frames_of(std::span<const Silence> silences, SampleRate rate) {
     std::vector<FrameRange> ranges;
-    for (const Silence& silence : plan.silences) {
-        ranges.push_back({std::llround(silence.from_seconds * plan.rate.hertz()),
-                          std::llround(silence.to_seconds * plan.rate.hertz())});
+    for (const Silence& silence : silences) {
+        ranges.push_back({std::llround(silence.from_seconds * rate.hertz()),
+                          std::llround(silence.to_seconds * rate.hertz())});
     }
     return ranges;
+}
+
+// Whether a form has anything that starts at this beat.
+bool is_played(int beat, std::span<const SectionSpan> form) {
+    for (const SectionSpan& section : form) {
+        if (beat >= section.from && beat < section.to) {
+            const bool rings =
+                section.kind == SectionKind::hit_stop || section.kind == SectionKind::ending;
+            return rings ? beat == section.from : section.kind != SectionKind::stop;
+        }
+    }
+    return form.empty();
 }
 
 // Beats of the tempo curve up to the end; a beat is audible when its frame is in no silence, by the
 // same rounding as the mixer's.
 std::vector<ReferenceBeat> reference_beats(const MusicPlan& plan,
                                            const TempoCurve& curve,
-                                           const std::vector<FrameRange>& silences) {
+                                           const std::vector<FrameRange>& silences,
+                                           std::span<const SectionSpan> form) {
     const int bar = beats_per_bar(plan.style);
     std::vector<ReferenceBeat> beats;
     for (int number = 0;; ++number) {
@@ -130,12 +180,63 @@ std::vector<ReferenceBeat> reference_beats(const MusicPlan& plan,
         if (seconds >= plan.seconds) {
             return beats;
         }
-        bool is_audible = true;
+        bool is_audible = is_played(number, form);
         for (const FrameRange& silence : silences) {
             is_audible = is_audible && (frame < silence.from || frame >= silence.to);
         }
         beats.push_back({stream_time_from_seconds(seconds), number % bar + 1, is_audible});
     }
+}
+
+// The sections in time. Without a form: sound, and a stop for each silence of the plan.
+std::vector<PlayedSection> played_sections(const MusicPlan& plan,
+                                           const TempoCurve& curve,
+                                           std::span<const SectionSpan> form) {
+    std::vector<PlayedSection> sections;
+    const auto add = [&](SectionKind kind, double from, double to) {
+        if (from < std::min(to, plan.seconds)) {
+            sections.push_back({kind,
+                                stream_time_from_seconds(from),
+                                stream_time_from_seconds(std::min(to, plan.seconds))});
+        }
+    };
+    for (const SectionSpan& section : form) {
+        add(section.kind, curve.seconds_at(section.from), curve.seconds_at(section.to));
+    }
+    if (form.empty()) {
+        double from = curve.seconds_at(0);
+        for (const Silence& silence : plan.silences) {
+            add(SectionKind::full, from, silence.from_seconds);
+            from = std::max(from, silence.from_seconds);
+            add(SectionKind::stop, from, silence.to_seconds);
+            from = std::max(from, silence.to_seconds);
+        }
+        add(SectionKind::full, from, plan.seconds);
+    }
+    return sections;
+}
+
+// Every eighth bar of each section that sounds; without a form of the whole piece.
+std::vector<StreamTime> phrase_starts(const MusicPlan& plan,
+                                      const TempoCurve& curve,
+                                      std::span<const SectionSpan> form) {
+    const int phrase = 8 * beats_per_bar(plan.style);
+    std::vector<StreamTime> starts;
+    const auto add = [&](double from, double to) {
+        for (double beat = from; beat < to && curve.seconds_at(beat) < plan.seconds;
+             beat += phrase) {
+            starts.push_back(stream_time_from_seconds(curve.seconds_at(beat)));
+        }
+    };
+    for (const SectionSpan& section : form) {
+        if (part_of(section.kind) != MusicPart::stopped) {
+            add(section.from, section.to);
+        }
+    }
+    if (form.empty()) {
+        add(0.0, curve.beats_at(plan.seconds));
+    }
+    return starts;
 }
 
 }  // namespace
@@ -178,15 +279,29 @@ std::int64_t frames_of(const MusicPlan& plan) noexcept {
     return std::llround(plan.seconds * plan.rate.hertz());
 }
 
-Expected<std::vector<ReferenceBeat>> generate(const MusicPlan& plan, const MusicSink& sink) {
+std::vector<FormSection> song_form_of(const MusicPlan& plan) {
+    const TempoCurve curve(plan.tempo, plan.first_beat_seconds);
+    const int bar = beats_per_bar(plan.style);
+    const double bars = curve.beats_at(plan.seconds) / bar;
+    return draw_form({.bars = std::max(static_cast<int>(bars), 1),
+                      .beats_per_bar = bar,
+                      .bar_seconds = plan.seconds / std::max(bars, 1.0),
+                      .seed = plan.seed});
+}
+
+Expected<MusicTruth> generate(const MusicPlan& plan, const MusicSink& sink) {
     if (const std::string faults = faults_of(plan); !faults.empty()) {
         return fail("music plan: " + faults);
     }
     const TempoCurve curve(plan.tempo, plan.first_beat_seconds);
-    const std::vector<FrameRange> silences = silent_frames(plan);
+    const std::vector<SectionSpan> form = played_spans(plan, curve);
+    const std::vector<FrameRange> silences = frames_of(silences_of(plan, curve, form), plan.rate);
     // As many beats as fit into the piece by the tempo curve.
-    const Notes score = write_score(plan.style, curve.beats_at(plan.seconds), plan.seed);
-    Mixer mixer(plan, curve, score);
+    Notes score = write_score(plan.style, curve.beats_at(plan.seconds), plan.seed);
+    if (!form.empty()) {
+        score = arrange(std::move(score), form, plan.style);
+    }
+    Mixer mixer(plan, curve, score, form);
     std::vector<float> mono;
     const auto to_mono = [&](std::span<const float> stereo) {
         mono.clear();
@@ -196,19 +311,26 @@ Expected<std::vector<ReferenceBeat>> generate(const MusicPlan& plan, const Music
     if (!mixer.render(silences, plan.channels == 1 ? MusicSink(to_mono) : sink)) {
         return fail("the piece was ended before its end");
     }
-    return reference_beats(plan, curve, silences);
+    MusicTruth truth;
+    truth.beats = reference_beats(plan, curve, silences, form);
+    truth.sections = played_sections(plan, curve, form);
+    truth.events = events_of(truth.sections);
+    truth.phrases = phrase_starts(plan, curve, form);
+    return truth;
 }
 
 Expected<GeneratedMusic> generate(const MusicPlan& plan) {
-    GeneratedMusic music{.rate = plan.rate, .channels = plan.channels, .samples = {}, .beats = {}};
-    auto beats = generate(plan, [&](std::span<const float> samples) {
+    GeneratedMusic music;
+    music.rate = plan.rate;
+    music.channels = plan.channels;
+    auto truth = generate(plan, [&](std::span<const float> samples) {
         music.samples.insert(music.samples.end(), samples.begin(), samples.end());
         return true;
     });
-    if (!beats) {
-        return fail(beats.error());
+    if (!truth) {
+        return fail(std::move(truth.error()));
     }
-    music.beats = std::move(*beats);
+    static_cast<MusicTruth&>(music) = std::move(*truth);
     return music;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "audio/music/generator/song_form.hpp"
 #include "audio/music/generator/tempo_curve.hpp"
 #include "base/beats.hpp"
 #include "base/expected.hpp"
@@ -76,21 +77,31 @@ struct MusicPlan {
     std::uint64_t seed = 1;           ///< key, chords, clave side, melody, small accents
     double first_beat_seconds = 0.0;  ///< time of beat 0, a downbeat; >= 0
     std::vector<Silence> silences{};  ///< ascending, not overlapping; beats continue inside
+    /// Sections from beat 0 on, and silence after them; those beyond the piece's end are left out.
+    /// Empty: the style plays on to the end. Not together with `silences`.
+    std::vector<FormSection> form{};
 };
 
 /// A beat that the piece was made from: the reference for beat tracking.
 struct ReferenceBeat {
     StreamTime time{};       ///< to the nanosecond; its sounds start at the nearest sample
     int bar_position = 1;    ///< 1..beats_per_bar(style)
-    bool is_audible = true;  ///< false inside a silence
+    bool is_audible = true;  ///< false inside a silence, or where the form has no sound
 };
 
-/// A finished piece and its beats.
-struct GeneratedMusic {
-    SampleRate rate{48'000};           ///< of the plan
-    int channels = 2;                  ///< 1 or 2
-    std::vector<float> samples;        ///< interleaved, [-1, 1], no NaN
-    std::vector<ReferenceBeat> beats;  ///< ascending; all that lie inside the piece
+/// What a piece was made from: the reference for analysis. All ascending.
+struct MusicTruth {
+    std::vector<ReferenceBeat> beats;     ///< all that lie inside the piece
+    std::vector<PlayedSection> sections;  ///< of the form; without one the sound and its silences
+    std::vector<MusicEvent> events;       ///< events_of(sections)
+    std::vector<StreamTime> phrases;      ///< every eighth bar of a section that sounds
+};
+
+/// A finished piece and what it was made from.
+struct GeneratedMusic : MusicTruth {
+    SampleRate rate{48'000};     ///< of the plan
+    int channels = 2;            ///< 1 or 2
+    std::vector<float> samples;  ///< interleaved, [-1, 1], no NaN
 
     /// Length of the piece.
     [[nodiscard]] std::int64_t frames() const noexcept {
@@ -111,9 +122,10 @@ struct GeneratedMusic {
 /// Takes the next samples of a piece, interleaved; returns false to end it.
 using MusicSink = std::function<bool(std::span<const float> samples)>;
 /// The same piece, handed to `sink` block by block: for long ones, which would fill the memory.
-/// Returns its beats. Errors: those of generate(); `sink` ended it.
-[[nodiscard]] Expected<std::vector<ReferenceBeat>> generate(const MusicPlan& plan,
-                                                            const MusicSink& sink);
+/// Returns what it was made from. Errors: those of generate(); `sink` ended it.
+[[nodiscard]] Expected<MusicTruth> generate(const MusicPlan& plan, const MusicSink& sink);
+/// A typical song for a plan's style, tempo, length and seed (draw_form()), to be its form.
+[[nodiscard]] std::vector<FormSection> song_form_of(const MusicPlan& plan);
 /// How many frames the piece of a plan has.
 [[nodiscard]] std::int64_t frames_of(const MusicPlan& plan) noexcept;
 
