@@ -1,0 +1,162 @@
+#include "audio/form/section_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raks::audio {
+namespace {
+
+constexpr int kBarEvery = 20;         // hops between two bars that are remembered
+constexpr std::size_t kKnown = 25;    // bars after which there is something to compare with
+constexpr double kFull = 0.7;         // share of the bars that are less full
+constexpr int kSureHops = 12;         // in which a bar must be a breakdown
+constexpr HopIndex kLongest = 4'500;  // hops: after 45 s a breakdown is how the song is
+constexpr float kBuildUpRise = 1.2F;  // rise_of() of a build-up
+constexpr float kStepLevel = 6.0F;    // dB from the bar before to the first beat of a drop
+constexpr float kStepLow = 6.0F;      // likewise of the low band
+
+}  // namespace
+
+void SectionTracker::remember(const StretchSound& bar) noexcept {
+    low_.add(bar.low);
+    level_.add(bar.level);
+    low_onsets_.add(bar.low_onsets);
+    onsets_.add(bar.onsets);
+    full_ = {low_.at(kFull), level_.at(kFull), low_onsets_.at(kFull), onsets_.at(kFull), 0.0F};
+}
+
+void SectionTracker::enter(MusicPart part, HopIndex hop) noexcept {
+    part_ = part;
+    entered_ = hop;
+    fallen_hops_ = 0;
+}
+
+// The hop of the last two bars after which the sound is most unlike that before.
+HopIndex SectionTracker::place_of_fall(const BeatLengths& lengths) const noexcept {
+    const auto bar = static_cast<std::size_t>(lengths.bar);
+    const auto least = static_cast<std::size_t>(lengths.beat) / 2;
+    const std::size_t most = std::min(sums_.size() - 1, 2 * bar);
+    std::size_t best = std::min(bar, most);
+    float greatest = -1e9F;
+    for (std::size_t ago = least; ago <= most; ++ago) {
+        const std::size_t from = std::min(sums_.size(), ago + bar);
+        // A short stretch differs by chance.
+        const float sure = std::sqrt(static_cast<float>(std::min(ago, bar)));
+        const float step = sure * step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
+        if (step > greatest) {
+            greatest = step;
+            best = ago;
+        }
+    }
+    return hops_[(count_ - best) % HopSums::kKept];
+}
+
+// The strongest onset of the last beat and a half.
+HopIndex SectionTracker::place_of_drop(const BeatLengths& lengths) const noexcept {
+    const std::size_t most =
+        std::min(sums_.size(), static_cast<std::size_t>(lengths.beat + lengths.beat / 2));
+    std::size_t best = 1;
+    for (std::size_t ago = 1; ago <= most; ++ago) {
+        if (hits_[(count_ - ago) % HopSums::kKept] >= hits_[(count_ - best) % HopSums::kKept]) {
+            best = ago;
+        }
+    }
+    return hops_[(count_ - best) % HopSums::kKept];
+}
+
+// While the whole band plays.
+MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noexcept {
+    const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
+    // After a drop the last bar must be of the whole band.
+    const bool is_known = low_.size() >= kKnown && hop - entered_ > lengths.bar;
+    if (!is_known || !fall_of(bar, full_).is_breakdown()) {
+        fallen_hops_ = 0;
+        if (count_ % kBarEvery == 0) {
+            remember(bar);
+        }
+        return {};
+    }
+    if (++fallen_hops_ < kSureHops) {
+        return {};
+    }
+    enter(MusicPart::breakdown, hop);
+    calm_ = sums_.mean(2 * static_cast<std::size_t>(lengths.beat), 0);
+    calm_hop_ = hop;
+    fell_ = place_of_fall(lengths);
+    went_on_ = -1;
+    return {MusicEvent::Kind::breakdown, time_of_hop(fell_)};
+}
+
+// Whether everything has come in within the last beat. Loudness alone does not tell it from a
+// build-up, which is as loud in the end: it comes after a stop, or with a great step, or at the end
+// of a phrase.
+bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const auto beat = static_cast<std::size_t>(lengths.beat);
+    const StretchSound now = sums_.mean(beat, 0);
+    if (!fall_of(now, full_).is_full()) {
+        return false;
+    }
+    if (went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat) {
+        return true;
+    }
+    const StretchSound before = sums_.mean(std::min(sums_.size(), 5 * beat), beat);
+    const float step =
+        std::min((now.level - before.level) / kStepLevel, (now.low - before.low) / kStepLow);
+    if (part_ == MusicPart::breakdown && step > 1.0F) {
+        return true;
+    }
+    // Phrases since the breakdown began, one beat ago.
+    const double phrases = static_cast<double>(hop - lengths.beat - fell_) / lengths.phrase;
+    const double apart = std::abs(phrases - std::round(phrases)) * lengths.phrase;
+    return phrases > 0.5 && apart < 0.35 * lengths.beat;
+}
+
+// While the rhythm section is gone.
+MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexcept {
+    if (is_drop(hop, lengths)) {
+        const HopIndex at =
+            went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat ? went_on_ : place_of_drop(lengths);
+        enter(MusicPart::playing, hop);
+        return {MusicEvent::Kind::drop, time_of_hop(at)};
+    }
+    const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
+    if (hop - entered_ > kLongest ||
+        (part_ == MusicPart::breakdown && fall_of(bar, full_).is_full())) {
+        // How the song goes on: there is nothing to wait for.
+        for (auto* range : {&low_, &level_, &low_onsets_, &onsets_}) {
+            range->reset();
+        }
+        enter(MusicPart::playing, hop);
+        return {};
+    }
+    const auto beat = static_cast<std::size_t>(lengths.beat);
+    const StretchSound now = sums_.mean(2 * beat, 0);
+    if (now.level + now.low <= calm_.level + calm_.low) {
+        calm_ = now;
+        calm_hop_ = hops_[(count_ - 2 * beat) % HopSums::kKept];
+    }
+    // It rises step by step; a drop rises at once.
+    if (part_ == MusicPart::breakdown && rise_of(calm_, now, full_) > kBuildUpRise &&
+        rise_of(calm_, sums_.mean(3 * beat, beat), full_) > 0.4F * kBuildUpRise) {
+        part_ = MusicPart::build_up;
+        return {MusicEvent::Kind::build_up, time_of_hop(calm_hop_)};
+    }
+    return {};
+}
+
+void SectionTracker::go_on(HopIndex hop) noexcept RAKS_NONBLOCKING { went_on_ = hop; }
+
+MusicEvent SectionTracker::advance(HopIndex hop,
+                                   const HopSound& sound,
+                                   const BeatLengths& lengths) noexcept RAKS_NONBLOCKING {
+    sums_.add(sound);
+    hops_[count_ % HopSums::kKept] = hop;
+    hits_[count_ % HopSums::kKept] = sound.hits[0] + sound.hits[1] + sound.hits[2];
+    ++count_;
+    if (sums_.size() < static_cast<std::size_t>(lengths.bar)) {
+        return {};
+    }
+    return part_ == MusicPart::playing ? listen(hop, lengths) : wait(hop, lengths);
+}
+
+}  // namespace raks::audio
