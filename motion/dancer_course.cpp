@@ -12,7 +12,7 @@ namespace {
 // Confidence of the beat grid below which the dance may end; lower than that from which it
 // begins, so that a dip does not end it.
 constexpr float kStopConfidence = 0.10F;
-constexpr int kHopsToStart = 60;        // of sure music before the first step (0.6 s)
+constexpr int kHopsToStart = 35;        // of sure music before the first step
 constexpr double kLeastDance = 2.0;     // bars that a known song must still have for a start
 constexpr int kHopsToStop = 150;        // of unsure music before settling (1.5 s)
 constexpr double kLineWindow = 0.5;     // beats: how late after a bar line one may still start
@@ -30,26 +30,40 @@ constexpr double kTurnsOver = 1.75;   // radians: more is not turned within a st
 constexpr double kNearestKey = 0.12;
 constexpr double kFarthestKey = 0.42;
 constexpr double kBeforeKnownStop = 0.6;  // beats before a stop that is known
-// A hold at the end of a phrase: seconds at rest, at least, and beats before the count 1 at which
-// the dance goes on, so that the step into it is danced.
-constexpr double kHoldSeconds = 0.40;
-constexpr double kStepIn = 0.6;
-constexpr double kNearPhraseEnd = 0.3;  // bars
-constexpr double kLivelyEnough = 0.2;   // energy from which phrases end in holds
-constexpr double kHandsToPose = 0.45;   // seconds
-constexpr double kHandsToRest = 0.75;   // seconds
-constexpr double kHandsBack = 0.60;     // seconds
+// A hold at the end of a phrase: beats in which its posture is reached at full speed, seconds at
+// rest, and beats before the count 1 by which the dance goes on, so that the step into it is
+// danced.
+constexpr double kHoldKey = 0.15;
+constexpr double kShortestHold = 0.30;
+constexpr double kLongestHold = 1.0;
+constexpr double kStepIn = 0.5;
+constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses
+constexpr double kNearPhraseEnd = 0.3;     // bars
+constexpr double kRiseInPhrase = 0.3;      // of the energy, from its middle to its end
+constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in holds
+constexpr double kHandsToPose = 0.45;      // seconds
+constexpr double kHandsToRest = 0.75;      // seconds
+constexpr double kHandsBack = 0.60;        // seconds
 
 // Streams of random numbers.
 constexpr std::uint64_t kHoldStream = 3;
 constexpr std::uint64_t kRestStream = 4;
 constexpr std::uint64_t kPoseStream = 5;
 
-/// Whether it is worth while to begin: a known song must have some bars left.
+/// Whether it is worth while to begin: a known song must have begun, and must have some bars left.
 bool may_begin(const MusicState& music) noexcept {
+    constexpr Nanos kRounding = std::chrono::milliseconds(20);
     const double least =
         kLeastDance * music.grid.beats_per_bar * music.grid.tempo.seconds_per_beat();
-    return !music.ahead.is_known || to_seconds(music.ahead.ends - music.time) >= least;
+    return !music.ahead.is_known || (music.time >= music.ahead.begins - kRounding &&
+                                     to_seconds(music.ahead.ends - music.time) >= least);
+}
+
+/// Whether the beat goes on though it is hardly heard: while its band leaves for a while, and in a
+/// song that is known. The grid is danced on then.
+bool goes_on_unsurely(const MusicState& music) noexcept {
+    return music.ahead.is_known || music.part == MusicPart::breakdown ||
+           music.part == MusicPart::build_up;
 }
 
 /// Where both hands are while the dancer stands still; none: where the dance left it.
@@ -90,7 +104,8 @@ DanceId Dancer::State::wanted(DanceId recognized) const noexcept {
 /// The state machine of one hop.
 void Dancer::State::decide(const MusicState& music) noexcept {
     const bool is_sure = !music.is_silent && music.grid.confidence >= BeatGrid::kDanceable;
-    const bool is_unsure = music.is_silent || music.grid.confidence < kStopConfidence;
+    const bool is_unsure =
+        music.is_silent || (music.grid.confidence < kStopConfidence && !goes_on_unsurely(music));
     hops_sure = is_sure ? hops_sure + 1 : 0;
     hops_unsure = is_unsure ? hops_unsure + 1 : 0;
     const bool is_after = music.grid.bar_position(music.grid.beats_at(music.time)) < kLineWindow;
@@ -101,6 +116,9 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     felt += kFeltShare * ((is_unsure ? 0.0F : 1.0F) - felt);
     if (!still.is_on()) {
         manner.advance(music);
+        if (is_dancing && has_dynamics()) {
+            hits.advance(music, manner.manner().body);
+        }
     }
     if (bows_at && music.time >= *bows_at + nanos_from_seconds(kBowSeconds)) {
         bows_at.reset();
@@ -128,15 +146,32 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
         sequence.jump(phase.phase());
     }
     sequence.set_tempo(Bpm(pace * 60.0 * own_rate));
-    const double energy = music.ahead.is_known ? static_cast<double>(music.ahead.energy)
-                                               : static_cast<double>(music.energy.lately);
-    sequence.advance(phase.phase(), energy, wish);
+    sequence.advance(phase.phase(), energy_of_next(music), wish);
     delay += nanos_from_seconds(kLeadShare * to_seconds(sequence.figure().landing_delay - delay));
     if (still.is_on()) {
         stay_still(music);
     } else {
         dance_on(music, has_reanchored);
     }
+}
+
+/// How lively the next figure shall be: as the music, and livelier towards the end of a phrase. A
+/// phrase does not begin with the figure that the last one ended with.
+double Dancer::State::energy_of_next(const MusicState& music) noexcept {
+    const double energy = music.ahead.is_known ? static_cast<double>(music.ahead.energy)
+                                               : static_cast<double>(music.energy.lately);
+    if (!has_dynamics()) {
+        return energy;
+    }
+    const double bars =
+        (sequence.end() - phase.phase()).count() / (phase.octave() * music.grid.beats_per_bar);
+    const double begins = phrases.bar() + bars;  // bars into this phrase
+    if (begins > Phrases::kBars - kNearPhraseEnd) {
+        wish.is_another = true;
+        return energy;
+    }
+    const double rise = kRiseInPhrase * std::max(0.0, 2.0 * begins / Phrases::kBars - 1.0);
+    return std::min(1.0, energy + rise);
 }
 
 void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexcept {
@@ -185,7 +220,8 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
             }
             break;
         case Cause::stop:
-            if (sounds && rested > 0.0 && music.grid.confidence >= kStopConfidence) {
+            if (sounds && rested > 0.0 &&
+                (music.ahead.is_known || music.grid.confidence >= kStopConfidence)) {
                 resume(music);
             }
             break;
@@ -299,25 +335,29 @@ bool Dancer::State::stop_with(const MusicState& music) noexcept {
     return false;
 }
 
-/// Holds at the end of a phrase, if the draw for this phrase says so and a figure ends with it.
+/// Holds at the end of a phrase, if the draw for this phrase says so, a figure ends with it, and
+/// the figure leaves both feet standing for long enough: no step is left out.
 bool Dancer::State::hold_at_phrase_end(const MusicState& music) noexcept {
     const double left = (sequence.end() - phase.phase()).count();
-    const double before = 2.0 * kFarthestKey + kHoldSeconds * phase.rate() + kStepIn;
-    if (left > before || left < kStepIn || phrase_asked == phrases.number()) {
+    const double slowing = 2.0 * kHoldKey + kStepIn;
+    if (left > slowing + kLongestHold * phase.rate() ||
+        left < slowing + kShortestHold * phase.rate() || music.hop % kHopsBetweenLooks != 0) {
         return false;
     }
     const double bars = left / (phase.octave() * music.grid.beats_per_bar);
-    if (std::abs(phrases.bar() + bars - Phrases::kBars) > kNearPhraseEnd) {
-        return false;
-    }
-    phrase_asked = phrases.number();
     const CounterRandom random(part.seed, kHoldStream);
-    if (random.uniform(phrase_asked) >= content().chooser.habits().holds ||
+    if (std::abs(phrases.bar() + bars - Phrases::kBars) > kNearPhraseEnd ||
+        random.uniform(phrases.number()) >= content().chooser.habits().holds ||
         static_cast<double>(manner.energy()) < kLivelyEnough) {
         return false;
     }
-    resumes = sequence.end() - Beats(kStepIn);
-    stand_still(music, Cause::phrase, kNearestKey, kFarthestKey);
+    const Beats key = shown_phase(music.time, Nanos(0)) + Beats(kHoldKey);
+    const Beats stood = stands_until(sequence, key, sequence.end() - Beats(kStepIn));
+    if ((stood - key).count() < kHoldKey + kShortestHold * phase.rate()) {
+        return false;
+    }
+    resumes = stood;
+    stand_still(music, Cause::phrase, kHoldKey, kHoldKey);
     return true;
 }
 

@@ -163,6 +163,7 @@ Pose Dancer::State::layered(StreamTime now, Nanos ahead, Pose pose) const noexce
     if (still.is_at_rest(now + ahead)) {
         breathe(still.seconds_at_rest(now + ahead), pose);
     }
+    hits.apply(now + ahead, pose);
     hands.apply(skeleton, now + ahead, pose);
     // One of a couple looks at the other.
     if (has_dynamics() && !part.is_in_couple) {

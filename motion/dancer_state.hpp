@@ -7,6 +7,7 @@
 #include "base/timed_commands.hpp"
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/dynamics/hand_rests.hpp"
+#include "motion/dance/dynamics/hits.hpp"
 #include "motion/dance/dynamics/manner.hpp"
 #include "motion/dance/dynamics/phrases.hpp"
 #include "motion/dance/dynamics/planted_feet.hpp"
@@ -54,8 +55,8 @@ struct Dancer::Course {
     Stillness still;
     Cause cause = Cause::phrase;          // of `still`
     Beats resumes{};                      // phase at which a phrase's hold ends
-    std::uint64_t phrase_asked = ~0ULL;   // the last phrase for which a hold was drawn
     std::uint64_t figure_rested = ~0ULL;  // the last figure for which rests were drawn
+    Hits hits;
     HandRests hands;
     BeatGrid grid;                        // of the last hop
     float felt = 0.0F;                    // [0, 1]: how much of the beat is felt, while waiting
@@ -90,6 +91,7 @@ struct Dancer::State : Dancer::Course {
     // Decisions of one hop (dancer_course.cpp).
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
+    [[nodiscard]] double energy_of_next(const MusicState& music) noexcept;
     void dance_on(const MusicState& music, bool has_reanchored) noexcept;
     void stay_still(const MusicState& music) noexcept;
     void begin(const MusicState& music, bool is_turned) noexcept;

@@ -21,8 +21,14 @@ struct Range {
     float full;
 
     [[nodiscard]] float at(float energy) const noexcept {
-        const float up = std::clamp(2.0F * energy - 1.0F, 0.0F, 1.0F);
-        const float down = std::clamp(1.0F - 2.0F * energy, 0.0F, 1.0F);
+        // The energies of the calmest, of the usual and of more than the fullest music: a drop
+        // still has something to add.
+        constexpr float kCalm = 0.15F;
+        constexpr float kUsualFrom = 0.50F;
+        constexpr float kUsualTo = 0.70F;
+        constexpr float kFull = 1.10F;
+        const float up = std::clamp((energy - kUsualTo) / (kFull - kUsualTo), 0.0F, 1.0F);
+        const float down = std::clamp((kUsualFrom - energy) / (kUsualFrom - kCalm), 0.0F, 1.0F);
         return usual + up * (full - usual) + down * (calm - usual);
     }
 };
@@ -35,6 +41,11 @@ constexpr Range kSteps{0.60F, 1.0F, 1.12F};
 constexpr Range kSharpness{0.05F, 0.35F, 0.70F};
 constexpr Range kBend{-0.004F, 0.0F, 0.03F};
 
+// What everything coming in at once adds, and the music going on after a stop; it wears off.
+constexpr float kDropLift = 0.45F;
+constexpr float kEntryLift = 0.40F;
+constexpr double kLiftSeconds = 7.0;
+
 float approached(float from, float to, double seconds) noexcept {
     const double share = 1.0 - std::exp(-to_seconds(kHop) / seconds);
     return from + static_cast<float>(share) * (to - from);
@@ -43,8 +54,19 @@ float approached(float from, float to, double seconds) noexcept {
 }  // namespace
 
 void MannerOfMusic::advance(const MusicState& music) noexcept RAKS_NONBLOCKING {
-    const float asked = kOfNow * music.energy.now + (1.0F - kOfNow) * music.energy.lately;
-    const float wanted = std::clamp(asked, 0.0F, 1.0F);
+    if (music.event.kind == MusicEvent::Kind::drop) {
+        lift_ = kDropLift;
+    } else if (music.event.kind == MusicEvent::Kind::entry && has_played_) {
+        lift_ = std::max(lift_, kEntryLift);
+    }
+    has_played_ = has_played_ || music.event.kind == MusicEvent::Kind::stop;
+    lift_ = approached(lift_, 0.0F, kLiftSeconds);
+    // Sound that is gone gives nothing, whatever came before it.
+    const float lift = lift_ * std::min(1.0F, 2.0F * music.energy.now);
+    // What comes in at once counts at once.
+    const float lately = std::max(music.energy.now, music.energy.lately);
+    const float asked = kOfNow * music.energy.now + (1.0F - kOfNow) * lately + lift;
+    const float wanted = std::clamp(asked, 0.0F, 1.2F);
     energy_ = approached(energy_, wanted, wanted > energy_ ? kGrows : kShrinks);
     eased_ = approached(eased_, energy_, energy_ > eased_ ? kGrows : kShrinks);
 }

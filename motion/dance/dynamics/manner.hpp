@@ -37,14 +37,16 @@ class MannerOfMusic {
     void swing(Side side, float metres) noexcept RAKS_NONBLOCKING;
     /// The manner now.
     [[nodiscard]] Manner manner() const noexcept RAKS_NONBLOCKING;
-    /// How much the music gives now, smoothed as the manner is; [0, 1].
+    /// How much the music gives now, smoothed as the manner is; [0, 1.2].
     [[nodiscard]] float energy() const noexcept { return energy_; }
     /// As before any music.
     void reset() noexcept { *this = MannerOfMusic(); }
 
  private:
     float energy_ = 0.5F;
-    float eased_ = 0.5F;  // energy_, smoothed once more
+    float eased_ = 0.5F;       // energy_, smoothed once more
+    float lift_ = 0.0F;        // of the last drop
+    bool has_played_ = false;  // music that stopped since
     std::array<float, 2> steps_{1.0F, 1.0F};
 };
 

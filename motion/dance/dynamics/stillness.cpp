@@ -74,4 +74,17 @@ Beats key_moment(const FigureSequence& sequence, Beats from, Beats to) noexcept 
     return best;
 }
 
+Beats stands_until(const FigureSequence& sequence, Beats from, Beats to) noexcept RAKS_NONBLOCKING {
+    constexpr Beats kStep(0.2);
+    Beats stood = from;
+    for (Beats at = from; at <= to; at = at + kStep) {
+        const Pose pose = sequence.at(at);
+        if (!pose.foot_contact[0] || !pose.foot_contact[1]) {
+            return stood;
+        }
+        stood = at;
+    }
+    return stood;
+}
+
 }  // namespace raks::motion

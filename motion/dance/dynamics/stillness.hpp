@@ -58,4 +58,10 @@ class Stillness {
                                Beats from,
                                Beats to) noexcept RAKS_NONBLOCKING;
 
+/// Until when both feet stand, from a phase on and at most to another. Threads: any. Real-time: yes
+/// (five poses a beat).
+[[nodiscard]] Beats stands_until(const FigureSequence& sequence,
+                                 Beats from,
+                                 Beats to) noexcept RAKS_NONBLOCKING;
+
 }  // namespace raks::motion
