@@ -120,10 +120,7 @@ void Dancer::State::decide(const MusicState& music) noexcept {
             hits.advance(music, manner.manner().body);
         }
     }
-    if (bows_at && music.time >= *bows_at + nanos_from_seconds(kBowSeconds)) {
-        bows_at.reset();
-        hands.let_go(Side::right, music.time, kHandsBack);
-    }
+    bow(music.time);
     if (is_dancing) {
         go_on(music);
         // What is known needs no second look.
@@ -158,11 +155,13 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
 /// How lively the next figure shall be: as the music, and livelier towards the end of a phrase. A
 /// phrase does not begin with the figure that the last one ended with.
 double Dancer::State::energy_of_next(const MusicState& music) noexcept {
-    const double energy = music.ahead.is_known ? static_cast<double>(music.ahead.energy)
-                                               : static_cast<double>(music.energy.lately);
+    const double heard = music.ahead.is_known ? static_cast<double>(music.ahead.energy)
+                                              : static_cast<double>(music.energy.lately);
     if (!has_dynamics()) {
-        return energy;
+        return heard;
     }
+    // After a drop more than is heard.
+    const double energy = std::clamp(static_cast<double>(manner.energy()), heard, 1.0);
     const double bars =
         (sequence.end() - phase.phase()).count() / (phase.octave() * music.grid.beats_per_bar);
     const double begins = phrases.bar() + bars;  // bars into this phrase
@@ -209,7 +208,7 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
         const bool bows = cause == Cause::ending && !is_held;
         settle(music.time);
         if (bows) {
-            bow(music.time + kBowAfter);
+            bows_at = music.time + kBowAfter;
         }
         return;
     }
@@ -305,10 +304,17 @@ void Dancer::State::settle(StreamTime now) noexcept {
     change(now);
 }
 
-/// Thanks the audience.
-void Dancer::State::bow(StreamTime when) noexcept {
-    bows_at = when;
-    hands.go_to(Side::right, HandPlace::belly, when, kHandsToRest);
+/// Thanks the audience, with a hand before the belly.
+void Dancer::State::bow(StreamTime now) noexcept {
+    if (!bows_at || now < *bows_at) {
+        return;
+    }
+    if (now < *bows_at + nanos_from_seconds(kBowSeconds)) {
+        hands.go_to(Side::right, HandPlace::belly, now, kHandsToRest);
+    } else {
+        hands.let_go(Side::right, now, kHandsBack);
+        bows_at.reset();
+    }
 }
 
 /// Stops with the music: as soon as it is heard, or so as to stand when it does where that is
@@ -335,13 +341,15 @@ bool Dancer::State::stop_with(const MusicState& music) noexcept {
     return false;
 }
 
-/// Holds at the end of a phrase, if the draw for this phrase says so, a figure ends with it, and
-/// the figure leaves both feet standing for long enough: no step is left out.
+/// Holds at the end of a phrase, if the draw for this phrase says so and a figure ends with it:
+/// where the figure leaves both feet standing for long enough; at the last moment anywhere, and
+/// steps are left out.
 bool Dancer::State::hold_at_phrase_end(const MusicState& music) noexcept {
     const double left = (sequence.end() - phase.phase()).count();
     const double slowing = 2.0 * kHoldKey + kStepIn;
-    if (left > slowing + kLongestHold * phase.rate() ||
-        left < slowing + kShortestHold * phase.rate() || music.hop % kHopsBetweenLooks != 0) {
+    const double least = slowing + kShortestHold * phase.rate();
+    if (left > slowing + kLongestHold * phase.rate() || left < least ||
+        music.hop % kHopsBetweenLooks != 0) {
         return false;
     }
     const double bars = left / (phase.octave() * music.grid.beats_per_bar);
@@ -352,11 +360,14 @@ bool Dancer::State::hold_at_phrase_end(const MusicState& music) noexcept {
         return false;
     }
     const Beats key = shown_phase(music.time, Nanos(0)) + Beats(kHoldKey);
-    const Beats stood = stands_until(sequence, key, sequence.end() - Beats(kStepIn));
-    if ((stood - key).count() < kHoldKey + kShortestHold * phase.rate()) {
+    const Beats last = sequence.end() - Beats(kStepIn);
+    const Beats stood = stands_until(sequence, key, last);
+    const bool stands = (stood - key).count() >= kHoldKey + kShortestHold * phase.rate();
+    const double to_next_look = phase.rate() * kHopsBetweenLooks * to_seconds(kHop);
+    if (!stands && left - to_next_look >= least) {
         return false;
     }
-    resumes = stood;
+    resumes = stands ? stood : last;
     stand_still(music, Cause::phrase, kHoldKey, kHoldKey);
     return true;
 }

@@ -98,7 +98,7 @@ struct Dancer::State : Dancer::Course {
     void start_at_line(const MusicState& music) noexcept;
     void leave(const MusicState& music) noexcept;
     void settle(StreamTime now) noexcept;
-    void bow(StreamTime when) noexcept;
+    void bow(StreamTime now) noexcept;
     [[nodiscard]] bool hold_at_phrase_end(const MusicState& music) noexcept;
     [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;

@@ -110,7 +110,7 @@ namespace {
 /// `from` untwisted towards `to`, which points the bone the same way. Less where they are nearly
 /// half a turn apart: either way round is as long there, and the arm would flip.
 glm::quat untwisted(const glm::quat& from, const glm::quat& to, float weight) noexcept {
-    constexpr float kSurely = 1.6F;  // radians
+    constexpr float kSurely = 0.4F;  // radians
     constexpr float kFlips = 2.9F;
     const float apart = 2.0F * std::acos(std::min(1.0F, std::abs(glm::dot(from, to))));
     return glm::slerp(from, to, weight * (1.0F - smoothstep(kSurely, kFlips, apart)));

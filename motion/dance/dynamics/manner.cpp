@@ -23,10 +23,10 @@ struct Range {
     [[nodiscard]] float at(float energy) const noexcept {
         // The energies of the calmest, of the usual and of more than the fullest music: a drop
         // still has something to add.
-        constexpr float kCalm = 0.15F;
+        constexpr float kCalm = 0.20F;
         constexpr float kUsualFrom = 0.50F;
-        constexpr float kUsualTo = 0.70F;
-        constexpr float kFull = 1.10F;
+        constexpr float kUsualTo = 0.80F;
+        constexpr float kFull = 1.15F;
         const float up = std::clamp((energy - kUsualTo) / (kFull - kUsualTo), 0.0F, 1.0F);
         const float down = std::clamp((kUsualFrom - energy) / (kUsualFrom - kCalm), 0.0F, 1.0F);
         return usual + up * (full - usual) + down * (calm - usual);
@@ -37,12 +37,12 @@ struct Range {
 // calm, and nobody sees which figure it is.
 constexpr Range kBody{0.55F, 1.0F, 1.25F};
 constexpr Range kArms{0.55F, 1.0F, 1.25F};
-constexpr Range kSteps{0.60F, 1.0F, 1.12F};
+constexpr Range kSteps{0.60F, 1.0F, 1.18F};
 constexpr Range kSharpness{0.05F, 0.35F, 0.70F};
-constexpr Range kBend{-0.004F, 0.0F, 0.03F};
+constexpr Range kBend{-0.004F, 0.0F, 0.04F};
 
 // What everything coming in at once adds, and the music going on after a stop; it wears off.
-constexpr float kDropLift = 0.45F;
+constexpr float kDropLift = 0.60F;
 constexpr float kEntryLift = 0.40F;
 constexpr double kLiftSeconds = 7.0;
 

@@ -23,7 +23,7 @@ constexpr float kTiltDecay = 9.0F;    // 1/s; of height, pitch and roll
 // An own step: a foot this far away that has stood this long.
 constexpr float kStepsBeyond = 0.05F;     // metres
 constexpr float kStepsBeyondYaw = 0.35F;  // radians
-constexpr int kStandsBefore = 12;         // hops
+constexpr int kStandsBefore = 35;         // hops
 constexpr int kOwnStepHops = 30;          // of the step
 constexpr float kOwnLift = 0.05F;         // metres, at its middle
 constexpr float kNoLag = 1e-4F;           // metres, radians: less is none

@@ -72,7 +72,8 @@ TEST(Landing, is_on_the_beat_on_steady_music) {
         EXPECT_GE(landing.landings.size(), 40U) << bpm;
         EXPECT_LE(std::abs(landing.mean), 0.015) << bpm;
         EXPECT_LE(landing.deviation, 0.025) << bpm;
-        EXPECT_LE(landing.missing, 8U) << bpm << ": small steps are steps in a slow dance, too; a hold leaves out one";
+        EXPECT_LE(landing.missing, 8U)
+            << bpm << ": small steps are steps in a slow dance, too; a hold leaves out one";
     }
 }
 

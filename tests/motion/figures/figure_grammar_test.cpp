@@ -59,6 +59,32 @@ TEST(FigureGrammar, reads_how_far_a_couple_goes_aside) {
     }
 }
 
+TEST(FigureGrammar, reads_what_dancers_do_beside_the_figures) {
+    const std::string head = "dance = \"salsa\"\n";
+    const auto read = [&](const std::string& lines) {
+        return parse_grammar(replaced(head, head + lines), "x.toml");
+    };
+    const auto plain = read("");
+    ASSERT_TRUE(plain) << plain.error().message;
+    EXPECT_EQ(plain->habits.holds, DanceHabits().holds) << "as if nothing were said";
+    const auto own = read("holds = 0.8\nrests = 0\nrest_at = [\"belly\", \"low\"]\n");
+    ASSERT_TRUE(own) << own.error().message;
+    EXPECT_EQ(own->habits.holds, 0.8);
+    EXPECT_EQ(own->habits.rests, 0.0);
+    EXPECT_EQ(own->habits.rest_at, (std::vector<HandPlace>{HandPlace::belly, HandPlace::low}));
+    for (const auto& [lines, what] : std::vector<std::pair<std::string, std::string>>{
+             {"holds = 1.5\n", "x.toml: holds must be a number from 0 to 1"},
+             {"holds = nan\n", "x.toml: holds must be a number from 0 to 1"},
+             {"rests = \"often\"\n", "x.toml: rests must be a number from 0 to 1"},
+             {"rest_at = []\n", "x.toml: rest_at must be a list of one or more places"},
+             {"rest_at = \"hip\"\n", "x.toml: rest_at must be a list of one or more places"},
+             {"rest_at = [\"hipp\"]\n", "did you mean \"hip\"?"}}) {
+        const auto refused = read(lines);
+        ASSERT_FALSE(refused) << lines;
+        EXPECT_NE(refused.error().message.find(what), std::string::npos) << refused.error().message;
+    }
+}
+
 TEST(FigureGrammar, reads_where_figures_start) {
     const auto common = parse_grammar(kGood, "x.toml");
     ASSERT_TRUE(common);

@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "motion/dance_library.hpp"
+#include "motion/dancer.hpp"
+#include "motion/repertoire.hpp"
+#include "motion/skeleton/skeleton.hpp"
+#include "tests/motion/dance/stage.hpp"
+#include "tests/support/realtime_guard.hpp"
+
+#include <glm/geometric.hpp>
+
+/// What a dancer does with what the music does: stops, endings, phrases.
+namespace raks::motion::dynamics_test {
+namespace {
+
+using Kind = MusicEvent::Kind;
+constexpr double kBpm = 180.0;  // a bar lasts 1.333 s
+
+MusicState playing(HopIndex hop) {
+    MusicState music = test::sure_state(hop, test::steady_grid(kBpm));
+    music.part = MusicPart::playing;
+    return music;
+}
+
+// Silent from one hop to another; the stop is heard 100 ms late, as a stream's analysis does.
+MusicState stopping(HopIndex hop, HopIndex from, HopIndex to) {
+    MusicState music = playing(hop);
+    if (hop >= from && hop < to) {
+        music.is_silent = true;
+        music.energy.now = 0.0F;
+    }
+    if (hop >= from + 10 && hop < to) {
+        music.part = MusicPart::stopped;
+    }
+    if (hop == from + 10) {
+        music.event = {Kind::stop, time_of_hop(from)};
+    }
+    if (hop == to) {
+        music.event = {Kind::entry, time_of_hop(to)};
+    }
+    return music;
+}
+
+std::vector<Pose> dance(const test::Music& music, HopIndex hops, Dynamics dynamics = Dynamics::on) {
+    Dancer dancer;
+    DancerPart part;
+    part.dynamics = dynamics;
+    EXPECT_TRUE(
+        dancer.prepare(Repertoire::of_one(test::salsa_library()), mannequin_skeleton(), part));
+    const auto track = std::make_unique<PoseTrack>();
+    std::vector<Pose> poses;
+    for (HopIndex hop = 0; hop < hops; ++hop) {
+        dancer.advance(music(hop), *track);
+        poses.push_back(track->at_hop(hop));
+    }
+    return poses;
+}
+
+// Mean speed of hands, feet and head, metres a second.
+double speed(const std::vector<Pose>& poses, std::size_t from, std::size_t to) {
+    double way = 0.0;
+    for (std::size_t hop = from + 1; hop <= to; ++hop) {
+        const WorldPose a = world_pose(mannequin_skeleton(), poses[hop - 1]);
+        const WorldPose b = world_pose(mannequin_skeleton(), poses[hop]);
+        for (const Bone bone :
+             {Bone::left_hand, Bone::right_hand, Bone::left_foot, Bone::right_foot, Bone::head}) {
+            way += static_cast<double>(glm::distance(a.position(bone), b.position(bone))) / 5.0;
+        }
+    }
+    return 100.0 * way / static_cast<double>(to - from);
+}
+
+TEST(Dynamics, a_dancer_stops_with_the_music_and_goes_on_with_it) {
+    const auto poses = dance([](HopIndex hop) { return stopping(hop, 2000, 2200); }, 3000);
+    const double full = speed(poses, 1000, 1990);
+    EXPECT_LT(speed(poses, 2050, 2200), 0.25 * full);
+    EXPECT_GT(speed(poses, 2050, 2200), 0.0) << "breathes";
+    EXPECT_GT(speed(poses, 2210, 2340), 0.7 * full);
+    EXPECT_LT(test::largest_step(poses, 0, 3000), test::kFastestStep);
+}
+
+TEST(Dynamics, a_long_stop_is_waited_out_standing) {
+    const auto poses = dance([](HopIndex hop) { return stopping(hop, 2000, 3500); }, 4500);
+    const double full = speed(poses, 1000, 1990);
+    EXPECT_LT(speed(poses, 2700, 3400), 0.25 * full);
+    EXPECT_GT(speed(poses, 3800, 4400), 0.7 * full);
+    EXPECT_LT(test::largest_step(poses, 0, 4500), test::kFastestStep);
+}
+
+TEST(Dynamics, a_stop_that_is_known_is_stood_when_it_comes) {
+    const auto poses = dance(
+        [](HopIndex hop) {
+            MusicState music = stopping(hop, 2000, 2200);
+            music.ahead.is_known = true;
+            music.ahead.ends = stream_time_from_seconds(60.0);
+            if (hop < 2000) {
+                music.ahead.events[0] = {Kind::stop, time_of_hop(2000)};
+            }
+            return music;
+        },
+        3000);
+    const double full = speed(poses, 1000, 1900);
+    EXPECT_LT(speed(poses, 2015, 2200), 0.25 * full);
+    EXPECT_GT(speed(poses, 2210, 2340), 0.7 * full);
+}
+
+TEST(Dynamics, the_end_of_a_known_song_is_a_posture_then_a_bow) {
+    const auto poses = dance(
+        [](HopIndex hop) {
+            MusicState music = playing(hop);
+            music.ahead.is_known = true;
+            music.ahead.ends = time_of_hop(2000);
+            if (hop > 2010) {
+                music.is_silent = true;
+                music.part = MusicPart::stopped;
+            }
+            return music;
+        },
+        3000);
+    const double full = speed(poses, 1000, 1900);
+    EXPECT_LT(speed(poses, 2040, 2160), 0.2 * full) << "holds the last chord";
+    float lowest = 10.0F;
+    for (std::size_t hop = 2200; hop < 2700; ++hop) {
+        lowest =
+            std::min(lowest, world_pose(mannequin_skeleton(), poses[hop]).position(Bone::head).y);
+    }
+    EXPECT_LT(lowest, world_pose(mannequin_skeleton(), poses[2999]).position(Bone::head).y - 0.05F);
+    EXPECT_LT(test::largest_step(poses, 0, 3000), test::kFastestStep);
+}
+
+TEST(Dynamics, calm_music_is_danced_smaller) {
+    const auto with = [](float energy) {
+        return [energy](HopIndex hop) {
+            MusicState music = playing(hop);
+            music.energy = {energy, energy, energy};
+            return music;
+        };
+    };
+    const double usual = speed(dance(with(0.6F), 3000), 1000, 2900);
+    EXPECT_LT(speed(dance(with(0.05F), 3000), 1000, 2900), 0.75 * usual);
+}
+
+TEST(Dynamics, a_breakdown_is_danced_through_though_its_beat_is_hardly_heard) {
+    const auto poses = dance(
+        [](HopIndex hop) {
+            MusicState music = playing(hop);
+            if (hop >= 1500 && hop < 2500) {
+                music.part = MusicPart::breakdown;
+                music.grid.confidence = 0.05F;
+            }
+            return music;
+        },
+        2500);
+    EXPECT_GT(speed(poses, 2000, 2490), 0.3 * speed(poses, 500, 1400));
+}
+
+TEST(Dynamics, switched_off_nothing_but_the_beat_is_followed) {
+    const auto changing = [](HopIndex hop) {
+        MusicState music = stopping(hop, 2000, 2100);
+        music.energy.now = hop % 700 < 350 ? 0.0F : 1.0F;
+        return music;
+    };
+    const auto off = dance(changing, 3000, Dynamics::off);
+    const auto plain = dance(
+        [](HopIndex hop) {
+            MusicState music = playing(hop);
+            music.is_silent = hop >= 2000 && hop < 2100;
+            return music;
+        },
+        3000,
+        Dynamics::off);
+    for (std::size_t hop = 0; hop < off.size(); ++hop) {
+        ASSERT_EQ(off[hop].local_rotations, plain[hop].local_rotations) << hop;
+    }
+}
+
+TEST(Dynamics, stops_and_endings_keep_the_real_time_rules) {
+    Dancer dancer;
+    ASSERT_TRUE(dancer.prepare(
+        Repertoire::of_one(test::salsa_library()), mannequin_skeleton(), DancerPart{}));
+    const auto track = std::make_unique<PoseTrack>();
+    raks::test::RealtimeScope scope;
+    for (HopIndex hop = 0; hop < 4000; ++hop) {
+        dancer.advance(stopping(hop, 1500 + 1000 * (hop / 2200), 1700 + 2000 * (hop / 2200)),
+                       *track);
+    }
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+}
+
+}  // namespace
+}  // namespace raks::motion::dynamics_test
