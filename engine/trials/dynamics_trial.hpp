@@ -74,9 +74,10 @@ struct DynamicsResult {
                                                           std::uint64_t seed,
                                                           Knowledge knowledge);
 
-/// Loudness of mono samples at motion::kDynamicsRate: the level of each sixtieth of a second, dB
-/// with a floor at -80.
-[[nodiscard]] std::vector<double> loudness_by_frame(std::span<const float> mono, SampleRate rate);
+/// Loudness of mono samples at motion::kDynamicsRate: the level below 7.7 kHz of each sixtieth of a
+/// second, dB with a floor at -80. Errors: those of the resampler.
+[[nodiscard]] Expected<std::vector<double>> loudness_by_frame(std::span<const float> mono,
+                                                              SampleRate rate);
 
 /// How a dance follows the loudness of music.
 struct LoudnessFollowing {
