@@ -113,7 +113,7 @@ struct DancedPiece {
         for (const audio::ReferenceBeat& beat : music.beats) {
             beats.times.push_back(to_seconds(beat.time));
         }
-        const motion::DanceStretch stretch{kLeftOut, to_seconds(music.sections.back().to)};
+        const motion::DanceStretch stretch{kLeftOut, to_seconds(music.events.back().time)};
         return motion::measure_dynamics(
             motion::dynamics_track(skeleton, dance.poses, kTrialPosesPerSecond, stretch), beats);
     }
@@ -221,9 +221,9 @@ Expected<DynamicsResult> run_dynamics_trial(const DanceInfo& dance,
     if (!loudness) {
         return fail(std::move(loudness.error()));
     }
-    // Without the silence after its end, which would outweigh all else.
+    // Without what rings out and the silence after it, which would outweigh all else.
     loudness->resize(std::min(loudness->size(),
-                              static_cast<std::size_t>(to_seconds(song->music.sections.back().to) *
+                              static_cast<std::size_t>(to_seconds(song->music.events.back().time) *
                                                        motion::kDynamicsRate)));
     result.follows_loudness =
         motion::loudness_correlation(speeds_of(song->dance, skeleton), *loudness);

@@ -51,7 +51,7 @@ struct MusicalityRatios {
 /// What was measured of one dance that is told `knowledge` of its music.
 struct DynamicsResult {
     MusicalityRatios ratios;           ///< on music of five sections: contrast_music()
-    motion::DynamicsMeasures phrased;  ///< on a drawn song from 8 s on: song_music()
+    motion::DynamicsMeasures phrased;  ///< on song_music() from 8 s to its end
     motion::DynamicsMeasures steady;   ///< on music without a form, from 8 s on
     double follows_loudness = 0.0;     ///< motion::loudness_correlation on the drawn song
     /// Live: bars from when the beat can be danced to until the dancer begins. None: it never does.
