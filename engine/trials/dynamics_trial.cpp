@@ -1,10 +1,12 @@
 #include "engine/trials/dynamics_trial.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include "audio/resample/resampler.hpp"
 #include "base/statistics.hpp"
 #include "engine/offline/offline_driver.hpp"
 
@@ -111,7 +113,7 @@ struct DancedPiece {
         for (const audio::ReferenceBeat& beat : music.beats) {
             beats.times.push_back(to_seconds(beat.time));
         }
-        const motion::DanceStretch stretch{kLeftOut, to_seconds(music.sections.back().to)};
+        const motion::DanceStretch stretch{kLeftOut, to_seconds(music.events.back().time)};
         return motion::measure_dynamics(
             motion::dynamics_track(skeleton, dance.poses, kTrialPosesPerSecond, stretch), beats);
     }
@@ -215,13 +217,16 @@ Expected<DynamicsResult> run_dynamics_trial(const DanceInfo& dance,
         return fail(song.error());
     }
     result.phrased = song->measures(skeleton, bar);
-    std::vector<double> loudness = loudness_by_frame(song->music.mono(), song->music.rate);
-    // Without the silence after its end, which would outweigh all else.
-    loudness.resize(std::min(loudness.size(),
-                             static_cast<std::size_t>(to_seconds(song->music.sections.back().to) *
-                                                      motion::kDynamicsRate)));
+    auto loudness = loudness_by_frame(song->music.mono(), song->music.rate);
+    if (!loudness) {
+        return fail(std::move(loudness.error()));
+    }
+    // Without what rings out and the silence after it, which would outweigh all else.
+    loudness->resize(std::min(loudness->size(),
+                              static_cast<std::size_t>(to_seconds(song->music.events.back().time) *
+                                                       motion::kDynamicsRate)));
     result.follows_loudness =
-        motion::loudness_correlation(speeds_of(song->dance, skeleton), loudness);
+        motion::loudness_correlation(speeds_of(song->dance, skeleton), *loudness);
     measure_beginning(*song, bar_seconds, result);
     const auto steady = dance_piece(own_music(dance, seed, kSteadySong), cast, knowledge);
     if (!steady) {
@@ -231,19 +236,29 @@ Expected<DynamicsResult> run_dynamics_trial(const DanceInfo& dance,
     return result;
 }
 
-std::vector<double> loudness_by_frame(std::span<const float> mono, SampleRate rate) {
+Expected<std::vector<double>> loudness_by_frame(std::span<const float> mono, SampleRate rate) {
+    constexpr std::size_t kFrame = 256;  // samples
+    audio::Resampler resampler;
+    if (auto prepared = resampler.prepare(
+            rate, SampleRate(static_cast<int>(kFrame * static_cast<int>(motion::kDynamicsRate))));
+        !prepared) {
+        return fail(std::move(prepared.error()));
+    }
     std::vector<double> loudness;
-    const double step = rate.hertz() / motion::kDynamicsRate;
-    const auto frames = static_cast<std::size_t>(static_cast<double>(mono.size()) / step);
-    for (std::size_t f = 0; f < frames; ++f) {
-        const auto first = static_cast<std::size_t>(std::llround(static_cast<double>(f) * step));
-        const auto last = std::min(
-            static_cast<std::size_t>(std::llround(static_cast<double>(f + 1) * step)), mono.size());
-        double sum = 0.0;
-        for (std::size_t i = first; i < last; ++i) {
-            sum += static_cast<double>(mono[i]) * static_cast<double>(mono[i]);
+    std::array<float, kFrame> frame{};
+    std::size_t filled = 0;
+    while (!mono.empty()) {
+        const auto [taken, made] = resampler.process(mono, std::span(frame).subspan(filled));
+        mono = mono.subspan(taken);
+        filled += made;
+        if (filled == kFrame) {
+            double sum = 0.0;
+            for (const float sample : frame) {
+                sum += static_cast<double>(sample) * static_cast<double>(sample);
+            }
+            loudness.push_back(10.0 * std::log10(sum / kFrame + 1e-8));
+            filled = 0;
         }
-        loudness.push_back(10.0 * std::log10(sum / static_cast<double>(last - first) + 1e-8));
     }
     return loudness;
 }
@@ -256,14 +271,17 @@ Expected<LoudnessFollowing> loudness_following(std::span<const float> mono,
     if (!dance) {
         return fail(dance.error());
     }
-    const std::vector<double> loudness = loudness_by_frame(mono, rate);
-    const std::vector<double> average = motion::gaussian_average(loudness, 30.0);
+    const auto loudness = loudness_by_frame(mono, rate);
+    if (!loudness) {
+        return fail(loudness.error());
+    }
+    const std::vector<double> average = motion::gaussian_average(*loudness, 30.0);
     // As the correlation, without the first 6 s.
     std::vector<double> rest(
         average.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(360, average.size())),
         average.end());
     return LoudnessFollowing{
-        motion::loudness_correlation(speeds_of(*dance, cast.cast.skeleton), loudness),
+        motion::loudness_correlation(speeds_of(*dance, cast.cast.skeleton), *loudness),
         percentile(rest, 0.95) - percentile(rest, 0.05)};
 }
 

@@ -51,7 +51,7 @@ struct MusicalityRatios {
 /// What was measured of one dance that is told `knowledge` of its music.
 struct DynamicsResult {
     MusicalityRatios ratios;           ///< on music of five sections: contrast_music()
-    motion::DynamicsMeasures phrased;  ///< on a drawn song from 8 s on: song_music()
+    motion::DynamicsMeasures phrased;  ///< on song_music() from 8 s to its end
     motion::DynamicsMeasures steady;   ///< on music without a form, from 8 s on
     double follows_loudness = 0.0;     ///< motion::loudness_correlation on the drawn song
     /// Live: bars from when the beat can be danced to until the dancer begins. None: it never does.
@@ -74,9 +74,10 @@ struct DynamicsResult {
                                                           std::uint64_t seed,
                                                           Knowledge knowledge);
 
-/// Loudness of mono samples at motion::kDynamicsRate: the level of each sixtieth of a second, dB
-/// with a floor at -80.
-[[nodiscard]] std::vector<double> loudness_by_frame(std::span<const float> mono, SampleRate rate);
+/// Loudness of mono samples at motion::kDynamicsRate: the level below 7.7 kHz of each sixtieth of a
+/// second, dB with a floor at -80. Errors: those of the resampler.
+[[nodiscard]] Expected<std::vector<double>> loudness_by_frame(std::span<const float> mono,
+                                                              SampleRate rate);
 
 /// How a dance follows the loudness of music.
 struct LoudnessFollowing {
