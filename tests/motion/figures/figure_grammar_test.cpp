@@ -59,6 +59,38 @@ TEST(FigureGrammar, reads_how_far_a_couple_goes_aside) {
     }
 }
 
+TEST(FigureGrammar, reads_how_a_couple_holds) {
+    const auto with = [](const std::string& couple, const std::string& holds) {
+        std::string text = replaced("[[figure]]", "[couple]\n" + couple + "\n[[figure]]");
+        text.replace(text.find("energy = 0.2"), 12, holds);
+        return parse_grammar(text, "x.toml");
+    };
+    EXPECT_FALSE(parse_grammar(kGood, "x.toml")->couple);
+    const auto grammar =
+        with("hold = \"hands\"\napart = [-0.1, 0.5]",
+             "holds = [{ lead = \"right\", follow = \"left\", from = 0.5, to = 4 }]");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    EXPECT_EQ(grammar->couple->hold, CoupleHold::hands);
+    EXPECT_EQ(grammar->couple->apart, glm::dvec2(-0.1, 0.5));
+    ASSERT_EQ(grammar->rules[0].holds.size(), 1U);
+    EXPECT_EQ(grammar->rules[0].holds[0].lead, Side::right);
+    EXPECT_EQ(grammar->rules[0].holds[0].follow, Side::left);
+    EXPECT_EQ(grammar->rules[0].holds[0].from, 0.5);
+    EXPECT_EQ(grammar->rules[0].holds[0].to, 4.0);
+    EXPECT_FALSE(with("hold = \"tight\"", ""));
+    EXPECT_FALSE(with("apart = [0, 1]", ""));
+    EXPECT_FALSE(with("hold = \"none\"\napart = [99, 0]", ""));
+    for (const char* const bad :
+         {"3",
+          "[3]",
+          "[{}]",
+          "[{ lead = \"l\", follow = \"left\", from = 0, to = 1 }]",
+          "[{ lead = \"left\", follow = \"left\", from = 2, to = 1 }]",
+          "[{ lead = \"left\", follow = \"left\", from = 0, to = 1, till = 2 }]"}) {
+        EXPECT_FALSE(with("hold = \"hands\"", std::string("holds = ") + bad)) << bad;
+    }
+}
+
 TEST(FigureGrammar, reads_where_figures_start) {
     const auto common = parse_grammar(kGood, "x.toml");
     ASSERT_TRUE(common);
