@@ -30,23 +30,23 @@ constexpr double kTurnsOver = 1.75;   // radians: more is not turned within a st
 constexpr double kNearestKey = 0.12;
 constexpr double kFarthestKey = 0.42;
 constexpr double kBeforeKnownStop = 0.6;  // beats before a stop that is known
-// A hold at the end of a phrase: beats in which its posture is reached at full speed, seconds at
+// A pause at the end of a phrase: beats in which its posture is reached at full speed, seconds at
 // rest, and beats before the count 1 by which the dance goes on, so that the step into it is
 // danced.
-constexpr double kHoldKey = 0.15;
-constexpr double kShortestHold = 0.30;
-constexpr double kLongestHold = 1.0;
+constexpr double kPauseKey = 0.15;
+constexpr double kShortestPause = 0.30;
+constexpr double kLongestPause = 1.0;
 constexpr double kStepIn = 0.5;
 constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses
 constexpr double kNearPhraseEnd = 0.3;     // bars
 constexpr double kRiseInPhrase = 0.3;      // of the energy, from its middle to its end
-constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in holds
+constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in pauses
 constexpr double kHandsToPose = 0.45;      // seconds
 constexpr double kHandsToRest = 0.75;      // seconds
 constexpr double kHandsBack = 0.60;        // seconds
 
 // Streams of random numbers.
-constexpr std::uint64_t kHoldStream = 3;
+constexpr std::uint64_t kPauseStream = 3;
 constexpr std::uint64_t kRestStream = 4;
 constexpr std::uint64_t kPoseStream = 5;
 
@@ -184,7 +184,7 @@ void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexc
         settle(music.time);
     } else if (is_unwanted && is_at_line) {
         leave(music);
-    } else if (has_dynamics() && hold_at_phrase_end(music)) {
+    } else if (has_dynamics() && pause_at_phrase_end(music)) {
         return;
     } else if (has_reanchored) {
         ++reanchors;
@@ -341,34 +341,34 @@ bool Dancer::State::stop_with(const MusicState& music) noexcept {
     return false;
 }
 
-/// Holds at the end of a phrase, if the draw for this phrase says so and a figure ends with it:
+/// Pauses at the end of a phrase, if the draw for this phrase says so and a figure ends with it:
 /// where the figure leaves both feet standing for long enough; at the last moment anywhere, and
 /// steps are left out.
-bool Dancer::State::hold_at_phrase_end(const MusicState& music) noexcept {
+bool Dancer::State::pause_at_phrase_end(const MusicState& music) noexcept {
     const double left = (sequence.end() - phase.phase()).count();
-    const double slowing = 2.0 * kHoldKey + kStepIn;
-    const double least = slowing + kShortestHold * phase.rate();
-    if (left > slowing + kLongestHold * phase.rate() || left < least ||
+    const double slowing = 2.0 * kPauseKey + kStepIn;
+    const double least = slowing + kShortestPause * phase.rate();
+    if (left > slowing + kLongestPause * phase.rate() || left < least ||
         music.hop % kHopsBetweenLooks != 0) {
         return false;
     }
     const double bars = left / (phase.octave() * music.grid.beats_per_bar);
-    const CounterRandom random(part.seed, kHoldStream);
+    const CounterRandom random(part.seed, kPauseStream);
     if (std::abs(phrases.bar() + bars - Phrases::kBars) > kNearPhraseEnd ||
-        random.uniform(phrases.number()) >= content().chooser.habits().holds ||
+        random.uniform(phrases.number()) >= content().chooser.habits().pauses ||
         static_cast<double>(manner.energy()) < kLivelyEnough) {
         return false;
     }
-    const Beats key = shown_phase(music.time, Nanos(0)) + Beats(kHoldKey);
+    const Beats key = shown_phase(music.time, Nanos(0)) + Beats(kPauseKey);
     const Beats last = sequence.end() - Beats(kStepIn);
     const Beats stood = stands_until(sequence, key, last);
-    const bool stands = (stood - key).count() >= kHoldKey + kShortestHold * phase.rate();
+    const bool stands = (stood - key).count() >= kPauseKey + kShortestPause * phase.rate();
     const double to_next_look = phase.rate() * kHopsBetweenLooks * to_seconds(kHop);
     if (!stands && left - to_next_look >= least) {
         return false;
     }
     resumes = stands ? stood : last;
-    stand_still(music, Cause::phrase, kHoldKey, kHoldKey);
+    stand_still(music, Cause::phrase, kPauseKey, kPauseKey);
     return true;
 }
 

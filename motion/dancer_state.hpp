@@ -25,7 +25,7 @@ namespace raks::motion {
 struct Dancer::Course {
     /// Why the dance stands still.
     enum class Cause : std::uint8_t {
-        phrase,  ///< a phrase ends, and this dancer chose to hold
+        phrase,  ///< a phrase ends, and this dancer chose to pause
         stop,    ///< the music stopped
         ending,  ///< the song is over
     };
@@ -54,7 +54,7 @@ struct Dancer::Course {
     Phrases phrases;
     Stillness still;
     Cause cause = Cause::phrase;          // of `still`
-    Beats resumes{};                      // phase at which a phrase's hold ends
+    Beats resumes{};                      // phase at which a phrase's pause ends
     std::uint64_t figure_rested = ~0ULL;  // the last figure for which rests were drawn
     Hits hits;
     HandRests hands;
@@ -99,7 +99,7 @@ struct Dancer::State : Dancer::Course {
     void leave(const MusicState& music) noexcept;
     void settle(StreamTime now) noexcept;
     void bow(StreamTime now) noexcept;
-    [[nodiscard]] bool hold_at_phrase_end(const MusicState& music) noexcept;
+    [[nodiscard]] bool pause_at_phrase_end(const MusicState& music) noexcept;
     [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;
     void resume(const MusicState& music) noexcept;

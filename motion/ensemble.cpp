@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+
+#include "motion/library_content.hpp"
 
 namespace raks::motion {
 namespace {
@@ -29,10 +32,37 @@ Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members,
         }
     }
     dancers_ = std::move(dancers);
-    skeleton_ = skeleton;
-    hold_.reset();
-    holds_hands_ = members.size() == 2 && members[0].part.is_in_couple;
+    hold_.prepare(skeleton);
+    const bool is_couple = members.size() == 2 && members[0].part.is_in_couple;
+    couple_ = is_couple ? members[0].repertoire : nullptr;
     return {};
+}
+
+// The lead's figure is the follow's, too: both are chosen from one seed.
+HoldMoment Ensemble::hold_moment() const noexcept {
+    HoldMoment moment;
+    const DancerStatus status = dancers_.front().status();
+    const DanceLibrary* const library = couple_->of(status.dance);
+    if (!status.is_dancing || library == nullptr) {
+        return moment;
+    }
+    const DanceContent& content = library->content();
+    // Longer names are cut in the status.
+    const auto cut = [](std::string_view name) {
+        return name.substr(0, DancerStatus{}.figure.size() - 1);
+    };
+    const auto figure =
+        std::find_if(content.figures.begin(), content.figures.end(), [&](const LibraryFigure& one) {
+            return cut(one.name) == std::string_view(status.figure.data());
+        });
+    if (figure != content.figures.end()) {
+        moment.hold = content.hold;
+        moment.holds = figure->holds;
+        moment.beat = status.phase;
+        moment.beats = figure->beats;
+        moment.rate = status.rate;
+    }
+    return moment;
 }
 
 void Ensemble::advance(const MusicState& state,
@@ -41,8 +71,8 @@ void Ensemble::advance(const MusicState& state,
         dancers_[i].advance(state, tracks[i]);
     }
     // After all have advanced: the hold changes the poses of both.
-    if (holds_hands_ && tracks.size() >= 2 && !tracks[0].is_empty()) {
-        hold_.advance(skeleton_, tracks[0], tracks[1]);
+    if (couple_ && tracks.size() >= 2 && !tracks[0].is_empty()) {
+        hold_.advance(hold_moment(), tracks[0], tracks[1]);
     }
 }
 
@@ -63,7 +93,7 @@ void Ensemble::go_on_from(const Ensemble& before) noexcept RAKS_NONBLOCKING {
     for (std::size_t i = 0; i < std::min(dancers_.size(), before.dancers_.size()); ++i) {
         dancers_[i].go_on_from(before.dancers_[i]);
     }
-    hold_ = before.hold_;
+    hold_.go_on_from(before.hold_);
 }
 
 void Ensemble::reset() noexcept RAKS_NONBLOCKING {

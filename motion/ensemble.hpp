@@ -51,13 +51,18 @@ class Ensemble {
 
     /// Number of members.
     [[nodiscard]] std::size_t size() const noexcept { return dancers_.size(); }
+    /// How firmly the two of a couple hold one another in the newest final poses, by Grip; all 0
+    /// for others. Real-time: yes.
+    [[nodiscard]] GripWeights held() const noexcept RAKS_NONBLOCKING { return hold_.held(); }
     /// The first member's status; an empty one without members.
     [[nodiscard]] DancerStatus status() const noexcept RAKS_NONBLOCKING;
 
  private:
-    Skeleton skeleton_;
+    [[nodiscard]] HoldMoment hold_moment() const noexcept;
+
     std::vector<Dancer> dancers_;
-    bool holds_hands_ = false;  // the first two are a couple
+    // The lead's dances, which say how a couple holds; null unless the first two are a couple.
+    std::shared_ptr<const Repertoire> couple_;
     HandHold hold_;
 };
 

@@ -12,6 +12,7 @@
 #include "base/suggest.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "engine/setup/settings.hpp"
+#include "motion/choreography/follow_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxTextBytes = std::size_t{1} << 20U;
 // Part of the folder's name: a program that learns the same text otherwise must not find the
 // figures of the one before. To be raised with every change of the learning.
-constexpr int kLearningVersion = 1;
+constexpr int kLearningVersion = 2;
 
 // A folder is complete once it has its dances.toml, which add_to_folder() writes last: a run that
 // was stopped left none.
@@ -48,6 +49,25 @@ fs::path folder_for(const std::string& name) {
     return temporary_folder() / fmt::format("raks-{}-{}", name, getpid());
 }
 
+std::vector<motion::DanceRole> roles_of(const motion::AuthoredDance& dance) {
+    using motion::DanceRole;
+    return dance.couple ? std::vector{DanceRole::lead, DanceRole::follow}
+                        : std::vector{DanceRole::lead};
+}
+
+// `figure` is the lead's.
+Expected<motion::AuthoredTrainingResult> learn_figure(const motion::AuthoredDance& dance,
+                                                      const motion::AuthoredFigure& figure,
+                                                      motion::DanceRole role,
+                                                      const motion::Skeleton& skeleton,
+                                                      motion::AuthoredTrainingOptions options) {
+    options.role = role;
+    return role == motion::DanceRole::lead
+               ? motion::train_authored_figure(dance, figure, skeleton, options)
+               : motion::train_authored_figure(
+                     dance, motion::follow_of(figure, *dance.couple), skeleton, options);
+}
+
 }  // namespace
 
 // A written dance has no title of its own: its name stands for it.
@@ -59,7 +79,12 @@ DanceInfo info_of(const motion::AuthoredDance& dance) {
     info.highest = dance.fastest;
     // The tempo that it was written at is the likely one.
     info.likely = dance.written;
+    info.roles = dance.couple ? 2 : 1;
     return info;
+}
+
+std::optional<motion::CoupleForm> couple_form_of(const motion::AuthoredDance& dance) {
+    return dance.couple ? std::optional(dance.couple->form()) : std::nullopt;
 }
 
 Expected<std::vector<motion::AuthoredTrainingResult>> learn_figures(
@@ -77,14 +102,16 @@ Expected<std::vector<motion::AuthoredTrainingResult>> learn_figures(
         if (!figure.empty() && one.name != figure) {
             continue;
         }
-        auto trained = motion::train_authored_figure(dance, one, skeleton, options);
-        if (!trained) {
-            return fail(std::move(trained.error()));
+        for (const motion::DanceRole role : roles_of(dance)) {
+            auto trained = learn_figure(dance, one, role, skeleton, options);
+            if (!trained) {
+                return fail(std::move(trained.error()));
+            }
+            if (on_learnt && role == motion::DanceRole::lead) {
+                on_learnt(one, *trained);
+            }
+            learnt.push_back(std::move(*trained));
         }
-        if (on_learnt) {
-            on_learnt(one, *trained);
-        }
-        learnt.push_back(std::move(*trained));
     }
     if (learnt.empty()) {
         return fail(dance.file + ": " + unknown_name("figure", figure, names));
@@ -120,7 +147,9 @@ Expected<fs::path> learn_written_dance(const fs::path& file, const motion::Skele
         // Written, not counted: every figure has the same weight.
         figures.push_back({&one.model, 1.0});
     }
-    if (auto added = engine::add_to_folder(folder, info_of(*dance), figures); !added) {
+    if (auto added =
+            engine::add_to_folder(folder, info_of(*dance), figures, couple_form_of(*dance));
+        !added) {
         return fail(std::move(added.error()));
     }
     return folder;

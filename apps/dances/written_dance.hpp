@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -14,10 +15,13 @@ namespace raks::apps {
 
 /// The entry of a dances.toml for a written dance: name, metre and tempi.
 [[nodiscard]] DanceInfo info_of(const motion::AuthoredDance& dance);
+/// What its grammar says of couples; none: it is danced alone.
+[[nodiscard]] std::optional<motion::CoupleForm> couple_form_of(const motion::AuthoredDance& dance);
 
-/// Learns the figures of a written dance, in the file's order. `figure`: the only one to learn;
-/// empty: all. `on_learnt` is called after each. Errors: no such figure (the nearest is named), a
-/// figure that cannot be learnt. Threads: workers. Real-time: no (a third of a second a figure).
+/// Learns the figures of a written dance, in the file's order; of a dance for couples each for the
+/// lead and then for the follow. `figure`: the only one to learn; empty: all. `on_learnt` is called
+/// after each. Errors: no such figure (the nearest is named), a figure that cannot be learnt.
+/// Threads: workers. Real-time: no (a third of a second a figure).
 [[nodiscard]] Expected<std::vector<motion::AuthoredTrainingResult>> learn_figures(
     const motion::AuthoredDance& dance,
     std::string_view figure,

@@ -85,13 +85,19 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
     }
     // A written dance does not say how often a figure occurs: all have the same weight.
     std::vector<engine::LearntFigure> figures;
+    if (!destination->file.empty()) {
+        // One file, one model: that of the role that was asked for.
+        std::erase_if(*learnt, [&](const motion::AuthoredTrainingResult& trained) {
+            return trained.model.role != arguments.role;
+        });
+    }
     for (const motion::AuthoredTrainingResult& trained : *learnt) {
         figures.push_back({&trained.model, 1.0});
     }
     DanceInfo info = info_of(*dance);
     info.extends = arguments.extends;
     // Written first: the lines below name files that are there.
-    if (auto delivered = deliver(*destination, info, figures); !delivered) {
+    if (auto delivered = deliver(*destination, info, figures, couple_form_of(*dance)); !delivered) {
         return fail(std::move(delivered.error()));
     }
     for (const motion::AuthoredTrainingResult& trained : *learnt) {

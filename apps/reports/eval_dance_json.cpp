@@ -158,7 +158,11 @@ std::string to_json(const DanceReport& report) {
                                        {"facing_p90", couple->facing_p90},
                                        {"closest", couple->closest},
                                        {"closest_in", couple->closest_in},
-                                       {"overlapping", couple->overlapping}};
+                                       {"overlapping", couple->overlapping},
+                                       {"held", couple->held},
+                                       {"palms_median", couple->palms_median},
+                                       {"palms_p90", couple->palms_p90},
+                                       {"held_height", couple->held_height}};
         }
     }
     // Over all trials together.

@@ -202,14 +202,26 @@ std::string paces_table(const DanceReport& report) {
 
 // The table of a couple's measures; empty where nobody danced as a couple.
 std::string couple_table(const DanceReport& report) {
-    std::vector<Row> rows = {
-        {"trial", "hands p90 cm", "past one another p90 deg", "closest cm", "in", "overlap %"},
-        {"bound",
-         bound_cell(Bound{.highest = 1e2 * kCoupleHands.highest}, 1),
-         "",
-         bound_cell(Bound{.lowest = 1e2 * kCoupleClosest.lowest}, 1),
-         "",
-         ""}};
+    std::vector<Row> rows = {{"trial",
+                              "hands p90 cm",
+                              "past one another p90 deg",
+                              "closest cm",
+                              "in",
+                              "overlap %",
+                              "held %",
+                              "palms p50 cm",
+                              "palms p90 cm",
+                              "held height cm"},
+                             {"bound",
+                              bound_cell(Bound{.highest = 1e2 * kCoupleHands.highest}, 1),
+                              "",
+                              bound_cell(Bound{.lowest = 1e2 * kCoupleClosest.lowest}, 1),
+                              "",
+                              "",
+                              "",
+                              bound_cell(Bound{.highest = 1e2 * kPalmsMedian.highest}, 1),
+                              bound_cell(Bound{.highest = 1e2 * kPalmsP90.highest}, 1),
+                              ""}};
     for (const MeasuredDance& trial : report.trials) {
         if (const auto& couple = trial.result.couple) {
             rows.push_back({trial.name,
@@ -219,7 +231,13 @@ std::string couple_table(const DanceReport& report) {
                             number(1e2 * couple->closest, 1) +
                                 (kCoupleClosest.holds(couple->closest) ? "" : "!"),
                             couple->closest_in,
-                            number(1e2 * couple->overlapping, 2)});
+                            number(1e2 * couple->overlapping, 2),
+                            number(1e2 * couple->held, 0),
+                            number(1e2 * couple->palms_median, 1) +
+                                (kPalmsMedian.holds(couple->palms_median) ? "" : "!"),
+                            number(1e2 * couple->palms_p90, 1) +
+                                (kPalmsP90.holds(couple->palms_p90) ? "" : "!"),
+                            number(1e2 * couple->held_height, 1)});
         }
     }
     // Two rows are the heads and the bounds.

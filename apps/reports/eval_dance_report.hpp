@@ -73,6 +73,8 @@ struct DanceQuantity {
 inline constexpr Bound kCoupleHands = {.highest = 0.25};  ///< metres, p90 in the basic
 /// Least distance skin to skin, metres: legs that step between one another touch; trunks that pass
 /// do not.
+inline constexpr Bound kPalmsMedian = {.highest = 0.03};  ///< metres between palms while held
+inline constexpr Bound kPalmsP90 = {.highest = 0.10};     ///< the same, 90th percentile
 inline constexpr Bound kCoupleClosest = {.lowest = -0.05};
 
 /// Distance between two repeats of a written figure, metres; people's salsa: 0.116.

@@ -23,6 +23,7 @@ struct PerformedHop {
     const motion::PoseTrack& track;             ///< of the first dancer
     std::span<const motion::PoseTrack> tracks;  ///< of all
     const motion::DancerStatus& dancer;         ///< what the first dancer does, after this hop
+    motion::GripWeights held{};                 ///< how firmly a couple holds one another
 };
 
 /// The offline driver: the same analyzer and dancers as in the live graph, on a virtual clock that

@@ -50,6 +50,10 @@ std::uint64_t program_identity() {
 std::uint64_t with_grammar(const motion::FigureGrammar& grammar, std::uint64_t hash) {
     hash = hash_of(grammar.dance, hash);
     hash = with_bytes_of(grammar.beats_per_bar, with_bytes_of(grammar.starts, hash));
+    // Who holds whom is not solved: only places are.
+    if (grammar.couple && grammar.couple->apart) {
+        hash = with_bytes_of(*grammar.couple->apart, hash);
+    }
     for (const motion::FigureGrammar::Place& place : grammar.places) {
         hash = with_bytes_of(place.role, hash);
         hash = with_bytes_of(place.turn_point, with_bytes_of(place.heading, hash));

@@ -42,12 +42,18 @@ Expected<void> list_dance(const fs::path& folder, const DanceInfo& dance) {
 // have edited weights and comments.
 Expected<void> add_rules(const fs::path& folder,
                          const DanceInfo& dance,
-                         std::span<const LearntFigure> figures) {
+                         std::span<const LearntFigure> figures,
+                         const std::optional<motion::CoupleForm>& couple) {
     const fs::path path = grammar_path(folder, dance.name);
     // The head of a new grammar; a text that is there replaces it.
     motion::FigureGrammar head;
     head.dance = dance.name;
     head.beats_per_bar = dance.beats_per_bar;
+    if (couple) {
+        // Figures of a couple are written, and have stances of their own.
+        head.couple = couple;
+        head.starts = motion::FigureGrammar::Starts::own;
+    }
     std::string text = motion::grammar_head_text(head);
     std::vector<std::string> known;
     if (is_there(path)) {
@@ -96,7 +102,8 @@ fs::path figure_path(const fs::path& folder,
 
 Expected<void> add_to_folder(const fs::path& folder,
                              const DanceInfo& dance,
-                             std::span<const LearntFigure> figures) {
+                             std::span<const LearntFigure> figures,
+                             const std::optional<motion::CoupleForm>& couple) {
     // All names are checked before the first file is written.
     if (!is_dance_name(dance.name)) {
         return fail("dance: " + why_no_dance_name(dance.name));
@@ -119,7 +126,7 @@ Expected<void> add_to_folder(const fs::path& folder,
     }
     // The grammar after the figures and the list last: whatever is listed is complete, even if the
     // program is stopped in between.
-    if (auto added = add_rules(folder, dance, figures); !added) {
+    if (auto added = add_rules(folder, dance, figures, couple); !added) {
         return added;
     }
     return list_dance(folder, dance);

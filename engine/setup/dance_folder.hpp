@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
+#include "motion/figures/couple_form.hpp"
 #include "motion/figures/figure_model.hpp"
 
 /// A folder of dances: which file lies where, and how a learnt figure is added. The shipped folder,
@@ -39,11 +41,13 @@ struct LearntFigure {
 
 /// Makes the folder or adds to it: writes the figures' files, lists the dance where it is not
 /// listed, and adds a rule for each figure that the grammar lacks. Text that is there stays as a
-/// person has edited it. `dance` with `extends`: the figures join that dance; their models are of
-/// that dance. Errors: a file that cannot be read or written; a figure's name that cannot be part
-/// of a file's name. Threads: workers. Real-time: no.
+/// person has edited it; a new grammar says of couples what `couple` does. `dance` with `extends`:
+/// the figures join that dance; their models are of that dance. Errors: a file that cannot be read
+/// or written; a figure's name that cannot be part of a file's name. Threads: workers. Real-time:
+/// no.
 [[nodiscard]] Expected<void> add_to_folder(const std::filesystem::path& folder,
                                            const DanceInfo& dance,
-                                           std::span<const LearntFigure> figures);
+                                           std::span<const LearntFigure> figures,
+                                           const std::optional<motion::CoupleForm>& couple = {});
 
 }  // namespace raks::engine

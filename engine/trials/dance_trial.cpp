@@ -21,6 +21,7 @@ class RecordDance final : public OfflineDriver::Sink {
     void on_hop(const PerformedHop& hop) override {
         poses_.on_hop(hop);
         hops.push_back(hop.dancer);
+        held.push_back(hop.held);
     }
     [[nodiscard]] const std::vector<motion::Pose>& poses() const {
         return poses_.dancers[measured_];
@@ -30,6 +31,7 @@ class RecordDance final : public OfflineDriver::Sink {
     }
 
     std::vector<motion::DancerStatus> hops;
+    std::vector<motion::GripWeights> held;  // by hop
 
  private:
     std::size_t measured_;
@@ -107,6 +109,50 @@ std::vector<double> audible_beats(const audio::GeneratedMusic& music) {
     return times;
 }
 
+// Measures of the palms while they are held, over settled frames.
+void measure_held_palms(const motion::Skeleton& skeleton,
+                        const RecordDance& record,
+                        const motion::MetricFrames& frames,
+                        CoupleResult& result) {
+    constexpr float kHeld = 0.95F;  // firmness from which a pair counts as held
+    std::vector<double> apart;
+    std::vector<double> heights;
+    double held = 0.0;
+    double counted = 0.0;
+    for (std::size_t f = 0; f < frames.counted.size(); ++f) {
+        const auto hop = static_cast<std::size_t>(
+            static_cast<double>(f) / kTrialPosesPerSecond / to_seconds(kHop) + 0.5);
+        if (!frames.counted[f] || hop >= record.held.size()) {
+            continue;
+        }
+        bool is_held = false;
+        for (const motion::Side lead : motion::kSides) {
+            for (const motion::Side follow : motion::kSides) {
+                if (record.held[hop][motion::index_of(motion::palms(lead, follow))] < kHeld) {
+                    continue;
+                }
+                is_held = true;
+                const motion::PalmsAt palms = motion::measure_palms(
+                    skeleton, {lead, follow}, record.dancers()[0][f], record.dancers()[1][f]);
+                apart.push_back(palms.apart);
+                if (lead == motion::Side::left && follow == motion::Side::right) {
+                    heights.push_back(palms.height);
+                }
+            }
+        }
+        held += is_held ? 1.0 : 0.0;
+        counted += 1.0;
+    }
+    result.held = held / std::max(counted, 1.0);
+    if (!apart.empty()) {
+        result.palms_median = percentile(apart, 0.5);
+        result.palms_p90 = percentile(std::move(apart), 0.9);
+    }
+    if (!heights.empty()) {
+        result.held_height = percentile(heights, 0.95) - percentile(heights, 0.05);
+    }
+}
+
 // Measures of the couple over settled frames. Hands and facing are measured in
 // the basic only, distance in all figures.
 CoupleResult couple_of(const motion::Skeleton& skeleton,
@@ -139,8 +185,11 @@ CoupleResult couple_of(const motion::Skeleton& skeleton,
         counted += 1.0;
     }
     result.overlapping /= std::max(counted, 1.0);
-    result.hands_p90 = percentile(std::move(hands), 0.9);
-    result.facing_p90 = percentile(std::move(facing), 0.9);
+    if (!hands.empty()) {
+        result.hands_p90 = percentile(std::move(hands), 0.9);
+        result.facing_p90 = percentile(std::move(facing), 0.9);
+    }
+    measure_held_palms(skeleton, record, frames, result);
     return result;
 }
 

@@ -41,11 +41,17 @@ struct DanceTrial {
 
 /// Measures of a couple, over the frames in which it dances and has settled.
 struct CoupleResult {
-    double hands_p90 = 0.0;    ///< of the hands that hold one another, in the basic; metres
-    double facing_p90 = 0.0;   ///< how far either looks past the other, in the basic; radians
-    double closest = 0.0;      ///< skin to skin, in all figures; metres, negative: overlap
-    std::string closest_in;    ///< the figure in which that was
-    double overlapping = 0.0;  ///< share of the time in which the bodies overlap
+    double hands_p90 = 0.0;     ///< of the hands that hold one another, in the basic; metres
+    double facing_p90 = 0.0;    ///< how far either looks past the other, in the basic; radians
+    double closest = 0.0;       ///< skin to skin, in all figures; metres, negative: overlap
+    std::string closest_in;     ///< the figure in which that was
+    double overlapping = 0.0;   ///< share of the time in which the bodies overlap
+    double held = 0.0;          ///< share of the time in which at least one pair of palms is held
+    double palms_median = 0.0;  ///< between the palms of a pair while it is held; metres
+    double palms_p90 = 0.0;     ///< the same, 90th percentile
+    /// Range of the height of the lead's left palm with the follow's right one while they are held,
+    /// 5th to 95th percentile; metres. A closed frame is steady.
+    double held_height = 0.0;
 };
 
 /// Rate at which all measures are taken, so that they compare with those of captured dances.

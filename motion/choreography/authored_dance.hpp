@@ -12,6 +12,7 @@
 #include "base/beats.hpp"
 #include "base/expected.hpp"
 #include "motion/choreography/controls.hpp"
+#include "motion/figures/couple_form.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -132,6 +133,8 @@ struct AuthoredFigure {
     glm::dvec2 travel{0.0, 0.0};  ///< of the figure's frame per repeat, cm
     double turn = 0.0;            ///< of the frame per repeat, degrees
     std::vector<FootStep> steps;  ///< in order of `at`
+    /// The follow's, in her own frame; none: made from `steps` (follow_figure.hpp)
+    std::vector<FootStep> follow_steps;
     /// By control: tracks that add up (the figure's own, or the file's, or the control's rest
     /// value).
     std::array<std::vector<Track>, kControlCount> body;
@@ -149,6 +152,23 @@ struct AuthoredFigure {
     }
 };
 
+/// How a dance is danced by two, who face one another; the follow's part is made from the lead's.
+struct CoupleStyle {
+    /// How the follow moves.
+    enum class Follow : std::uint8_t {
+        opposite,  ///< as one with the lead: forward where the lead goes back
+        mirror,    ///< the lead's mirror image
+    };
+    Follow follow = Follow::opposite;    ///< how she moves
+    CoupleHold hold = CoupleHold::none;  ///< how they hold one another
+    glm::dvec2 apart{0.0, 80.0};         ///< her place seen from the lead's: left, forward; cm
+
+    /// What a grammar says of it.
+    [[nodiscard]] CoupleForm form() const noexcept { return {hold, 0.01 * apart}; }
+};
+/// Names in files, by CoupleStyle::Follow.
+inline constexpr std::array<std::string_view, 2> kFollowNames = {"opposite", "mirror"};
+
 /// A whole dance file.
 struct AuthoredDance {
     static constexpr std::string_view kFormat = "raks-choreography";  ///< of the file
@@ -161,6 +181,7 @@ struct AuthoredDance {
     Bpm fastest{140.0};                   ///< tempo up to which it is danced
     int beats_per_bar = 4;                ///< 1 to 12
     std::string licence;                  ///< as the file gives it
+    std::optional<CoupleStyle> couple;    ///< none: it is danced alone
     std::vector<AuthoredFigure> figures;  ///< in the file's order
 
     /// The figure of that name; null: there is none.

@@ -6,6 +6,7 @@
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/choreography/figure_check.hpp"
 #include "motion/choreography/figure_reader.hpp"
+#include "motion/choreography/follow_figure.hpp"
 
 namespace raks::motion {
 namespace {
@@ -90,6 +91,7 @@ class DanceReader {
                                      "style",
                                      "body",
                                      "expect",
+                                     "couple",
                                      "figure"});
         dance_.dance = complaints_.text(root, "dance");
         dance_.licence = complaints_.text(root, "licence");
@@ -144,6 +146,31 @@ class DanceReader {
         if (const toml::table* const expectation = table_at(root, "expect")) {
             read_expectation(*expectation, expectation_);
         }
+        if (const toml::table* const couple = table_at(root, "couple")) {
+            read_couple(*couple);
+        }
+    }
+
+    void read_couple(const toml::table& table) {
+        complaints_.check_keys(table, Names{"follow", "hold", "apart"});
+        CoupleStyle couple;
+        // The index of the text among the names; the first where there is none.
+        const auto index_in = [&](std::string_view key, const auto& names) {
+            const std::string text = complaints_.text(table, key);
+            const auto found = std::find(names.begin(), names.end(), text);
+            if (!text.empty() && found == names.end()) {
+                complaints_.complain(*table.get(key), unknown_name(key, text, names));
+            }
+            return found == names.end() ? std::ptrdiff_t{0} : found - names.begin();
+        };
+        couple.follow = static_cast<CoupleStyle::Follow>(index_in("follow", kFollowNames));
+        couple.hold = static_cast<CoupleHold>(index_in("hold", kCoupleHoldNames));
+        if (const toml::node* const node = table.get("apart")) {
+            const auto apart =
+                complaints_.numbers<2>(*node, "apart", {-200, 200}, "[left, forward] in cm");
+            couple.apart = {apart[0], apart[1]};
+        }
+        dance_.couple = couple;
     }
 
     // The table under a key; null where there is none, or, with a complaint, something else.
@@ -234,9 +261,17 @@ class DanceReader {
             return;
         }
         complaints_.enter(fmt::format("figure \"{}\"", figure.name));
-        complaints_.check_keys(
-            table,
-            Names{"name", "beats", "mirror", "travel", "turn", "style", "steps", "body", "expect"});
+        complaints_.check_keys(table,
+                               Names{"name",
+                                     "beats",
+                                     "mirror",
+                                     "travel",
+                                     "turn",
+                                     "style",
+                                     "steps",
+                                     "follow_steps",
+                                     "body",
+                                     "expect"});
         read_frame(table, figure);
         figure.style = style_;
         figure.expectation = expectation_;
@@ -246,7 +281,8 @@ class DanceReader {
         if (const toml::table* const expectation = table_at(table, "expect")) {
             read_expectation(*expectation, figure.expectation);
         }
-        read_steps(table, complaints_, figure);
+        figure.steps = read_steps(table, "steps", complaints_, figure);
+        figure.follow_steps = read_steps(table, "follow_steps", complaints_, figure);
         WrittenBody own;
         if (const toml::table* const body = table_at(table, "body")) {
             read_body(*body, complaints_, own);
@@ -255,10 +291,18 @@ class DanceReader {
         if (complaints_.is_sound()) {
             if (const auto fault = first_fault(figure)) {
                 complaints_.complain(fault->line, fault->message);
+            } else if (dance_.couple) {
+                check_follow(figure);
             }
         }
         check_work(figure);
         dance_.figures.push_back(std::move(figure));
+    }
+
+    void check_follow(const AuthoredFigure& figure) {
+        if (const auto fault = first_fault(follow_of(figure, *dance_.couple))) {
+            complaints_.complain(fault->line, "of the follow: " + fault->message);
+        }
     }
 
     // Before anything is computed: a slip of the finger must not cost minutes and gigabytes.

@@ -205,29 +205,34 @@ FootStep read_step(const toml::table& table,
 
 }  // namespace
 
-void read_steps(const toml::table& table, TomlComplaints& complaints, AuthoredFigure& figure) {
-    const toml::node* const node = table.get("steps");
+std::vector<FootStep> read_steps(const toml::table& table,
+                                 std::string_view key,
+                                 TomlComplaints& complaints,
+                                 const AuthoredFigure& figure) {
+    std::vector<FootStep> steps;
+    const toml::node* const node = table.get(key);
     if (node == nullptr) {
-        return;
+        return steps;
     }
     const toml::array* const array = node->as_array();
     if (array == nullptr || array->size() > kMostSteps) {
         complaints.complain(*node,
-                            fmt::format("steps must be a list of at most {} steps", kMostSteps));
-        return;
+                            fmt::format("{} must be a list of at most {} steps", key, kMostSteps));
+        return steps;
     }
     for (const toml::node& one : *array) {
         const toml::table* const step = one.as_table();
         if (step == nullptr) {
             complaints.complain(one, "a step must be { foot = ..., at = ..., ... }");
-            return;
+            return steps;
         }
-        figure.steps.push_back(read_step(*step, complaints, figure));
+        steps.push_back(read_step(*step, complaints, figure));
     }
     // Stable: of two steps at the same beat the written order decides.
-    std::stable_sort(figure.steps.begin(),
-                     figure.steps.end(),
-                     [](const FootStep& a, const FootStep& b) { return a.at < b.at; });
+    std::stable_sort(steps.begin(), steps.end(), [](const FootStep& a, const FootStep& b) {
+        return a.at < b.at;
+    });
+    return steps;
 }
 
 }  // namespace raks::motion

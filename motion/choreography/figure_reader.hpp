@@ -41,8 +41,12 @@ void read_body(const toml::table& table, TomlComplaints& complaints, WrittenBody
 
 // Step reader: the steps of a figure in a dance file.
 
-/// Reads a figure's steps = [{ foot, at, ... }, ...] and sorts them by the beat of landing. The
-/// figure's beats and style must be known already. Faults go to `complaints`.
-void read_steps(const toml::table& table, TomlComplaints& complaints, AuthoredFigure& figure);
+/// Reads a figure's steps = [{ foot, at, ... }, ...], or those under another key, sorted by the
+/// beat of landing; none where the key is missing. The figure's beats and style must be known
+/// already. Faults go to `complaints`.
+[[nodiscard]] std::vector<FootStep> read_steps(const toml::table& table,
+                                               std::string_view key,
+                                               TomlComplaints& complaints,
+                                               const AuthoredFigure& figure);
 
 }  // namespace raks::motion

@@ -81,6 +81,21 @@ FloorMove couple_of(std::span<const FigureModel> figures, const FigureGrammar* g
     return move;
 }
 
+/// The same where the follow's place is given as seen from the lead's: the middle between both
+/// stands in the middle of the stage, seen from the stance in which the first figure begins.
+FloorMove couple_of(const glm::dvec2& apart, DanceRole role, const FloorMove& stance) {
+    constexpr double kLeadHeading =
+        M_PI / 3.0;  // both are seen more from the side than from behind
+    FloorMove move;
+    move.heading = kLeadHeading;
+    move.offset = move.turned(-0.5 * apart);
+    if (role == DanceRole::follow) {
+        move.offset = -move.offset;
+        move.heading -= M_PI;
+    }
+    return move * inverse(stance);
+}
+
 /// Replaces each foot's start place by the mean over the figures that have one.
 void share_places(std::vector<StartPlaces>& places) {
     for (std::size_t s = 0; s < kSides.size(); ++s) {
@@ -357,7 +372,27 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     }
     content.stage = stage_of(content.figures.front());
     content.couple = couple_of(figures, grammar);
+    if (grammar != nullptr && grammar->couple && grammar->couple->apart) {
+        content.couple = couple_of(*grammar->couple->apart,
+                                   figures.front().role,
+                                   stance_before(content.figures.front(), skeleton));
+    }
+    if (grammar != nullptr) {
+        take_holds(*grammar, content);
+    }
     return content;
+}
+
+void take_holds(const FigureGrammar& grammar, DanceContent& content) {
+    // Where nothing is said, his left hand holds her right one.
+    content.hold = grammar.couple ? grammar.couple->hold : CoupleHold::hands;
+    for (std::size_t i = 0; i < std::min(content.figures.size(), grammar.rules.size()); ++i) {
+        LibraryFigure& figure = content.figures[i];
+        figure.holds = grammar.rules[i].holds;
+        if (!grammar.couple) {
+            figure.holds = {{Side::left, Side::right, 0.0, static_cast<double>(figure.beats)}};
+        }
+    }
 }
 
 FigureChoice choose_ways(std::size_t figure,

@@ -35,6 +35,7 @@ struct LibraryFigure {
     Bpm learnt_tempo{120.0};              ///< mean over its repeats
     SizeByTempo size_by_tempo;            ///< law of its size at other tempi
     FigureMiddle middle;                  ///< what its movements scale about
+    std::vector<HeldHands> holds;         ///< of a couple; as the grammar says
 };
 
 /// All that a dancer reads of a library.
@@ -47,7 +48,8 @@ struct DanceContent {
     std::vector<LibraryFigure> figures;             ///< in the order of the grammar's rules
     FigureChooser chooser;                          ///< which figure comes next
     DanceMetre metre;                               ///< its tempo: that of the figures' mean period
-    FloorMove couple;   ///< like `stage`, but one of a couple dances about the stage's centre
+    FloorMove couple;  ///< like `stage`, but one of a couple dances about the stage's centre
+    CoupleHold hold = CoupleHold::none;  ///< of a couple; as the grammar says
     FloorMove stage;    ///< from a figure's start to the stage: centred, facing the audience
     Pose rest;          ///< what no passage sets: softly bent fingers
     Skeleton skeleton;  ///< that it was solved for
@@ -59,6 +61,9 @@ struct DanceContent {
                                                   const Skeleton& skeleton,
                                                   const FigureGrammar* grammar,
                                                   Generator generator = Generator::trajectories);
+
+/// Sets the holds of the content and of its figures, which are in the order of the grammar's rules.
+void take_holds(const FigureGrammar& grammar, DanceContent& content);
 
 /// How one figure is danced this time.
 struct FigureChoice {

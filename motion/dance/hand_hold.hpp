@@ -2,52 +2,60 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <span>
 
 #include "base/realtime.hpp"
 #include "base/time.hpp"
+#include "motion/dance/couple_grips.hpp"
+#include "motion/figures/couple_form.hpp"
 #include "motion/skeleton/pose_track.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
 
-/// How firmly the lead's left hand and the follow's right hand should hold one another in these
-/// poses, 0 to 1: less the further they are apart, and not where they would meet close to a
-/// shoulder. Threads: any. Real-time: yes.
-[[nodiscard]] float wish_to_hold(const Skeleton& skeleton,
-                                 const Pose& lead,
-                                 const Pose& follow) noexcept RAKS_NONBLOCKING;
+/// What a couple dances at a hop, as far as its hands need to know.
+struct HoldMoment {
+    CoupleHold hold = CoupleHold::none;  ///< none while it stands
+    std::span<const HeldHands> holds;    ///< of the figure
+    double beat = 0.0;                   ///< of the figure
+    double beats = 0.0;                  ///< length of the figure
+    double rate = 0.0;                   ///< beats a second
+};
 
-/// Moves both hands by the share `hold` of the way to one another, as far as the arms reach
-/// comfortably. Threads: any. Real-time: yes.
-void join_hands(const Skeleton& skeleton,
-                float hold,
-                Pose& lead,
-                Pose& follow) noexcept RAKS_NONBLOCKING;
-
-/// The hold of a couple over time. A turn sweeps a hand away at 5 m/s, and an arm released as fast
-/// as that is thrown (10,000 m/s^3). So the hold is a weighted mean over the wishes of the next and
-/// the last 0.2 s; the next ones come from predicted poses. Threads: one owner. Real-time: yes.
+/// The hold of a couple over time: hands are taken, held and let go as the figures say, where the
+/// arms reach comfortably. How firmly each grip is held follows that through a low-pass filter of
+/// the fourth order (0.3 s), so that a hand is reached for and released without a jerk: an arm
+/// released at the 5 m/s with which a turn sweeps it away would be thrown (10,000 m/s^3). Predicted
+/// poses are filtered on from the last final one. Threads: one owner. Real-time: yes.
 class HandHold {
  public:
-    /// Nothing known yet.
-    HandHold() noexcept;
-    /// Forgets the wishes of the last hops.
+    HandHold() = default;
+    /// Of two bodies with this skeleton. Real-time: no.
+    void prepare(const Skeleton& skeleton);
+    /// Lets go of everything.
     void reset() noexcept RAKS_NONBLOCKING;
+    /// Goes on with the grips of another couple.
+    void go_on_from(const HandHold& before) noexcept RAKS_NONBLOCKING;
 
-    /// One hop: joins the hands in the newest final poses and in all predicted ones. The farther
-    /// ahead a pose lies, the fewer later wishes it can use.
-    void advance(const Skeleton& skeleton,
+    /// One hop: joins the hands in the newest final poses and in all predicted ones, and turns the
+    /// heads to the partner.
+    void advance(const HoldMoment& moment,
                  PoseTrack& lead,
                  PoseTrack& follow) noexcept RAKS_NONBLOCKING;
 
- private:
-    static constexpr int kAround = PoseTrack::kPredictedPoses;  // hops on either side
+    /// How firmly each grip was held in the newest final pose, [0, 1].
+    [[nodiscard]] GripWeights held() const noexcept RAKS_NONBLOCKING;
 
-    std::array<float, kAround + 1> weight_{};  // by hops away
-    std::array<float, kAround> before_{};  // wishes of the last final hops; hop h in slot h % size
-    HopIndex newest_ = -1;                 // latest hop of these
-    int known_ = 0;                        // how many of these are valid
+ private:
+    static constexpr std::size_t kOrder = 4;
+    using Stages = std::array<GripWeights, kOrder>;
+
+    CoupleGrips grips_{mannequin_skeleton()};
+    Skeleton skeleton_;
+    Stages stages_{};    // of the filter, at newest_
+    float look_ = 0.0F;  // likewise: how much they look at one another
+    bool is_closed_ = false;
+    HopIndex newest_ = -1;  // latest hop
 };
 
 }  // namespace raks::motion

@@ -5,6 +5,7 @@
 
 #include "base/assert.hpp"
 #include "motion/skeleton/body_capsules.hpp"
+#include "motion/skeleton/palm.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -31,6 +32,16 @@ double body_clearance(const Skeleton& skeleton, const Pose& one, const Pose& oth
         }
     }
     return static_cast<double>(least);
+}
+
+PalmsAt measure_palms(const Skeleton& skeleton,
+                      const PalmPair& pair,
+                      const Pose& lead,
+                      const Pose& follow) {
+    const glm::vec3 own = palm_of(world_pose(skeleton, lead), pair.lead);
+    const glm::vec3 other = palm_of(world_pose(skeleton, follow), pair.follow);
+    return {static_cast<double>(glm::distance(own, other)),
+            0.5 * static_cast<double>(own.y + other.y)};
 }
 
 CoupleMeasures measure_couple(const Skeleton& skeleton,

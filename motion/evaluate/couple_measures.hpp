@@ -16,6 +16,22 @@ struct CoupleMeasures {
     std::vector<double> closest;  ///< distance of their skins; metres; negative: inside one another
 };
 
+/// A pair of palms of a couple.
+struct PalmPair {
+    Side lead = Side::left;     ///< the lead's hand
+    Side follow = Side::right;  ///< the follow's
+};
+/// Where two palms are.
+struct PalmsAt {
+    double apart = 0.0;   ///< between their middles; metres
+    double height = 0.0;  ///< of the middle between them over the floor; metres
+};
+/// Measures a pair of palms. Threads: any. Real-time: yes.
+[[nodiscard]] PalmsAt measure_palms(const Skeleton& skeleton,
+                                    const PalmPair& pair,
+                                    const Pose& lead,
+                                    const Pose& follow);
+
 /// Distance between two bodies' skins (trunk, head and legs with the mannequin's girth; hands and
 /// arms are left out, as they hold one another); metres; negative: inside one another. Threads:
 /// any. Real-time: no.

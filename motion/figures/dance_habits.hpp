@@ -25,8 +25,8 @@ inline constexpr std::array<std::string_view, 8> kHandPlaceNames = {
 
 /// What the dancers of a dance do beside its figures.
 struct DanceHabits {
-    double holds = 0.45;  ///< share of the phrases of eight bars that end in a hold; [0, 1]
-    double rests = 0.30;  ///< share of the figures in which a hand rests; [0, 1]
+    double pauses = 0.45;  ///< share of the phrases of eight bars that end in a pause; [0, 1]
+    double rests = 0.30;   ///< share of the figures in which a hand rests; [0, 1]
     /// Where hands rest; at least one
     std::vector<HandPlace> rest_at{HandPlace::hip, HandPlace::thigh, HandPlace::chest};
 };

@@ -42,7 +42,7 @@ Expected<void> read_places(const toml::table& root, std::vector<HandPlace>& plac
 }  // namespace
 
 Expected<void> read_habits(const toml::table& root, DanceHabits& habits) {
-    if (auto ok = read_share(root, "holds", habits.holds); !ok) {
+    if (auto ok = read_share(root, "pauses", habits.pauses); !ok) {
         return ok;
     }
     if (auto ok = read_share(root, "rests", habits.rests); !ok) {

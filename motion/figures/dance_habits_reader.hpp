@@ -7,7 +7,7 @@
 
 namespace raks::motion {
 
-/// Reads `holds`, `rests` and `rest_at` of the head of a dance's file; what is absent stays as it
+/// Reads `pauses`, `rests` and `rest_at` of the head of a dance's file; what is absent stays as it
 /// is. Errors, one line without the file's name: a share that is none, an unknown place.
 [[nodiscard]] Expected<void> read_habits(const toml::table& root, DanceHabits& habits);
 

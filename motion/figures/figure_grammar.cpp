@@ -24,6 +24,8 @@ constexpr double kLargestWeight = 1e6;          // of `seen` and `after`
 constexpr std::size_t kMostFigures = 1000;      // the weights between them are its square
 constexpr std::size_t kLongestFigureName = 60;  // characters
 constexpr double kFarthest = 10.0;              // metres to a turn point
+constexpr std::size_t kMostHolds = 32;          // of one figure
+constexpr double kLongest = 64.0;               // beats of a figure
 constexpr double kFarthestAside = 1.0;          // metres that a partner moves aside
 
 /// Reads one grammar; reading stops at the first fault.
@@ -87,11 +89,12 @@ class GrammarReader {
                                   "dance",
                                   "beats_per_bar",
                                   "starts",
-                                  "holds",
+                                  "pauses",
                                   "rests",
                                   "rest_at",
                                   "lead",
                                   "follow",
+                                  "couple",
                                   "figure"});
             !ok) {
             return ok;
@@ -138,6 +141,76 @@ class GrammarReader {
             if (auto ok = read_place(root, role, grammar); !ok) {
                 return ok;
             }
+        }
+        return read_couple(root, grammar);
+    }
+
+    // [couple]; may be absent.
+    Expected<void> read_couple(const toml::table& root, FigureGrammar& grammar) const {
+        const toml::node* const node = root.get("couple");
+        if (node == nullptr) {
+            return {};
+        }
+        const toml::table* const table = node->as_table();
+        if (table == nullptr) {
+            return fail(where(*node) + ": couple must be a table");
+        }
+        if (auto ok = check_keys(*table, {"hold", "apart"}); !ok) {
+            return ok;
+        }
+        CoupleForm form;
+        const std::string hold = (*table)["hold"].value_or(std::string());
+        const auto named = std::find(kCoupleHoldNames.begin(), kCoupleHoldNames.end(), hold);
+        if (named == kCoupleHoldNames.end()) {
+            return fail(where(*node) + ": hold must be \"none\", \"hands\" or \"closed\"");
+        }
+        form.hold = static_cast<CoupleHold>(named - kCoupleHoldNames.begin());
+        if (table->contains("apart")) {
+            const auto apart = (*table)["apart"];
+            form.apart = glm::dvec2(number_of(apart[0]), number_of(apart[1]));
+            if (!(std::abs(form.apart->x) <= kFarthest && std::abs(form.apart->y) <= kFarthest)) {
+                return fail(fmt::format(
+                    "{}: apart must be [left, forward], each up to {} m", where(*node), kFarthest));
+            }
+        }
+        grammar.couple = form;
+        return {};
+    }
+
+    // The holds of one figure; may be absent.
+    Expected<void> read_holds(const toml::table& table, FigureGrammar::Rule& rule) const {
+        const toml::node* const node = table.get("holds");
+        const toml::array* const array = node != nullptr ? node->as_array() : nullptr;
+        if (node != nullptr && (array == nullptr || array->size() > kMostHolds)) {
+            return fail(fmt::format(
+                "{}: holds must be a list of at most {} tables", where(*node), kMostHolds));
+        }
+        for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+            const toml::node& one = *array->get(i);
+            const toml::table* const hold = one.as_table();
+            if (hold == nullptr) {
+                return fail(where(one) + ": a hold must be { lead, follow, from, to }");
+            }
+            if (auto ok = check_keys(*hold, {"lead", "follow", "from", "to"}); !ok) {
+                return ok;
+            }
+            const std::string lead = (*hold)["lead"].value_or(std::string());
+            const std::string follow = (*hold)["follow"].value_or(std::string());
+            HeldHands held;
+            held.lead = lead == "right" ? Side::right : Side::left;
+            held.follow = follow == "left" ? Side::left : Side::right;
+            held.from = number_of((*hold)["from"]);
+            held.to = number_of((*hold)["to"]);
+            const bool has_hands =
+                (lead == "left" || lead == "right") && (follow == "left" || follow == "right");
+            if (!has_hands || !(held.from >= 0.0 && held.from < held.to && held.to <= kLongest)) {
+                return fail(
+                    fmt::format("{}: a hold needs lead and follow, \"left\" or \"right\", "
+                                "and from < to, beats from 0 to {}",
+                                where(one),
+                                kLongest));
+            }
+            rule.holds.push_back(held);
         }
         return {};
     }
@@ -228,8 +301,8 @@ class GrammarReader {
         if (table == nullptr) {
             return fail(where(node) + ": a figure must be a [[figure]] table");
         }
-        if (auto ok = check_keys(*table,
-                                 {"name", "energy", "seen", "after", "lead_aside", "follow_aside"});
+        if (auto ok = check_keys(
+                *table, {"name", "energy", "seen", "after", "lead_aside", "follow_aside", "holds"});
             !ok) {
             return ok;
         }
@@ -273,6 +346,9 @@ class GrammarReader {
                                         key,
                                         kFarthestAside));
             }
+        }
+        if (auto ok = read_holds(*table, rule); !ok) {
+            return ok;
         }
         grammar.rules.push_back(std::move(rule));
         return {};
@@ -440,17 +516,31 @@ std::string figure_rule_text(std::string_view figure, double seen) {
 }
 
 std::string grammar_head_text(const FigureGrammar& grammar) {
+    std::string couple;
+    if (grammar.couple) {
+        const auto hold = static_cast<std::size_t>(grammar.couple->hold);
+        couple = fmt::format("\n[couple]\nhold = \"{}\"\n", kCoupleHoldNames[hold]);
+        if (grammar.couple->apart) {
+            couple += fmt::format(
+                "apart = [{}, {}]\n", grammar.couple->apart->x, grammar.couple->apart->y);
+        }
+    }
     return fmt::format(
-        "# Which figure comes after which. Without a line `after`, every other figure follows as\n"
-        "# often as it was `seen`; after = {{ NAME = 2, OTHER = 1 }} says it for one figure.\n"
-        "# energy = 0.0 ... 1.0 is the music that a figure is for: from the quietest to the\n"
-        "# loudest. The dance begins with the first figure.\n"
-        "format = \"{}\"\nversion = {}\ndance = \"{}\"\nbeats_per_bar = {}\nstarts = \"{}\"\n",
-        kFormat,
-        kVersion,
-        grammar.dance,
-        grammar.beats_per_bar,
-        kStartsNames[static_cast<std::size_t>(grammar.starts)]);
+               "# Which figure comes after which. Without a line `after`, every other figure "
+               "follows as\n"
+               "# often as it was `seen`; after = {{ NAME = 2, OTHER = 1 }} says it for one "
+               "figure.\n"
+               "# energy = 0.0 ... 1.0 is the music that a figure is for: from the quietest to "
+               "the\n"
+               "# loudest. The dance begins with the first figure.\n"
+               "format = \"{}\"\nversion = {}\ndance = \"{}\"\nbeats_per_bar = {}\nstarts = "
+               "\"{}\"\n",
+               kFormat,
+               kVersion,
+               grammar.dance,
+               grammar.beats_per_bar,
+               kStartsNames[static_cast<std::size_t>(grammar.starts)]) +
+           couple;
 }
 
 }  // namespace raks::motion

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/figures/couple_form.hpp"
 #include "motion/figures/dance_habits.hpp"
 #include "motion/figures/figure_model.hpp"
 
@@ -27,6 +29,7 @@ struct FigureGrammar {
         /// By DanceRole: how far a partner moves aside in the middle of the figure, so that both
         /// have room; left, forward of where it starts; metres.
         std::array<glm::dvec2, 2> aside{};
+        std::vector<HeldHands> holds;  ///< of a couple, where it holds by the hands
     };
     /// Where one partner of a couple stands.
     struct Place {
@@ -42,12 +45,13 @@ struct FigureGrammar {
         common,
         own,  ///< each figure has its own stance, as written figures do; the dancer steps over
     };
-    std::string dance;               ///< the dance's label
-    int beats_per_bar = 4;           ///< 2 to 12
-    Starts starts = Starts::common;  ///< whether figures share a stance
-    DanceHabits habits;              ///< beside its figures
-    std::vector<Place> places;       ///< one a role; none: each turns about its own point
-    std::vector<Rule> rules;         ///< one a figure; the dance begins with the first
+    std::string dance;                 ///< the dance's label
+    int beats_per_bar = 4;             ///< 2 to 12
+    Starts starts = Starts::common;    ///< whether figures share a stance
+    DanceHabits habits;                ///< what its dancers do beside its figures
+    std::vector<Place> places;         ///< one a role; none: each turns about its own point
+    std::optional<CoupleForm> couple;  ///< none: nothing is said; a dance for one has none
+    std::vector<Rule> rules;           ///< one a figure; the dance begins with the first
 
     /// The place of a role; null: the dance has none.
     [[nodiscard]] const Place* place_of(DanceRole role) const noexcept;
@@ -57,14 +61,16 @@ struct FigureGrammar {
 };
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
-/// 12; default 4), starts ("common", the default, or "own"), holds, rests and rest_at (see
+/// 12; default 4), starts ("common", the default, or "own"), pauses, rests and rest_at (see
 /// DanceHabits), and one [[figure]] each with name, energy, `seen` (default 1) and `after` = {
 /// figure = weight, ... }; without `after` every other figure follows, weighted by its `seen`. For
 /// couples [lead] and [follow] with turn_point = [left, forward] and heading in degrees, and in a
-/// figure lead_aside and follow_aside = [left, forward]. Errors, one line: not readable, not TOML,
-/// another format, a newer version, unknown keys and figures (the nearest name is given), two
-/// figures of one name, weights that are negative or no numbers, a figure that nothing follows.
-/// Threads: workers. Real-time: no.
+/// figure lead_aside and follow_aside = [left, forward]; [couple] with hold ("none", "hands" or
+/// "closed") and apart = [left, forward], and in a figure holds = [{ lead, follow ("left" or
+/// "right"), from, to (beats) }, ...]. Errors, one line: not readable, not TOML, another format, a
+/// newer version, unknown keys and figures (the nearest name is given), two figures of one name,
+/// weights that are negative or no numbers, a figure that nothing follows. Threads: workers.
+/// Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);

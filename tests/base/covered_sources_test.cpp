@@ -32,7 +32,6 @@ const std::map<std::string, std::string> kCovered = {
     {"motion/dance/content_file.cpp", "DanceCache, solves_anew_what_is_damaged"},
     {"motion/dance/dance_content.cpp", "FigureSequence, all_figures_begin_and_end_on_the"},
     {"motion/dance/figure_sequence.cpp", "FigureSequence, two_half_turns_lead_back"},
-    {"motion/dance/hand_hold.cpp", "Hands, let_go_before_they_are_torn_apart"},
     {"motion/dance/inertialization.cpp", "Inertialization, starts_where_it_was_and_ends"},
     {"motion/dance/standing.cpp", "Idle, stands_with_both_feet_on_the_floor"},
     {"motion/dancer_course.cpp", "Dynamics, a_dancer_stops_with_the_music_and_goes_on"},

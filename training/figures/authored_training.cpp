@@ -166,7 +166,10 @@ AuthoredMaterial authored_material(const AuthoredDance& dance,
         how.repeats = sides * options.repeats;
         how.margin = kMargin;
         how.frames_per_second = kFramesPerSecond;
-        how.seed = options.seed * 1000 + static_cast<std::uint64_t>(take);
+        // So do both partners of a couple: they are no twins.
+        constexpr std::uint64_t kRoles = 500;
+        how.seed = options.seed * 1000 + kRoles * static_cast<std::uint64_t>(options.role) +
+                   static_cast<std::uint64_t>(take);
         const EvaluatedFigure evaluated = evaluate_figure(figure, skeleton, how);
         material.clips.push_back(
             clip_of(evaluated, skeleton, fmt::format("{}, take {}", figure.name, take + 1)));
@@ -202,6 +205,7 @@ Expected<AuthoredTrainingResult> train_authored_figure(const AuthoredDance& danc
     FigureTrainingOptions training;
     training.name = figure.name;
     training.dance = dance.dance;
+    training.role = options.role;
     training.beats = material.beats;
     training.states = options.states > 0 ? options.states : states_for(figure);
     training.features = options.features;

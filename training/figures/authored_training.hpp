@@ -21,6 +21,8 @@ struct AuthoredTrainingOptions {
     int states = 0;
     std::uint64_t seed = 1;  ///< of the noise; the same seed gives the same bits
     FigureFeatures features = FigureFeatures::angles;  ///< joint angles, or joint positions
+    /// Whose part the figure is: a follow's is made from the lead's first (follow_of).
+    DanceRole role = DanceRole::lead;
 };
 
 /// Noisy repetitions of a written figure with the exact frame of every beat. A repetition of a
@@ -43,7 +45,7 @@ struct AuthoredMaterial {
 
 /// The learnt figure and how well it fits its own training data.
 struct AuthoredTrainingResult {
-    FigureModel model;                       ///< for the lead: an authored dance is danced alone
+    FigureModel model;                       ///< of the options' role
     std::array<double, 3> log_likelihood{};  ///< per sample, by Part
     std::size_t repeats = 0;                 ///< repetitions that were learnt from
 };

@@ -8,6 +8,7 @@
 
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/limb_ik.hpp"
+#include "motion/skeleton/palm.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -201,16 +202,10 @@ constexpr float kPalms = 0.035F;
 constexpr float kMeetingSoft = 0.015F;
 constexpr int kMeetingRounds = 2;  // the palm turns with the forearm, so one round falls short
 
-// Middle of the palm: between the wrist and the middle finger's first joint.
-glm::vec3 palm(const WorldPose& world, Side side) noexcept {
-    return 0.5F * (world.position(on_side(Bone::left_hand, side)) +
-                   world.position(on_side(Bone::left_middle_proximal, side)));
-}
-
 /// Vector from the left palm to the right one, in the chest's frame.
 glm::vec3 between_palms(const WorldPose& world) noexcept {
     return glm::conjugate(world.rotation(Bone::upper_chest)) *
-           (palm(world, Side::right) - palm(world, Side::left));
+           (palm_of(world, Side::right) - palm_of(world, Side::left));
 }
 
 /// Weight of the meeting, smootherstep of the distance: 1 when the hands meet, 0 beyond kApproach.

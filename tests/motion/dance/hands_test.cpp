@@ -7,7 +7,6 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
-#include "motion/dance/hand_hold.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/skeleton/body_capsules.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -16,77 +15,6 @@
 
 namespace raks::motion {
 namespace {
-
-/// Distance from shoulder to hand, of the arm's length.
-float reach_of(const Pose& pose, Side side) {
-    const WorldPose world = world_pose(mannequin_skeleton(), pose);
-    const glm::vec3 shoulder = world.position(on_side(Bone::left_upper_arm, side));
-    const glm::vec3 elbow = world.position(on_side(Bone::left_lower_arm, side));
-    const glm::vec3 hand = world.position(on_side(Bone::left_hand, side));
-    return glm::distance(shoulder, hand) /
-           (glm::distance(shoulder, elbow) + glm::distance(elbow, hand));
-}
-
-/// One who faces the other, `aside` along x.
-Pose partner(float aside) {
-    Pose pose;
-    pose.rotation(Bone::hips) = glm::angleAxis(3.14159265F, glm::vec3(0, 1, 0));
-    pose.hips_position = {aside, 0.0F, 0.35F};
-    return pose;
-}
-
-TEST(Hands, that_hold_one_another_neither_stretch_nor_fold_the_arm) {
-    const Pose lead;  // T-pose: the left hand points along +x
-    for (int step = 0; step < 60; ++step) {
-        Pose one = lead;
-        Pose other = partner(0.03F * static_cast<float>(step) - 0.5F);
-        const Pose before = other;
-        const float hold = wish_to_hold(mannequin_skeleton(), one, other);
-        join_hands(mannequin_skeleton(), hold, one, other);
-        const bool is_moved =
-            one.rotation(Bone::left_upper_arm) != lead.rotation(Bone::left_upper_arm);
-        if (is_moved) {
-            EXPECT_LT(reach_of(one, Side::left), 0.96F) << step;
-            EXPECT_GT(reach_of(one, Side::left), 0.42F) << step;
-            EXPECT_LT(reach_of(other, Side::right), 0.96F) << step;
-            EXPECT_GT(reach_of(other, Side::right), 0.42F) << step;
-        } else {
-            EXPECT_EQ(other.rotation(Bone::right_upper_arm),
-                      before.rotation(Bone::right_upper_arm));
-        }
-    }
-}
-
-/// How far the lead's hand is from where it would be by itself, by hop: the partner is near, and
-/// from hop 100 on, at once, out of reach.
-std::vector<float> pulls_when_torn_apart() {
-    std::vector<float> pulls;
-    PoseTrack lead;
-    PoseTrack follow;
-    HandHold hold;
-    const Skeleton& skeleton = mannequin_skeleton();
-    const auto partner_at = [](HopIndex hop) { return partner(hop < 100 ? 0.3F : 4.0F); };
-    const glm::vec3 free = world_pose(skeleton, Pose()).position(Bone::left_hand);
-    for (HopIndex hop = 0; hop < 200; ++hop) {
-        lead.append_final(hop, Pose());
-        follow.append_final(hop, partner_at(hop));
-        for (int ahead = 1; ahead <= PoseTrack::kPredictedPoses; ++ahead) {
-            lead.set_predicted(ahead, Pose());
-            follow.set_predicted(ahead, partner_at(hop + ahead));
-        }
-        hold.advance(skeleton, lead, follow);
-        const Pose& shown = lead.at_hop(hop);
-        pulls.push_back(glm::distance(world_pose(skeleton, shown).position(Bone::left_hand), free));
-    }
-    return pulls;
-}
-
-TEST(Hands, let_go_before_they_are_torn_apart) {
-    const std::vector<float> pulls = pulls_when_torn_apart();
-    EXPECT_GT(pulls[70], 0.05F) << "they hold one another";
-    EXPECT_LT(pulls[97], 0.8F * pulls[70]) << "what comes is known";
-    EXPECT_EQ(pulls[150], 0.0F);
-}
 
 TEST(Limb, keeps_its_elbow_as_it_passes_through_straight) {
     const Skeleton& skeleton = mannequin_skeleton();

@@ -66,15 +66,15 @@ TEST(FigureGrammar, reads_what_dancers_do_beside_the_figures) {
     };
     const auto plain = read("");
     ASSERT_TRUE(plain) << plain.error().message;
-    EXPECT_EQ(plain->habits.holds, DanceHabits().holds) << "as if nothing were said";
-    const auto own = read("holds = 0.8\nrests = 0\nrest_at = [\"belly\", \"low\"]\n");
+    EXPECT_EQ(plain->habits.pauses, DanceHabits().pauses) << "as if nothing were said";
+    const auto own = read("pauses = 0.8\nrests = 0\nrest_at = [\"belly\", \"low\"]\n");
     ASSERT_TRUE(own) << own.error().message;
-    EXPECT_EQ(own->habits.holds, 0.8);
+    EXPECT_EQ(own->habits.pauses, 0.8);
     EXPECT_EQ(own->habits.rests, 0.0);
     EXPECT_EQ(own->habits.rest_at, (std::vector<HandPlace>{HandPlace::belly, HandPlace::low}));
     for (const auto& [lines, what] : std::vector<std::pair<std::string, std::string>>{
-             {"holds = 1.5\n", "x.toml: holds must be a number from 0 to 1"},
-             {"holds = nan\n", "x.toml: holds must be a number from 0 to 1"},
+             {"pauses = 1.5\n", "x.toml: pauses must be a number from 0 to 1"},
+             {"pauses = nan\n", "x.toml: pauses must be a number from 0 to 1"},
              {"rests = \"often\"\n", "x.toml: rests must be a number from 0 to 1"},
              {"rest_at = []\n", "x.toml: rest_at must be a list of one or more places"},
              {"rest_at = \"hip\"\n", "x.toml: rest_at must be a list of one or more places"},
@@ -82,6 +82,38 @@ TEST(FigureGrammar, reads_what_dancers_do_beside_the_figures) {
         const auto refused = read(lines);
         ASSERT_FALSE(refused) << lines;
         EXPECT_NE(refused.error().message.find(what), std::string::npos) << refused.error().message;
+    }
+}
+
+TEST(FigureGrammar, reads_how_a_couple_holds) {
+    const auto with = [](const std::string& couple, const std::string& holds) {
+        std::string text = replaced("[[figure]]", "[couple]\n" + couple + "\n[[figure]]");
+        text.replace(text.find("energy = 0.2"), 12, holds);
+        return parse_grammar(text, "x.toml");
+    };
+    EXPECT_FALSE(parse_grammar(kGood, "x.toml")->couple);
+    const auto grammar =
+        with("hold = \"hands\"\napart = [-0.1, 0.5]",
+             "holds = [{ lead = \"right\", follow = \"left\", from = 0.5, to = 4 }]");
+    ASSERT_TRUE(grammar) << grammar.error().message;
+    EXPECT_EQ(grammar->couple->hold, CoupleHold::hands);
+    EXPECT_EQ(grammar->couple->apart, glm::dvec2(-0.1, 0.5));
+    ASSERT_EQ(grammar->rules[0].holds.size(), 1U);
+    EXPECT_EQ(grammar->rules[0].holds[0].lead, Side::right);
+    EXPECT_EQ(grammar->rules[0].holds[0].follow, Side::left);
+    EXPECT_EQ(grammar->rules[0].holds[0].from, 0.5);
+    EXPECT_EQ(grammar->rules[0].holds[0].to, 4.0);
+    EXPECT_FALSE(with("hold = \"tight\"", ""));
+    EXPECT_FALSE(with("apart = [0, 1]", ""));
+    EXPECT_FALSE(with("hold = \"none\"\napart = [99, 0]", ""));
+    for (const char* const bad :
+         {"3",
+          "[3]",
+          "[{}]",
+          "[{ lead = \"l\", follow = \"left\", from = 0, to = 1 }]",
+          "[{ lead = \"left\", follow = \"left\", from = 2, to = 1 }]",
+          "[{ lead = \"left\", follow = \"left\", from = 0, to = 1, till = 2 }]"}) {
+        EXPECT_FALSE(with("hold = \"hands\"", std::string("holds = ") + bad)) << bad;
     }
 }
 
