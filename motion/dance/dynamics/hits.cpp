@@ -9,7 +9,7 @@ namespace {
 constexpr float kLeastStrength = 0.65F;
 constexpr double kRise = 0.07;       // seconds to the farthest
 constexpr double kForgotten = 0.60;  // seconds
-constexpr float kFarthest = 0.085F;  // radians of one bone
+constexpr float kHitTurn = 0.085F;   // radians of one bone
 
 /// 0 at 0, 1 at kRise, then back to 0.
 float pulse(double seconds) noexcept {
@@ -39,7 +39,7 @@ void Hits::advance(const MusicState& music, float size) noexcept RAKS_NONBLOCKIN
 
 void Hits::apply(StreamTime time, Pose& pose) const noexcept RAKS_NONBLOCKING {
     for (const Hit& hit : hits_) {
-        const float angle = kFarthest * hit.size * pulse(to_seconds(time - hit.since));
+        const float angle = kHitTurn * hit.size * pulse(to_seconds(time - hit.since));
         if (angle == 0.0F) {
             continue;
         }

@@ -19,14 +19,14 @@ constexpr float kWaitsAside = 0.75F;   // radians to the sides, of who looks aro
 constexpr std::uint64_t kAimStream = 11;  // streams of random numbers
 constexpr std::uint64_t kHeedStream = 12;
 
-/// One look: heading in the world, and how much the head heeds it.
-struct Look {
+/// One aim: heading in the world, and how much the head heeds it.
+struct Aim {
     float heading = 0.0F;
     float heed = 0.0F;
 };
 
-Look look_at(std::uint64_t cell, std::uint64_t seed, LookFor what) noexcept {
-    const double aim = CounterRandom(seed, kAimStream).uniform(cell);
+Aim aim_of(std::uint64_t cell, std::uint64_t seed, LookFor what) noexcept {
+    const double where = CounterRandom(seed, kAimStream).uniform(cell);
     const double heed = CounterRandom(seed, kHeedStream).uniform(cell);
     switch (what) {
         case LookFor::dance:
@@ -35,7 +35,7 @@ Look look_at(std::uint64_t cell, std::uint64_t seed, LookFor what) noexcept {
             return {0.0F, 0.85F};
         case LookFor::wait:
             // Every second look is to the front.
-            return {heed < 0.5 ? 0.0F : kWaitsAside * static_cast<float>(2.0 * aim - 1.0), 0.8F};
+            return {heed < 0.5 ? 0.0F : kWaitsAside * static_cast<float>(2.0 * where - 1.0), 0.8F};
     }
     return {};
 }
@@ -53,7 +53,7 @@ float wrapped(float radians) noexcept {
     return std::remainder(radians, 2.0F * static_cast<float>(M_PI));
 }
 
-Look between(const Look& from, const Look& to, float share) noexcept {
+Aim between(const Aim& from, const Aim& to, float share) noexcept {
     return {from.heading + share * wrapped(to.heading - from.heading),
             from.heed + share * (to.heed - from.heed)};
 }
@@ -68,18 +68,17 @@ void look(const Skeleton& skeleton,
     const double cells = std::max(0.0, to_seconds(time.time_since_epoch()) / kLookSeconds);
     const auto cell = static_cast<std::uint64_t>(cells);
     const auto share = static_cast<float>((cells - static_cast<double>(cell)) / kTurnShare);
-    const Look next = between(
-        look_at(cell, seed, heed.now), look_at(cell + 1, seed, heed.now), smootherstep(share));
-    const Look last = between(look_at(cell, seed, heed.before),
-                              look_at(cell + 1, seed, heed.before),
-                              smootherstep(share));
-    const Look look = between(last, next, heed.share);
+    const Aim next = between(
+        aim_of(cell, seed, heed.now), aim_of(cell + 1, seed, heed.now), smootherstep(share));
+    const Aim last = between(
+        aim_of(cell, seed, heed.before), aim_of(cell + 1, seed, heed.before), smootherstep(share));
+    const Aim aim = between(last, next, heed.share);
 
     const WorldPose world = world_pose(skeleton, pose);
-    const float aside = wrapped(look.heading - heading_of_bone(world, Bone::upper_chest));
+    const float aside = wrapped(aim.heading - heading_of_bone(world, Bone::upper_chest));
     const float seen = 1.0F - smoothstep(kSurelySeen, kNeverSeen, std::abs(aside));
-    const float missing = wrapped(look.heading - heading_of_bone(world, Bone::head));
-    const float turn = look.heed * seen * std::clamp(missing, -kFarthestTurn, kFarthestTurn);
+    const float missing = wrapped(aim.heading - heading_of_bone(world, Bone::head));
+    const float turn = aim.heed * seen * std::clamp(missing, -kFarthestTurn, kFarthestTurn);
     // Half by the neck, half by the head, about the upright axis of the world.
     for (const Bone bone : {Bone::neck, Bone::head}) {
         const glm::quat parent =
