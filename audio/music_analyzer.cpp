@@ -15,6 +15,7 @@
 #include "audio/features/mfcc.hpp"
 #include "audio/features/mfcc_hops.hpp"
 #include "audio/features/onset.hpp"
+#include "audio/form/form_tracker.hpp"
 #include "audio/genre/genre_recognizer.hpp"
 #include "audio/resample/resampler.hpp"
 #include "base/decibels.hpp"
@@ -71,6 +72,7 @@ struct MusicAnalyzer::State {
     NetworkInput network_input;
     std::optional<BeatDetector> beat_detector;
     int lookahead = 0;  // hops by which the network's evidence is late
+    FormTracker form;
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
     std::optional<GenreRecognizer> recognizer;
@@ -115,6 +117,7 @@ void MusicAnalyzer::State::reset() noexcept RAKS_NONBLOCKING {
     if (beat_detector) {
         beat_detector->reset();
     }
+    form.reset();
     mfcc_hops.reset();
     cepstral_mean.reset();
     if (recognizer) {
@@ -160,7 +163,7 @@ void MusicAnalyzer::State::take(std::span<const float> rhythm, Sink& sink) noexc
     }
 }
 
-// One hop, in the order of dependence: level and silence, onset, beat, MFCC, genre.
+// One hop, in the order of dependence: level and silence, onset, beat, form, MFCC, genre.
 void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING {
     MusicState state;
     state.hop = next_hop++;
@@ -183,6 +186,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING {
     } else {
         track(onset, state);
     }
+    form.advance(onsets.mel_magnitudes(), state);
     score_mfcc(state);
     recognize(state);
     hand_out(state, sink);
@@ -277,6 +281,7 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING {
             } else {
                 tracker.advance_blind(state.hop, state);
             }
+            form.advance_lost(state);
             mfcc_hops.next_lost();
             level_dbfs.fill(kLowestLevel);
             hand_out(state, sink);
@@ -413,6 +418,8 @@ std::span<const float> MusicAnalyzer::mel_magnitudes() const noexcept {
 }
 
 const TrackedHop& MusicAnalyzer::tracked() const noexcept { return state_->tracked; }
+
+const HopSound& MusicAnalyzer::sound() const noexcept { return state_->form.sound(); }
 
 std::uint64_t MusicAnalyzer::bad_samples() const noexcept { return state_->bad_samples; }
 

@@ -21,6 +21,7 @@ enum class BeatMethod : std::uint8_t { pointer, paper };
 class BeatNetwork;  // audio/beat/network/beat_network.hpp
 struct GenreModel;  // audio/genre/genre_model.hpp
 struct TrackedHop;  // audio/beat/beat_tracker.hpp
+struct HopSound;    // audio/form/hop_sound.hpp
 
 /// What MusicAnalyzer::prepare() needs to know.
 struct AnalyzerConfig {
@@ -39,7 +40,8 @@ struct AnalyzerConfig {
     double genre_window = 3.0;  ///< seconds of music that the genre is scored on, 0.5 to 10
 };
 
-/// Beat, tempo, genre, loudness and silence of a stream of mono samples, causal and in real time.
+/// Beat, tempo, genre, loudness, energy and form of a stream of mono samples, causal and in real
+/// time.
 ///
 ///     MusicAnalyzer analyzer;
 ///     analyzer.prepare({.sample_rate = rate});        // once, checks, allocates
@@ -112,6 +114,9 @@ class MusicAnalyzer {
     /// What the beat tracker was given of the newest hop; its mel magnitudes are those above. Empty
     /// with the paper's method. Threads: the owner.
     [[nodiscard]] const TrackedHop& tracked() const noexcept;
+
+    /// What the form tracker heard of the newest hop. Threads: the owner.
+    [[nodiscard]] const HopSound& sound() const noexcept;
 
     /// Number of samples that were NaN or infinite since reset(). Threads: the owner.
     [[nodiscard]] std::uint64_t bad_samples() const noexcept;

@@ -9,6 +9,7 @@
 #include "audio/beat/beat_limits.hpp"
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_model.hpp"
+#include "audio/song/song_form.hpp"
 
 namespace raks::audio {
 namespace {
@@ -160,7 +161,12 @@ MusicState SongPlan::at(StreamTime place, HopIndex hop) const noexcept RAKS_NONB
     }
     state = states[hop_at(place, states.size())];
     if (place < StreamTime{} || place > states.back().time + kHop) {
-        state.has_beat = state.has_predicted = false;  // they belong to the song's own hop
+        // They belong to the song's own hop.
+        state.has_beat = state.has_predicted = false;
+        state.event = {};
+        state.accent = {};
+        state.part = MusicPart::stopped;
+        state.energy.now = 0.0F;
     }
     const Nanos shift = time_of_hop(hop) - place;
     state.hop = hop;
@@ -171,6 +177,11 @@ MusicState SongPlan::at(StreamTime place, HopIndex hop) const noexcept RAKS_NONB
     state.predicted += shift;
     state.ahead.begins += shift;
     state.ahead.ends += shift;
+    state.event.time += shift;
+    state.accent.time += shift;
+    for (MusicEvent& event : state.ahead.events) {
+        event.time += shift;
+    }
     return state;
 }
 
@@ -219,6 +230,7 @@ SongPlan SongAnalyzer::finish() {
     write_foresight(plan.beats, plan.states);
     plan.joins = joins_of(plan.beats, plan.states.front().ahead.begins);
     write_energy(plan.states);
+    write_form(song, plan.beats, plan.states);
     if (const auto& model = state.config.genre_model) {
         const std::vector<DanceId> dances = dances_of(*model, state.config.dances.get());
         plan.sections = find_sections(plan.states, dances.size(), state.config.genre_window);

@@ -26,12 +26,14 @@ void SongRecorder::on_state(const MusicState& state) noexcept {
     }
     recording_.mel.insert(
         recording_.mel.end(), tracked.mel_magnitudes.begin(), tracked.mel_magnitudes.end());
+    recording_.sounds.push_back(analyzer_.sound());
 }
 
 SongRecording SongRecorder::take(std::size_t hops) {
     recording_.states.resize(hops);
     recording_.hops.resize(hops);
     recording_.mel.resize(hops * SongRecording::kMelBands);
+    recording_.sounds.resize(hops);
     return std::exchange(recording_, {});
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "audio/features/onset.hpp"
+#include "audio/form/hop_sound.hpp"
 #include "audio/music_analyzer.hpp"
 #include "audio/song/beat_path.hpp"
 #include "base/music_state.hpp"
@@ -20,6 +21,7 @@ struct SongRecording {
     std::vector<MusicState> states;  ///< as the stream had them
     std::vector<SongHop> hops;       ///< evidence of beats, each at its own hop
     std::vector<float> mel;          ///< mel magnitudes, hops x kMelBands
+    std::vector<HopSound> sounds;    ///< what the form tracker heard
 
     /// Mel magnitudes of a hop.
     [[nodiscard]] std::span<const float, kMelBands> mel_of(std::size_t hop) const {

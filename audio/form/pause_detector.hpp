@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "base/music_state.hpp"
+#include "base/realtime.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+/// Tells when music stops, goes on and is over, by the level alone. A stop is a pause longer than
+/// the song has made a habit of: after 80 ms in music that has no pauses, and later in staccato
+/// music, whose gaps between notes it has learnt. Threads: one. Real-time: yes.
+class PauseDetector {
+ public:
+    /// The next hop: its level in dBFS. Returns what happened: stop, entry, end or none; the
+    /// event's time is that of the first hop that was quiet, or sounded.
+    MusicEvent advance(HopIndex hop, float level) noexcept RAKS_NONBLOCKING;
+    /// Whether nothing sounds; also before the first sound.
+    [[nodiscard]] bool is_stopped() const noexcept { return is_stopped_; }
+    /// Whether this hop is quiet: a stop, or a gap that may become one.
+    [[nodiscard]] bool is_quiet() const noexcept { return is_stopped_ || quiet_hops_ > 0; }
+    /// Forgets the stream.
+    void reset() noexcept { *this = PauseDetector(); }
+
+ private:
+    static constexpr std::size_t kGaps = 16;
+
+    // A pause within the music.
+    struct Gap {
+        HopIndex ended = 0;
+        int hops = 0;
+    };
+
+    void follow_level(float level) noexcept;
+    MusicEvent listen(HopIndex hop, float level) noexcept;
+    MusicEvent wait(HopIndex hop, float level) noexcept;
+    void remember(HopIndex hop) noexcept;
+    [[nodiscard]] int hops_to_stop(HopIndex hop) const noexcept;
+    [[nodiscard]] float quiet_level() const noexcept;
+
+    float loud_ = -200.0F;     // dBFS, falls slowly; -200: nothing was heard
+    float resting_ = -120.0F;  // dBFS, smoothed, of the present stop
+    bool is_stopped_ = true;
+    bool has_ended_ = true;  // the present stop was told as the end, or there was no music yet
+    int quiet_hops_ = 0;     // in a row
+    int loud_hops_ = 0;      // in a row, of a stop
+    int heard_hops_ = 0;     // that sounded since the last long stop; saturates
+    std::array<Gap, kGaps> gaps_{};  // ring
+    std::size_t gap_count_ = 0;
+};
+
+}  // namespace raks::audio

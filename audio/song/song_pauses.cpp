@@ -1,0 +1,76 @@
+#include "audio/song/song_pauses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raks::audio {
+namespace {
+
+constexpr float kUnder = 30.0F;           // dB under the loudest around: quiet
+constexpr float kLeastLevel = -72.0F;     // dBFS: quiet whatever is around
+constexpr std::size_t kBlock = 100;       // hops of which the loudest is kept
+constexpr std::size_t kAround = 8;        // blocks on either side
+constexpr std::size_t kLeastGap = 3;      // of a gap: shorter dips are the ripple of low notes
+constexpr std::size_t kHabitHops = 1600;  // on either side of a pause in which others are alike
+constexpr std::size_t kHabit = 3;         // others that make it a habit
+
+// By block: the level under which a hop is quiet.
+std::vector<float> quiet_levels(std::span<const HopSound> sounds) {
+    std::vector<float> loudest(sounds.size() / kBlock + 1, -120.0F);
+    for (std::size_t i = 0; i < sounds.size(); ++i) {
+        loudest[i / kBlock] = std::max(loudest[i / kBlock], sounds[i].level);
+    }
+    std::vector<float> quiet(loudest.size());
+    for (std::size_t i = 0; i < loudest.size(); ++i) {
+        const std::size_t first = i - std::min(i, kAround);
+        const std::size_t end = std::min(loudest.size(), i + kAround + 1);
+        const float around = *std::max_element(loudest.begin() + static_cast<std::ptrdiff_t>(first),
+                                               loudest.begin() + static_cast<std::ptrdiff_t>(end));
+        quiet[i] = std::max(around - kUnder, kLeastLevel);
+    }
+    return quiet;
+}
+
+// All gaps, short ones included.
+std::vector<SongPause> find_gaps(std::span<const HopSound> sounds) {
+    const std::vector<float> quiet = quiet_levels(sounds);
+    std::vector<SongPause> gaps;
+    for (std::size_t i = 0; i < sounds.size(); ++i) {
+        if (sounds[i].level >= quiet[i / kBlock]) {
+            continue;
+        }
+        if (!gaps.empty() && gaps.back().end == i) {
+            ++gaps.back().end;
+        } else {
+            gaps.push_back({i, i + 1});
+        }
+    }
+    std::erase_if(gaps, [](const SongPause& gap) { return gap.hops() < kLeastGap; });
+    return gaps;
+}
+
+// Whether enough others near it are about as long.
+bool is_habit(const std::vector<SongPause>& gaps, const SongPause& gap) {
+    const auto alike = std::count_if(gaps.begin(), gaps.end(), [&](const SongPause& other) {
+        const std::size_t apart =
+            other.first > gap.first ? other.first - gap.first : gap.first - other.first;
+        return apart > 0 && apart <= kHabitHops && 4 * other.hops() >= 3 * gap.hops();
+    });
+    return static_cast<std::size_t>(alike) >= kHabit;
+}
+
+}  // namespace
+
+std::vector<SongPause> find_pauses(std::span<const HopSound> sounds, std::size_t least_hops) {
+    const std::vector<SongPause> gaps = find_gaps(sounds);
+    std::vector<SongPause> pauses;
+    for (const SongPause& gap : gaps) {
+        const bool is_edge = gap.first == 0 || gap.end == sounds.size();
+        if (is_edge || (gap.hops() >= least_hops && !is_habit(gaps, gap))) {
+            pauses.push_back(gap);
+        }
+    }
+    return pauses;
+}
+
+}  // namespace raks::audio
