@@ -78,7 +78,8 @@ void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
     u.rings[0] = kStillRing;
     for (std::size_t i = 0; i < scene.rings.size(); ++i) {
         const BeatRing& ring = scene.rings[i];
-        u.rings[i + 1] = {ring.radius, ring.brightness, kLineHalfWidth, kRingGlow};
+        u.rings[i + 1] = {
+            ring.radius, scene.light.rings * ring.brightness, kLineHalfWidth, kRingGlow};
     }
 }
 

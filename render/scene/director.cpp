@@ -171,7 +171,7 @@ void Director::begin() noexcept {
     glide_seconds_ = 0.0;
     begins_ = last_change_ = now_;
     length_ = kLengths[static_cast<std::size_t>(Pace::usual)].x;
-    bar_number_.reset();
+    bar_position_.reset();
     drop_at_.reset();
     next_.reset();
 }
@@ -208,16 +208,15 @@ void Director::notice(const MusicState& music) noexcept {
     }
 }
 
+// Positions and not numbers of bars: where those are counted from may change with every bar.
 bool Director::is_on_bar_line(const MusicState& music) noexcept {
     if (music.grid.confidence < BeatGrid::kDanceable) {
-        bar_number_.reset();
+        bar_position_.reset();
         return false;
     }
-    const Beats beat = music.grid.beats_at(music.time);
-    const double number =
-        std::floor((beat - music.grid.bar_origin).count() / music.grid.beats_per_bar + 1e-6);
-    const bool is_new = bar_number_ && number != *bar_number_;
-    bar_number_ = number;
+    const double position = music.grid.bar_position(music.grid.beats_at(music.time));
+    const bool is_new = bar_position_ && position < *bar_position_ - 0.5;
+    bar_position_ = position;
     return is_new;
 }
 

@@ -125,7 +125,7 @@ class Director {
     std::array<FollowSpring, 3> target_;
     double glide_seconds_ = 0.0;  // 0: it was cut to
 
-    std::optional<double> bar_number_;  // of the last hop; none: no bars are known
+    std::optional<double> bar_position_;  // at the last hop; none: no bars are known
     double last_change_ = 0.0;
     std::optional<double> drop_at_;    // a drop that has not been answered yet
     std::optional<Shot> next_;         // asked for by an event

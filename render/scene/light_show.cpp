@@ -18,6 +18,7 @@ constexpr double kBrightenSeconds = 0.5;
 constexpr double kDarkenSeconds = 1.0;
 constexpr double kSlowerWhenCalm = 4.0;  // times as slow with Liveliness::calm
 constexpr float kCalmShare = 0.4F;       // of the way from 1, with Liveliness::calm
+constexpr float kCalmRings = 0.35F;
 constexpr double kSwellRise = 0.05;      // of a swell
 constexpr double kSwellFade = 0.26;      // of a swell
 constexpr double kBuildUpSeconds = 8.0;  // after which a build-up is at its brightest
@@ -38,7 +39,11 @@ LightLevels limited(const LightLevels& levels) noexcept {
     const auto limit = [](float level) {
         return std::clamp(level, LightShow::kDarkest, LightShow::kBrightest);
     };
-    return {limit(levels.key), limit(levels.rim), limit(levels.floor), limit(levels.backdrop)};
+    return {limit(levels.key),
+            limit(levels.rim),
+            limit(levels.floor),
+            limit(levels.backdrop),
+            levels.rings};
 }
 
 void approach(float& level, float aim, double slowness) noexcept {
@@ -52,7 +57,8 @@ LightLevels between(const LightLevels& from, const LightLevels& to, float share)
     return {glm::mix(from.key, to.key, share),
             glm::mix(from.rim, to.rim, share),
             glm::mix(from.floor, to.floor, share),
-            glm::mix(from.backdrop, to.backdrop, share)};
+            glm::mix(from.backdrop, to.backdrop, share),
+            glm::mix(from.rings, to.rings, share)};
 }
 
 void LightShow::Swell::advance() noexcept {
@@ -80,7 +86,8 @@ const LightLevels& LightShow::advance(const MusicState& music) noexcept {
     shown_ = limited({mood_.key + kKeySwell * (high_.now + 0.5F * middle_.now),
                       mood_.rim + kRimSwell * (middle_.now + 0.5F * high_.now),
                       mood_.floor + kFloorSwell * low_.now,
-                      mood_.backdrop + kBackdropSwell * low_.now});
+                      mood_.backdrop + kBackdropSwell * low_.now,
+                      liveliness_ == Liveliness::calm ? kCalmRings : 1.0F});
     return shown_;
 }
 

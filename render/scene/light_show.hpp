@@ -13,6 +13,7 @@ struct LightLevels {
     float rim = 1.0F;       ///< light from behind
     float floor = 1.0F;     ///< light on the floor
     float backdrop = 1.0F;  ///< behind the stage
+    float rings = 1.0F;     ///< of light on the floor (BeatRing)
 
     friend bool operator==(const LightLevels&, const LightLevels&) = default;
 };

@@ -80,18 +80,18 @@ Theme stage() noexcept {
     theme.stick_middle = srgb(0xdcd8d0);
     theme.stick_left = srgb(0x3fb5ad);
     theme.stick_right = srgb(0xd9622f);
-    theme.background_top = srgb(0x11131f);
-    theme.background_glow = srgb(0x3a3f63);
-    theme.background_horizon = srgb(0x1b1e2f);
-    theme.floor_centre = srgb(0x52588f);
-    theme.floor_edge = srgb(0x20244b);
+    theme.background_top = srgb(0x171a2a);
+    theme.background_glow = srgb(0x4f5687);
+    theme.background_horizon = srgb(0x252941);
+    theme.floor_centre = srgb(0x6a72b8);
+    theme.floor_edge = srgb(0x2c3167);
     theme.ring = srgb(0xffb454);
     theme.key_light = {2.05F, 1.86F, 1.66F};
     theme.fill_light = {0.16F, 0.24F, 0.46F};
     theme.rim_light = {1.2F, 1.5F, 2.4F};
     theme.sky_light = {0.22F, 0.26F, 0.38F};
     theme.ground_light = {0.15F, 0.11F, 0.13F};
-    theme.exposure = 0.74F;
+    theme.exposure = 1.02F;
     return theme;
 }
 

@@ -90,6 +90,15 @@ TEST(Director, changes_shots_on_bar_lines_and_never_twice_a_bar) {
     }
 }
 
+TEST(Director, finds_bar_lines_wherever_bars_are_counted_from) {
+    const auto hops = changes(directed(1, kWide, alone, kMinute, [](StagedMusic& music) {
+        // As of a song that is known: each bar is the first.
+        const auto bar = static_cast<double>(music.hop() / kBar);
+        music.next.grid.bar_origin = Beats(4.0 * bar);
+    }));
+    EXPECT_GE(hops.size(), 4U);
+}
+
 TEST(Director, shows_shots_the_longer_the_calmer_the_music) {
     const auto count = [](float energy, Liveliness liveliness) {
         std::size_t sum = 0;
