@@ -8,7 +8,7 @@ namespace raks::render {
 namespace {
 
 /// A plain mannequin wears nothing.
-bool has_costume(const Scene& scene) noexcept { return scene.theme->dress == Dress::dancer; }
+bool has_costume(const Scene& scene) noexcept { return scene.dress == Dress::dancer; }
 
 }  // namespace
 
@@ -80,7 +80,7 @@ void AvatarPainter::draw_solid(std::size_t number, const Scene& scene, BodyPaint
                         .has_costume = has_costume(scene)});
     }
     if (shows_body()) {
-        body_.draw(number, scene.theme->dress, image);
+        body_.draw(number, scene.dress, image);
     }
 }
 

@@ -44,11 +44,12 @@ DressColours of_mannequin(const Theme& theme) noexcept {
 
 }  // namespace
 
-DressColours dress_colours(const Theme& theme, View view, int number) noexcept {
-    if (view == View::stick) {
+DressColours dress_colours(const Scene& scene, int number) noexcept {
+    const Theme& theme = *scene.theme;
+    if (scene.view == View::stick) {
         return {{dyed(theme.stick_middle), dyed(theme.stick_left), dyed(theme.stick_right)}};
     }
-    if (theme.dress == Dress::mannequin) {
+    if (scene.dress == Dress::mannequin) {
         return of_mannequin(theme);
     }
     const auto place = static_cast<std::size_t>(std::max(number, 0)) % theme.outfits.size();

@@ -16,7 +16,8 @@ struct DressColours {
     std::array<glm::vec4, 10> colours{};
 };
 
-/// Colours of the outfit `number` (modulo those that the theme has). Pure.
-[[nodiscard]] DressColours dress_colours(const Theme& theme, View view, int number) noexcept;
+/// Colours of the outfit `number` (modulo those that the theme has), or of the mannequin or stick
+/// figure where the scene shows one. Pure.
+[[nodiscard]] DressColours dress_colours(const Scene& scene, int number) noexcept;
 
 }  // namespace raks::render

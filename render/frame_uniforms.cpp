@@ -32,45 +32,54 @@ glm::vec3 hue(glm::vec3 light) noexcept {
 
 /// Drawn surfaces are shown as their makers painted them: a white one that faces the key light is
 /// white in the light's hue. So ambient light has a share and the key light the rest.
-void set_toon_lights(FrameUniforms& u, const Theme& theme) noexcept {
+void set_toon_lights(FrameUniforms& u, const Theme& theme, float level) noexcept {
     constexpr float kAmbientShare = 0.25F;
     const float around = 0.5F * luminance(theme.sky_light + theme.ground_light);
     const float share = around > 0.0F ? kAmbientShare : 0.0F;
-    u.toon_key = colour((1.0F - share) * hue(theme.key_light));
-    const float scale = around > 0.0F ? share / around : 0.0F;
+    u.toon_key = colour(level * (1.0F - share) * hue(theme.key_light));
+    const float scale = around > 0.0F ? level * share / around : 0.0F;
     u.toon_sky = colour(scale * theme.sky_light);
     u.toon_ground = colour(scale * theme.ground_light);
 }
 
-/// Directions come from the camera, colours from the theme.
-void set_lights(FrameUniforms& u, const Theme& theme, const LightDirections& lights) noexcept {
+/// Directions come from the camera, colours from the theme, factors from the music.
+void set_lights(FrameUniforms& u, const Scene& scene, const LightDirections& lights) noexcept {
+    const Theme& theme = *scene.theme;
+    const float key = scene.light.key;
     u.key_direction = direction(lights.key);
     u.fill_direction = direction(lights.fill);
     u.rim_direction = direction(lights.rim);
-    u.key_light = colour(theme.key_light);
-    u.fill_light = colour(theme.fill_light);
-    u.rim_light = colour(theme.rim_light);
-    u.sky_light = colour(theme.sky_light);
-    u.ground_light = colour(theme.ground_light);
-    set_toon_lights(u, theme);
+    u.key_light = colour(key * theme.key_light);
+    u.fill_light = colour(key * theme.fill_light);
+    u.rim_light = colour(scene.light.rim * theme.rim_light);
+    u.sky_light = colour(key * theme.sky_light);
+    u.ground_light = colour(key * theme.ground_light);
+    set_toon_lights(u, theme, key);
+}
+
+/// A factor on the stage, as far as the theme lets it move.
+float stage_level(const Theme& theme, float level) noexcept {
+    return 1.0F + theme.stage_range * (level - 1.0F);
 }
 
 /// Backdrop, floor and rings. The floor takes only the lights' hue; its brightness is the theme's.
 void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
     const Theme& theme = *scene.theme;
-    u.display_top = colour(display_colour(theme.background_top));
-    u.display_glow = colour(display_colour(theme.background_glow));
-    u.display_horizon = colour(display_colour(theme.background_horizon));
+    u.display_top = colour(display_colour(lit_backdrop(scene, theme.background_top)));
+    u.display_glow = colour(display_colour(lit_backdrop(scene, theme.background_glow)));
+    u.display_horizon = colour(display_colour(lit_backdrop(scene, theme.background_horizon)));
+    const float floor = stage_level(theme, scene.light.floor);
     u.floor_centre = colour(theme.floor_centre);
     u.floor_edge = colour(theme.floor_edge);
-    u.floor_key_tint = colour((1.0F - theme.floor_ambient) * hue(theme.key_light));
-    u.floor_sky_tint = colour(theme.floor_ambient * hue(theme.sky_light));
+    u.floor_key_tint = colour(floor * (1.0F - theme.floor_ambient) * hue(theme.key_light));
+    u.floor_sky_tint = colour(floor * theme.floor_ambient * hue(theme.sky_light));
     u.display_ring = {display_colour(theme.ring), theme.ring_cover};
     // The still ring takes the first of four places, the running ones the rest.
     u.rings[0] = kStillRing;
     for (std::size_t i = 0; i < scene.rings.size(); ++i) {
         const BeatRing& ring = scene.rings[i];
-        u.rings[i + 1] = {ring.radius, ring.brightness, kLineHalfWidth, kRingGlow};
+        u.rings[i + 1] = {
+            ring.radius, scene.light.rings * ring.brightness, kLineHalfWidth, kRingGlow};
     }
 }
 
@@ -86,6 +95,10 @@ float mask_pixels(const glm::mat4& clip_from_view, float height) noexcept {
 }
 
 }  // namespace
+
+glm::vec3 lit_backdrop(const Scene& scene, glm::vec3 linear) noexcept {
+    return glm::min(stage_level(*scene.theme, scene.light.backdrop) * linear, glm::vec3(1.0F));
+}
 
 glm::vec3 display_colour(glm::vec3 linear) noexcept {
     return glm::pow(linear, glm::vec3(1.0F / 2.2F));
@@ -145,7 +158,7 @@ FrameView frame_view(const Scene& scene,
     const glm::mat4 clip_from_view = scene.camera.clip_from_view(width / height);
     u.clip_from_world = clip_from_view * scene.camera.view_from_world();
     u.eye = {scene.camera.position(), 1.0F};
-    set_lights(u, *scene.theme, lights);
+    set_lights(u, scene, lights);
     set_stage(u, scene);
     set_blobs(view, dancers, scales, lights.key);
     set_shadow_map(view, dancers, scales, lights.key);

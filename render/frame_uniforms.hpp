@@ -94,6 +94,9 @@ struct FrameView {
                                    std::span<const float> scales,
                                    const FrameTarget& target) noexcept;
 
+/// A linear colour of the backdrop in the scene's light.
+[[nodiscard]] glm::vec3 lit_backdrop(const Scene& scene, glm::vec3 linear) noexcept;
+
 /// A linear colour as shown (gamma 2.2).
 [[nodiscard]] glm::vec3 display_colour(glm::vec3 linear) noexcept;
 

@@ -60,7 +60,8 @@ void clear(const Scene& scene) noexcept {
         glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     } else {
         // What the floor mirrors besides the dancer.
-        const glm::vec3 horizon = display_colour(scene.theme->background_horizon);
+        const glm::vec3 horizon =
+            display_colour(lit_backdrop(scene, scene.theme->background_horizon));
         glClearColor(horizon.r, horizon.g, horizon.b, 1.0F);
     }
     glDepthMask(GL_TRUE);
@@ -188,7 +189,7 @@ void Renderer::Parts::upload_dresses(const Scene& scene, std::span<const Painted
         dresses.emplace_back();
     }
     for (std::size_t i = 0; i < dancers.size(); ++i) {
-        const DressColours colours = dress_colours(*scene.theme, scene.view, dancers[i].outfit);
+        const DressColours colours = dress_colours(scene, dancers[i].outfit);
         glBindBuffer(GL_UNIFORM_BUFFER, dresses[i].name());
         glBufferData(GL_UNIFORM_BUFFER, sizeof(colours), &colours, GL_STREAM_DRAW);
     }

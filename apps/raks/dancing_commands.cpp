@@ -40,7 +40,12 @@ void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overla
     app.add_option("--seed", settings.seed, "same seed, same dance");
     add_avatar_options(app, settings);
     app.add_option("--theme", settings.theme, "stage, workshop_dark, studio_light or plain");
-    app.add_option("--camera", settings.camera, "wide, portrait, front or side");
+    app.add_option("--dress", settings.dress, "of the mannequin: dancer or mannequin");
+    app.add_option(
+        "--camera", settings.camera, "director, or still: wide, portrait, front or side");
+    app.add_flag("--calm,!--no-calm",
+                 settings.calm,
+                 "fewer cuts; the light changes slowly, little, with no accent");
     app.add_option("--size", settings.size, "picture size, such as 1280x720");
     app.add_option("--fps", settings.fps, "pictures a second");
     app.add_option("--quality", settings.quality, "auto, fast or high");
@@ -172,6 +177,7 @@ void add_sheet(RaksCommands& table) {
         ->check(CLI::Range(1.0, 240.0));
     add_avatar_options(*app, a->settings);
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
+    app->add_option("--dress", a->settings.dress, "of the mannequin: dancer or mannequin");
     app->add_option("--view", a->settings.view, "skin, stick or auto");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");
 }

@@ -55,6 +55,7 @@ class Film final : public engine::OfflineDriver::Sink {
     void on_hop(const engine::PerformedHop& hop) override {
         last_.emplace(Last{hop.music, hop.dancer});
         tracks_ = hop.tracks;
+        show_.advance(hop.music, hop.tracks);
         while (!fault_ &&
                next_moment() + lead_ + kTailStep <= time_of_hop(hop.track.newest_final())) {
             draw();

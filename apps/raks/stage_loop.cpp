@@ -102,6 +102,8 @@ StageLoop::StageLoop(const engine::Settings& settings,
       options_(options),
       dances_(std::move(dances)),
       formations_(formations),
+      staging_(static_cast<std::uint64_t>(settings.seed),
+               settings.calm ? render::Liveliness::calm : render::Liveliness::usual),
       live_actions_(static_cast<float>(settings.volume),
                     [this](const std::string& line) { say(line); }),
       formation_(formations.name()) {}
@@ -137,6 +139,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     graph_ = &graph;
     source_ = source;
     wish_.reset();
+    staging_.begin_anew();
     keep_memory();
     engine::GraphTarget target(graph);
     engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
@@ -242,6 +245,9 @@ void StageLoop::advance(double /*seconds*/) {
     }
     if (source_.each_picture) {
         source_.each_picture();
+    }
+    if (window_) {
+        follow_dance();
     }
     if (const bool had_ended = std::exchange(had_ended_, has_ended()); had_ended_ && !had_ended) {
         say_detail("at the end of the last file");
@@ -389,6 +395,19 @@ render::Camera StageLoop::framed(render::Camera preset) const {
     return preset;
 }
 
+// Goes through the hops since the last picture; after a long pause, through those that are known.
+void StageLoop::follow_dance() {
+    const engine::StageState& stage = graph_->stage();
+    const HopIndex newest = stage.music.hop;
+    const HopIndex oldest = newest - static_cast<HopIndex>(engine::StageState::kRecent) + 1;
+    const HopIndex last = staging_.last_hop().value_or(-1);
+    for (HopIndex hop = std::max({last + 1, oldest, HopIndex{0}}); hop <= newest; ++hop) {
+        if (const MusicState* const state = stage.state_of(hop)) {
+            staging_.advance(*state, std::span(stage.tracks).first(stage.dancers));
+        }
+    }
+}
+
 // One stage and one moment for all dancers: they must not be drawn at different times.
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     // Whoever is seen: an avatar may have been taken over meanwhile.
@@ -399,6 +418,11 @@ void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState&
         stage.music,
         stage.dancer,
         {.tracks = std::span(stage.tracks).first(stage.dancers), .moment = moment}};
+    staging_.set_picture(
+        static_cast<float>(picture.target.width) / static_cast<float>(picture.target.height),
+        render::size_of(picture.bodies.avatar()));
+    follow_dance();
+    staging_.set(picture.scene, picture.camera, {.time = moment}, shown.danced.tracks);
     draw_moment(shown, picture.renderer, picture.bodies, picture.scene, picture.target);
     describe_moment(shown, *dances_, overlay);
     describe(stage, overlay);

@@ -13,6 +13,7 @@
 #include "engine/control/live_actions.hpp"
 #include "engine/live/live_graph.hpp"
 #include "engine/setup/formations.hpp"
+#include "engine/show/staging.hpp"
 #include "engine/show/window_loop.hpp"
 
 namespace raks::apps {
@@ -76,7 +77,9 @@ class StageLoop final : private engine::WindowContent {
     void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
     void use(render::OverlayControl control, double share) override;
     [[nodiscard]] bool is_finished() const override;
+    [[nodiscard]] bool has_director() const override { return true; }
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
+    void follow_dance();
 
     void bind(engine::ActionDispatcher& actions);
     void run_headless(const std::string& source);
@@ -103,6 +106,7 @@ class StageLoop final : private engine::WindowContent {
     std::shared_ptr<const DanceList> dances_;
     engine::Formations& formations_;
     std::optional<engine::WindowLoop> window_;
+    engine::Staging staging_;
     engine::LiveActions live_actions_;
     std::string formation_;                   // whose distance the camera has
     DanceId selected_dance_ = DanceId::none;  // none: the recognised one

@@ -91,6 +91,8 @@ void MotionStage::tick() noexcept RAKS_NONBLOCKING {
     const std::size_t held_back = held_back_.load(std::memory_order_relaxed);
     while (wiring_.states.size() > held_back && wiring_.states.pop(stage_->music)) {
         dancers_->advance(stage_->music, stage_->tracks);
+        stage_->recent[static_cast<std::size_t>(stage_->music.hop) % StageState::kRecent] =
+            stage_->music;
         stage_->dancer = dancers_->status();
         const bool is_recorded =
             wiring_.record == nullptr ||

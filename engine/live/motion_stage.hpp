@@ -24,8 +24,17 @@ struct StageState {
     std::size_t dancers = 1;           ///< how many of the tracks are in use
     MusicState music;                  ///< the state that was danced to last
     motion::DancerStatus dancer;       ///< of the first
-    std::int64_t published_at_ns = 0;  ///< CLOCK_MONOTONIC
+    std::int64_t published_at_ns = 0;  ///< CLOCK_MONOTONIC; 0: nothing was danced yet
+    /// The last states danced to, that of hop h at h % kRecent: as many as there are final poses,
+    /// so that a reader who looks seldom can go through every hop.
+    static constexpr std::size_t kRecent = motion::PoseTrack::kFinalPoses;
+    std::array<MusicState, kRecent> recent;
 
+    /// The state of a hop, of which the tracks hold the final pose; null: it is none of the last.
+    [[nodiscard]] const MusicState* state_of(HopIndex hop) const noexcept {
+        const MusicState& state = recent[static_cast<std::size_t>(hop) % kRecent];
+        return published_at_ns != 0 && state.hop == hop ? &state : nullptr;
+    }
     /// The first dancer's.
     [[nodiscard]] const motion::PoseTrack& track() const noexcept { return tracks[0]; }
 };

@@ -96,7 +96,24 @@ const std::array kKeys = std::to_array<Key>({
      0,
      "file that says which nodes of the avatar are its bones; empty: they are found"},
     {"picture", "theme", &Settings::theme, 0, 0, "stage, workshop_dark, studio_light or plain"},
-    {"picture", "camera", &Settings::camera, 0, 0, "wide, portrait, front or side"},
+    {"picture",
+     "dress",
+     &Settings::dress,
+     0,
+     0,
+     "of the mannequin, in every theme: dancer or mannequin"},
+    {"picture",
+     "camera",
+     &Settings::camera,
+     0,
+     0,
+     "director, or still: wide, portrait, front or side"},
+    {"picture",
+     "calm",
+     &Settings::calm,
+     0,
+     0,
+     "fewer cuts; light changes slowly, little, with no accent"},
     {"picture", "size", &Settings::size, 0, 0, "WIDTHxHEIGHT"},
     {"picture", "fps", &Settings::fps, 1, 240, "pictures a second"},
     {"picture", "quality", &Settings::quality, 0, 0, "auto, fast or high"},
@@ -230,6 +247,7 @@ constexpr std::array<std::string_view, 2> kOnOff = {"on", "off"};
 constexpr std::array<std::string_view, 3> kQualities = {"auto", "fast", "high"};
 constexpr std::array<std::string_view, 3> kViews = {"auto", "skin", "stick"};
 constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
+constexpr std::array<std::string_view, 2> kDresses = {"dancer", "mannequin"};
 
 // Themes, cameras, dances and formations are checked where their tables are.
 const std::array kNames = std::to_array<Name>({
@@ -238,6 +256,7 @@ const std::array kNames = std::to_array<Name>({
     {"dance.dynamics", &Settings::dynamics, kOnOff},
     {"picture.quality", &Settings::quality, kQualities},
     {"picture.view", &Settings::view, kViews},
+    {"picture.dress", &Settings::dress, kDresses},
     {"dance.figures", &Settings::figures, kFigures},
 });
 

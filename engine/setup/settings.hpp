@@ -35,7 +35,9 @@ struct Settings {
     double avatar_height = 0.0;        ///< metres; 0: its own; [0, 10]
     std::string avatar_labels;         ///< file that says which nodes are its bones; empty: none
     std::string theme = "stage";       ///< stage, workshop_dark, studio_light or plain
-    std::string camera = "wide";       ///< preset: wide, portrait, front or side
+    std::string dress = "dancer";      ///< of painted bodies: dancer or mannequin
+    std::string camera = "director";   ///< or a preset: wide, portrait, front or side
+    bool calm = false;                 ///< fewer cuts; light changes slowly, little, with no accent
     std::string size = "1280x720";     ///< WIDTHxHEIGHT
     double fps = 30.0;                 ///< pictures a second, [1, 240]
     std::string quality = "auto";      ///< auto, fast or high

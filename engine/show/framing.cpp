@@ -11,6 +11,10 @@ namespace {
 
 // Metres from the mannequin's hips to a hand of a spread arm, and a little air.
 constexpr float kReach = 0.80F;
+// And to a foot of a long step.
+constexpr float kStep = 0.35F;
+// Share of the picture's height that is free for them.
+constexpr float kFree = 0.97F;
 // Seconds in which the camera does two thirds of its way: to where the dancers go, back from them
 // (before they leave the picture), and near to them again.
 constexpr float kFollowSeconds = 1.6F;
@@ -35,12 +39,15 @@ glm::vec3 middle_of(std::span<const motion::Pose> poses) {
     return 0.5F * (lowest + highest);
 }
 
-// The distance from which every dancer is seen with spread arms.
+// The distance from which every dancer is seen with spread arms, and with the feet.
 float distance_to_fit(const render::Camera& camera,
                       std::span<const motion::Pose> poses,
                       float aspect,
                       float size) {
-    const float wide = std::tan(0.5F * camera.vertical_fov) * std::max(aspect, kNarrowestAspect);
+    const float half = std::tan(0.5F * camera.vertical_fov);
+    const float wide = half * std::max(aspect, kNarrowestAspect);
+    // Half of the height that is seen at 1 m, without the edge of the picture.
+    const float high = kFree * half * std::max(1.0F, kNarrowestAspect / aspect);
     const glm::vec3 right(std::cos(camera.yaw), 0.0F, -std::sin(camera.yaw));
     const glm::vec3 toward(std::sin(camera.yaw), 0.0F, std::cos(camera.yaw));
     float distance = 0.0F;
@@ -50,6 +57,14 @@ float distance_to_fit(const render::Camera& camera,
         // Who stands nearer needs more room.
         const float nearer = glm::dot(from_target, toward) * std::cos(camera.pitch);
         distance = std::max(distance, aside / wide + nearer);
+        // Feet that step toward the camera leave a picture below.
+        glm::vec3 foot = from_target + kStep * size * toward;
+        foot.y = -camera.target.y;
+        const float below =
+            -(foot.y * std::cos(camera.pitch) - glm::dot(foot, toward) * std::sin(camera.pitch));
+        const float before =
+            glm::dot(foot, toward) * std::cos(camera.pitch) + foot.y * std::sin(camera.pitch);
+        distance = std::max(distance, below / high + before);
     }
     return distance;
 }

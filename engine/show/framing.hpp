@@ -8,10 +8,11 @@
 
 namespace raks::engine {
 
-/// Moves a film's camera so that its dancers stay in the picture, whatever its form: it looks at
+/// Moves a preset's camera so that the dancers stay in the picture, whatever its form: it looks at
 /// their middle, and steps back where they would not fit side by side, with spread arms, into a
-/// tall or square picture. It follows slowly, as a person behind a camera would. The same poses
-/// give the same cameras. Threads: one. Real-time: no.
+/// tall or square picture, or where feet that come nearer would leave it below. It follows slowly,
+/// as a person behind a camera would. The same poses give the same cameras. Threads: one.
+/// Real-time: no.
 class Framing {
  public:
     /// `preset`: angle, height and nearest distance. `aspect`: width / height of the picture, > 0.

@@ -1,6 +1,10 @@
 #include "engine/show/picture.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
+
+#include "base/suggest.hpp"
 
 #include "render/avatar/avatar.hpp"
 
@@ -9,6 +13,16 @@ namespace {
 
 // Three dancers side by side fit into the picture at this distance.
 constexpr float kWideFormation = 1.35F;
+
+Expected<void> check_camera(std::string_view name) {
+    std::vector<std::string_view> names = {kDirector};
+    const auto presets = render::camera_names();
+    names.insert(names.end(), presets.begin(), presets.end());
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        return fail(unknown_name("camera", name, names));
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -19,14 +33,17 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(theme.error());
     }
     look.scene.theme = *theme;
-    const auto camera = render::find_camera(settings.camera);
-    if (!camera) {
-        return fail(camera.error());
+    if (auto known = check_camera(settings.camera); !known) {
+        return fail(std::move(known.error()));
     }
-    look.scene.camera = *camera;
+    look.scene.camera = preset_of(settings.camera);
     // zoom() multiplies the camera's distance.
     look.scene.camera.zoom(distance_for(settings.formation));
     look.camera = settings.camera;
+    look.seed = static_cast<std::uint64_t>(settings.seed);
+    look.liveliness = settings.calm ? render::Liveliness::calm : render::Liveliness::usual;
+    look.scene.dress =
+        settings.dress == "mannequin" ? render::Dress::mannequin : render::Dress::dancer;
     const auto size = parse_size(settings.size);
     if (!size) {
         return fail(size.error());
@@ -55,6 +72,10 @@ render::Camera camera_for(render::Camera preset, float size) noexcept {
     preset.target *= size;
     preset.zoom(size);
     return preset;
+}
+
+render::Camera preset_of(std::string_view camera) noexcept {
+    return render::find_camera(camera).value_or(render::Camera());
 }
 
 float distance_for(std::string_view formation) noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -7,6 +8,7 @@
 #include "engine/setup/settings.hpp"
 #include "engine/show/dancer_face.hpp"
 #include "engine/show/loaded_avatar.hpp"
+#include "engine/show/staging.hpp"
 #include "render/renderer.hpp"
 #include "render/scene/scene.hpp"
 
@@ -14,11 +16,13 @@ namespace raks::engine {
 
 /// The picture settings, checked and resolved.
 struct Look {
-    render::Scene scene;          ///< theme, camera and view
-    std::string camera = "wide";  ///< the preset that the scene's camera was made from
-    render::Quality quality = render::Quality::automatic;  ///< for the renderer
-    PictureSize size;                                      ///< of the window or film, in pixels
-    FaceHabits face;                                       ///< what faces do by themselves
+    render::Scene scene;            ///< theme, dress, view, and a camera to begin with
+    std::string camera{kDirector};  ///< or the preset that the scene's camera was made from
+    std::uint64_t seed = 1;         ///< of the director's choices
+    render::Liveliness liveliness = render::Liveliness::usual;  ///< of director and light
+    render::Quality quality = render::Quality::automatic;       ///< for the renderer
+    PictureSize size;     ///< of the window or film, in pixels
+    FaceHabits face;      ///< what faces do by themselves
     LoadedAvatar avatar;  ///< what all wear (put_on); else the mannequin
 };
 
@@ -36,5 +40,8 @@ void put_on(LoadedAvatar avatar, Look& look) noexcept;
 /// Factor on the camera's distance for a formation: 1 for solo and couple, more where several
 /// dancers stand side by side.
 [[nodiscard]] float distance_for(std::string_view formation) noexcept;
+
+/// The preset of that name, as wide for the director and for what is none. Pure.
+[[nodiscard]] render::Camera preset_of(std::string_view camera) noexcept;
 
 }  // namespace raks::engine

@@ -11,6 +11,18 @@
 
 namespace raks::engine {
 
+namespace {
+
+// Where a dancer looks: at the camera, as far as it stands before the stage. Who is filmed from the
+// side goes on dancing for those in front.
+render::Camera audience(render::Camera camera) noexcept {
+    constexpr float kWidest = glm::radians(35.0F);
+    camera.yaw = std::clamp(camera.yaw, -kWidest, kWidest);
+    return camera;
+}
+
+}  // namespace
+
 Expected<Drawing> create_drawing(const Look& look) {
     const LoadedAvatar worn = look.avatar.avatar != nullptr ? look.avatar : mannequin();
     // Shaders are compiled meanwhile.
@@ -57,25 +69,23 @@ Show::Show(const Look& look,
            std::shared_ptr<const DanceList> dances)
     : dances_(std::move(dances)),
       scene_(look.scene),
-      framing_(look.scene.camera,
-               static_cast<float>(look.size.width) / static_cast<float>(look.size.height),
-               render::size_of(drawing.bodies.avatar())),
+      preset_(look.scene.camera),
+      staging_(look.seed, look.liveliness),
+      camera_name_(look.camera),
       drawing_(std::move(drawing)),
-      overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {}
+      overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {
+    staging_.set_picture(static_cast<float>(look.size.width) / static_cast<float>(look.size.height),
+                         render::size_of(drawing_.bodies.avatar()));
+}
 
 void Show::draw(const ShownMoment& shown,
                 render::OverlayState info,
                 const render::FrameTarget& target) {
-    const StreamTime moment = shown.danced.moment;
-    const Nanos since = moment - last_moment_.value_or(moment);
-    last_moment_ = moment;
-    poses_.clear();
-    for (const motion::PoseTrack& track : shown.danced.tracks) {
-        poses_.push_back(render::retargeted(track.at(moment + shown.danced.lead),
-                                            motion::mannequin_skeleton(),
-                                            drawing_.bodies.avatar()));
-    }
-    scene_.camera = framing_.follow(poses_, to_seconds(since));
+    const DancedMoment& danced = shown.danced;
+    staging_.set(scene_,
+                 {.name = camera_name_, .preset = preset_},
+                 {.time = danced.moment, .lead = danced.lead},
+                 danced.tracks);
     // The picture first: the overlay is drawn over it.
     draw_moment(shown, drawing_.renderer, drawing_.bodies, scene_, target);
     describe_moment(shown, *dances_, info);
@@ -90,7 +100,7 @@ void draw_moment(const ShownMoment& shown,
     // The rings follow the beat grid at the moment that is shown, which lies between two states.
     scene.rings = render::beat_rings(shown.music.grid, shown.danced.moment);
     scene.seconds = to_seconds(shown.danced.moment);
-    renderer.draw(scene, bodies.at(shown.danced, shown.music, scene.camera), target);
+    renderer.draw(scene, bodies.at(shown.danced, shown.music, audience(scene.camera)), target);
 }
 
 void describe_moment(const ShownMoment& shown,

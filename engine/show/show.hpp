@@ -1,17 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "engine/show/dancer_bodies.hpp"
-#include "engine/show/framing.hpp"
 #include "engine/show/picture.hpp"
+#include "engine/show/staging.hpp"
 #include "motion/dancer.hpp"
 #include "render/gl/frame_target.hpp"
 #include "render/overlay/overlay.hpp"
@@ -42,8 +40,7 @@ void draw_moment(const ShownMoment& shown,
                  render::Scene& scene,
                  const render::FrameTarget& target);
 
-/// Draws the pictures of a film: stage, dancers and overlay, as a window shows them, but with a
-/// camera that keeps the dancers in the picture (Framing).
+/// Draws the pictures of a film: stage, dancers and overlay, as a window shows them.
 /// Threads: the OpenGL context's. Real-time: no.
 class Show {
  public:
@@ -51,6 +48,11 @@ class Show {
     [[nodiscard]] static Expected<Show> create(const Look& look,
                                                bool has_overlay,
                                                std::shared_ptr<const DanceList> dances);
+
+    /// Takes each hop, before the pictures of its time are drawn: see Staging.
+    void advance(const MusicState& music, std::span<const motion::PoseTrack> tracks) {
+        staging_.advance(music, tracks);
+    }
 
     /// Draws one picture. `info` holds what the moment does not know (source, position, latency,
     /// counters); tempo, bar, genre, figure and levels are filled in here.
@@ -69,9 +71,9 @@ class Show {
 
     std::shared_ptr<const DanceList> dances_;
     render::Scene scene_;
-    Framing framing_;
-    std::vector<motion::Pose> poses_;  // of the last picture
-    std::optional<StreamTime> last_moment_;
+    render::Camera preset_;
+    Staging staging_;
+    std::string camera_name_;
     Drawing drawing_;
     render::OverlayView overlay_view_;
 };

@@ -172,7 +172,7 @@ void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
     // These three depend on the content.
     actions.on(Action::toggle_help, [&](double) { toggle_help(content, actions); });
     actions.on(Action::next_camera, [&](double) { go_to_next_camera(content); });
-    actions.on(Action::reset_camera, [&](double) { scene_.camera = preset(content); });
+    actions.on(Action::reset_camera, [&](double) { let_go_of_camera(content); });
     if (content.has_avatar()) {
         actions.on(Action::next_avatar, [this](double) { go_to_next_avatar(); });
     }
@@ -210,6 +210,7 @@ void WindowLoop::handle(const render::WindowEvent& event,
         handle(*button, content);
     } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
         move_camera(scene_.camera, *scroll);
+        is_camera_held_ = true;
     } else if (const auto* drop = std::get_if<render::DropEvent>(&event)) {
         handle(*drop, content);
     }
@@ -252,6 +253,7 @@ void WindowLoop::handle(const render::MouseDragEvent& drag, WindowContent& conte
         content.use(render::OverlayControl::position, controls_.share_at(pointer_x_));
     } else if (!is_click_taken_) {
         move_camera(scene_.camera, drag);
+        is_camera_held_ = true;
     }
 }
 
@@ -276,9 +278,13 @@ void WindowLoop::draw(WindowContent& content) {
         // A picture is visible one refresh after it is handed over; the content draws that moment.
         const Nanos until_seen = nanos_from_seconds(1.0 / window_.refresh_rate());
         render::OverlayState overlay;
-        content.draw(
-            {drawing_.renderer, drawing_.bodies, scene_, target, HostClock::now() + until_seen},
-            overlay);
+        content.draw({.renderer = drawing_.renderer,
+                      .bodies = drawing_.bodies,
+                      .scene = scene_,
+                      .camera = {camera_name_, preset(content), is_camera_held_},
+                      .target = target,
+                      .seen_at = HostClock::now() + until_seen},
+                     overlay);
         draw_overlay(overlay, target);
     }
     // After drawing and before present(): the frame still holds this picture.
@@ -337,9 +343,22 @@ void WindowLoop::toggle_overlay() {
 
 // The preset is applied anew, also after the mouse has moved the camera.
 void WindowLoop::go_to_next_camera(const WindowContent& content) {
-    camera_name_ = name_after(camera_name_, render::camera_names());
-    scene_.camera = preset(content);
+    std::vector<std::string_view> names;
+    if (content.has_director()) {
+        names.push_back(kDirector);
+    }
+    const auto presets = render::camera_names();
+    names.insert(names.end(), presets.begin(), presets.end());
+    // Where there is no director, the first preset has stood in for it.
+    const bool is_stand_in = camera_name_ == kDirector && !content.has_director();
+    camera_name_ = name_after(is_stand_in ? presets.front() : camera_name_, names);
+    let_go_of_camera(content);
     say("camera " + camera_name_);
+}
+
+void WindowLoop::let_go_of_camera(const WindowContent& content) {
+    is_camera_held_ = false;
+    scene_.camera = preset(content);
 }
 
 void WindowLoop::go_to_next_theme() {
@@ -396,9 +415,8 @@ void WindowLoop::take_avatar(const LoadedAvatar& avatar, float size_before) {
 
 // The content may move a preset: a formation needs more room than one dancer.
 render::Camera WindowLoop::preset(const WindowContent& content) const {
-    const auto camera = render::find_camera(camera_name_);
     return content.framed(
-        camera_for(camera ? *camera : render::Camera(), render::size_of(drawing_.bodies.avatar())));
+        camera_for(preset_of(camera_name_), render::size_of(drawing_.bodies.avatar())));
 }
 
 std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,

@@ -25,7 +25,8 @@ namespace raks::engine {
 struct WindowPicture {
     render::Renderer& renderer;  ///< draws the scene into the target
     DancerBodies& bodies;        ///< what its dancers wear
-    render::Scene& scene;  ///< theme, camera and view are the loop's; the rest is the content's
+    render::Scene& scene;        ///< theme and view are the loop's; the rest is the content's
+    CameraChoice camera;         ///< who moves the scene's camera
     render::FrameTarget target;  ///< where to draw; its size is that of the window
     /// Host time at which the picture will be visible: about one refresh from now.
     HostTime seen_at;
@@ -54,6 +55,9 @@ class WindowContent {
 
     /// Whether the avatar is seen in it: then people can change it.
     [[nodiscard]] virtual bool has_avatar() const { return true; }
+
+    /// Whether a director can film it: then kDirector is one of the cameras.
+    [[nodiscard]] virtual bool has_director() const { return false; }
 
     /// A preset camera, moved to where it must stand for this content.
     [[nodiscard]] virtual render::Camera framed(render::Camera preset) const { return preset; }
@@ -132,6 +136,7 @@ class WindowLoop {
     void toggle_help(const WindowContent& content, const ActionDispatcher& actions);
     void toggle_overlay();
     void go_to_next_camera(const WindowContent& content);
+    void let_go_of_camera(const WindowContent& content);
     void go_to_next_theme();
     void go_to_next_avatar();
     void change_avatar();
@@ -144,7 +149,8 @@ class WindowLoop {
     WindowLoopOptions options_;
     render::Scene scene_;
     std::string camera_name_;
-    std::string avatar_name_;  // as LoadedAvatar::name, of the one asked for last
+    bool is_camera_held_ = false;  // by a person's hand
+    std::string avatar_name_;      // as LoadedAvatar::name, of the one asked for last
     AvatarChange avatar_change_;
     render::OverlayView overlay_view_;
     std::vector<render::HelpRow> help_;  // none: hidden

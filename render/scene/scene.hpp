@@ -5,6 +5,7 @@
 #include "base/beat_grid.hpp"
 #include "base/time.hpp"
 #include "render/scene/camera.hpp"
+#include "render/scene/light_show.hpp"
 #include "render/scene/theme.hpp"
 
 namespace raks::render {
@@ -46,6 +47,10 @@ struct Scene {
     /// Where the picture is seen from.
     Camera camera;
     const Theme* theme = &default_theme();  ///< never null
+    /// What painted bodies wear.
+    Dress dress = Dress::dancer;
+    /// On the theme's lights.
+    LightLevels light;
     /// Rings of light at this moment.
     BeatRings rings{};
     /// Stage or transparent.

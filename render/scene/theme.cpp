@@ -73,31 +73,33 @@ std::array<Outfit, 6> stage_outfits() noexcept {
 Theme stage() noexcept {
     Theme theme;
     theme.name = "stage";
-    theme.dress = Dress::dancer;
     theme.outfits = stage_outfits();
+    theme.body = srgb(0xdcd8d0);
+    theme.joint_bands = srgb(0xa61b33);
+    theme.band_edge = srgb(0x2a2a30);
     theme.stick_middle = srgb(0xdcd8d0);
     theme.stick_left = srgb(0x3fb5ad);
     theme.stick_right = srgb(0xd9622f);
-    theme.background_top = srgb(0x11131f);
-    theme.background_glow = srgb(0x3a3f63);
-    theme.background_horizon = srgb(0x1b1e2f);
-    theme.floor_centre = srgb(0x52588f);
-    theme.floor_edge = srgb(0x20244b);
+    theme.background_top = srgb(0x171a2a);
+    theme.background_glow = srgb(0x4f5687);
+    theme.background_horizon = srgb(0x252941);
+    theme.floor_centre = srgb(0x6a72b8);
+    theme.floor_edge = srgb(0x2c3167);
     theme.ring = srgb(0xffb454);
     theme.key_light = {2.05F, 1.86F, 1.66F};
     theme.fill_light = {0.16F, 0.24F, 0.46F};
     theme.rim_light = {1.2F, 1.5F, 2.4F};
     theme.sky_light = {0.22F, 0.26F, 0.38F};
     theme.ground_light = {0.15F, 0.11F, 0.13F};
-    theme.exposure = 0.74F;
+    theme.exposure = 1.02F;
     return theme;
 }
 
-/// A plain mannequin before dark blue.
+/// Dark blue and even light.
 Theme workshop_dark() noexcept {
     Theme theme;
     theme.name = "workshop_dark";
-    theme.dress = Dress::mannequin;
+    theme.outfits = stage_outfits();
     theme.body = srgb(0xdcd8d0);
     theme.joint_bands = srgb(0xd9622f);
     theme.band_edge = srgb(0x2a2a30);
@@ -119,11 +121,11 @@ Theme workshop_dark() noexcept {
     return theme;
 }
 
-/// A wooden mannequin before a bright wall.
+/// A bright wall; the mannequin is of wood.
 Theme studio_light() noexcept {
     Theme theme;
     theme.name = "studio_light";
-    theme.dress = Dress::mannequin;
+    theme.outfits = stage_outfits();
     theme.body = srgb(0xd9bd97);
     theme.joint_bands = srgb(0xa8794e);
     theme.band_edge = srgb(0x5a3b26);
@@ -140,6 +142,7 @@ Theme studio_light() noexcept {
     theme.floor_ambient = 0.72F;
     // Light added to a nearly white floor would not show, so here the rings cover it.
     theme.ring_cover = 1.0F;
+    theme.stage_range = 0.3F;
     theme.key_light = {2.1F, 1.98F, 1.82F};
     theme.fill_light = {0.3F, 0.34F, 0.42F};
     theme.rim_light = {0.7F, 0.7F, 0.72F};

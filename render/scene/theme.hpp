@@ -10,7 +10,8 @@
 
 namespace raks::render {
 
-/// How the body is coloured: the dancer's unitard with piping, or a mannequin with joint bands.
+/// How the body is coloured, in every theme: the dancer's unitard with piping, or a mannequin with
+/// joint bands.
 enum class Dress { dancer, mannequin };
 
 /// Colours of one dancer. Linear.
@@ -27,8 +28,7 @@ struct Outfit {
 /// Colours and lights of one look. Colours are linear (not sRGB), [0, 1]; lights are linear and may
 /// exceed 1.
 struct Theme {
-    std::string_view name;        ///< as in theme_names
-    Dress dress = Dress::dancer;  ///< which colours below the body uses
+    std::string_view name;  ///< as in theme_names
 
     std::array<Outfit, 6> outfits{};  ///< Dress::dancer: dancers of one picture differ
     // Dress::mannequin
@@ -48,6 +48,9 @@ struct Theme {
     glm::vec3 ring{};                ///< rings of light
     float floor_ambient = 0.2F;      ///< share of the floor's light that no shadow takes, (0, 1)
     float ring_cover = 0.5F;         ///< from 0: rings add light, to 1: they cover the floor
+    /// How far LightLevels move the stage: 1 in the dark; less where it is bright, as the same
+    /// factor is a larger change there.
+    float stage_range = 1.0F;
 
     glm::vec3 key_light{};       ///< main light; casts the shadow
     glm::vec3 fill_light{};      ///< lifts the dark side

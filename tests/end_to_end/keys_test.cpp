@@ -270,9 +270,12 @@ TEST_F(Keys, l_goes_through_the_themes) {
 TEST_F(Keys, v_goes_through_the_cameras) {
     const std::string first = upper(start_and_pause("--no-overlay"));
     press({"v"});
-    EXPECT_TRUE(raks_->wait_for_output("camera portrait"));
+    EXPECT_TRUE(raks_->wait_for_output("camera wide"));
+    press({"v", "v"});
+    EXPECT_TRUE(raks_->wait_for_output("camera front"));
     EXPECT_TRUE(shows([&](const std::string& now) { return difference(upper(now), first) > 0.3; }));
-    press({"v", "v", "v", "v", "v"});
+    press({"v", "v", "v", "v"});
+    EXPECT_TRUE(raks_->wait_for_output("camera director"));
     EXPECT_TRUE(shows([&](const std::string& now) { return upper(now) == first; }));
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec4.hpp>
 #include <string>
@@ -103,6 +104,25 @@ TEST(Framing, follows_without_a_jerk_and_does_not_lose_who_travels) {
             }
         }
         last = camera;
+    }
+}
+
+TEST(Framing, keeps_the_feet_of_who_comes_nearer_in_the_picture) {
+    for (const char* const name : {"wide", "portrait", "front", "side"}) {
+        const render::Camera preset = render::find_camera(name).value();
+        const glm::vec3 toward(std::sin(preset.yaw), 0.0F, std::cos(preset.yaw));
+        for (const float aspect : kForms) {
+            Framing framing(preset, aspect);
+            for (int i = 0; i <= 120; ++i) {
+                // Two metres within two seconds, as fast as a walk, and then stays.
+                const float way = std::clamp(static_cast<float>(i - 30) / 30.0F, 0.0F, 2.0F);
+                const glm::vec3 hips = way * toward + glm::vec3(0.0F, 0.95F, 0.0F);
+                const render::Camera camera = framing.follow(dancers_at({hips}), 1.0 / 30.0);
+                const glm::vec3 foot = hips + 0.2F * toward - glm::vec3(0.0F, 0.95F, 0.0F);
+                const glm::vec4 clip = camera.clip_from_world(aspect) * glm::vec4(foot, 1.0F);
+                EXPECT_GT(clip.y / clip.w, -1.0F) << name << " " << aspect << " " << i;
+            }
+        }
     }
 }
 

@@ -1,0 +1,136 @@
+#include "render/scene/dancers_room.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/time.hpp"
+
+#include <glm/common.hpp>
+
+namespace raks::render {
+namespace {
+
+using motion::Bone;
+using motion::WorldPose;
+
+const float kRoomHop = static_cast<float>(to_seconds(kHop));
+
+// Metres from a joint to the skin, and a little air.
+constexpr float kAroundJoint = 0.14F;
+constexpr float kAroundFoot = 0.20F;
+// From the head's joint to its top.
+constexpr float kOverHead = 0.25F;
+// Nobody is shown smaller than one who stands with the arms down.
+constexpr float kLeastReach = 0.45F;
+// Seconds in which an edge that nobody reaches any more does two thirds of its way back.
+constexpr float kShrinkSeconds = 4.0F;
+// And its way out to who leaves the room.
+constexpr float kGrowSeconds = 0.08F;
+// Time constant of the springs.
+constexpr float kSpringSeconds = 0.16F;
+// The room leads who travels by this much: as far as its springs and the camera's lag behind.
+constexpr float kLeadSeconds = 0.65F;
+// Time constant of the speed of travel: steps to and fro cancel out.
+constexpr float kSpeedSeconds = 0.4F;
+
+constexpr std::array<Bone, 6> kOuterJoints = {Bone::left_lower_arm,
+                                              Bone::right_lower_arm,
+                                              Bone::left_hand,
+                                              Bone::right_hand,
+                                              Bone::left_lower_leg,
+                                              Bone::right_lower_leg};
+constexpr std::array<Bone, 2> kRoomFeet = {Bone::left_foot, Bone::right_foot};
+
+void include(StageBox& box, glm::vec3 at, float around) noexcept {
+    box.low = glm::min(box.low, at - glm::vec3(around));
+    box.high = glm::max(box.high, at + glm::vec3(around));
+}
+
+// What the dancers take at this moment.
+DancersRoom taken_by(std::span<const WorldPose> dancers) noexcept {
+    const glm::vec3 first = dancers.front().position(Bone::hips);
+    DancersRoom room{{first, first}, {first, first}, first.y, 0.0F};
+    for (const WorldPose& dancer : dancers) {
+        const glm::vec3 hips = dancer.position(Bone::hips);
+        const glm::vec3 head = dancer.position(Bone::head);
+        include(room.body, {hips.x, hips.y, hips.z}, kLeastReach);
+        for (const Bone joint : kOuterJoints) {
+            include(room.body, dancer.position(joint), kAroundJoint);
+        }
+        for (const Bone foot : kRoomFeet) {
+            include(room.body, dancer.position(foot), kAroundFoot);
+            include(room.feet, dancer.position(foot), kAroundFoot);
+        }
+        room.hips = std::min(room.hips, hips.y);
+        room.head = std::max(room.head, head.y + kOverHead);
+    }
+    room.body.low.y = 0.0F;
+    room.body.high.y = std::max(room.body.high.y, room.head);
+    return room;
+}
+
+glm::vec3 middle_of(std::span<const WorldPose> dancers) noexcept {
+    glm::vec3 sum{};
+    for (const WorldPose& dancer : dancers) {
+        sum += dancer.position(Bone::hips);
+    }
+    return sum / static_cast<float>(dancers.size());
+}
+
+// The place where it would be soon is part of the room, too.
+void lead(StageBox& box, glm::vec3 by) noexcept {
+    box.low = glm::min(box.low, box.low + by);
+    box.high = glm::max(box.high, box.high + by);
+}
+
+}  // namespace
+
+void DancersRoomKeeper::Edge::begin(float at) noexcept {
+    held = at;
+    spring.begin(at);
+}
+
+// `outward`: 1 where the edge's coordinate grows outward, else -1.
+void DancersRoomKeeper::Edge::grow(float to, float outward) noexcept {
+    const float shrink = 1.0F - std::exp(-kRoomHop / kShrinkSeconds);
+    const float grow = 1.0F - std::exp(-kRoomHop / kGrowSeconds);
+    const bool is_outside = (to - held) * outward > 0.0F;
+    held += (is_outside ? grow : shrink) * (to - held);
+    spring.follow(held, kRoomHop, kSpringSeconds);
+}
+
+const DancersRoom& DancersRoomKeeper::advance(std::span<const WorldPose> dancers) noexcept {
+    const glm::vec3 middle = middle_of(dancers);
+    if (!has_begun_) {
+        speed_ = glm::vec3(0.0F);
+        middle_ = middle;
+    }
+    const float share = 1.0F - std::exp(-kRoomHop / kSpeedSeconds);
+    speed_ += share * ((middle - middle_) / kRoomHop - speed_);
+    middle_ = middle;
+
+    DancersRoom taken = taken_by(dancers);
+    const glm::vec3 ahead = kLeadSeconds * glm::vec3(speed_.x, 0.0F, speed_.z);
+    lead(taken.body, ahead);
+    lead(taken.feet, ahead);
+    const auto follow = [this](Edge& edge, float to, float outward) {
+        has_begun_ ? edge.grow(to, outward) : edge.begin(to);
+        return edge.spring.place;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        room_.body.low[axis] = follow(body_low_[axis], taken.body.low[axis], -1.0F);
+        room_.body.high[axis] = follow(body_high_[axis], taken.body.high[axis], 1.0F);
+    }
+    for (int i = 0; i < 2; ++i) {
+        const int axis = 2 * i;
+        room_.feet.low[axis] = follow(feet_low_[i], taken.feet.low[axis], -1.0F);
+        room_.feet.high[axis] = follow(feet_high_[i], taken.feet.high[axis], 1.0F);
+    }
+    room_.hips = follow(hips_, taken.hips, -1.0F);
+    room_.head = follow(head_, taken.head, 1.0F);
+    has_begun_ = true;
+    return room_;
+}
+
+}  // namespace raks::render
