@@ -21,6 +21,14 @@
 
 namespace raks::motion {
 
+/// Confidence of the beat grid below which the dance may end; lower than that from which it begins,
+/// so that a dip does not end it.
+inline constexpr float kStopConfidence = 0.10F;
+/// Bars from the end of a phrase that a figure's end may be and still be the phrase's
+inline constexpr double kNearPhraseEnd = 0.3;
+/// Seconds in which hands come back into the dance
+inline constexpr double kHandsBack = 0.60;
+
 /// How far a dance has come: what another dancer can go on from.
 struct Dancer::Course {
     /// Why the dance stands still.
@@ -88,7 +96,7 @@ struct Dancer::State : Dancer::Course {
     [[nodiscard]] FloorMove place() const noexcept;
     void apply(const DancerCommand& command) noexcept;
 
-    // Decisions of one hop (dancer_course.cpp).
+    // Decisions of one hop (dancer_course.cpp, dancer_stillness.cpp).
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
     [[nodiscard]] double energy_of_next(const MusicState& music) noexcept;

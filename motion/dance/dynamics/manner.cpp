@@ -25,8 +25,8 @@ struct Range {
         // still has something to add.
         constexpr float kCalm = 0.20F;
         constexpr float kUsualFrom = 0.50F;
-        constexpr float kUsualTo = 0.80F;
-        constexpr float kFull = 1.15F;
+        constexpr float kUsualTo = 0.90F;
+        constexpr float kFull = 1.25F;
         const float up = std::clamp((energy - kUsualTo) / (kFull - kUsualTo), 0.0F, 1.0F);
         const float down = std::clamp((kUsualFrom - energy) / (kUsualFrom - kCalm), 0.0F, 1.0F);
         return usual + up * (full - usual) + down * (calm - usual);
@@ -35,9 +35,9 @@ struct Range {
 
 // Larger than full, and hands meet the head and feet leave the reach of the legs; smaller than
 // calm, and nobody sees which figure it is.
-constexpr Range kBody{0.55F, 1.0F, 1.25F};
+constexpr Range kBody{0.50F, 1.0F, 1.25F};
 constexpr Range kArms{0.55F, 1.0F, 1.25F};
-constexpr Range kSteps{0.60F, 1.0F, 1.18F};
+constexpr Range kSteps{0.52F, 1.0F, 1.18F};
 constexpr Range kSharpness{0.05F, 0.35F, 0.70F};
 constexpr Range kBend{-0.004F, 0.0F, 0.04F};
 
@@ -53,20 +53,23 @@ float approached(float from, float to, double seconds) noexcept {
 
 }  // namespace
 
-void MannerOfMusic::advance(const MusicState& music) noexcept RAKS_NONBLOCKING {
-    if (music.event.kind == MusicEvent::Kind::drop) {
+void MannerOfMusic::hear(const MusicEvent& event) noexcept RAKS_NONBLOCKING {
+    if (event.kind == MusicEvent::Kind::drop) {
         lift_ = kDropLift;
-    } else if (music.event.kind == MusicEvent::Kind::entry && has_played_) {
+    } else if (event.kind == MusicEvent::Kind::entry && has_played_) {
         lift_ = std::max(lift_, kEntryLift);
     }
-    has_played_ = has_played_ || music.event.kind == MusicEvent::Kind::stop;
+    has_played_ = has_played_ || event.kind == MusicEvent::Kind::stop;
+}
+
+void MannerOfMusic::advance(const MusicState& music) noexcept RAKS_NONBLOCKING {
     lift_ = approached(lift_, 0.0F, kLiftSeconds);
     // Sound that is gone gives nothing, whatever came before it.
     const float lift = lift_ * std::min(1.0F, 2.0F * music.energy.now);
     // What comes in at once counts at once.
     const float lately = std::max(music.energy.now, music.energy.lately);
     const float asked = kOfNow * music.energy.now + (1.0F - kOfNow) * lately + lift;
-    const float wanted = std::clamp(asked, 0.0F, 1.2F);
+    const float wanted = std::clamp(asked, 0.0F, 1.3F);
     energy_ = approached(energy_, wanted, wanted > energy_ ? kGrows : kShrinks);
     eased_ = approached(eased_, energy_, energy_ > eased_ ? kGrows : kShrinks);
 }

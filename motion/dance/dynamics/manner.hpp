@@ -31,13 +31,15 @@ struct Manner {
 /// Threads: one. Real-time: yes.
 class MannerOfMusic {
  public:
-    /// One hop.
+    /// What happens in the music, also while the dancer stands still.
+    void hear(const MusicEvent& event) noexcept RAKS_NONBLOCKING;
+    /// One hop of dancing.
     void advance(const MusicState& music) noexcept RAKS_NONBLOCKING;
     /// A foot in the air has gone so many metres: its step gets as long as the music wants.
     void swing(Side side, float metres) noexcept RAKS_NONBLOCKING;
     /// The manner now.
     [[nodiscard]] Manner manner() const noexcept RAKS_NONBLOCKING;
-    /// How much the music gives now, smoothed as the manner is; [0, 1.2].
+    /// How much the music gives now, smoothed as the manner is; [0, 1.3].
     [[nodiscard]] float energy() const noexcept { return energy_; }
     /// As before any music.
     void reset() noexcept { *this = MannerOfMusic(); }

@@ -1,0 +1,217 @@
+// How the dancer stands still and comes out of it, and what its hands do meanwhile.
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.hpp"
+#include "motion/dance/dynamics/waiting.hpp"
+#include "motion/dancer_state.hpp"
+
+namespace raks::motion {
+namespace {
+
+constexpr double kLongestStop = 2.6;    // seconds of stillness after which the dancer relaxes
+constexpr double kLongestEnding = 1.8;  // seconds for which the last posture is held
+constexpr Nanos kBowAfter = std::chrono::milliseconds(600);  // after the last posture
+
+// Beats from the moment shown in which the posture for a stop is looked for. The clock comes to
+// rest after twice the way there.
+constexpr double kNearestKey = 0.12;
+constexpr double kFarthestKey = 0.42;
+constexpr double kBeforeKnownStop = 0.6;  // beats before a stop that is known
+// A pause at the end of a phrase: beats in which its posture is reached at full speed, seconds at
+// rest, and beats before the count 1 by which the dance goes on, so that the step into it is
+// danced.
+constexpr double kPauseKey = 0.15;
+constexpr double kShortestPause = 0.30;
+constexpr double kLongestPause = 1.0;
+constexpr double kStepIn = 0.5;
+constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses
+constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in pauses
+constexpr double kHandsToPose = 0.45;      // seconds
+constexpr double kHandsToRest = 0.75;      // seconds
+
+// Streams of random numbers.
+constexpr std::uint64_t kPauseStream = 3;
+constexpr std::uint64_t kRestStream = 4;
+constexpr std::uint64_t kPoseStream = 5;
+
+/// Where both hands are while the dancer stands still; none: where the dance left it.
+struct ArmPosture {
+    std::optional<HandPlace> left;
+    std::optional<HandPlace> right;
+};
+constexpr std::array<ArmPosture, 7> kArmPostures = {{
+    {HandPlace::high, HandPlace::hip},
+    {HandPlace::hip, HandPlace::wide},
+    {HandPlace::low, HandPlace::low},
+    {HandPlace::wide, std::nullopt},
+    {std::nullopt, HandPlace::high},
+    {HandPlace::hip, HandPlace::hip},
+    {std::nullopt, std::nullopt},
+}};
+
+}  // namespace
+
+// What ends a stillness depends on what began it.
+void Dancer::State::stay_still(const MusicState& music) noexcept {
+    if (still.is_at_rest(music.time) && !still.posture()) {
+        still.keep(sequence.at(still.phase(music.time), manner.manner()));
+    }
+    const double rested = still.seconds_at_rest(music.time);
+    const bool sounds = music.part != MusicPart::stopped && !music.is_silent;
+    if (is_held || rested > (cause == Cause::ending ? kLongestEnding : kLongestStop)) {
+        const bool bows = cause == Cause::ending && !is_held;
+        settle(music.time);
+        if (bows) {
+            bows_at = music.time + kBowAfter;
+        }
+        return;
+    }
+    switch (cause) {
+        case Cause::phrase:
+            if (phase.phase() >= resumes) {
+                resume(music);
+            }
+            break;
+        case Cause::stop:
+            if (sounds && rested > 0.0 &&
+                (music.ahead.is_known || music.grid.confidence >= kStopConfidence)) {
+                resume(music);
+            }
+            break;
+        case Cause::ending:
+            break;
+    }
+}
+
+/// Thanks the audience, with a hand before the belly.
+void Dancer::State::bow(StreamTime now) noexcept {
+    if (!bows_at || now < *bows_at) {
+        return;
+    }
+    if (now < *bows_at + nanos_from_seconds(kBowSeconds)) {
+        hands.go_to(Side::right, HandPlace::belly, now, kHandsToRest);
+    } else {
+        hands.let_go(Side::right, now, kHandsBack);
+        bows_at.reset();
+    }
+}
+
+/// Stops with the music: as soon as it is heard, or so as to stand when it does where that is
+/// known.
+bool Dancer::State::stop_with(const MusicState& music) noexcept {
+    using Kind = MusicEvent::Kind;
+    const double near = kBeforeKnownStop * music.grid.tempo.seconds_per_beat();
+    const auto comes = [&](StreamTime time) {
+        const double left = to_seconds(time - music.time);
+        return left > 0.0 && left <= near;
+    };
+    if (music.ahead.is_known) {
+        const MusicEvent& next = music.ahead.events.front();
+        const bool ends = comes(music.ahead.ends) || (next.kind == Kind::end && comes(next.time));
+        if (ends || (next.kind == Kind::stop && comes(next.time))) {
+            stand_still(music, ends ? Cause::ending : Cause::stop, kNearestKey, kFarthestKey);
+            return true;
+        }
+    }
+    if (music.event.kind == Kind::stop || music.event.kind == Kind::end) {
+        stand_still(music, Cause::stop, kNearestKey, kFarthestKey);
+        return true;
+    }
+    return false;
+}
+
+/// Pauses at the end of a phrase, if the draw for this phrase says so and a figure ends with it:
+/// where the figure leaves both feet standing for long enough; at the last moment anywhere, and
+/// steps are left out.
+bool Dancer::State::pause_at_phrase_end(const MusicState& music) noexcept {
+    const double left = (sequence.end() - phase.phase()).count();
+    const double slowing = 2.0 * kPauseKey + kStepIn;
+    const double least = slowing + kShortestPause * phase.rate();
+    if (left > slowing + kLongestPause * phase.rate() || left < least ||
+        music.hop % kHopsBetweenLooks != 0) {
+        return false;
+    }
+    const double bars = left / (phase.octave() * music.grid.beats_per_bar);
+    const CounterRandom random(part.seed, kPauseStream);
+    if (std::abs(phrases.bar() + bars - Phrases::kBars) > kNearPhraseEnd ||
+        random.uniform(phrases.number()) >= content().chooser.habits().pauses ||
+        static_cast<double>(manner.energy()) < kLivelyEnough) {
+        return false;
+    }
+    const Beats key = shown_phase(music.time, Nanos(0)) + Beats(kPauseKey);
+    const Beats last = sequence.end() - Beats(kStepIn);
+    const Beats stood = stands_until(sequence, key, last);
+    const bool stands = (stood - key).count() >= kPauseKey + kShortestPause * phase.rate();
+    const double to_next_look = phase.rate() * kHopsBetweenLooks * to_seconds(kHop);
+    if (!stands && left - to_next_look >= least) {
+        return false;
+    }
+    resumes = stands ? stood : last;
+    stand_still(music, Cause::phrase, kPauseKey, kPauseKey);
+    return true;
+}
+
+/// Begins to stand still in the calmest posture between two phases, in beats from the one shown.
+void Dancer::State::stand_still(const MusicState& music,
+                                Cause why,
+                                double earliest,
+                                double latest) noexcept {
+    const Beats from = shown_phase(music.time, Nanos(0));
+    // Both of a couple stop at the same moment of their figure.
+    const Beats key = part.is_in_couple
+                          ? from + Beats(0.5 * (earliest + latest))
+                          : key_moment(sequence, from + Beats(earliest), from + Beats(latest));
+    cause = why;
+    still.begin(music.time, from, phase.rate(), key);
+    show_pose(music.time);
+}
+
+/// Leads the arms to a posture that looks meant. One of a couple keeps the other's hands.
+void Dancer::State::show_pose(StreamTime now) noexcept {
+    if (part.is_in_couple) {
+        return;
+    }
+    const CounterRandom random(part.seed, kPoseStream);
+    const std::uint64_t draw = random.below(sequence.number(), kArmPostures.size());
+    const ArmPosture& posture = kArmPostures[static_cast<std::size_t>(draw)];
+    const std::array<std::optional<HandPlace>, 2> places = {posture.left, posture.right};
+    for (const Side side : kSides) {
+        if (const auto& place = places[static_cast<std::size_t>(side)]) {
+            hands.go_to(side, *place, now, kHandsToPose);
+        }
+    }
+}
+
+/// Dances on where the dance has come to unseen.
+void Dancer::State::resume(const MusicState& music) noexcept {
+    still.end();
+    figure_rested = ~0ULL;
+    for (const Side side : kSides) {
+        hands.let_go(side, music.time, kHandsBack);
+    }
+    change(music.time);
+}
+
+/// Lets a hand rest for a figure, more often in calm music.
+void Dancer::State::rest_hands(const MusicState& music) noexcept {
+    if (figure_rested == sequence.number() || part.is_in_couple) {
+        return;
+    }
+    figure_rested = sequence.number();
+    const DanceHabits& habits = content().chooser.habits();
+    const CounterRandom random(part.ways, kRestStream);
+    const double calm = 1.5 - static_cast<double>(manner.energy());
+    for (const Side side : kSides) {
+        const std::uint64_t draw = 4 * figure_rested + 2 * static_cast<std::uint64_t>(side);
+        if (random.uniform(draw) < habits.rests * calm) {
+            const std::uint64_t place = random.below(draw + 1, habits.rest_at.size());
+            hands.go_to(
+                side, habits.rest_at[static_cast<std::size_t>(place)], music.time, kHandsToRest);
+        } else {
+            hands.let_go(side, music.time, kHandsToRest);
+        }
+    }
+}
+
+}  // namespace raks::motion
