@@ -27,7 +27,7 @@ inline constexpr float kStopConfidence = 0.10F;
 /// Bars from the end of a phrase that a figure's end may be and still be the phrase's
 inline constexpr double kNearPhraseEnd = 0.3;
 /// Seconds in which hands come back into the dance
-inline constexpr double kHandsBack = 0.60;
+inline constexpr double kHandsBack = 0.70;
 
 /// How far a dance has come: what another dancer can go on from.
 struct Dancer::Course {

@@ -27,7 +27,7 @@ constexpr double kLongestPause = 1.0;
 constexpr double kStepIn = 0.5;
 constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses
 constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in pauses
-constexpr double kHandsToPose = 0.45;      // seconds
+constexpr double kHandsToPose = 0.50;      // seconds
 constexpr double kHandsToRest = 0.75;      // seconds
 
 // Streams of random numbers.
