@@ -12,8 +12,9 @@ constexpr double kFull = 0.7;         // share of the bars that are less full
 constexpr int kSureHops = 12;         // in which a bar must be a breakdown
 constexpr HopIndex kLongest = 4'500;  // hops: after 45 s a breakdown is how the song is
 constexpr float kBuildUpRise = 1.2F;  // rise_of() of a build-up
-constexpr float kStepLevel = 6.0F;    // dB from the bar before to the first beat of a drop
-constexpr float kStepLow = 6.0F;      // likewise of the low band
+constexpr float kRoll = 1.3F;         // of the full band's onsets: a roll, which leads to a drop
+constexpr float kStepLevel = 12.0F;   // dB from the bar before to the first beat of a drop
+constexpr float kStepLow = 12.0F;     // likewise of the low band
 
 }  // namespace
 
@@ -26,29 +27,34 @@ void SectionTracker::remember(const StretchSound& bar) noexcept {
 }
 
 void SectionTracker::enter(MusicPart part, HopIndex hop) noexcept {
+    before_ = part_;
     part_ = part;
     entered_ = hop;
     fallen_hops_ = 0;
+    full_hops_ = 0;
 }
 
-// The hop of the last two bars after which the sound is most unlike that before.
+// The hop of the last two bars after which the sound is most unlike that before; -1: it fell little
+// by little.
 HopIndex SectionTracker::place_of_fall(const BeatLengths& lengths) const noexcept {
     const auto bar = static_cast<std::size_t>(lengths.bar);
     const auto least = static_cast<std::size_t>(lengths.beat) / 2;
     const std::size_t most = std::min(sums_.size() - 1, 2 * bar);
     std::size_t best = std::min(bar, most);
     float greatest = -1e9F;
+    float steepest = 0.0F;
     for (std::size_t ago = least; ago <= most; ++ago) {
         const std::size_t from = std::min(sums_.size(), ago + bar);
         // A short stretch differs by chance.
         const float sure = std::sqrt(static_cast<float>(std::min(ago, bar)));
-        const float step = sure * step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
-        if (step > greatest) {
-            greatest = step;
+        const float step = step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
+        if (sure * step > greatest) {
+            greatest = sure * step;
+            steepest = step;
             best = ago;
         }
     }
-    return hops_[(count_ - best) % HopSums::kKept];
+    return steepest < kLeastStepDown ? -1 : hops_[(count_ - best) % HopSums::kKept];
 }
 
 // The strongest onset of the last beat and a half.
@@ -79,10 +85,15 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noex
     if (++fallen_hops_ < kSureHops) {
         return {};
     }
+    // A fade has no step.
+    const HopIndex fell = place_of_fall(lengths);
+    if (fell < 0) {
+        return {};
+    }
     enter(MusicPart::breakdown, hop);
     calm_ = sums_.mean(2 * static_cast<std::size_t>(lengths.beat), 0);
     calm_hop_ = hop;
-    fell_ = place_of_fall(lengths);
+    fell_ = fell;
     went_on_ = -1;
     return {MusicEvent::Kind::breakdown, time_of_hop(fell_)};
 }
@@ -102,7 +113,7 @@ bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noe
     const StretchSound before = sums_.mean(std::min(sums_.size(), 5 * beat), beat);
     const float step =
         std::min((now.level - before.level) / kStepLevel, (now.low - before.low) / kStepLow);
-    if (part_ == MusicPart::breakdown && step > 1.0F) {
+    if (part_ == MusicPart::breakdown && step > 1.0F && now.onsets < kRoll * full_.onsets) {
         return true;
     }
     // Phrases since the breakdown began, one beat ago.
@@ -120,8 +131,14 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
         return {MusicEvent::Kind::drop, time_of_hop(at)};
     }
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
-    if (hop - entered_ > kLongest ||
-        (part_ == MusicPart::breakdown && fall_of(bar, full_).is_full())) {
+    full_hops_ = fall_of(bar, full_).is_full() ? full_hops_ + 1 : 0;
+    if (full_hops_ > 2 * lengths.bar) {
+        // Nothing told when it came in, but the band plays.
+        const HopIndex since = std::max(fell_, hop - full_hops_ - lengths.bar);
+        enter(MusicPart::playing, hop);
+        return {MusicEvent::Kind::drop, time_of_hop(since)};
+    }
+    if (hop - entered_ > kLongest) {
         // How the song goes on: there is nothing to wait for.
         for (auto* range : {&low_, &level_, &low_onsets_, &onsets_}) {
             range->reset();
@@ -136,12 +153,22 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
         calm_hop_ = hops_[(count_ - 2 * beat) % HopSums::kKept];
     }
     // It rises step by step; a drop rises at once.
-    if (part_ == MusicPart::breakdown && rise_of(calm_, now, full_) > kBuildUpRise &&
-        rise_of(calm_, sums_.mean(3 * beat, beat), full_) > 0.4F * kBuildUpRise) {
+    const auto risen = [&](std::size_t ago) {
+        return rise_of(calm_, sums_.mean((ago + 2) * beat, ago * beat), full_);
+    };
+    const float rise = part_ == MusicPart::breakdown && sums_.size() > 6 * beat ? risen(0) : 0.0F;
+    if (rise > kBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
         part_ = MusicPart::build_up;
         return {MusicEvent::Kind::build_up, time_of_hop(calm_hop_)};
     }
     return {};
+}
+
+void SectionTracker::pause(HopIndex hop, const BeatLengths& lengths) noexcept RAKS_NONBLOCKING {
+    if (part_ == MusicPart::playing && before_ != MusicPart::playing &&
+        hop - entered_ < 4 * lengths.beat) {
+        part_ = before_;
+    }
 }
 
 void SectionTracker::go_on(HopIndex hop) noexcept RAKS_NONBLOCKING { went_on_ = hop; }
