@@ -12,6 +12,7 @@ constexpr float kLeastLevel = -72.0F;    // dBFS: quiet whatever was heard
 constexpr float kFirstLevel = -58.0F;    // dBFS: music that begins is louder
 constexpr float kOverRest = 8.0F;        // dB over the noise of a stop: sounds again
 constexpr float kForget = 0.06F;         // dB a hop that the loudest falls while music sounds
+constexpr int kKeptAfter = 20;           // hops of a gap after which it is kept
 constexpr float kForgetLong = 0.01F;     // and the loudest of the song
 constexpr float kFarUnder = 50.0F;       // dB under that: quiet, however soft the music was
 constexpr float kForgetStopped = 0.10F;  // and while it is stopped: the next song may be softer
@@ -123,8 +124,10 @@ MusicEvent PauseDetector::wait(HopIndex hop, float level) noexcept {
 
 MusicEvent PauseDetector::advance(HopIndex hop, float level, int beat) noexcept RAKS_NONBLOCKING {
     const MusicEvent event = is_stopped_ ? wait(hop, level) : listen(hop, level, beat);
-    // Sound alone raises the level: the noise before the music is not heard yet.
-    if (!is_stopped_ || loud_ != kUnheard) {
+    // The noise before the music is not heard yet. In a gap the loudest is kept: it must not fall
+    // to the noise in it.
+    const bool is_in_gap = !is_stopped_ && quiet_hops_ > kKeptAfter;
+    if ((!is_stopped_ || loud_ != kUnheard) && !is_in_gap) {
         follow_level(level);
     }
     return event;

@@ -57,17 +57,27 @@ HopIndex SectionTracker::place_of_fall(const BeatLengths& lengths) const noexcep
     return steepest < kLeastStepDown ? -1 : hops_[(count_ - best) % HopSums::kKept];
 }
 
-// The strongest onset of the last beat and a half.
-HopIndex SectionTracker::place_of_drop(const BeatLengths& lengths) const noexcept {
-    const std::size_t most =
+// The strongest onset of the last beat and a half; at the end of a phrase, of the beat's
+// surroundings at which it ends.
+HopIndex SectionTracker::place_of_drop(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const bool is_phrase = is_end_of_phrase(hop, lengths);
+    const int first = is_phrase ? lengths.beat / 2 : 1;
+    const auto most =
         std::min(sums_.size(), static_cast<std::size_t>(lengths.beat + lengths.beat / 2));
-    std::size_t best = 1;
-    for (std::size_t ago = 1; ago <= most; ++ago) {
+    std::size_t best = static_cast<std::size_t>(first);
+    for (std::size_t ago = best; ago <= most; ++ago) {
         if (hits_[(count_ - ago) % HopSums::kKept] >= hits_[(count_ - best) % HopSums::kKept]) {
             best = ago;
         }
     }
     return hops_[(count_ - best) % HopSums::kKept];
+}
+
+// Whether a phrase since the breakdown began was over one beat ago.
+bool SectionTracker::is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const double phrases = static_cast<double>(hop - lengths.beat - fell_) / lengths.phrase;
+    const double apart = std::abs(phrases - std::round(phrases)) * lengths.phrase;
+    return phrases > 0.5 && apart < 0.35 * lengths.beat;
 }
 
 // While the whole band plays.
@@ -116,23 +126,31 @@ bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noe
     if (part_ == MusicPart::breakdown && step > 1.0F && now.onsets < kRoll * full_.onsets) {
         return true;
     }
-    // Phrases since the breakdown began, one beat ago.
-    const double phrases = static_cast<double>(hop - lengths.beat - fell_) / lengths.phrase;
-    const double apart = std::abs(phrases - std::round(phrases)) * lengths.phrase;
-    return phrases > 0.5 && apart < 0.35 * lengths.beat;
+    return is_end_of_phrase(hop, lengths);
+}
+
+// The softest beats of the breakdown, or the end of a phrase near them.
+HopIndex SectionTracker::place_of_rise(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const double phrases = static_cast<double>(calm_hop_ - fell_) / lengths.phrase;
+    const auto end = fell_ + static_cast<HopIndex>(std::round(phrases) * lengths.phrase);
+    const HopIndex apart = end > calm_hop_ ? end - calm_hop_ : calm_hop_ - end;
+    return phrases > 0.5 && apart < 5 * lengths.beat && end < hop ? end : calm_hop_;
 }
 
 // While the rhythm section is gone.
 MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexcept {
     if (is_drop(hop, lengths)) {
-        const HopIndex at =
-            went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat ? went_on_ : place_of_drop(lengths);
+        const HopIndex at = went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat
+                                ? went_on_
+                                : place_of_drop(hop, lengths);
         enter(MusicPart::playing, hop);
         return {MusicEvent::Kind::drop, time_of_hop(at)};
     }
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
     full_hops_ = fall_of(bar, full_).is_full() ? full_hops_ + 1 : 0;
-    if (full_hops_ > 2 * lengths.bar) {
+    // A build-up sounds full for its last bars.
+    const int patience = part_ == MusicPart::build_up ? lengths.phrase : 2 * lengths.bar;
+    if (full_hops_ > patience) {
         // Nothing told when it came in, but the band plays.
         const HopIndex since = std::max(fell_, hop - full_hops_ - lengths.bar);
         enter(MusicPart::playing, hop);
@@ -159,14 +177,15 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
     const float rise = part_ == MusicPart::breakdown && sums_.size() > 6 * beat ? risen(0) : 0.0F;
     if (rise > kBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
         part_ = MusicPart::build_up;
-        return {MusicEvent::Kind::build_up, time_of_hop(calm_hop_)};
+        full_hops_ = 0;
+        return {MusicEvent::Kind::build_up, time_of_hop(place_of_rise(hop, lengths))};
     }
     return {};
 }
 
 void SectionTracker::pause(HopIndex hop, const BeatLengths& lengths) noexcept RAKS_NONBLOCKING {
     if (part_ == MusicPart::playing && before_ != MusicPart::playing &&
-        hop - entered_ < 4 * lengths.beat) {
+        hop - entered_ < lengths.phrase / 2) {
         part_ = before_;
     }
 }

@@ -45,7 +45,9 @@ class SectionTracker {
     [[nodiscard]] MusicEvent wait(HopIndex hop, const BeatLengths& lengths) noexcept;
     [[nodiscard]] bool is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_fall(const BeatLengths& lengths) const noexcept;
-    [[nodiscard]] HopIndex place_of_drop(const BeatLengths& lengths) const noexcept;
+    [[nodiscard]] HopIndex place_of_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
+    [[nodiscard]] HopIndex place_of_rise(HopIndex hop, const BeatLengths& lengths) const noexcept;
+    [[nodiscard]] bool is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) const noexcept;
     void enter(MusicPart part, HopIndex hop) noexcept;
 
     MusicPart part_ = MusicPart::playing;

@@ -148,6 +148,11 @@ class SectionFinder {
                 beat = end + 1;
                 continue;
             }
+            // A song may begin calm; a pickup is nothing yet.
+            if (beat == 0 && end < kRisingBeats) {
+                beat = end + 1;
+                continue;
+            }
             const std::size_t first = beat == 0 ? 0 : place_of_fall(beat);
             if (first > 0 && step_at(first) < kLeastStepDown) {
                 beat = end + 1;  // it fades
