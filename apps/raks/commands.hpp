@@ -195,6 +195,17 @@ struct EvalGenreArguments {
 /// Measures how well a model tells dances apart on a folder of music, by each kind of evidence.
 [[nodiscard]] ExitCode eval_genre(const EvalGenreArguments& arguments);
 
+/// Arguments of `raks eval music`.
+struct EvalMusicArguments {
+    long long seed = 1;      ///< of the first song of each style
+    int songs = 3;           ///< of each style, [1, 1000]
+    double seconds = 100.0;  ///< length of a song, 20 to 3600
+    bool as_json = false;    ///< one JSON document instead of text
+};
+/// Measures how well it is told what music does, live and of a song that is known, on generated
+/// songs.
+[[nodiscard]] ExitCode eval_music(const EvalMusicArguments& arguments);
+
 /// Arguments of `raks dances`.
 struct DancesArguments {
     bool as_json = false;  ///< one JSON document instead of text

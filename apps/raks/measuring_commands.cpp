@@ -168,9 +168,20 @@ void add_eval_genre(RaksCommands& table, CLI::App& eval) {
     app->add_flag("--json", a->as_json, "one JSON document");
 }
 
+void add_eval_music(RaksCommands& table, CLI::App& eval) {
+    auto [app, a] =
+        table.add(eval, "music", "measure how stops, drops and endings are told", eval_music);
+    app->add_option("--seed", a->seed, "of the first song of each style")
+        ->check(in_range(0, 1'000'000'000));
+    app->add_option("--songs", a->songs, "of each style")->check(in_range(1, 1000));
+    app->add_option("--duration", a->seconds, "seconds of a song")->check(in_range(20.0, 3600.0));
+    app->add_flag("--json", a->as_json, "one JSON document");
+}
+
 // `eval` itself does nothing: one of its commands must follow.
 void add_eval(RaksCommands& table) {
-    CLI::App* eval = table.app().add_subcommand("eval", "measure beats, genre, dance and avatars");
+    CLI::App* eval =
+        table.app().add_subcommand("eval", "measure beats, genre, music, dance and avatars");
     eval->require_subcommand(1);
     auto [app, a] = table.add(*eval, "beats", "score the beat tracker", eval_beats);
     app->add_option("folder", a->corpus, "index.tsv, NAME.beats, NAME.ogg")->required();
@@ -188,6 +199,7 @@ void add_eval(RaksCommands& table) {
     add_eval_avatar(table, *eval);
     add_eval_dance(table, *eval);
     add_eval_genre(table, *eval);
+    add_eval_music(table, *eval);
 }
 
 void add_bench(RaksCommands& table) {

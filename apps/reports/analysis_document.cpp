@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "apps/reports/form_names.hpp"
 #include "base/printable.hpp"
 #include "base/statistics.hpp"
 
@@ -28,13 +29,22 @@ AnalysisDocument::AnalysisDocument(std::string file,
                                    std::vector<std::string> genres)
     : file_(std::move(file)), rate_(rate), genres_(std::move(genres)) {}
 
-// Beats are taken at every hop, the slow quantities at every fiftieth.
+// What happens is taken at every hop, the slow quantities at every fiftieth.
 void AnalysisDocument::add(const MusicState& state) {
     if (state.has_beat) {
         beats_.push_back(state.beat);
     }
     if (state.has_predicted) {
         predicted_.push_back(rounded(state.predicted));
+    }
+    if (parts_.empty() || parts_.back().part != state.part) {
+        parts_.push_back({rounded(state.time), state.part});
+    }
+    if (state.event.kind != MusicEvent::Kind::none) {
+        events_.push_back({state.event, state.time});
+    }
+    if (state.accent.strength > 0.0F) {
+        accents_.push_back(state.accent);
     }
     // The document has one metre: the last one.
     beats_per_bar_ = state.grid.beats_per_bar;
@@ -45,6 +55,7 @@ void AnalysisDocument::add(const MusicState& state) {
     tempo_.push_back({time, state.grid.tempo.bpm(), state.grid.confidence});
     genre_.push_back({time, state.genre_class, state.genre_log_probability});
     loudness_.push_back({time, state.loudness_lufs});
+    energy_.push_back({time, state.energy});
 }
 
 void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
@@ -64,6 +75,34 @@ void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
             point.bpm = 60.0 / to_seconds(beats_[next].time - beats_[next - 1].time);
             point.confidence = beats_[next].confidence;
         }
+    }
+}
+
+// Energy, parts, events and accents.
+void AnalysisDocument::add_form(nlohmann::ordered_json& document) const {
+    auto& energy = document["energy"] = nlohmann::ordered_json::array();
+    for (const EnergyPoint& point : energy_) {
+        energy.push_back({{"time", point.time},
+                          {"now", shortened(point.energy.now)},
+                          {"lately", shortened(point.energy.lately)},
+                          {"longer", shortened(point.energy.longer)}});
+    }
+    auto& parts = document["parts"] = nlohmann::ordered_json::array();
+    for (const PartPoint& point : parts_) {
+        parts.push_back({{"time", point.time}, {"part", name_of(point.part)}});
+    }
+    auto& events = document["events"] = nlohmann::ordered_json::array();
+    for (const ToldEvent& told : events_) {
+        events.push_back({{"time", rounded(told.event.time)},
+                          {"event", name_of(told.event.kind)},
+                          {"told", rounded(told.told)}});
+    }
+    auto& accents = document["accents"] = nlohmann::ordered_json::array();
+    for (const MusicAccent& accent : accents_) {
+        accents.push_back({{"time", rounded(accent.time)},
+                           {"strength", shortened(accent.strength)},
+                           {"band", name_of(accent.band)},
+                           {"on_beat", accent.is_on_beat}});
     }
 }
 
@@ -104,6 +143,7 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
         loudness.push_back({{"time", point.time},
                             {"lufs", std::round(static_cast<double>(point.lufs) * 10) / 10}});
     }
+    add_form(document);
     // A file's name need not be UTF-8; invalid bytes become the replacement character.
     return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -7,6 +7,8 @@
 #include "base/music_state.hpp"
 #include "base/time.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace raks::apps {
 
 /// The document of `raks analyze --json` for one file: what the streaming tracker announced,
@@ -45,7 +47,22 @@ class AnalysisDocument {
         double time;
         float lufs;
     };
+    struct EnergyPoint {
+        double time;
+        MusicEnergy energy;
+    };
+    /// From this time on.
+    struct PartPoint {
+        double time;
+        MusicPart part;
+    };
+    /// An event, and the hop at which it was told.
+    struct ToldEvent {
+        MusicEvent event;
+        StreamTime told;
+    };
 
+    void add_form(nlohmann::ordered_json& document) const;
     [[nodiscard]] double median_bpm() const;
 
     std::string file_;
@@ -56,6 +73,10 @@ class AnalysisDocument {
     std::vector<double> predicted_;
     std::vector<GenrePoint> genre_;
     std::vector<LoudnessPoint> loudness_;
+    std::vector<EnergyPoint> energy_;
+    std::vector<PartPoint> parts_;
+    std::vector<ToldEvent> events_;
+    std::vector<MusicAccent> accents_;
     int beats_per_bar_ = 4;
 };
 

@@ -32,6 +32,8 @@ PlotColumn merged(const PlotColumn& a, const PlotColumn& b) {
     both.threshold = std::max(a.threshold, b.threshold);
     both.bpm += b.bpm;
     both.confidence += b.confidence;
+    both.energy += b.energy;
+    both.energy_lately += b.energy_lately;
     both.states += b.states;
     for (std::size_t i = 0; i < kPlotBands; ++i) {
         // An empty column has level 0, which would be louder than any sound.
@@ -87,6 +89,9 @@ Expected<void> PlotData::prepare(SampleRate rate) {
     hops_per_column_ = 1;
     columns_.clear();
     beats_.clear();
+    parts_.clear();
+    events_.clear();
+    accents_.clear();
     return windows_.prepare(rate);
 }
 
@@ -163,9 +168,20 @@ void PlotData::add(const MusicState& state) {
     PlotColumn& column = column_of(state.hop);
     column.bpm += state.grid.tempo.bpm();
     column.confidence += static_cast<double>(state.grid.confidence);
+    column.energy += static_cast<double>(state.energy.now);
+    column.energy_lately += static_cast<double>(state.energy.lately);
     ++column.states;
     if (state.has_beat) {
         beats_.push_back(state.beat);
+    }
+    if (parts_.empty() || parts_.back().part != state.part) {
+        parts_.push_back({state.time, state.part});
+    }
+    if (state.event.kind != MusicEvent::Kind::none) {
+        events_.push_back(state.event);
+    }
+    if (state.accent.strength > 0.0F) {
+        accents_.push_back(state.accent);
     }
 }
 

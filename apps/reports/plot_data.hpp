@@ -24,8 +24,16 @@ struct PlotColumn {
     float threshold = 0.0F;                 ///< its threshold, highest of the hops
     double bpm = 0.0;                       ///< sum over the hops that have a state
     double confidence = 0.0;                ///< sum over the hops that have a state
+    double energy = 0.0;                    ///< sum of MusicEnergy::now over those hops
+    double energy_lately = 0.0;             ///< and of MusicEnergy::lately
     int states = 0;                         ///< hops that have a state
     std::array<float, kPlotBands> level{};  ///< dBFS of a sine in the band, loudest of the hops
+};
+
+/// What music does from a time on.
+struct PlotPart {
+    StreamTime time{};                    ///< at which it begins
+    MusicPart part = MusicPart::stopped;  ///< until the next one
 };
 
 /// The data of a picture of an analysis, in bounded memory for a file of any length: when the
@@ -55,6 +63,12 @@ class PlotData {
     [[nodiscard]] double seconds_per_column() const noexcept;
     /// The beats, ascending.
     [[nodiscard]] std::span<const BeatEvent> beats() const noexcept { return beats_; }
+    /// The parts of the music, ascending.
+    [[nodiscard]] std::span<const PlotPart> parts() const noexcept { return parts_; }
+    /// Its events, in the order in which they were told.
+    [[nodiscard]] std::span<const MusicEvent> events() const noexcept { return events_; }
+    /// Its accents, ascending.
+    [[nodiscard]] std::span<const MusicAccent> accents() const noexcept { return accents_; }
     /// Length of the file in seconds, as finish() was told.
     [[nodiscard]] double duration() const noexcept { return duration_; }
 
@@ -70,6 +84,9 @@ class PlotData {
     HopIndex hops_per_column_ = 1;
     std::vector<PlotColumn> columns_;
     std::vector<BeatEvent> beats_;
+    std::vector<PlotPart> parts_;
+    std::vector<MusicEvent> events_;
+    std::vector<MusicAccent> accents_;
     double duration_ = 0.0;
 };
 

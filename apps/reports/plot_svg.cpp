@@ -56,6 +56,9 @@ Expected<std::string> Plotter::draw() {
     tempo();
     bar();
     confidence();
+    energy();
+    form();
+    accents();
     return sheet_.finish();
 }
 

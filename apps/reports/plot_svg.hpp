@@ -17,9 +17,10 @@ struct PlotLabels {
 };
 
 /// One SVG over a common time axis: waveform, spectrogram, onset strength with its threshold (the
-/// paper's Fig. 8), beats against the reference, tempo, bar position, confidence. Each panel is a
-/// group with its name as id. The same data give the same bytes; 0.1 to 2 MB for a file of any
-/// length. Errors: the spectrogram's image cannot be encoded. Threads: any. Real-time: no.
+/// paper's Fig. 8), beats against the reference, tempo, bar position, confidence, energy, form
+/// (parts and events), accents. Each panel is a group with its name as id. The same data give the
+/// same bytes; 0.1 to 2 MB for a file of any length. Errors: the spectrogram's image cannot be
+/// encoded. Threads: any. Real-time: no.
 [[nodiscard]] Expected<std::string> draw_plot(const PlotData& data, const PlotLabels& labels);
 
 }  // namespace raks::apps

@@ -13,7 +13,7 @@
 #include "base/music_state.hpp"
 
 /// The parts that the panels of a plot share. The panels of the sound are in plot_svg.cpp, those of
-/// what the tracker found in plot_beats.cpp.
+/// what the tracker found in plot_beats.cpp, those of what the music does in plot_form.cpp.
 namespace raks::apps {
 
 /// The colours of the panels.
@@ -83,6 +83,9 @@ class Plotter {
     void tempo();
     void bar();
     void confidence();
+    void energy();
+    void form();
+    void accents();
 
     const PlotData& data_;
     const PlotLabels& labels_;

@@ -40,8 +40,11 @@ void FormTracker::set_part(MusicState& state) const noexcept {
 void FormTracker::advance(std::span<const float, HopListener::kMelBands> mel,
                           MusicState& state) noexcept RAKS_NONBLOCKING {
     sound_ = listener_.advance(state.level_dbfs, mel);
-    MusicEvent event = pauses_.advance(state.hop, sound_.level);
-    if (event.kind == MusicEvent::Kind::entry) {
+    const BeatLengths lengths = lengths_of(state.grid);
+    MusicEvent event = pauses_.advance(state.hop, sound_.level, lengths.beat);
+    if (event.kind == MusicEvent::Kind::stop) {
+        sections_.pause(state.hop, lengths);
+    } else if (event.kind == MusicEvent::Kind::entry) {
         sections_.go_on(state.hop);
     } else if (event.kind == MusicEvent::Kind::end) {
         // Its last chord or beat is the end; what rings after it is not.
@@ -50,7 +53,7 @@ void FormTracker::advance(std::span<const float, HopListener::kMelBands> mel,
     queue(event);
     energy_ = energy_meter_.advance(sound_, pauses_.is_stopped());
     if (!pauses_.is_stopped()) {
-        queue(sections_.advance(state.hop, sound_, lengths_of(state.grid)));
+        queue(sections_.advance(state.hop, sound_, lengths));
         state.accent = accents_.advance(state.hop, sound_, state.grid);
     }
     set_part(state);

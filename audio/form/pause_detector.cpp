@@ -12,6 +12,7 @@ constexpr float kLeastLevel = -72.0F;    // dBFS: quiet whatever was heard
 constexpr float kFirstLevel = -58.0F;    // dBFS: music that begins is louder
 constexpr float kOverRest = 8.0F;        // dB over the noise of a stop: sounds again
 constexpr float kForget = 0.06F;         // dB a hop that the loudest falls while music sounds
+constexpr int kKeptAfter = 20;           // hops of a gap after which it is kept
 constexpr float kForgetLong = 0.01F;     // and the loudest of the song
 constexpr float kFarUnder = 50.0F;       // dB under that: quiet, however soft the music was
 constexpr float kForgetStopped = 0.10F;  // and while it is stopped: the next song may be softer
@@ -19,7 +20,8 @@ constexpr float kRestRate = 0.05F;       // a hop, of the smoothed level of a st
 constexpr int kEntryHops = 2;            // that must sound in a row
 constexpr float kCut = 40.0F;            // dB within 30 ms: no instrument falls so fast
 constexpr int kStopHops = 8;             // least pause that is a stop where the sound was cut
-constexpr int kFadedHops = 26;           // and where it faded, as between two notes
+constexpr int kFadedHops = 26;           // and where it faded, as between two notes,
+constexpr float kFadedBeats = 0.9F;      // at least; and so much of a beat
 constexpr int kUnsureHops = 70;          // while the song's habits are not known
 constexpr int kMostHops = 150;           // beyond any gap between notes
 constexpr int kHabitHops = 500;          // heard before habits are known
@@ -41,7 +43,7 @@ void PauseDetector::follow_level(float level) noexcept {
 // A pause must be longer than the third longest gap of the last 12 s: what the song did once or
 // twice is a stop of its own, what it did more often is how it is played. A short gap needs no
 // others.
-int PauseDetector::hops_to_stop(HopIndex hop) const noexcept {
+int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     std::array<int, kHabit> longest{};  // descending
     int habit = 0;
     const std::size_t count = std::min(gap_count_, kGaps);
@@ -55,7 +57,9 @@ int PauseDetector::hops_to_stop(HopIndex hop) const noexcept {
         }
     }
     habit = std::max(habit, longest.back());
-    const int least = heard_hops_ < kHabitHops ? kUnsureHops : is_cut_ ? kStopHops : kFadedHops;
+    const int faded =
+        std::max(kFadedHops, static_cast<int>(kFadedBeats * static_cast<float>(beat)));
+    const int least = heard_hops_ < kHabitHops ? kUnsureHops : is_cut_ ? kStopHops : faded;
     return std::clamp(habit + habit / 4 + 2, least, kMostHops);
 }
 
@@ -68,7 +72,7 @@ void PauseDetector::remember(HopIndex hop) noexcept {
 }
 
 // While music plays.
-MusicEvent PauseDetector::listen(HopIndex hop, float level) noexcept {
+MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
     if (level >= quiet_level()) {
         remember(hop);
         heard_hops_ = std::min(heard_hops_ + 1, kHabitHops);
@@ -80,7 +84,7 @@ MusicEvent PauseDetector::listen(HopIndex hop, float level) noexcept {
         // The hop in which it was cut is half full.
         is_cut_ = *std::max_element(before_.begin(), before_.end()) - level >= kCut;
     }
-    if (++quiet_hops_ < hops_to_stop(hop)) {
+    if (++quiet_hops_ < hops_to_stop(hop, beat)) {
         return {};
     }
     is_stopped_ = true;
@@ -118,10 +122,12 @@ MusicEvent PauseDetector::wait(HopIndex hop, float level) noexcept {
     return {};
 }
 
-MusicEvent PauseDetector::advance(HopIndex hop, float level) noexcept RAKS_NONBLOCKING {
-    const MusicEvent event = is_stopped_ ? wait(hop, level) : listen(hop, level);
-    // Sound alone raises the level: the noise before the music is not heard yet.
-    if (!is_stopped_ || loud_ != kUnheard) {
+MusicEvent PauseDetector::advance(HopIndex hop, float level, int beat) noexcept RAKS_NONBLOCKING {
+    const MusicEvent event = is_stopped_ ? wait(hop, level) : listen(hop, level, beat);
+    // The noise before the music is not heard yet. In a gap the loudest is kept: it must not fall
+    // to the noise in it.
+    const bool is_in_gap = !is_stopped_ && quiet_hops_ > kKeptAfter;
+    if ((!is_stopped_ || loud_ != kUnheard) && !is_in_gap) {
         follow_level(level);
     }
     return event;

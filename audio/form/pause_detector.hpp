@@ -11,13 +11,13 @@ namespace raks::audio {
 
 /// Tells when music stops, goes on and is over, by the level alone. A stop is a pause longer than
 /// the song has made a habit of: in music that has none it is known 80 ms after the sound was cut,
-/// or 0.26 s after it faded to 30 dB under the loudest; in staccato music, whose gaps between notes
-/// it has learnt, later. Threads: one. Real-time: yes.
+/// or, where it faded, when nearly a beat has passed 30 dB under the loudest; in staccato music,
+/// whose gaps between notes it has learnt, later. Threads: one. Real-time: yes.
 class PauseDetector {
  public:
-    /// The next hop: its level in dBFS. Returns what happened: stop, entry, end or none; the
-    /// event's time is that of the first hop that was quiet, or sounded.
-    MusicEvent advance(HopIndex hop, float level) noexcept RAKS_NONBLOCKING;
+    /// The next hop: its level in dBFS, and how many hops a beat has. Returns what happened: stop,
+    /// entry, end or none; the event's time is that of the first hop that was quiet, or sounded.
+    MusicEvent advance(HopIndex hop, float level, int beat) noexcept RAKS_NONBLOCKING;
     /// Whether nothing sounds; also before the first sound.
     [[nodiscard]] bool is_stopped() const noexcept { return is_stopped_; }
     /// Whether this hop is quiet: a stop, or a gap that may become one.
@@ -35,10 +35,10 @@ class PauseDetector {
     };
 
     void follow_level(float level) noexcept;
-    MusicEvent listen(HopIndex hop, float level) noexcept;
+    MusicEvent listen(HopIndex hop, float level, int beat) noexcept;
     MusicEvent wait(HopIndex hop, float level) noexcept;
     void remember(HopIndex hop) noexcept;
-    [[nodiscard]] int hops_to_stop(HopIndex hop) const noexcept;
+    [[nodiscard]] int hops_to_stop(HopIndex hop, int beat) const noexcept;
     [[nodiscard]] float quiet_level() const noexcept;
 
     float song_ = -200.0F;     // dBFS, the loudest of the song, falls very slowly

@@ -43,6 +43,9 @@ struct Fall {
            (before.onsets - after.onsets) / (full.onsets + 1e-3F);
 }
 
+/// What step_down() is where a rhythm section leaves; a song that fades out has less.
+inline constexpr float kLeastStepDown = 1.4F;
+
 /// How much it rises from one stretch to the next; above 1 it is the rise of a build-up.
 [[nodiscard]] inline float rise_of(const StretchSound& before,
                                    const StretchSound& after,

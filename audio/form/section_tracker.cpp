@@ -12,8 +12,9 @@ constexpr double kFull = 0.7;         // share of the bars that are less full
 constexpr int kSureHops = 12;         // in which a bar must be a breakdown
 constexpr HopIndex kLongest = 4'500;  // hops: after 45 s a breakdown is how the song is
 constexpr float kBuildUpRise = 1.2F;  // rise_of() of a build-up
-constexpr float kStepLevel = 6.0F;    // dB from the bar before to the first beat of a drop
-constexpr float kStepLow = 6.0F;      // likewise of the low band
+constexpr float kRoll = 1.3F;         // of the full band's onsets: a roll, which leads to a drop
+constexpr float kStepLevel = 12.0F;   // dB from the bar before to the first beat of a drop
+constexpr float kStepLow = 12.0F;     // likewise of the low band
 
 }  // namespace
 
@@ -26,42 +27,57 @@ void SectionTracker::remember(const StretchSound& bar) noexcept {
 }
 
 void SectionTracker::enter(MusicPart part, HopIndex hop) noexcept {
+    before_ = part_;
     part_ = part;
     entered_ = hop;
     fallen_hops_ = 0;
+    full_hops_ = 0;
 }
 
-// The hop of the last two bars after which the sound is most unlike that before.
+// The hop of the last two bars after which the sound is most unlike that before; -1: it fell little
+// by little.
 HopIndex SectionTracker::place_of_fall(const BeatLengths& lengths) const noexcept {
     const auto bar = static_cast<std::size_t>(lengths.bar);
     const auto least = static_cast<std::size_t>(lengths.beat) / 2;
     const std::size_t most = std::min(sums_.size() - 1, 2 * bar);
     std::size_t best = std::min(bar, most);
     float greatest = -1e9F;
+    float steepest = 0.0F;
     for (std::size_t ago = least; ago <= most; ++ago) {
         const std::size_t from = std::min(sums_.size(), ago + bar);
         // A short stretch differs by chance.
         const float sure = std::sqrt(static_cast<float>(std::min(ago, bar)));
-        const float step = sure * step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
-        if (step > greatest) {
-            greatest = step;
+        const float step = step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
+        if (sure * step > greatest) {
+            greatest = sure * step;
+            steepest = step;
+            best = ago;
+        }
+    }
+    return steepest < kLeastStepDown ? -1 : hops_[(count_ - best) % HopSums::kKept];
+}
+
+// The strongest onset of the last beat and a half; at the end of a phrase, of the beat's
+// surroundings at which it ends.
+HopIndex SectionTracker::place_of_drop(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const bool is_phrase = is_end_of_phrase(hop, lengths);
+    const int first = is_phrase ? lengths.beat / 2 : 1;
+    const auto most =
+        std::min(sums_.size(), static_cast<std::size_t>(lengths.beat + lengths.beat / 2));
+    std::size_t best = static_cast<std::size_t>(first);
+    for (std::size_t ago = best; ago <= most; ++ago) {
+        if (hits_[(count_ - ago) % HopSums::kKept] >= hits_[(count_ - best) % HopSums::kKept]) {
             best = ago;
         }
     }
     return hops_[(count_ - best) % HopSums::kKept];
 }
 
-// The strongest onset of the last beat and a half.
-HopIndex SectionTracker::place_of_drop(const BeatLengths& lengths) const noexcept {
-    const std::size_t most =
-        std::min(sums_.size(), static_cast<std::size_t>(lengths.beat + lengths.beat / 2));
-    std::size_t best = 1;
-    for (std::size_t ago = 1; ago <= most; ++ago) {
-        if (hits_[(count_ - ago) % HopSums::kKept] >= hits_[(count_ - best) % HopSums::kKept]) {
-            best = ago;
-        }
-    }
-    return hops_[(count_ - best) % HopSums::kKept];
+// Whether a phrase since the breakdown began was over one beat ago.
+bool SectionTracker::is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const double phrases = static_cast<double>(hop - lengths.beat - fell_) / lengths.phrase;
+    const double apart = std::abs(phrases - std::round(phrases)) * lengths.phrase;
+    return phrases > 0.5 && apart < 0.35 * lengths.beat;
 }
 
 // While the whole band plays.
@@ -79,10 +95,15 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noex
     if (++fallen_hops_ < kSureHops) {
         return {};
     }
+    // A fade has no step.
+    const HopIndex fell = place_of_fall(lengths);
+    if (fell < 0) {
+        return {};
+    }
     enter(MusicPart::breakdown, hop);
     calm_ = sums_.mean(2 * static_cast<std::size_t>(lengths.beat), 0);
     calm_hop_ = hop;
-    fell_ = place_of_fall(lengths);
+    fell_ = fell;
     went_on_ = -1;
     return {MusicEvent::Kind::breakdown, time_of_hop(fell_)};
 }
@@ -102,26 +123,40 @@ bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noe
     const StretchSound before = sums_.mean(std::min(sums_.size(), 5 * beat), beat);
     const float step =
         std::min((now.level - before.level) / kStepLevel, (now.low - before.low) / kStepLow);
-    if (part_ == MusicPart::breakdown && step > 1.0F) {
+    if (part_ == MusicPart::breakdown && step > 1.0F && now.onsets < kRoll * full_.onsets) {
         return true;
     }
-    // Phrases since the breakdown began, one beat ago.
-    const double phrases = static_cast<double>(hop - lengths.beat - fell_) / lengths.phrase;
-    const double apart = std::abs(phrases - std::round(phrases)) * lengths.phrase;
-    return phrases > 0.5 && apart < 0.35 * lengths.beat;
+    return is_end_of_phrase(hop, lengths);
+}
+
+// The softest beats of the breakdown, or the end of a phrase near them.
+HopIndex SectionTracker::place_of_rise(HopIndex hop, const BeatLengths& lengths) const noexcept {
+    const double phrases = static_cast<double>(calm_hop_ - fell_) / lengths.phrase;
+    const auto end = fell_ + static_cast<HopIndex>(std::round(phrases) * lengths.phrase);
+    const HopIndex apart = end > calm_hop_ ? end - calm_hop_ : calm_hop_ - end;
+    return phrases > 0.5 && apart < 5 * lengths.beat && end < hop ? end : calm_hop_;
 }
 
 // While the rhythm section is gone.
 MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexcept {
     if (is_drop(hop, lengths)) {
-        const HopIndex at =
-            went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat ? went_on_ : place_of_drop(lengths);
+        const HopIndex at = went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat
+                                ? went_on_
+                                : place_of_drop(hop, lengths);
         enter(MusicPart::playing, hop);
         return {MusicEvent::Kind::drop, time_of_hop(at)};
     }
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
-    if (hop - entered_ > kLongest ||
-        (part_ == MusicPart::breakdown && fall_of(bar, full_).is_full())) {
+    full_hops_ = fall_of(bar, full_).is_full() ? full_hops_ + 1 : 0;
+    // A build-up sounds full for its last bars.
+    const int patience = part_ == MusicPart::build_up ? lengths.phrase : 2 * lengths.bar;
+    if (full_hops_ > patience) {
+        // Nothing told when it came in, but the band plays.
+        const HopIndex since = std::max(fell_, hop - full_hops_ - lengths.bar);
+        enter(MusicPart::playing, hop);
+        return {MusicEvent::Kind::drop, time_of_hop(since)};
+    }
+    if (hop - entered_ > kLongest) {
         // How the song goes on: there is nothing to wait for.
         for (auto* range : {&low_, &level_, &low_onsets_, &onsets_}) {
             range->reset();
@@ -136,12 +171,23 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
         calm_hop_ = hops_[(count_ - 2 * beat) % HopSums::kKept];
     }
     // It rises step by step; a drop rises at once.
-    if (part_ == MusicPart::breakdown && rise_of(calm_, now, full_) > kBuildUpRise &&
-        rise_of(calm_, sums_.mean(3 * beat, beat), full_) > 0.4F * kBuildUpRise) {
+    const auto risen = [&](std::size_t ago) {
+        return rise_of(calm_, sums_.mean((ago + 2) * beat, ago * beat), full_);
+    };
+    const float rise = part_ == MusicPart::breakdown && sums_.size() > 6 * beat ? risen(0) : 0.0F;
+    if (rise > kBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
         part_ = MusicPart::build_up;
-        return {MusicEvent::Kind::build_up, time_of_hop(calm_hop_)};
+        full_hops_ = 0;
+        return {MusicEvent::Kind::build_up, time_of_hop(place_of_rise(hop, lengths))};
     }
     return {};
+}
+
+void SectionTracker::pause(HopIndex hop, const BeatLengths& lengths) noexcept RAKS_NONBLOCKING {
+    if (part_ == MusicPart::playing && before_ != MusicPart::playing &&
+        hop - entered_ < lengths.phrase / 2) {
+        part_ = before_;
+    }
 }
 
 void SectionTracker::go_on(HopIndex hop) noexcept RAKS_NONBLOCKING { went_on_ = hop; }

@@ -28,6 +28,8 @@ class SectionTracker {
     MusicEvent advance(HopIndex hop,
                        const HopSound& sound,
                        const BeatLengths& lengths) noexcept RAKS_NONBLOCKING;
+    /// Music stops: what seemed a drop just before was a last chord.
+    void pause(HopIndex hop, const BeatLengths& lengths) noexcept RAKS_NONBLOCKING;
     /// Music goes on after a stop.
     void go_on(HopIndex hop) noexcept RAKS_NONBLOCKING;
     /// The part of the music that sounds: playing, breakdown or build_up.
@@ -43,7 +45,9 @@ class SectionTracker {
     [[nodiscard]] MusicEvent wait(HopIndex hop, const BeatLengths& lengths) noexcept;
     [[nodiscard]] bool is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_fall(const BeatLengths& lengths) const noexcept;
-    [[nodiscard]] HopIndex place_of_drop(const BeatLengths& lengths) const noexcept;
+    [[nodiscard]] HopIndex place_of_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
+    [[nodiscard]] HopIndex place_of_rise(HopIndex hop, const BeatLengths& lengths) const noexcept;
+    [[nodiscard]] bool is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) const noexcept;
     void enter(MusicPart part, HopIndex hop) noexcept;
 
     MusicPart part_ = MusicPart::playing;
@@ -52,8 +56,10 @@ class SectionTracker {
     std::array<HopIndex, HopSums::kKept> hops_{};  // of the hops in sums_, ring
     std::array<float, HopSums::kKept> hits_{};     // likewise, of all bands
     std::size_t count_ = 0;
-    int fallen_hops_ = 0;    // in a row in which the last bar was a breakdown
-    HopIndex fell_ = 0;      // hop at which the present breakdown began
+    int full_hops_ = 0;    // in a row in which the last bar of a breakdown was full
+    int fallen_hops_ = 0;  // in a row in which the last bar was a breakdown
+    HopIndex fell_ = 0;    // hop at which the present breakdown began
+    MusicPart before_ = MusicPart::playing;  // the part before the present one
     HopIndex went_on_ = -1;  // hop of the entry after a stop in it; -1: there was none
 
     RunningRange<kRemembered> low_, level_, low_onsets_, onsets_;  // of bars

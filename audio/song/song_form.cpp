@@ -15,6 +15,7 @@ namespace raks::audio {
 namespace {
 
 constexpr std::size_t kAccentReach = 1500;  // hops to either side among which an accent is strong
+constexpr std::size_t kFirstBar = 200;      // hops
 constexpr std::size_t kLate = 300;          // hops before an onset among which it stands out
 
 // An event at the hop at which it is told.
@@ -72,6 +73,11 @@ void write_accents(std::span<const HopSound> sounds,
                 AccentDetector::accent(hop, sounds[i], peaks[i] / strongest[i], states[i].grid);
         }
     }
+}
+
+// Hop of the first sound.
+std::size_t first_sound(const std::vector<SongPause>& pauses) {
+    return !pauses.empty() && pauses.front().first == 0 ? pauses.front().end : 0;
 }
 
 void write_parts(const std::vector<SongPause>& pauses,
@@ -190,7 +196,10 @@ void write_form(const SongRecording& song,
                 const std::vector<SongBeat>& beats,
                 std::vector<MusicState>& states) {
     const std::vector<SongPause> pauses = find_pauses(song.sounds, least_stop(beats));
-    const std::vector<SongBreakdown> breakdowns = find_breakdowns(song.sounds, pauses, beats);
+    std::vector<SongBreakdown> breakdowns = find_breakdowns(song.sounds, pauses, beats);
+    if (!breakdowns.empty() && breakdowns.front().first < first_sound(pauses) + kFirstBar) {
+        breakdowns.front().first = 0;  // it begins calm: nothing breaks down
+    }
     const std::vector<MusicEnergy> energies = measure_energy(song.sounds, pauses);
     for (std::size_t i = 0; i < states.size(); ++i) {
         states[i].energy = energies[i];

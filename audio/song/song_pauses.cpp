@@ -6,10 +6,10 @@
 namespace raks::audio {
 namespace {
 
-constexpr float kUnder = 30.0F;           // dB under the loudest around: quiet
+constexpr float kUnder = 30.0F;           // dB under the loudest of late: quiet
 constexpr float kLeastLevel = -72.0F;     // dBFS: quiet whatever is around
 constexpr std::size_t kBlock = 100;       // hops of which the loudest is kept
-constexpr std::size_t kAround = 2;        // blocks on either side
+constexpr std::size_t kBefore = 2;        // blocks before
 constexpr float kFarUnder = 50.0F;        // dB under the loudest of the song: quiet in any case
 constexpr std::size_t kShortestGap = 3;   // of a gap: shorter dips are the ripple of low notes
 constexpr std::size_t kHabitHops = 1600;  // on either side of a pause in which others are alike
@@ -24,10 +24,10 @@ std::vector<float> quiet_levels(std::span<const HopSound> sounds) {
     const float song = *std::max_element(loudest.begin(), loudest.end());
     std::vector<float> quiet(loudest.size());
     for (std::size_t i = 0; i < loudest.size(); ++i) {
-        const std::size_t first = i - std::min(i, kAround);
-        const std::size_t end = std::min(loudest.size(), i + kAround + 1);
-        const float around = *std::max_element(loudest.begin() + static_cast<std::ptrdiff_t>(first),
-                                               loudest.begin() + static_cast<std::ptrdiff_t>(end));
+        const std::size_t first = i - std::min(i, kBefore);
+        const float around =
+            *std::max_element(loudest.begin() + static_cast<std::ptrdiff_t>(first),
+                              loudest.begin() + static_cast<std::ptrdiff_t>(i + 1));
         quiet[i] = std::max({around - kUnder, song - kFarUnder, kLeastLevel});
     }
     return quiet;

@@ -142,8 +142,17 @@ TEST(PlotSvg, an_empty_file_still_gives_every_panel) {
     data.finish(Nanos(0));
     const auto svg = draw_plot(data, {.title = "a<b", .method = "none", .reference = {}});
     ASSERT_TRUE(svg) << svg.error().message;
-    for (const char* id :
-         {"waveform", "spectrogram", "onsets", "beats", "tempo", "bar", "confidence", "time"}) {
+    for (const char* id : {"waveform",
+                           "spectrogram",
+                           "onsets",
+                           "beats",
+                           "tempo",
+                           "bar",
+                           "confidence",
+                           "energy",
+                           "form",
+                           "accents",
+                           "time"}) {
         EXPECT_NE(svg->find("<g id=\"" + std::string(id) + "\">"), std::string::npos) << id;
     }
     EXPECT_EQ(svg->find("nan"), std::string::npos);

@@ -40,6 +40,16 @@ void expect_same(const MusicState& a, const MusicState& b) {
     ASSERT_EQ(a.genre, b.genre);
     ASSERT_EQ(a.is_silent, b.is_silent);
     ASSERT_EQ(a.is_discontinuity, b.is_discontinuity);
+    ASSERT_EQ(a.energy.now, b.energy.now);
+    ASSERT_EQ(a.energy.lately, b.energy.lately);
+    ASSERT_EQ(a.energy.longer, b.energy.longer);
+    ASSERT_EQ(a.part, b.part);
+    ASSERT_EQ(a.event.kind, b.event.kind);
+    ASSERT_EQ(a.event.time, b.event.time);
+    ASSERT_EQ(a.accent.time, b.accent.time);
+    ASSERT_EQ(a.accent.strength, b.accent.strength);
+    ASSERT_EQ(a.accent.band, b.accent.band);
+    ASSERT_EQ(a.accent.is_on_beat, b.accent.is_on_beat);
 }
 
 std::vector<MusicState> in_blocks(const GeneratedMusic& piece, std::size_t block) {
@@ -133,6 +143,7 @@ TEST(MusicAnalyzer, nan_and_infinities_count_as_silence) {
         ASSERT_TRUE(std::isfinite(state.level_dbfs));
         ASSERT_TRUE(std::isfinite(state.loudness_lufs));
         ASSERT_TRUE(std::isfinite(state.grid.tempo.bpm()));
+        ASSERT_TRUE(std::isfinite(state.energy.now + state.energy.lately + state.energy.longer));
     }
     EXPECT_TRUE(collect.states.back().is_silent);
 }

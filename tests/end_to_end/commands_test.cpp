@@ -102,8 +102,17 @@ TEST_F(Commands, analyze_plots_every_panel) {
         ASSERT_TRUE(svg);
         EXPECT_TRUE(is_well_formed(*svg));
         EXPECT_LT(svg->size(), 2'000'000U);
-        for (const char* id :
-             {"waveform", "spectrogram", "onsets", "beats", "tempo", "bar", "confidence", "time"}) {
+        for (const char* id : {"waveform",
+                               "spectrogram",
+                               "onsets",
+                               "beats",
+                               "tempo",
+                               "bar",
+                               "confidence",
+                               "energy",
+                               "form",
+                               "accents",
+                               "time"}) {
             EXPECT_NE(svg->find("<g id=\"" + std::string(id) + "\">"), std::string::npos) << id;
         }
         EXPECT_NE(svg->find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);

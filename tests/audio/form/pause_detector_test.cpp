@@ -1,0 +1,135 @@
+#include "audio/form/pause_detector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace raks::audio {
+namespace {
+
+/// An event with the hop at which it was told.
+struct Told {
+    MusicEvent::Kind kind;
+    HopIndex at;    // hop of its time
+    HopIndex told;  // hop at which it became known
+};
+
+/// All events of music whose level at each hop is given.
+std::vector<Told> events_of(HopIndex hops, const std::function<float(HopIndex)>& level) {
+    PauseDetector detector;
+    std::vector<Told> told;
+    for (HopIndex hop = 0; hop < hops; ++hop) {
+        const MusicEvent event = detector.advance(hop, level(hop), 50);
+        if (event.kind != MusicEvent::Kind::none) {
+            told.push_back({event.kind, event.time.time_since_epoch() / kHop, hop});
+        }
+    }
+    return told;
+}
+
+/// Ripple of a band that plays on.
+float playing(HopIndex hop) { return -20.0F + 4.0F * std::sin(0.7F * static_cast<float>(hop)); }
+
+TEST(PauseDetector, a_cut_is_known_within_120_ms_and_an_entry_within_20) {
+    const auto told = events_of(
+        1'400, [](HopIndex hop) { return hop >= 1'000 && hop < 1'200 ? -120.0F : playing(hop); });
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_EQ(told[0].kind, MusicEvent::Kind::entry);
+    EXPECT_EQ(told[0].at, 0);
+    EXPECT_EQ(told[1].kind, MusicEvent::Kind::stop);
+    EXPECT_EQ(told[1].at, 1'000);
+    // The state of a hop comes 16 ms and the resampler's delay after its time.
+    EXPECT_LE(told[1].told - told[1].at, 9);
+    EXPECT_EQ(told[2].kind, MusicEvent::Kind::entry);
+    EXPECT_EQ(told[2].at, 1'200);
+    EXPECT_LE(told[2].told - told[2].at, 2);
+}
+
+TEST(PauseDetector, what_fades_away_is_a_stop_when_it_is_gone) {
+    // From -20 dBFS by 1 dB a hop: 30 dB softer after 30 hops.
+    const auto told = events_of(1'200, [](HopIndex hop) {
+        return hop < 1'000 ? playing(hop) : -20.0F - static_cast<float>(hop - 1'000);
+    });
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told[1].kind, MusicEvent::Kind::stop);
+    EXPECT_NEAR(static_cast<double>(told[1].at), 1'030.0, 6.0);
+    EXPECT_LE(told[1].told - told[1].at, 45) << "when a beat is missed";
+}
+
+TEST(PauseDetector, gaps_between_the_notes_of_staccato_music_are_no_stops) {
+    for (const HopIndex gap : {5, 12, 20, 35, 50}) {
+        const auto told = events_of(
+            6'000, [gap](HopIndex hop) { return hop % (gap + 15) < 15 ? -18.0F : -80.0F; });
+        ASSERT_EQ(told.size(), 1U) << gap;
+        EXPECT_EQ(told[0].kind, MusicEvent::Kind::entry);
+    }
+}
+
+TEST(PauseDetector, staccato_music_that_stops_is_known_soon_after_its_longest_gap) {
+    const auto told = events_of(
+        2'300, [](HopIndex hop) { return hop < 2'000 && hop % 40 < 20 ? -18.0F : -80.0F; });
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told[1].kind, MusicEvent::Kind::stop);
+    EXPECT_EQ(told[1].at, 1'980);
+    EXPECT_LE(told[1].told - told[1].at, 28);
+}
+
+TEST(PauseDetector, a_softer_part_is_no_stop) {
+    const auto told = events_of(3'000, [](HopIndex hop) {
+        return playing(hop) - (hop > 1'000 && hop < 2'000 ? 20.F : 0.F);
+    });
+    EXPECT_EQ(told.size(), 1U);
+}
+
+TEST(PauseDetector, three_seconds_without_sound_are_the_end) {
+    const auto told =
+        events_of(3'000, [](HopIndex hop) { return hop < 1'000 ? playing(hop) : -120.0F; });
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_EQ(told[2].kind, MusicEvent::Kind::end);
+    EXPECT_EQ(told[2].at, 1'000);
+    EXPECT_LE(told[2].told - told[2].at, 300);
+}
+
+TEST(PauseDetector, the_next_song_may_be_much_softer) {
+    const auto told = events_of(3'000, [](HopIndex hop) {
+        return hop < 1'000 ? playing(hop) : hop < 1'500 ? -120.0F : playing(hop) - 25.0F;
+    });
+    ASSERT_EQ(told.size(), 4U);
+    EXPECT_EQ(told[3].kind, MusicEvent::Kind::entry);
+    EXPECT_NEAR(static_cast<double>(told[3].at), 1'500.0, 3.0);
+}
+
+TEST(PauseDetector, the_noise_of_a_room_is_no_music) {
+    // A microphone hears -50 dBFS of noise in the pause.
+    const auto told = events_of(3'000, [](HopIndex hop) {
+        return hop < 1'000 ? playing(hop) : -50.0F + 2.0F * std::sin(static_cast<float>(hop));
+    });
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_EQ(told[1].kind, MusicEvent::Kind::stop);
+    EXPECT_EQ(told[2].kind, MusicEvent::Kind::end);
+}
+
+TEST(PauseDetector, digital_silence_has_no_events) {
+    EXPECT_TRUE(events_of(2'000, [](HopIndex) { return -120.0F; }).empty());
+}
+
+TEST(PauseDetector, the_level_of_the_input_does_not_matter) {
+    const auto level = [](HopIndex hop) {
+        return hop % 700 > 600 ? -100.0F : playing(hop) - (hop > 2'000 ? 10.0F : 0.0F);
+    };
+    const auto loud = events_of(4'000, level);
+    const auto soft = events_of(4'000, [&](HopIndex hop) { return level(hop) - 20.0F; });
+    ASSERT_EQ(loud.size(), soft.size());
+    ASSERT_GT(loud.size(), 6U);
+    for (std::size_t i = 0; i < loud.size(); ++i) {
+        EXPECT_EQ(loud[i].kind, soft[i].kind);
+        EXPECT_EQ(loud[i].at, soft[i].at);
+        EXPECT_EQ(loud[i].told, soft[i].told);
+    }
+}
+
+}  // namespace
+}  // namespace raks::audio
