@@ -36,8 +36,8 @@ constexpr float kMostWrist = 1.05F;  // radians that a grip turns a wrist
 constexpr float kStretched = 1.0F;  // beyond it nothing is held
 constexpr float kReached = 0.86F;   // up to it all is
 // Distances of the meeting point from a shoulder, of the arm's length.
-constexpr float kAtShoulder = 0.15F;
-constexpr float kClearOfShoulder = 0.5F;
+constexpr float kAtShoulder = 0.3F;
+constexpr float kClearOfShoulder = 0.65F;
 // Metres before the shoulders' plane from which a point counts as behind, and as before its owner.
 constexpr float kBehind = -0.16F;
 constexpr float kBefore = 0.04F;

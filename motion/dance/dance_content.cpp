@@ -216,7 +216,10 @@ struct Baking {
             // Legs step as learnt and are only shifted aside; but the lower part of positions
             // carries the hips.
             if (n > 0 && (part.part != Part::lower || &part == &figures[figure].root_part())) {
-                vary(part, CounterRandom(figure, stream + p), varied[p]);
+                vary(part,
+                     is_captured(figures[figure]),
+                     CounterRandom(figure, stream + p),
+                     varied[p]);
                 hold_arms(figures[figure], part, tracks[figure][p], varied[p]);
             }
             const CounterRandom quick(figure, kDetailStream + n * kParts.size() + p);

@@ -76,6 +76,9 @@ void HandHold::advance(const HoldMoment& moment,
     look_ += kLookStep * (look - look_);
     Stages stages = stages_;
     const HopIndex last = std::min(lead.newest(), follow.newest());
+    // What becomes uncomfortable within the predicted time is let go now: the filter is as slow.
+    const GripWeights coming = grips_.comfort(world_pose(skeleton_, lead.at_hop(last)),
+                                              world_pose(skeleton_, follow.at_hop(last)));
     for (HopIndex hop = now; hop <= last; ++hop) {
         Pose one = lead.at_hop(hop);
         Pose two = follow.at_hop(hop);
@@ -84,7 +87,7 @@ void HandHold::advance(const HoldMoment& moment,
         const GripWeights wanted = wanted_at(moment, to_seconds((hop - now) * kHop));
         const GripWeights comfort = grips_.comfort(lead_world, follow_world);
         for (std::size_t grip = 0; grip < kGrips; ++grip) {
-            float input = wanted[grip] * comfort[grip];
+            float input = wanted[grip] * std::min(comfort[grip], coming[grip]);
             for (GripWeights& stage : stages) {
                 stage[grip] += kStep * (input - stage[grip]);
                 input = stage[grip];

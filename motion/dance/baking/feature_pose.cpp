@@ -200,6 +200,27 @@ class Body {
     WorldPose world_;
 };
 
+// Shares of the bend at a source's lower and upper spine joint that a joint further up takes.
+constexpr float kLowerUp = 0.5F;
+constexpr float kUpperUp = 0.9F;
+
+/// Spreads the bends of a trunk that was learnt from two joints over three. The two of captured
+/// skeletons lie at 0.38 and 0.59 of the way from hips to neck, where the mannequin's second and
+/// third joint are (0.39, 0.63): bent at the first and second, its spine looked half as supple as
+/// people's. How the shoulders are turned stays the same.
+void spread_trunk(const FigureModel& model, Pose& pose) noexcept {
+    if (!is_captured(model)) {
+        return;
+    }
+    const glm::quat lower = pose.rotation(Bone::spine);
+    const glm::quat upper = pose.rotation(Bone::chest);
+    const glm::quat lower_up = interpolate(kNoRotation, lower, kLowerUp);
+    const glm::quat upper_up = interpolate(kNoRotation, upper, kUpperUp);
+    pose.rotation(Bone::spine) = glm::normalize(lower * glm::conjugate(lower_up));
+    pose.rotation(Bone::chest) = glm::normalize(lower_up * upper * glm::conjugate(upper_up));
+    pose.rotation(Bone::upper_chest) = upper_up;
+}
+
 // Collects the parts' local places as world places, then builds the body from them.
 Pose pose_of_positions(const FigureModel& model,
                        const FigureTracks& tracks,
@@ -239,6 +260,7 @@ Pose pose_of_features(const FigureModel& model,
         apply_features(
             tracks[static_cast<std::size_t>(part.part)].row(row), part, place, scale, pose);
     }
+    spread_trunk(model, pose);
     return pose;
 }
 

@@ -16,6 +16,12 @@ namespace raks::motion {
 /// One figure's trajectories, by Part; in figures of positions the torso's stays empty.
 using FigureTracks = std::array<FeatureTrack, 3>;
 
+/// Whether a figure was learnt from people: captures have no fingers, written figures do. Threads:
+/// any. Real-time: yes.
+[[nodiscard]] inline bool is_captured(const FigureModel& model) noexcept {
+    return model.fist[0].empty() && model.fist[1].empty();
+}
+
 /// The track of the part that carries the root features. Threads: any. Real-time: yes.
 [[nodiscard]] const FeatureTrack& root_of(const FigureModel& model,
                                           const FigureTracks& tracks) noexcept;

@@ -54,10 +54,15 @@ Eigen::VectorXd FeatureDraw::next(const CounterRandom& random) {
 // Shares of the variance by harmonic of the figure, the constant first. With these the distance
 // between two repeats is that of people's and the jerk rises by a few per cent only.
 constexpr std::array<double, 5> kHarmonics = {0.25, 0.3, 0.2, 0.15, 0.1};
+// The same for arms and spine of people, whose repeats differ by the hold and the carriage, hence
+// slowly: as quick as above, arms moved by a third faster than people's.
+constexpr std::array<double, 5> kSlowHarmonics = {0.4, 0.4, 0.15, 0.05, 0.0};
 // Scales of the states' deviation, by kind of feature. Their variance also holds what moves within
 // a slice and what differs between people's takes (stance, hold).
 constexpr double kTorso = 0.95;
+constexpr double kSpine = 1.2;  // of people's: averaging takes away half of a spine's bends
 constexpr double kUpper = 1.3;
+constexpr double kPeoplesUpper = 0.9;
 constexpr double kFarthestCurve = 1.8;  // deviations, soft limit of the curve
 constexpr double kFarthestTurn = 1.0;   // radians of a joint, soft limit
 constexpr double kFarthestPlace = 0.2;  // metres of a joint, soft limit
@@ -72,8 +77,18 @@ bool is_trunk(Bone bone) {
     return bone == Bone::spine || bone == Bone::chest || bone == Bone::neck || bone == Bone::head;
 }
 
+// Whether a feature is a rotation of the arms or the spine of people.
+bool is_carriage(const PartModel& part, bool is_captured, std::size_t feature) {
+    return is_captured && part.features == FigureFeatures::angles &&
+           (part.part == Part::upper ||
+            (part.part == Part::torso && feature >= part.root_features()));
+}
+
 // The scale of one feature's variation.
-double amount_of(const PartModel& part, std::size_t feature) {
+double amount_of(const PartModel& part, bool is_captured, std::size_t feature) {
+    if (is_carriage(part, is_captured, feature)) {
+        return part.part == Part::upper ? kPeoplesUpper : kSpine;
+    }
     if (part.features == FigureFeatures::positions) {
         if (feature < part.root_features()) {
             return kVelocity;
@@ -127,7 +142,10 @@ void hold_joints(const PartModel& part, const FeatureTrack& learnt, FeatureTrack
 
 }  // namespace
 
-void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& track) {
+void vary(const PartModel& part,
+          bool is_captured,
+          const CounterRandom& random,
+          FeatureTrack& track) {
     const FeatureTrack learnt = track;
     const std::size_t samples = track.rows();
     const std::size_t size = part.dimension();
@@ -141,15 +159,17 @@ void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& trac
     }
     for (std::size_t feature = 0; feature < size; ++feature) {
         const std::vector<double> deviation = deviation_of(part, feature, samples);
-        const double amount = amount_of(part, feature);
+        const double amount = amount_of(part, is_captured, feature);
+        const auto& harmonics =
+            is_carriage(part, is_captured, feature) ? kSlowHarmonics : kHarmonics;
         for (std::size_t i = 0; i < samples; ++i) {
             double curve = 0.0;
             for (std::size_t h = 0; h < kHarmonics.size(); ++h) {
                 const double angle =
                     2.0 * M_PI * static_cast<double>(h * i) / static_cast<double>(samples);
                 const auto at = static_cast<Eigen::Index>(feature);
-                curve += std::sqrt(kHarmonics[h]) * (coefficients[h][0][at] * std::cos(angle) +
-                                                     coefficients[h][1][at] * std::sin(angle));
+                curve += std::sqrt(harmonics[h]) * (coefficients[h][0][at] * std::cos(angle) +
+                                                    coefficients[h][1][at] * std::sin(angle));
             }
             // No repeat is far out: people's are not, and joints would turn over.
             track.row(i)[feature] +=

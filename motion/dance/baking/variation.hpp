@@ -12,8 +12,12 @@ namespace raks::motion {
 /// curve over the phase (a constant and the first harmonics of the figure), scaled by the states'
 /// deviation and correlated between features by the part's covariance. (White draws from the
 /// trajectory's posterior would shake the feet; people differ slowly.) The track stays closed.
+/// `is_captured`: learnt from people (feature_pose.hpp), whose arms and spines differ slowly.
 /// `random`: one stream a repeat and part. Threads: workers. Real-time: no.
-void vary(const PartModel& part, const CounterRandom& random, FeatureTrack& track);
+void vary(const PartModel& part,
+          bool is_captured,
+          const CounterRandom& random,
+          FeatureTrack& track);
 
 // Detail: the quick motion of a dance. A mean over repeats keeps their slow motion and loses the
 // quick one (landings, impacts, the body's response), which does not come at the same moment each

@@ -93,7 +93,9 @@ TEST(FollowFigure, the_table_of_couples_is_read_and_its_faults_are_told) {
 
 TEST(FollowFigure, of_the_shipped_dances_stay_before_the_lead) {
     std::size_t couples = 0;
-    for (const auto& path : *list_folder(std::string(RAKS_SOURCE_DIR) + "/config/choreographies")) {
+    const auto files = list_folder(std::string(RAKS_SOURCE_DIR) + "/config/choreographies");
+    ASSERT_TRUE(files) << files.error().message;
+    for (const auto& path : *files) {
         const auto dance = load_authored_dance(path);
         ASSERT_TRUE(dance) << dance.error().message;
         if (!dance->couple || dance->couple->follow != CoupleStyle::Follow::opposite) {

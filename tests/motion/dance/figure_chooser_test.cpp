@@ -19,9 +19,9 @@ namespace {
 
 FigureGrammar three() {
     FigureGrammar grammar;
-    grammar.rules = {{.figure = "calm", .energy = 0.1, .after = {0.0, 3.0, 1.0}},
-                     {.figure = "middling", .energy = 0.5, .after = {1.0, 0.0, 1.0}},
-                     {.figure = "lively", .energy = 0.9, .after = {1.0, 1.0, 2.0}}};
+    grammar.rules = {{.figure = "calm", .energy = 0.1, .after = {0.0, 3.0, 1.0}, .holds = {}},
+                     {.figure = "middling", .energy = 0.5, .after = {1.0, 0.0, 1.0}, .holds = {}},
+                     {.figure = "lively", .energy = 0.9, .after = {1.0, 1.0, 2.0}, .holds = {}}};
     return grammar;
 }
 
