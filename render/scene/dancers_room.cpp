@@ -24,7 +24,7 @@ constexpr float kOverHead = 0.25F;
 // Nobody is shown smaller than one who stands with the arms down.
 constexpr float kLeastReach = 0.45F;
 // Seconds in which an edge that nobody reaches any more does two thirds of its way back.
-constexpr float kShrinkSeconds = 4.0F;
+constexpr float kShrinkSeconds = 3.0F;
 // And its way out to who leaves the room.
 constexpr float kGrowSeconds = 0.08F;
 // Time constant of the springs.

@@ -99,7 +99,11 @@ Fit fit_of(const ShotView& view, const Directions& to, Lens free) noexcept {
 
 glm::vec3 middle_of(const StageBox& box) noexcept { return 0.5F * (box.low + box.high); }
 
-float free_share(const ShotView& view) noexcept { return 1.0F - 2.0F * view.margin; }
+// Half of what the box may take at 1 m. A picture that is too narrow has no room to give away.
+Lens free_part(const ShotView& view, Lens lens) noexcept {
+    const float aside = std::min(view.margin, ShotView::kSideMargin);
+    return {(1.0F - 2.0F * aside) * lens.x, (1.0F - 2.0F * view.margin) * lens.y};
+}
 
 }  // namespace
 
@@ -148,8 +152,7 @@ ShotView between(const ShotView& from, const ShotView& to, float share) noexcept
 
 Camera camera_of(const ShotView& view, float aspect) noexcept {
     const Directions to = directions_of(view.yaw, view.pitch);
-    const Lens lens = lens_of(view, aspect);
-    const Lens free{free_share(view) * lens.x, free_share(view) * lens.y};
+    const Lens free = free_part(view, lens_of(view, aspect));
     const Fit fit = fit_of(view, to, free);
     const float along = std::max(fit.by_width, fit.by_height);
     // All heights between these two show the whole box.
@@ -175,8 +178,7 @@ Camera camera_of(const ShotView& view, float aspect) noexcept {
 
 float width_demand(const ShotView& view, float aspect) noexcept {
     const Directions to = directions_of(view.yaw, view.pitch);
-    const Lens lens = lens_of(view, aspect);
-    const Fit fit = fit_of(view, to, {free_share(view) * lens.x, free_share(view) * lens.y});
+    const Fit fit = fit_of(view, to, free_part(view, lens_of(view, aspect)));
     const float before = glm::dot(middle_of(view.box), to.toward);
     return std::max((fit.by_width - before) / (fit.by_height - before), 1.0F);
 }

@@ -26,7 +26,9 @@ struct ShotView {
     float yaw = 0.0F;                  ///< as Camera::yaw, radians
     float pitch = glm::radians(5.0F);  ///< as Camera::pitch, radians
     float fov = glm::radians(26.0F);   ///< as Camera::vertical_fov, radians
-    float margin = 0.06F;              ///< share of the picture left free at each edge
+    float margin = 0.06F;              ///< share of the picture left free above and below
+    /// At most so much is left free at either side.
+    static constexpr float kSideMargin = 0.04F;
 };
 
 /// That of a size of shot of dancers in this room, seen from `yaw`.
