@@ -28,7 +28,7 @@ using audio::GenreEvidence;
 using Json = nlohmann::ordered_json;
 
 // One row of the tables: a kind of evidence at a window length, after a kind of damage.
-struct Row {
+struct PieceRow {
     std::string damage;
     std::string evidence;
     double seconds = 0.0;
@@ -50,7 +50,7 @@ struct Evaluation {
     std::vector<std::string> genres;
     std::vector<std::string> pair;   ///< two that are compared
     std::vector<std::size_t> asked;  // classes that are judged
-    std::vector<Row> rows;
+    std::vector<PieceRow> rows;
     std::vector<Shown> shown;
     std::vector<std::string> skipped;  // files that could not be used, with the reason
     std::size_t files = 0;
@@ -164,7 +164,7 @@ void add_rows(const audio::GenreModel& model,
             for (const audio::WindowScore& score : scores) {
                 logs.push_back(audio::fuse(score, fusion, evidence, model.classes()));
             }
-            Row row{
+            PieceRow row{
                 damage,
                 name,
                 audio::kGenreWindows[window] * audio::kSegmentSeconds,
@@ -296,7 +296,7 @@ std::string json_of(const Evaluation& evaluation) {
         json["asked"].push_back(evaluation.genres[c]);
     }
     json["rows"] = Json::array();
-    for (const Row& row : evaluation.rows) {
+    for (const PieceRow& row : evaluation.rows) {
         Json confusion = Json::array();
         for (const auto& line : row.tally.confusion) {
             Json shares = Json::array();
@@ -335,7 +335,7 @@ std::string text_of(const Evaluation& evaluation) {
                                    "2 dance",
                                    "unknown",
                                    "ECE");
-    for (const Row& row : evaluation.rows) {
+    for (const PieceRow& row : evaluation.rows) {
         text += fmt::format("{:16} {:9} {:4.1f} s {:7.3f} {:7.3f} {:8.3f} {:7.3f}\n",
                             row.damage,
                             row.evidence,
