@@ -28,7 +28,7 @@ struct FigureGrammar {
         /// By DanceRole: how far a partner moves aside in the middle of the figure, so that both
         /// have room; left, forward of where it starts; metres.
         std::array<glm::dvec2, 2> aside{};
-        std::vector<HeldHands> holds;  ///< of a couple, where it holds by the hands
+        std::vector<HeldHands> holds{};  ///< of a couple, where it holds by the hands
     };
     /// Where one partner of a couple stands.
     struct Place {
