@@ -215,9 +215,10 @@ Pose Dancer::State::smoothed(StreamTime now, Nanos ahead, Pose pose) const noexc
     return pose;
 }
 
-/// Steps change their length with the music, each while its foot is in the air.
+/// Steps change their length with the music, each while its foot is in the air. Those of a couple
+/// stay as they are: both have to come out at the same places.
 void Dancer::State::note_swings() noexcept {
-    if (shown.foot_contact[0] && shown.foot_contact[1]) {
+    if (part.is_in_couple || (shown.foot_contact[0] && shown.foot_contact[1])) {
         return;
     }
     const WorldPose now = world_pose(skeleton, shown);
