@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "audio/evaluate/form_scores.hpp"
+
+namespace raks::apps {
+
+/// How well it was told what music does.
+struct MusicReport {
+    double minutes = 0.0;     ///< of songs
+    audio::FormScores live;   ///< as it came
+    audio::FormScores ahead;  ///< of the whole song, before it sounded
+};
+
+/// A table by event for each way.
+[[nodiscard]] std::string to_text(const MusicReport& report);
+/// raks-eval-music, version 1 (docs/reference/files.md).
+[[nodiscard]] std::string to_json(const MusicReport& report);
+
+}  // namespace raks::apps
