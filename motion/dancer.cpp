@@ -58,12 +58,14 @@ Expected<void> Dancer::prepare(std::shared_ptr<const Repertoire> repertoire,
 
 Expected<void> Dancer::prepare(std::shared_ptr<const DanceLibrary> library,
                                const Skeleton& skeleton,
-                               std::uint64_t seed) {
+                               std::uint64_t seed,
+                               Dynamics dynamics) {
     if (!library) {
         return fail("the dancer has no dance: a library is missing");
     }
     DancerPart part;
     part.seed = part.ways = seed;
+    part.dynamics = dynamics;
     return prepare(Repertoire::of_one(std::move(library)), skeleton, part);
 }
 

@@ -83,7 +83,8 @@ class Dancer {
     /// their ways from one seed. Errors: no library. Real-time: no (allocates).
     [[nodiscard]] Expected<void> prepare(std::shared_ptr<const DanceLibrary> library,
                                          const Skeleton& skeleton,
-                                         std::uint64_t seed);
+                                         std::uint64_t seed,
+                                         Dynamics dynamics = Dynamics::on);
 
     /// One hop: appends the final pose of `state.hop` to `track` and renews all predicted ones.
     /// After a gap in the hop numbers the track starts anew. Before prepare() it does nothing.

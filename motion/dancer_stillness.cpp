@@ -4,6 +4,7 @@
 
 #include "base/random.hpp"
 #include "motion/dance/dynamics/waiting.hpp"
+#include "motion/dance/key_moment.hpp"
 #include "motion/dancer_state.hpp"
 
 namespace raks::motion {
@@ -84,13 +85,13 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
     }
 }
 
-/// Thanks the audience, with a hand before the belly.
+/// Thanks the audience, with a hand before the waist.
 void Dancer::State::bow(StreamTime now) noexcept {
     if (!bows_at || now < *bows_at) {
         return;
     }
     if (now < *bows_at + nanos_from_seconds(kBowSeconds)) {
-        hands.go_to(Side::right, HandPlace::belly, now, kHandsToRest);
+        hands.go_to(Side::right, HandPlace::waist, now, kHandsToRest);
     } else {
         hands.let_go(Side::right, now, kHandsBack);
         bows_at.reset();

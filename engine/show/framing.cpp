@@ -14,7 +14,7 @@ constexpr float kReach = 0.80F;
 // And to a foot of a long step.
 constexpr float kStep = 0.35F;
 // Share of the picture's height that is free for them.
-constexpr float kFree = 0.97F;
+constexpr float kFree = 0.94F;
 // Seconds in which the camera does two thirds of its way: to where the dancers go, back from them
 // (before they leave the picture), and near to them again.
 constexpr float kFollowSeconds = 1.6F;

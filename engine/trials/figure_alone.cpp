@@ -98,7 +98,7 @@ Expected<std::vector<motion::Pose>> dance_alone(
     const FigureOnBeat& on,
     std::span<const double> beats) {
     motion::Dancer dancer;
-    if (auto prepared = dancer.prepare(library, skeleton, on.seed); !prepared) {
+    if (auto prepared = dancer.prepare(library, skeleton, on.seed, motion::Dynamics::off); !prepared) {
         return fail(prepared.error());
     }
     using Kind = motion::DancerCommand::Kind;

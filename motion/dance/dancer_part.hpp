@@ -14,8 +14,8 @@ enum class Dynamics : std::uint8_t { on, off };
 
 /// What one dancer of several does of its own.
 struct DancerPart {
-    std::uint64_t seed = 1;     ///< of the choice of figures; equal seeds give equal sequences
-    std::uint64_t ways = 1;     ///< of how each figure is danced
+    std::uint64_t seed = 1;  ///< of the choice of figures; equal seeds give equal sequences
+    std::uint64_t ways = 1;  ///< of how each figure is danced
     Dynamics dynamics = Dynamics::on;
     bool is_in_couple = false;  ///< stands by the couple's common point, facing the other
     /// In a couple: the other's dances. Both then keep to one metre, the mean of theirs; otherwise

@@ -12,7 +12,7 @@ namespace raks::motion {
 enum class HandPlace : std::uint8_t {
     thigh,    ///< hangs beside the thigh, a little off it
     hip,      ///< on the hip bone, the elbow out
-    belly,    ///< before the belly
+    waist,    ///< before the waist
     chest,    ///< before the chest, the forearm level
     wide,     ///< out to the side at the height of the shoulder, softly bent
     high,     ///< up and out, over the head
@@ -21,7 +21,7 @@ enum class HandPlace : std::uint8_t {
 };
 /// Names in files, in the order of HandPlace.
 inline constexpr std::array<std::string_view, 8> kHandPlaceNames = {
-    "thigh", "hip", "belly", "chest", "wide", "high", "low", "offered"};
+    "thigh", "hip", "waist", "chest", "wide", "high", "low", "offered"};
 
 /// What the dancers of a dance do beside its figures.
 struct DanceHabits {

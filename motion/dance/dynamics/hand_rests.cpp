@@ -14,7 +14,7 @@ namespace raks::motion {
 const std::array<HandRests::Rest, kHandPlaceNames.size()> HandRests::kRests = {{
     {{0.16F, -0.92F, 0.10F}, {0.4F, 0.0F, -1.0F}},    // thigh
     {{0.06F, -0.66F, 0.04F}, {1.0F, 0.1F, -0.25F}},   // hip
-    {{-0.18F, -0.52F, 0.44F}, {0.8F, -0.5F, -0.2F}},  // belly
+    {{-0.18F, -0.52F, 0.44F}, {0.8F, -0.5F, -0.2F}},  // waist
     {{-0.14F, -0.20F, 0.56F}, {0.8F, -0.6F, 0.0F}},   // chest
     {{0.88F, 0.02F, 0.28F}, {0.1F, -1.0F, -0.3F}},    // wide
     {{0.42F, 0.82F, 0.22F}, {0.8F, -0.3F, 0.2F}},     // high
@@ -110,14 +110,36 @@ namespace {
 /// `from` untwisted towards `to`, which points the bone the same way. Less where they are nearly
 /// half a turn apart: either way round is as long there, and the arm would flip.
 glm::quat untwisted(const glm::quat& from, const glm::quat& to, float weight) noexcept {
-    constexpr float kSurely = 0.4F;  // radians
-    constexpr float kFlips = 2.9F;
+    constexpr float kSurely = 1.8F;  // radians
+    constexpr float kFlips = 3.05F;
     const float apart = 2.0F * std::acos(std::min(1.0F, std::abs(glm::dot(from, to))));
     return glm::slerp(from, to, weight * (1.0F - smoothstep(kSurely, kFlips, apart)));
 }
 
+/// Rotations of upper arm and forearm, world.
+struct ArmTurns {
+    glm::quat upper{kNoRotation};
+    glm::quat lower{kNoRotation};
+};
+
+/// An arm at a place whose elbow bends about its own hinge, as elbows do: the axis that is upright
+/// in the T-pose.
+ArmTurns hinged(const ArmPlace& place, Side side) noexcept {
+    const float sign = side == Side::left ? 1.0F : -1.0F;
+    const glm::vec3 along = glm::normalize(place.elbow);
+    const glm::vec3 forearm = glm::normalize(place.wrist - place.elbow);
+    const glm::vec3 across = glm::cross(along, forearm);
+    const float bent = std::max(glm::length(across), 1e-4F);
+    const glm::vec3 hinge = across * (-sign / bent);
+    const glm::vec3 out = sign * along;  // the T-pose's x
+    const glm::quat upper = glm::quat_cast(glm::mat3(out, hinge, glm::cross(out, hinge)));
+    const float angle = std::atan2(bent, glm::dot(along, forearm));
+    const glm::quat bend{std::cos(0.5F * angle), 0.0F, -sign * std::sin(0.5F * angle), 0.0F};
+    return {upper, upper * bend};
+}
+
 /// Turns an arm to a place. What it is twisted by goes over from that of the dance to that of an
-/// arm that was turned there from the T-pose.
+/// arm whose elbow bends about its hinge.
 void turn_arm(const Skeleton& skeleton,
               const WorldPose& world,
               Side side,
@@ -129,14 +151,11 @@ void turn_arm(const Skeleton& skeleton,
     const glm::vec3& to_wrist = skeleton.offsets[index_of(arm.end)];
     const glm::quat& upper = world.rotation(arm.upper);
     const glm::quat& lower = world.rotation(arm.lower);
-    const glm::vec3 forearm = place.wrist - place.elbow;
-    const glm::quat upper_now = untwisted(rotation_between(upper * to_elbow, place.elbow) * upper,
-                                          rotation_between(to_elbow, place.elbow),
-                                          weight);
-    const glm::quat lower_now =
-        untwisted(rotation_between(lower * to_wrist, forearm) * lower,
-                  rotation_between(upper_now * to_wrist, forearm) * upper_now,
-                  weight);
+    const ArmTurns rest = hinged(place, side);
+    const glm::quat upper_now =
+        untwisted(rotation_between(upper * to_elbow, place.elbow) * upper, rest.upper, weight);
+    const glm::quat lower_now = untwisted(
+        rotation_between(lower * to_wrist, place.wrist - place.elbow) * lower, rest.lower, weight);
     pose.rotation(arm.upper) = glm::normalize(glm::conjugate(arm.parent) * upper_now);
     pose.rotation(arm.lower) = glm::normalize(glm::conjugate(upper_now) * lower_now);
     pose.rotation(arm.end) = glm::slerp(pose.rotation(arm.end), kNoRotation, weight);

@@ -44,7 +44,7 @@ void Hits::apply(StreamTime time, Pose& pose) const noexcept RAKS_NONBLOCKING {
             continue;
         }
         switch (hit.band) {
-            case MusicAccent::Band::low:  // the belly draws in
+            case MusicAccent::Band::low:  // the waist draws in
                 nod(Bone::spine, 0.8F * angle, pose);
                 nod(Bone::chest, 0.6F * angle, pose);
                 break;

@@ -11,7 +11,7 @@
 namespace raks::motion {
 
 /// A short, sharp movement of trunk and head after each strong accent: low ones are taken in the
-/// belly, middle ones in the chest, high ones with shoulders and head. Each rises within 0.07 s and
+/// waist, middle ones in the chest, high ones with shoulders and head. Each rises within 0.07 s and
 /// dies away within half a second. Threads: one. Real-time: yes.
 class Hits {
  public:

@@ -6,7 +6,6 @@
 #include "base/beats.hpp"
 #include "base/realtime.hpp"
 #include "base/time.hpp"
-#include "motion/dance/figure_sequence.hpp"
 #include "motion/skeleton/pose.hpp"
 
 namespace raks::motion {
@@ -51,17 +50,5 @@ class Stillness {
     double seconds_ = 0.0;  // that it slows down
     std::optional<Pose> posture_;
 };
-
-/// The calmest moment of the dance from one phase to another, of those in which both feet stand;
-/// without any the calmest of all. Threads: any. Real-time: yes (some ten poses).
-[[nodiscard]] Beats key_moment(const FigureSequence& sequence,
-                               Beats from,
-                               Beats to) noexcept RAKS_NONBLOCKING;
-
-/// Until when both feet stand, from a phase on and at most to another. Threads: any. Real-time: yes
-/// (five poses a beat).
-[[nodiscard]] Beats stands_until(const FigureSequence& sequence,
-                                 Beats from,
-                                 Beats to) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

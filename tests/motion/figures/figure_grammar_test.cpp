@@ -67,11 +67,11 @@ TEST(FigureGrammar, reads_what_dancers_do_beside_the_figures) {
     const auto plain = read("");
     ASSERT_TRUE(plain) << plain.error().message;
     EXPECT_EQ(plain->habits.pauses, DanceHabits().pauses) << "as if nothing were said";
-    const auto own = read("pauses = 0.8\nrests = 0\nrest_at = [\"belly\", \"low\"]\n");
+    const auto own = read("pauses = 0.8\nrests = 0\nrest_at = [\"waist\", \"low\"]\n");
     ASSERT_TRUE(own) << own.error().message;
     EXPECT_EQ(own->habits.pauses, 0.8);
     EXPECT_EQ(own->habits.rests, 0.0);
-    EXPECT_EQ(own->habits.rest_at, (std::vector<HandPlace>{HandPlace::belly, HandPlace::low}));
+    EXPECT_EQ(own->habits.rest_at, (std::vector<HandPlace>{HandPlace::waist, HandPlace::low}));
     for (const auto& [lines, what] : std::vector<std::pair<std::string, std::string>>{
              {"pauses = 1.5\n", "x.toml: pauses must be a number from 0 to 1"},
              {"pauses = nan\n", "x.toml: pauses must be a number from 0 to 1"},
