@@ -70,7 +70,7 @@ TEST(PauseDetector, gaps_between_the_notes_of_staccato_music_are_no_stops) {
 
 TEST(PauseDetector, staccato_music_that_stops_is_known_soon_after_its_longest_gap) {
     const auto told = events_of(
-        2'300, [](HopIndex hop) { return hop < 2'000 && hop % 40 < 20 ? -18.0F : -80.0F; });
+        2'200, [](HopIndex hop) { return hop < 2'000 && hop % 40 < 20 ? -18.0F : -80.0F; });
     ASSERT_EQ(told.size(), 2U);
     EXPECT_EQ(told[1].kind, MusicEvent::Kind::stop);
     EXPECT_EQ(told[1].at, 1'980);
