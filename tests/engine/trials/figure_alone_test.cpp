@@ -49,7 +49,8 @@ std::vector<motion::WorldPose> danced_at(const char* dance, std::string_view fig
         static_cast<std::size_t>(std::find(names.begin(), names.end(), figure) - names.begin());
     on.tempo = Bpm(bpm);
     std::vector<double> beats;
-    for (int i = 0; i < 8 * 16; ++i) {
+    // Twelve bars, since each repeat is danced in a way of its own.
+    for (int i = 0; i < 48 * 16; ++i) {
         beats.push_back(i / 16.0);
     }
     const auto danced = dance_alone(*library, motion::mannequin_skeleton(), on, beats);
