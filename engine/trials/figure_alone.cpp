@@ -98,7 +98,8 @@ Expected<std::vector<motion::Pose>> dance_alone(
     const FigureOnBeat& on,
     std::span<const double> beats) {
     motion::Dancer dancer;
-    if (auto prepared = dancer.prepare(library, skeleton, on.seed, motion::Dynamics::off); !prepared) {
+    if (auto prepared = dancer.prepare(library, skeleton, on.seed, motion::Dynamics::off);
+        !prepared) {
         return fail(prepared.error());
     }
     using Kind = motion::DancerCommand::Kind;
