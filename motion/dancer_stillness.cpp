@@ -23,7 +23,7 @@ constexpr double kBeforeKnownStop = 0.6;  // beats before a stop that is known
 // rest, and beats before the count 1 by which the dance goes on, so that the step into it is
 // danced.
 constexpr double kPauseKey = 0.15;
-constexpr double kShortestPause = 0.40;
+constexpr double kShortestPause = 0.30;
 constexpr double kLongestPause = 1.0;
 constexpr double kStepIn = 0.5;
 constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses

@@ -25,7 +25,7 @@ class Phrases {
     [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
  private:
-    double origin_ = 0.0;  // of the first phrase: bars since the grid's bar origin
+    Beats origin_{};  // of the first phrase
     double bar_ = 0.0;
     std::uint64_t number_ = 0;
 };

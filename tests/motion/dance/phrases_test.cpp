@@ -21,6 +21,18 @@ TEST(Phrases, have_eight_bars) {
     }
 }
 
+TEST(Phrases, are_the_same_whichever_bar_line_the_grid_counts_from) {
+    Phrases phrases;
+    phrases.begin(music_at(0).grid, music_at(0).time);
+    for (HopIndex hop = 0; hop < 2000; ++hop) {
+        MusicState music = music_at(hop);
+        music.grid.bar_origin = Beats(4.0 * static_cast<double>(hop / 200));
+        phrases.advance(music);
+    }
+    EXPECT_EQ(phrases.number(), 1U);
+    EXPECT_NEAR(phrases.bar(), 1.995, 1e-6);
+}
+
 TEST(Phrases, begin_at_the_nearest_bar_line_and_anew_with_a_drop) {
     Phrases phrases;
     phrases.begin(music_at(0).grid, music_at(190).time);  // 0.1 s before the second bar
