@@ -7,26 +7,22 @@
 
 #include "base/file.hpp"
 #include "base/plain_name.hpp"
-#include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
 #include "motion/figures/dance_habits_reader.hpp"
+#include "motion/figures/figure_grammar_format.hpp"
 
 namespace raks::motion {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kFormat = "raks-dance";
-constexpr std::int64_t kVersion = 1;
-constexpr std::array<std::string_view, 2> kStartsNames = {"common", "own"};  // by Starts
-constexpr double kLargestWeight = 1e6;          // of `seen` and `after`
-constexpr std::size_t kMostFigures = 1000;      // the weights between them are its square
-constexpr std::size_t kLongestFigureName = 60;  // characters
-constexpr double kFarthest = 10.0;              // metres to a turn point
-constexpr std::size_t kMostHolds = 32;          // of one figure
-constexpr double kLongest = 64.0;               // beats of a figure
-constexpr double kFarthestAside = 1.0;          // metres that a partner moves aside
+constexpr double kLargestWeight = 1e6;      // of `seen` and `after`
+constexpr std::size_t kMostFigures = 1000;  // the weights between them are its square
+constexpr double kFarthest = 10.0;          // metres to a turn point
+constexpr std::size_t kMostHolds = 32;      // of one figure
+constexpr double kLongest = 64.0;           // beats of a figure
+constexpr double kFarthestAside = 1.0;      // metres that a partner moves aside
 
 /// Reads one grammar; reading stops at the first fault.
 class GrammarReader {
@@ -99,16 +95,16 @@ class GrammarReader {
             !ok) {
             return ok;
         }
-        if (root["format"].value<std::string>() != std::string(kFormat)) {
-            return fail(fmt::format("{}: format must be \"{}\"", name_, kFormat));
+        if (root["format"].value<std::string>() != std::string(kGrammarFormat)) {
+            return fail(fmt::format("{}: format must be \"{}\"", name_, kGrammarFormat));
         }
         // A newer version is most likely a newer program's file.
         const auto version = root["version"].value<std::int64_t>();
-        if (!version || *version < 1 || *version > kVersion) {
+        if (!version || *version < 1 || *version > kGrammarVersion) {
             return fail(
                 fmt::format("{}: version must be a number up to {}; is Raks older than the file?",
                             name_,
-                            kVersion));
+                            kGrammarVersion));
         }
         grammar.dance = root["dance"].value_or(std::string());
         // [[figure]] tables arrive as an array of tables.
@@ -493,54 +489,6 @@ Expected<std::vector<std::string>> figures_in_grammar(std::string_view text,
         }
         return names;
     });
-}
-
-bool is_figure_name(std::string_view name) noexcept {
-    // Not std::isalnum, which depends on the locale.
-    const auto is_fit = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '-' || c == '_';
-    };
-    return !name.empty() && name.size() <= kLongestFigureName &&
-           std::all_of(name.begin(), name.end(), is_fit);
-}
-
-std::string why_no_figure_name(std::string_view name) {
-    return fmt::format("\"{}\" is no name for a file: letters a-z, digits, '-' and '_', 1 to {}",
-                       printable(name, kLongestFigureName),
-                       kLongestFigureName);
-}
-
-std::string figure_rule_text(std::string_view figure, double seen) {
-    return fmt::format("\n[[figure]]\nname = \"{}\"\nseen = {}\n", figure, seen);
-}
-
-std::string grammar_head_text(const FigureGrammar& grammar) {
-    std::string couple;
-    if (grammar.couple) {
-        const auto hold = static_cast<std::size_t>(grammar.couple->hold);
-        couple = fmt::format("\n[couple]\nhold = \"{}\"\n", kCoupleHoldNames[hold]);
-        if (grammar.couple->apart) {
-            couple += fmt::format(
-                "apart = [{}, {}]\n", grammar.couple->apart->x, grammar.couple->apart->y);
-        }
-    }
-    return fmt::format(
-               "# Which figure comes after which. Without a line `after`, every other figure "
-               "follows as\n"
-               "# often as it was `seen`; after = {{ NAME = 2, OTHER = 1 }} says it for one "
-               "figure.\n"
-               "# energy = 0.0 ... 1.0 is the music that a figure is for: from the quietest to "
-               "the\n"
-               "# loudest. The dance begins with the first figure.\n"
-               "format = \"{}\"\nversion = {}\ndance = \"{}\"\nbeats_per_bar = {}\nstarts = "
-               "\"{}\"\n",
-               kFormat,
-               kVersion,
-               grammar.dance,
-               grammar.beats_per_bar,
-               kStartsNames[static_cast<std::size_t>(grammar.starts)]) +
-           couple;
 }
 
 }  // namespace raks::motion

@@ -37,6 +37,7 @@ const std::map<std::string, std::string> kCovered = {
     {"motion/dancer_course.cpp", "Dynamics, a_dancer_stops_with_the_music_and_goes_on"},
     {"motion/dancer_state.cpp", "Dancer, never_jumps_also_when_the_music_does"},
     {"motion/dancer_stillness.cpp", "Dynamics, the_end_of_a_known_song_is_a_posture"},
+    {"motion/figures/figure_grammar_text.cpp", "FigureGrammar, its_own_text_reads_back"},
     {"motion/figures/dance_habits_reader.cpp", "FigureGrammar, reads_what_dancers_do_beside"},
     {"training/beat/corpus.cpp", "TrainingFiles, a_kept_corpus_is_the_same_again"},
     {"training/figures/figure_classifier.cpp", "FitWeights, trusts_the_part_that_tells"},
