@@ -168,12 +168,13 @@ Pose Dancer::State::layered(StreamTime now, Nanos ahead, Pose pose) const noexce
     // One of a couple looks at the other.
     if (has_dynamics() && !part.is_in_couple) {
         constexpr double kLooksUp = 0.35;  // seconds
-        Heed heed;
+        LookChange change;
         if (still.is_on()) {
-            heed.now = LookFor::pose;
-            heed.share = smootherstep(static_cast<float>(still.seconds_on(now + ahead) / kLooksUp));
+            change.now = LookFor::pose;
+            change.share =
+                smootherstep(static_cast<float>(still.seconds_on(now + ahead) / kLooksUp));
         }
-        look(skeleton, now + ahead, part.ways, heed, pose);
+        look(skeleton, now + ahead, part.ways, change, pose);
     }
     return pose;
 }

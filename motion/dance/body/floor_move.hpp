@@ -9,6 +9,11 @@
 
 namespace raks::motion {
 
+/// Rotation about the upright axis, positive from +z to +x; radians. Threads: any. Real-time: yes.
+[[nodiscard]] inline glm::quat turn_about_up(float radians) noexcept {
+    return {std::cos(0.5F * radians), 0.0F, std::sin(0.5F * radians), 0.0F};
+}
+
 /// A rigid move on the floor: turn by `heading` about the origin (positive from +z to +x), then
 /// shift by `offset` (x left, y forward: the floor's x and z). Threads: any. Real-time: yes.
 struct FloorMove {
@@ -30,9 +35,8 @@ struct FloorMove {
         const glm::dvec2 place = (*this)(glm::dvec2(pose.hips_position.x, pose.hips_position.z));
         pose.hips_position.x = static_cast<float>(place.x);
         pose.hips_position.z = static_cast<float>(place.y);
-        const auto half = static_cast<float>(0.5 * heading);
         pose.rotation(Bone::hips) =
-            glm::quat(std::cos(half), 0.0F, std::sin(half), 0.0F) * pose.rotation(Bone::hips);
+            turn_about_up(static_cast<float>(heading)) * pose.rotation(Bone::hips);
         return pose;
     }
 };

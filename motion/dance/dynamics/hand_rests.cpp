@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/smooth_steps.hpp"
+#include "motion/dance/body/floor_move.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 
 #include <glm/geometric.hpp>
@@ -30,7 +31,7 @@ glm::quat facing_of(const WorldPose& world) noexcept {
     const glm::vec3 both =
         world.rotation(Bone::hips) * ahead + world.rotation(Bone::upper_chest) * ahead;
     const float yaw = std::atan2(both.x, both.z);
-    return {std::cos(0.5F * yaw), 0.0F, std::sin(0.5F * yaw), 0.0F};
+    return turn_about_up(yaw);
 }
 
 glm::vec3 on_side_of(glm::vec3 left, Side side) noexcept {

@@ -5,6 +5,7 @@
 
 #include "base/random.hpp"
 #include "base/smooth_steps.hpp"
+#include "motion/dance/body/floor_move.hpp"
 
 namespace raks::motion {
 namespace {
@@ -17,31 +18,28 @@ constexpr float kFarthestTurn = 0.9F;  // radians that neck and head turn at mos
 constexpr float kWaitsAside = 0.75F;   // radians to the sides, of who looks around
 
 constexpr std::uint64_t kAimStream = 11;  // streams of random numbers
-constexpr std::uint64_t kHeedStream = 12;
+constexpr std::uint64_t kAttentionStream = 12;
 
-/// One aim: heading in the world, and how much the head heeds it.
+/// One aim: heading in the world, and how far the head goes there.
 struct Aim {
     float heading = 0.0F;
-    float heed = 0.0F;
+    float weight = 0.0F;
 };
 
 Aim aim_of(std::uint64_t cell, std::uint64_t seed, LookFor what) noexcept {
     const double where = CounterRandom(seed, kAimStream).uniform(cell);
-    const double heed = CounterRandom(seed, kHeedStream).uniform(cell);
+    const double attention = CounterRandom(seed, kAttentionStream).uniform(cell);
     switch (what) {
         case LookFor::dance:
-            return {0.0F, heed < 0.35 ? 0.0F : static_cast<float>(0.75 * heed)};
+            return {0.0F, attention < 0.35 ? 0.0F : static_cast<float>(0.75 * attention)};
         case LookFor::pose:
             return {0.0F, 0.85F};
         case LookFor::wait:
             // Every second look is to the front.
-            return {heed < 0.5 ? 0.0F : kWaitsAside * static_cast<float>(2.0 * where - 1.0), 0.8F};
+            return {attention < 0.5 ? 0.0F : kWaitsAside * static_cast<float>(2.0 * where - 1.0),
+                    0.8F};
     }
     return {};
-}
-
-glm::quat about_up(float radians) noexcept {
-    return {std::cos(0.5F * radians), 0.0F, std::sin(0.5F * radians), 0.0F};
 }
 
 float heading_of_bone(const WorldPose& world, Bone bone) noexcept {
@@ -55,7 +53,7 @@ float wrapped(float radians) noexcept {
 
 Aim between(const Aim& from, const Aim& to, float share) noexcept {
     return {from.heading + share * wrapped(to.heading - from.heading),
-            from.heed + share * (to.heed - from.heed)};
+            from.weight + share * (to.weight - from.weight)};
 }
 
 }  // namespace
@@ -63,27 +61,28 @@ Aim between(const Aim& from, const Aim& to, float share) noexcept {
 void look(const Skeleton& skeleton,
           StreamTime time,
           std::uint64_t seed,
-          const Heed& heed,
+          const LookChange& change,
           Pose& pose) noexcept RAKS_NONBLOCKING {
     const double cells = std::max(0.0, to_seconds(time.time_since_epoch()) / kLookSeconds);
     const auto cell = static_cast<std::uint64_t>(cells);
     const auto share = static_cast<float>((cells - static_cast<double>(cell)) / kTurnShare);
     const Aim next = between(
-        aim_of(cell, seed, heed.now), aim_of(cell + 1, seed, heed.now), smootherstep(share));
-    const Aim last = between(
-        aim_of(cell, seed, heed.before), aim_of(cell + 1, seed, heed.before), smootherstep(share));
-    const Aim aim = between(last, next, heed.share);
+        aim_of(cell, seed, change.now), aim_of(cell + 1, seed, change.now), smootherstep(share));
+    const Aim last = between(aim_of(cell, seed, change.before),
+                             aim_of(cell + 1, seed, change.before),
+                             smootherstep(share));
+    const Aim aim = between(last, next, change.share);
 
     const WorldPose world = world_pose(skeleton, pose);
     const float aside = wrapped(aim.heading - heading_of_bone(world, Bone::upper_chest));
     const float seen = 1.0F - smoothstep(kSurelySeen, kNeverSeen, std::abs(aside));
     const float missing = wrapped(aim.heading - heading_of_bone(world, Bone::head));
-    const float turn = aim.heed * seen * std::clamp(missing, -kFarthestTurn, kFarthestTurn);
+    const float turn = aim.weight * seen * std::clamp(missing, -kFarthestTurn, kFarthestTurn);
     // Half by the neck, half by the head, about the upright axis of the world.
     for (const Bone bone : {Bone::neck, Bone::head}) {
         const glm::quat parent =
             bone == Bone::neck ? world.rotation(Bone::upper_chest) : world.rotation(Bone::neck);
-        const glm::quat own = glm::conjugate(parent) * about_up(0.5F * turn) * parent;
+        const glm::quat own = glm::conjugate(parent) * turn_about_up(0.5F * turn) * parent;
         pose.rotation(bone) = glm::normalize(own * pose.rotation(bone));
     }
 }

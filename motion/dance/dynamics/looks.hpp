@@ -18,7 +18,7 @@ enum class LookFor : std::uint8_t {
 };
 
 /// What it was about before, and what it goes over to.
-struct Heed {
+struct LookChange {
     LookFor before = LookFor::dance;
     LookFor now = LookFor::dance;
     float share = 1.0F;  ///< [0, 1]: of the way from one to the other
@@ -30,7 +30,7 @@ struct Heed {
 void look(const Skeleton& skeleton,
           StreamTime time,
           std::uint64_t seed,
-          const Heed& heed,
+          const LookChange& change,
           Pose& pose) noexcept RAKS_NONBLOCKING;
 
 }  // namespace raks::motion

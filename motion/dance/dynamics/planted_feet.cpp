@@ -5,6 +5,7 @@
 
 #include "base/smooth_steps.hpp"
 #include "base/time.hpp"
+#include "motion/dance/body/floor_move.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -34,10 +35,6 @@ glm::vec2 floor_place(const glm::vec3& place) noexcept { return {place.x, place.
 float yaw_of(const glm::quat& rotation) noexcept {
     const glm::vec3 ahead = rotation * glm::vec3(0.0F, 0.0F, 1.0F);
     return std::atan2(ahead.x, ahead.z);
-}
-
-glm::quat about_y(float yaw) noexcept {
-    return {std::cos(0.5F * yaw), 0.0F, std::sin(0.5F * yaw), 0.0F};
 }
 
 glm::vec3 small_turn(glm::quat turn) noexcept {
@@ -76,7 +73,8 @@ void PlantedFeet::carry_over(const Skeleton& skeleton,
                      kHopSeconds;
         foot.yaw = nearer_turn(yaw_of(is.rotation) - yaw_of(shall.rotation));
         foot.height = is.pivot.y - shall.pivot.y;
-        foot.tilt = small_turn(is.rotation * glm::conjugate(about_y(foot.yaw) * shall.rotation));
+        foot.tilt =
+            small_turn(is.rotation * glm::conjugate(turn_about_up(foot.yaw) * shall.rotation));
         foot.place = floor_place(shall.pivot);
         foot.is_known = true;
         feet_[static_cast<std::size_t>(side)] = foot;
@@ -156,7 +154,7 @@ Pose PlantedFeet::with_lag(const Skeleton& skeleton,
         const Foot& foot = feet_[s];
         const FootPlace place = foot_place(skeleton, world, side);
         FootTarget& target = targets[s];
-        target.rotation = turned_by(foot.tilt) * about_y(foot.yaw) * place.rotation;
+        target.rotation = turned_by(foot.tilt) * turn_about_up(foot.yaw) * place.rotation;
         glm::vec3 pivot = place.pivot + glm::vec3(foot.away.x, foot.height, foot.away.y);
         if (foot.stepped > 0) {
             const float share =
