@@ -11,13 +11,14 @@ namespace raks::apps {
 
 /// Labelled motion to learn from: what the two commands on figures have in common.
 struct LabelledClips {
-    std::vector<Path> clips;      ///< BVH files, or one folder of them
+    std::vector<Path> clips;      ///< motion files, or one folder of them
     Path labels;                  ///< TSV
     Path counts;                  ///< TSV; empty: counts lie evenly between a label's start and end
     Path faults;                  ///< TSV of capture faults; empty: none
     std::string split;            ///< of the labels' splits, the one to use; empty: all labels
     double min_confidence = 0.9;  ///< [0, 1]; labels below it are not used
     double fps = 0.0;             ///< frames a second where the file is wrong; 0: the file's
+    Path skeleton;                ///< .asf of the clips that are .amc; empty: looked for
 };
 
 /// Arguments of `raks train figure`.

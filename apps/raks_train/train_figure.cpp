@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/clips/clip_reading.hpp"
 #include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/likelihoods.hpp"
 #include "apps/raks_train/tracked_counts.hpp"
@@ -65,9 +66,7 @@ motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
     }
     plan.split = clips.split;
     plan.min_confidence = clips.min_confidence;
-    if (clips.fps > 0.0) {
-        plan.frames_per_second = clips.fps;
-    }
+    plan.reading = clip_reading(clips.fps, clips.skeleton);
     return plan;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -54,8 +53,7 @@ void move_hips_joint(const MotionClip& motion,
 Expected<TrainingClip> load_clip(const fs::path& path,
                                  const ClipUnits& units,
                                  std::vector<std::string>& warnings) {
-    const Expected<MotionClip> motion =
-        read_bvh(path, {.frames_per_second = units.frames_per_second});
+    const Expected<MotionClip> motion = read_skeleton_motion(path, units.reading);
     if (!motion) {
         return fail(motion.error());
     }
@@ -67,15 +65,17 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     if (!mapping) {
         return fail(Error(mapping.error()).in(path.filename().string()));
     }
+    const std::optional<double> metres_per_unit =
+        units.metres_per_unit ? units.metres_per_unit : motion->metres_per_unit;
     // No floor height given: retarget estimates it from the toe tips.
     Expected<RetargetedClip> body =
         retarget(*motion,
                  mannequin_skeleton(),
-                 {.metres_per_unit = units.metres_per_unit, .floor_height = std::nullopt});
+                 {.metres_per_unit = metres_per_unit, .floor_height = std::nullopt});
     if (!body) {
         return fail(std::move(body.error()).in(path.filename().string()));
     }
-    if (!units.metres_per_unit) {
+    if (!metres_per_unit) {
         warnings.push_back(fmt::format("{}: its unit is taken for {:.4g} m, by the body's height",
                                        path.filename().string(),
                                        body->metres_per_unit));

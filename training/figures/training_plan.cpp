@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/file.hpp"
+#include "motion/skeleton/formats/motion_format.hpp"
 #include "training/figures/label_counts.hpp"
 #include "training/figures/repeat_features.hpp"
 #include "training/figures/training_clip.hpp"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr double kLongestBridge = 0.5;   ///< seconds of fault that may be bridged
 constexpr double kFastestDance = 260.0;  ///< BPM; above it the frame rate is likely wrong
 
-/// Take -> file: the clips named in the plan, or all *.bvh of a single folder.
+/// Take -> file: the clips named in the plan, or all clips of a single folder.
 Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& plan) {
     std::vector<fs::path> paths = plan.clips;
     std::error_code error;
@@ -31,13 +32,13 @@ Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& pla
             return fail(std::move(listed.error()));
         }
         paths = std::move(*listed);
-        std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".bvh"; });
+        std::erase_if(paths, [](const fs::path& path) { return !is_clip_name(path); });
         if (paths.empty()) {
-            return fail(folder.string() + ": holds no .bvh file");
+            return fail(folder.string() + ": holds no clip (.bvh, .amc, .glb, ...)");
         }
     }
     if (paths.empty()) {
-        return fail("no clips given; name BVH files or their folder");
+        return fail("no clips given; name motion files or their folder");
     }
     std::map<std::string, fs::path> files;
     // A later file of the same name replaces an earlier one.
@@ -220,15 +221,15 @@ class Collector {
         }
         const auto file = files_.find(label.take);
         if (file == files_.end()) {
-            return fail(fmt::format("{}: line {}: no clip named {}.bvh was given",
+            return fail(fmt::format("{}: line {}: no clip named {} was given",
                                     plan_.labels.filename().string(),
                                     label.line,
                                     label.take));
         }
-        Expected<TrainingClip> clip = load_clip(file->second,
-                                                {.frames_per_second = plan_.frames_per_second,
-                                                 .metres_per_unit = plan_.metres_per_unit},
-                                                material_.warnings);
+        Expected<TrainingClip> clip =
+            load_clip(file->second,
+                      {.reading = plan_.reading, .metres_per_unit = plan_.metres_per_unit},
+                      material_.warnings);
         if (!clip) {
             return fail(std::move(clip.error()));
         }

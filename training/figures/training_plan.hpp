@@ -10,6 +10,7 @@
 #include "base/expected.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/label_tables.hpp"
+#include "motion/skeleton/formats/motion_file.hpp"
 #include "training/figures/figure_trainer.hpp"
 #include "training/figures/label_counts.hpp"
 
@@ -18,7 +19,7 @@ namespace raks::motion {
 
 /// Which files, which labels and how to learn from them.
 struct FigureTrainingPlan {
-    std::vector<std::filesystem::path> clips;  ///< BVH; or one folder: all its *.bvh
+    std::vector<std::filesystem::path> clips;  ///< or one folder: all clips in it
     std::filesystem::path labels;              ///< table of labelled repetitions (label_tables.hpp)
     /// Table of counts; none: counts lie evenly between a label's start and end.
     std::optional<std::filesystem::path> counts;
@@ -36,7 +37,7 @@ struct FigureTrainingPlan {
     /// repeats.)
     double min_confidence = 0.9;
 
-    std::optional<double> frames_per_second;           ///< instead of the file's
+    MotionReadOptions reading;                         ///< of the clips; with another rate
     std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM
