@@ -318,8 +318,8 @@ class NameMapper {
                 joints.push_back(one.node);
             }
         }
-        // Of a thumb with two joints the metacarpal is what is not there.
-        const std::size_t skipped = finger == 0 && joints.size() == 2 ? 1 : 0;
+        // Of a thumb with less than three joints the metacarpal is what is not there.
+        const std::size_t skipped = finger == 0 && joints.size() < 3 ? 1 : 0;
         const auto base = index_of(on_side(Bone::left_thumb_metacarpal, side)) + 3 * finger;
         for (std::size_t j = 0; j < joints.size(); ++j) {
             set(static_cast<Bone>(base + j + skipped), joints[j]);

@@ -28,7 +28,15 @@ struct JointSearch {
     std::optional<Error> refusal;  ///< why this is no body; none: it is one
 };
 
-/// Looks for the joints of a body. A body needs hips, and upper, lower and last bone of each limb.
+/// Looks for the joints of a body. Three kinds of evidence are weighed:
+/// - labels, where a person said so: always right;
+/// - names (bones_by_name.hpp), checked against the tree;
+/// - tree and motion (bones_by_shape.hpp), for what names leave open or where there are none.
+/// Whatever it is called, the trunk is counted in its chain from hips to arms: its first joint that
+/// bends is the spine, the last the upper chest (the chest of two), the middle one the chest. A
+/// left that lies on the right, as feet point and knees bend, is swapped, and a note says so.
+/// No axis, unit or rest pose is taken for granted. A body needs hips, and upper, lower and last
+/// bone of each limb; refused are also two people in one clip and what goes on four legs.
 /// Errors: labels that name no joint of the clip, two joints of one name, or a child above its
 /// parent. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<JointSearch> search_joints(const MotionClip& clip,
@@ -41,9 +49,5 @@ struct JointSearch {
 
 /// Exchanges left and right: mapping, reasons and confidence.
 void swap_sides(FoundJoints& found);
-
-/// A joint map of what was found, to be mended by hand: bones that are missing stand in it with an
-/// empty name, the joints of the clip in comments below. TOML text that read_joint_map reads.
-[[nodiscard]] std::string joint_map_text(const MotionClip& clip, const FoundJoints& found);
 
 }  // namespace raks::motion
