@@ -143,8 +143,8 @@ ClipFigure PointFigures::at(std::size_t frame) const {
     ClipFigure figure;
     StickBuilder builder(figure.shape, 0, StickPart::middle);
     builder.set_tint(1.0F);
-    // Smaller than a joint: there may be many.
-    const float radius = 0.6F * kStickJointRadius * size_;
+    // Smaller than a joint where there are many.
+    const float radius = (clip_->names.size() < 100 ? 0.9F : 0.6F) * kStickJointRadius * size_;
     glm::dvec3 sum(0.0);
     double count = 0.0;
     for (std::size_t point = 0; point < clip_->names.size(); ++point) {
