@@ -9,8 +9,17 @@ void add_train_figure(CommandTable& table) {
         table.add(table.app(), "figure", "learn a dance figure from motion", train_figure);
     app->add_option("clips", a->clips, "motion files, a folder of them, or a written X.toml")
         ->required();
-    // Not required here, since a written dance has no labels; train_figure() asks for them.
-    app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    // Not required: a written dance has no labels, and repeats are found where nobody labelled
+    // them.
+    auto* labels =
+        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    auto* propose =
+        app->add_option("--propose", a->propose, "X.tsv: only find repeats; X.html shows them");
+    app->add_option("--beats", a->beats, "of one repeat, where there are no labels")
+        ->check(in_range(1, 64));
+    app->add_flag("--once", a->once, "the clip is one phrase, which does not repeat")
+        ->excludes(labels)
+        ->excludes(propose);
     auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
     auto* music = app->add_option("--music", a->music, "music danced to: its beats are the counts");
     // Counts come from a table or from the music's beats, never from both.
