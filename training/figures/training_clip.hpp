@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/skeleton/body/joint_labels.hpp"
 #include "training/figures/figure_trainer.hpp"
 
 namespace raks::motion {
@@ -14,6 +15,7 @@ namespace raks::motion {
 struct ClipUnits {
     std::optional<double> frames_per_second;  ///< instead of the file's
     std::optional<double> metres_per_unit;    ///< none: guessed from the body's height
+    JointLabels joints{};                     ///< which joint is which bone, as a person said
 };
 
 /// Reads a BVH file as motion of the built-in skeleton; the clip's name is the file's. The first
