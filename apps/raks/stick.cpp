@@ -135,6 +135,11 @@ ExitCode stick(const StickArguments& arguments) {
         return fail(clip.error());
     }
     const std::string name = arguments.input.string();
+    // Frames count from 0.
+    if (arguments.frame && *arguments.frame >= clip->frame_count) {
+        return fail(fmt::format(
+            "{}: has no frame {}, its last is {}", name, *arguments.frame, clip->frame_count - 1));
+    }
     if (auto found = look_for_joints(arguments, *clip); !found) {
         return fail(found.error());
     }
@@ -143,11 +148,6 @@ ExitCode stick(const StickArguments& arguments) {
             return fail(written.error());
         }
         return kExitDone;
-    }
-    // Frames count from 0.
-    if (arguments.frame && *arguments.frame >= clip->frame_count) {
-        return fail(fmt::format(
-            "{}: has no frame {}, its last is {}", name, *arguments.frame, clip->frame_count - 1));
     }
     const auto figures = render::ClipFigures::create(*clip, scale_of(*clip, arguments));
     if (!figures) {
