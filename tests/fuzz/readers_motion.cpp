@@ -7,7 +7,7 @@
 
 #include "motion/skeleton/body/joint_finder.hpp"
 #include "motion/skeleton/body/joint_report.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 #include "motion/skeleton/pose.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "motion/skeleton/body/joint_finder.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
