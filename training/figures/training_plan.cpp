@@ -231,10 +231,11 @@ class Collector {
                                     label.line,
                                     label.take));
         }
-        Expected<TrainingClip> clip =
-            load_clip(file->second,
-                      {.reading = plan_.reading, .metres_per_unit = plan_.metres_per_unit},
-                      material_.warnings);
+        Expected<TrainingClip> clip = load_clip(file->second,
+                                                {.reading = plan_.reading,
+                                                 .metres_per_unit = plan_.metres_per_unit,
+                                                 .joints = plan_.joints},
+                                                material_.warnings);
         if (!clip) {
             return fail(std::move(clip.error()));
         }

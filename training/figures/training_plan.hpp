@@ -41,6 +41,7 @@ struct FigureTrainingPlan {
 
     MotionReadOptions reading;                         ///< of the clips; with another rate
     std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
+    JointLabels joints{};                              ///< which joint of the clips is which bone
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM
     int baum_welch_iterations = 0;                     ///< rounds; see FigureTrainingOptions
