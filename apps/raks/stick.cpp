@@ -9,6 +9,7 @@
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
+#include "apps/raks/stick_joints.hpp"
 #include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
@@ -184,15 +185,28 @@ Expected<void> check_frame(const StickArguments& arguments, const Clip& clip) {
 }
 
 // A skeleton as a stick figure.
-Expected<void> show_recording(const StickArguments& arguments, const motion::MotionClip& clip) {
+Expected<void> show_recording(const StickArguments& arguments, motion::MotionClip& clip) {
+    if (auto found = look_for_joints(arguments, clip); !found) {
+        return found;
+    }
+    if (!arguments.joints_output.empty()) {
+        return write_joints(arguments, clip);
+    }
     const auto figures = render::ClipFigures::create(clip, scale_of(clip, arguments));
     if (!figures) {
         return fail(arguments.input.string() + ": " + figures.error().message);
     }
     return show(arguments, clip, *figures);
 }
+
 // Points as they are.
 Expected<void> show_recording(const StickArguments& arguments, const motion::PointClip& clip) {
+    if (!arguments.joints_output.empty() || !arguments.joints.empty() ||
+        !arguments.joint_map.empty()) {
+        return fail(arguments.input.string() +
+                    ": holds points, which have no joints; leave --joint, --joints and "
+                    "--write-joints out");
+    }
     const auto figures = render::PointFigures::create(clip, frame_of(clip, arguments));
     if (!figures) {
         return fail(arguments.input.string() + ": " + figures.error().message);
@@ -211,12 +225,12 @@ ExitCode stick(const StickArguments& arguments) {
     if (motion::lower(arguments.input.extension().string()) == ".toml") {
         return stick_dance(arguments);
     }
-    const auto file = read_file_of(arguments);
+    auto file = read_file_of(arguments);
     if (!file) {
         return fail(file.error());
     }
     const auto shown = std::visit(
-        [&](const auto& clip) {
+        [&](auto& clip) {
             auto checked = check_frame(arguments, clip);
             return checked ? show_recording(arguments, clip) : checked;
         },

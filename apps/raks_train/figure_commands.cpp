@@ -9,8 +9,17 @@ void add_train_figure(CommandTable& table) {
         table.add(table.app(), "figure", "learn a dance figure from motion", train_figure);
     app->add_option("clips", a->clips, "motion files, a folder of them, or a written X.toml")
         ->required();
-    // Not required here, since a written dance has no labels; train_figure() asks for them.
-    app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    // Not required: a written dance has no labels, and repeats are found where nobody labelled
+    // them.
+    auto* labels =
+        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    auto* propose =
+        app->add_option("--propose", a->propose, "X.tsv: only find repeats; X.html shows them");
+    app->add_option("--beats", a->beats, "of one repeat, where there are no labels")
+        ->check(in_range(1, 64));
+    app->add_flag("--once", a->once, "the clip is one phrase, which does not repeat")
+        ->excludes(labels)
+        ->excludes(propose);
     auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
     auto* music = app->add_option("--music", a->music, "music danced to: its beats are the counts");
     // Counts come from a table or from the music's beats, never from both.
@@ -39,6 +48,9 @@ void add_train_figure(CommandTable& table) {
     // From a tenth of a millimetre to 10 m: the units of motion files differ that much.
     app->add_option("--scale", a->scale, "metres per unit of the file")
         ->check(in_range(1e-4, 10.0));
+    app->add_option("--joint", a->joints, "BONE=JOINT of the clips; one each time")
+        ->allow_extra_args(false);
+    app->add_option("--joints", a->joint_map, "X.toml: which joint of the clips is which bone");
     // 0, the default, cannot be given: it stands for the number that suits the material.
     app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
     app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));

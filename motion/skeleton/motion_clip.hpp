@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "motion/skeleton/body/joint_labels.hpp"
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
@@ -30,6 +32,7 @@ struct MotionClip {
     std::optional<double> metres_per_unit;  ///< where the format or the file says it; > 0
     std::optional<glm::dvec3> up;           ///< where the format or the file says it; unit length
     std::vector<std::string> warnings;      ///< one line each, without the file's name
+    JointLabels labels;  ///< which joint is which bone, where a person said so; no reader sets it
 
     /// Local rotation of a joint at a frame.
     [[nodiscard]] const glm::dquat& rotation(std::size_t frame, std::size_t joint) const noexcept {

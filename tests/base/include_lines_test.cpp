@@ -78,6 +78,8 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"training/genre",
      {"base", "models", "audio", "audio/**", "training/beat", "training/hmm", "training/networks"}},
     {"training/figures", {"base", "models", "motion", "motion/**", "training/hmm"}},
+    {"training/discovery",
+     {"base", "models", "motion", "motion/**", "training/figures", "training/hmm"}},
 
     {"engine/decode", {"base", "audio/io"}},
     {"engine/setup", {"base", "audio", "audio/**", "motion", "motion/**"}},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/skeleton/body/joint_labels.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "training/figures/figure_trainer.hpp"
 
@@ -15,6 +16,7 @@ namespace raks::motion {
 struct ClipUnits {
     MotionReadOptions reading = {};         ///< with the rate, instead of the file's
     std::optional<double> metres_per_unit;  ///< none: the file's, or guessed from the body's height
+    JointLabels joints{};                   ///< which joint is which bone, as a person said
 };
 
 /// Reads a motion file of any format with a skeleton as motion of the built-in skeleton; the clip's

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ namespace raks::motion {
 struct FigureTrainingPlan {
     std::vector<std::filesystem::path> clips;  ///< or one folder: all clips in it
     std::filesystem::path labels;              ///< table of labelled repetitions (label_tables.hpp)
+    std::vector<FigureLabel> found;  ///< labels that no table holds; used without `labels`
     /// Table of counts; none: counts lie evenly between a label's start and end.
     std::optional<std::filesystem::path> counts;
     /// Takes counts from these beats instead; labels then need not give a number of beats.
@@ -39,6 +41,7 @@ struct FigureTrainingPlan {
 
     MotionReadOptions reading;                         ///< of the clips; with another rate
     std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
+    JointLabels joints{};                              ///< which joint of the clips is which bone
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM
     int baum_welch_iterations = 0;                     ///< rounds; see FigureTrainingOptions
@@ -59,6 +62,12 @@ struct FigureTrainingReport {
     std::vector<RepeatUse> repeats;          ///< all labels of the figure, role and split
     std::vector<std::string> warnings;       ///< for people, one line each
 };
+
+/// The clips of a plan by take, which is the file's name without extension: the files named, or all
+/// *.bvh of one folder. A later file of the same name replaces an earlier one. Errors: none named,
+/// a folder without clips, or one that cannot be read.
+[[nodiscard]] Expected<std::map<std::string, std::filesystem::path>> clips_by_take(
+    const FigureTrainingPlan& plan);
 
 /// Training data of a plan: its motion and repeats.
 struct TrainingMaterial {
