@@ -145,7 +145,7 @@ bool read_smpl(const Expected<motion::NpzContent>& content) {
         must_be_one_line(content.error().message);
         return false;
     }
-    return is_read(motion::smpl_clip(*content, {}));
+    return is_read(motion::smpl_clip(*content, std::nullopt));
 }
 
 }  // namespace

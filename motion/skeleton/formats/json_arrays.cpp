@@ -14,7 +14,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kMostDimensions = 8;
+constexpr std::size_t kMostNesting = 8;
 
 // Takes the parser's events: no document is built, as it would take many times the text's memory.
 class ArrayTaker : public nlohmann::json_sax<nlohmann::json> {
@@ -98,7 +98,7 @@ class ArrayTaker : public nlohmann::json_sax<nlohmann::json> {
         if (!is_array) {
             return fault("holds an object, not numbers");
         }
-        if (counts_.size() == kMostDimensions) {
+        if (counts_.size() == kMostNesting) {
             return fault("is nested too deeply");
         }
         // An array after numbers in the same one has no shape.

@@ -41,7 +41,7 @@ Expected<MotionFile> read_smpl(Expected<NpzContent> arrays,
     if (!arrays) {
         return fail(std::move(arrays.error()).in(name));
     }
-    auto clip = smpl_clip(*arrays, options);
+    auto clip = smpl_clip(*arrays, options.frames_per_second);
     if (!clip) {
         return fail(std::move(clip.error()).in(name));
     }

@@ -36,8 +36,6 @@ struct MotionReadOptions {
     std::optional<double> frames_per_second = {};
     /// ASF of an AMC; empty: looked for beside it (find_asf).
     std::filesystem::path skeleton = {};
-    /// Metres, of a body whose file holds turns but no lengths (SMPL); none: the model's mean body.
-    std::optional<double> height = {};
     /// Models are read by a room that this one does not know (render/import): whoever does, hands
     /// its reader in. Empty: models are refused.
     ModelMotionReader read_model = {};

@@ -18,7 +18,7 @@ namespace raks::motion {
 namespace {
 
 constexpr std::size_t kBodyJoints = 22;  // that SMPL-H and SMPL-X have of the body
-constexpr std::size_t kLargestScaling = 1e6;
+constexpr double kLargestScaling = 1e6;
 constexpr double kLargestTurn = 1e3;     // radians; beyond it a file is damaged
 constexpr std::size_t kNamesShown = 12;  // arrays of a file in a message
 
@@ -88,8 +88,8 @@ glm::dquat rotation_of(const glm::dvec3& turn) {
 
 class SmplReader {
  public:
-    SmplReader(const NpzContent& content, const MotionReadOptions& options)
-        : content_(content), arrays_(content.arrays), options_(options) {}
+    SmplReader(const NpzContent& content, std::optional<double> rate)
+        : content_(content), arrays_(content.arrays), rate_(rate) {}
 
     Expected<MotionClip> read() {
         for (const auto step : {&SmplReader::find_turns,
@@ -168,8 +168,8 @@ class SmplReader {
     Expected<void> find_rate() {
         const FoundArray rate = first_of(
             arrays_, {"mocap_framerate", "mocap_frame_rate", "fps", "framerate", "frame_rate"});
-        if (options_.frames_per_second) {
-            clip_.frames_per_second = *options_.frames_per_second;
+        if (rate_) {
+            clip_.frames_per_second = *rate_;
             return {};
         }
         if (rate.array == nullptr) {
@@ -236,30 +236,27 @@ class SmplReader {
 
     void build_skeleton() {
         clip_.metres_per_unit = 1.0;
-        const double scale = options_.height.value_or(kSmplHeight) / kSmplHeight;
         for (std::size_t j = 0; j < joints_; ++j) {
             const SmplJoint& joint = smpl_joints()[j];
             clip_.joints.push_back(
-                {std::string(joint.name), joint.parent, scale * joint.offset, std::nullopt});
+                {std::string(joint.name), joint.parent, joint.offset, std::nullopt});
         }
-        clip_.joints[kHeadJoint].end_site = scale * kCrown;
-        clip_.joints[kLeftToes].end_site = clip_.joints[kRightToes].end_site = scale * kToeTip;
+        clip_.joints[kHeadJoint].end_site = kCrown;
+        clip_.joints[kLeftToes].end_site = clip_.joints[kRightToes].end_site = kToeTip;
         // Without joints for the hands their bases are tips.
         for (std::size_t hand = joints_; hand < smpl_joints().size(); ++hand) {
-            clip_.joints[smpl_joints()[hand].parent].end_site = scale * smpl_joints()[hand].offset;
+            clip_.joints[smpl_joints()[hand].parent].end_site = smpl_joints()[hand].offset;
         }
     }
 
     void fill_frames() {
         clip_.rotations.reserve(clip_.frame_count * joints_);
         clip_.positions.reserve(clip_.frame_count * joints_);
-        // The body of a person is scaled with its way.
-        const double way = options_.height.value_or(kSmplHeight) / kSmplHeight / scaling_;
         for (std::size_t frame = 0; frame < clip_.frame_count; ++frame) {
             for (std::size_t j = 0; j < joints_; ++j) {
                 clip_.rotations.push_back(rotation_of(turn(frame, j)));
                 clip_.positions.push_back(j == 0 && way_.array != nullptr
-                                              ? way * vector_at(*way_.array, frame)
+                                              ? vector_at(*way_.array, frame) / scaling_
                                               : clip_.joints[j].offset);
             }
         }
@@ -288,13 +285,13 @@ class SmplReader {
             content_.names.end()) {
             clip_.warnings.push_back(
                 fmt::format("the person's own shape (betas) is left out: a mean body of {:.4g} m",
-                            options_.height.value_or(kSmplHeight)));
+                            kSmplHeight));
         }
     }
 
     const NpzContent& content_;
     const NumberArrays& arrays_;
-    const MotionReadOptions& options_;
+    std::optional<double> rate_;
     FoundArray body_;
     FoundArray root_;          // null: the body's array begins with it
     FoundArray way_;           // of the root; null: none
@@ -336,8 +333,8 @@ const std::array<SmplJoint, 24>& smpl_joints() noexcept {
     return kJoints;
 }
 
-Expected<MotionClip> smpl_clip(const NpzContent& content, const MotionReadOptions& options) {
-    return SmplReader(content, options).read();
+Expected<MotionClip> smpl_clip(const NpzContent& content, std::optional<double> frames_per_second) {
+    return SmplReader(content, frames_per_second).read();
 }
 
 }  // namespace raks::motion

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "base/expected.hpp"
-#include "motion/skeleton/formats/motion_file.hpp"
 #include "motion/skeleton/formats/npz.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 
@@ -50,15 +50,14 @@ inline constexpr std::array<std::string_view, 17> kSmplArrays = {"poses",
 /// The motion in such arrays, as AMASS (SMPL, SMPL-H, SMPL-X), AIST++ and EDGE name and shape them:
 /// frames x joints x 3 (or frames x 3 joints), axis times angle in radians. 22 to 24 joints, or 52
 /// or 55, of which the fingers' and the face's are left out (warned). Joints rest in the T-pose of
-/// the mean body, which is `options.height` tall; the betas of a person are passed over, said in a
-/// warning. The translation is put at the pelvis: a constant way of some centimetres from SMPL's
-/// own origin is left out. It is divided by `smpl_scaling`, as AIST++ means it.
+/// the mean body; the betas of a person are passed over, said in a warning. The translation is put
+/// at the pelvis: a constant way of some centimetres from SMPL's own origin is left out. It is
+/// divided by `smpl_scaling`, as AIST++ means it. Without a frame rate 60 a second are taken of
+/// AIST++, else 30 (warned); a given one overrides.
 ///
-/// Without a frame rate 60 a second are taken of AIST++, else 30 (warned).
 /// Errors, without the file's name: no poses (the arrays that are there), other shapes (with the
-/// shape), numbers that are not finite or too large. Threads: workers. Real-time:
-/// no.
+/// shape), numbers that are not finite or too large. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<MotionClip> smpl_clip(const NpzContent& content,
-                                             const MotionReadOptions& options);
+                                             std::optional<double> frames_per_second);
 
 }  // namespace raks::motion
