@@ -228,13 +228,17 @@ struct SheetArguments {
 /// Arguments of `raks stick`.
 struct StickArguments {
     engine::Settings settings;         ///< of the files and the options
-    Path input;                        ///< .bvh, or a written dance (.toml)
+    Path input;                        ///< a motion file, or a written dance (.toml)
+    Path skeleton;                     ///< .asf of an .amc; empty: looked for beside it
     Path output;                       ///< .png: front and side views; empty: a window
     std::string figure;                ///< of a written dance; empty: all
     double bpm = 0.0;                  ///< to dance it at; 0: as it is written
     double fps = 0.0;                  ///< frames a second of the clip; 0: the file's
     double scale = 0.0;                ///< metres per unit; 0: guessed
     std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
+    Path joint_map;                    ///< which joint is which bone; empty: none
+    std::vector<std::string> joints;   ///< the same, line by line: "leftUpperArm=bip_l_arm"
+    Path joints_output;                ///< a joint map to write instead of a picture; empty: none
 };
 /// Plays a motion clip's own skeleton as a stick figure; without a display draws a sheet.
 [[nodiscard]] ExitCode stick(const StickArguments& arguments);

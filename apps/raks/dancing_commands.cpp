@@ -7,7 +7,7 @@ namespace raks::apps {
 namespace {
 
 constexpr const char* kMotionHelp =
-    "clip to perform instead of a dance: X.vrma, X.bvh, X.glb, or X.glb#NAME of several";
+    "clip to perform instead of a dance: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...";
 
 // Several commands have it; the names are checked with the settings.
 void add_formation_option(CLI::App& app, engine::Settings& settings) {
@@ -184,12 +184,13 @@ void add_sheet(RaksCommands& table) {
 
 void add_stick(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "stick", "play a motion clip as a stick figure", stick);
-    app->add_option("file", a->input, "X.bvh, or a written dance X.toml")->required();
+    app->add_option("file", a->input, "a motion file, or a written dance X.toml")->required();
     app->add_option("-o,--out", a->output, "X.png: front and side views, no window");
     app->add_option("--figure", a->figure, "figure of the dance");
     app->add_option("--tempo", a->bpm, "BPM to dance it at")->check(in_range(30.0, 300.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
+    app->add_option("--skeleton", a->skeleton, "X.asf of a clip that is .amc");
     app->add_option("--scale", a->scale, "metres per unit of the file")
         ->check(in_range(1e-4, 10.0));
     app->add_option_function<std::int64_t>(
@@ -200,6 +201,10 @@ void add_stick(RaksCommands& table) {
            "stand at this frame; with -o draw it alone")
         // As a whole number with a sign: a negative frame is refused instead of wrapped around.
         ->check(in_range<std::int64_t>(0, 1'000'000'000));
+    app->add_option("--joint", a->joints, "BONE=JOINT of the clip; one each time")
+        ->allow_extra_args(false);
+    app->add_option("--joints", a->joint_map, "X.toml: which joint of the clip is which bone");
+    app->add_option("--write-joints", a->joints_output, "X.toml: write what is found, to mend it");
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
     app->add_option("--size", a->settings.size, "of the window, such as 1280x720");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");

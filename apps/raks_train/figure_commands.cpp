@@ -7,7 +7,7 @@ namespace raks::apps {
 void add_train_figure(CommandTable& table) {
     auto [app, a] =
         table.add(table.app(), "figure", "learn a dance figure from motion", train_figure);
-    app->add_option("clips", a->clips, "BVH files, a folder of them, or a written X.toml")
+    app->add_option("clips", a->clips, "motion files, a folder of them, or a written X.toml")
         ->required();
     // Not required: a written dance has no labels, and repeats are found where nobody labelled
     // them.
@@ -44,9 +44,13 @@ void add_train_figure(CommandTable& table) {
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
+    app->add_option("--skeleton", a->skeleton, "X.asf of clips that are .amc");
     // From a tenth of a millimetre to 10 m: the units of motion files differ that much.
     app->add_option("--scale", a->scale, "metres per unit of the file")
         ->check(in_range(1e-4, 10.0));
+    app->add_option("--joint", a->joints, "BONE=JOINT of the clips; one each time")
+        ->allow_extra_args(false);
+    app->add_option("--joints", a->joint_map, "X.toml: which joint of the clips is which bone");
     // 0, the default, cannot be given: it stands for the number that suits the material.
     app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
     app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
@@ -71,7 +75,7 @@ void add_train_figure(CommandTable& table) {
 
 void add_train_report(CommandTable& table) {
     auto [app, a] = table.add(table.app(), "report", "show how figures are learnt", train_report);
-    app->add_option("clips", a->clips, "BVH files, or a folder of them")->required();
+    app->add_option("clips", a->clips, "motion files, or a folder of them")->required();
     app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")->required();
     app->add_option("--counts", a->counts, "TSV: when each count falls");
     app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
@@ -93,6 +97,7 @@ void add_train_report(CommandTable& table) {
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
+    app->add_option("--skeleton", a->skeleton, "X.asf of clips that are .amc");
     // One scale for both dancers, or the lead's and the follow's.
     app->add_option("--scale", a->scales, "metres per unit of the file: lead's, follow's")
         ->expected(1, 2)

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "apps/clips/clip_reading.hpp"
 #include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/found_repeats.hpp"
 #include "apps/raks_train/likelihoods.hpp"
@@ -66,9 +68,7 @@ motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
     }
     plan.split = clips.split;
     plan.min_confidence = clips.min_confidence;
-    if (clips.fps > 0.0) {
-        plan.frames_per_second = clips.fps;
-    }
+    plan.reading = clip_reading(clips.fps, clips.skeleton);
     return plan;
 }
 
@@ -218,6 +218,11 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
             return fail(why_no_plain_name(*name));
         }
     }
+    auto joints = motion::joint_labels(arguments.joint_map, arguments.joints);
+    if (!joints) {
+        return fail(std::move(joints.error()));
+    }
+    plan.joints = std::move(*joints);
     if (!arguments.music.empty()) {
         if (auto taken = take_counts(arguments, plan); !taken) {
             return fail(std::move(taken.error()));

@@ -23,12 +23,22 @@ struct ClipFigure {
     motion::WorldPose landmarks;
 };
 
+/// What is drawn of a recording, frame by frame.
+class RecordedFigures {
+ public:
+    virtual ~RecordedFigures() = default;
+    /// Its height divided by the mannequin's: the factor for a camera's distance.
+    [[nodiscard]] virtual float size() const noexcept = 0;
+    /// The figure at a frame of the recording; `frame` < its frame count.
+    [[nodiscard]] virtual ClipFigure at(std::size_t frame) const = 0;
+};
+
 /// The stick figure of a clip's own skeleton, of whatever shape: nothing is retargeted. Feet on the
 /// floor (y = 0 at the 5th percentile of the lowest joint's height), the middle of the root's way
 /// at the stage's centre. Joints whose rest place is left or right of the middle have that side's
 /// colour; the head is an egg with a nose where one is known by name. Threads: any (immutable).
 /// Real-time: no.
-class ClipFigures {
+class ClipFigures final : public RecordedFigures {
  public:
     /// The most joints that are drawn.
     static constexpr std::size_t kMaxJoints =
@@ -38,11 +48,8 @@ class ClipFigures {
     [[nodiscard]] static Expected<ClipFigures> create(const motion::MotionClip& clip,
                                                       double metres_per_unit);
 
-    /// Height of the body divided by the mannequin's: the factor for a camera's distance.
-    [[nodiscard]] float size() const noexcept { return size_; }
-
-    /// The figure at a frame of the clip; `frame` < the clip's frame count.
-    [[nodiscard]] ClipFigure at(std::size_t frame) const;
+    [[nodiscard]] float size() const noexcept override { return size_; }
+    [[nodiscard]] ClipFigure at(std::size_t frame) const override;
 
  private:
     explicit ClipFigures(const motion::MotionClip& clip) : clip_(&clip) {}

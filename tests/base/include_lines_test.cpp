@@ -101,6 +101,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "engine/offline"}},
 
     {"apps/terminal", {"base"}},
+    {"apps/clips", {"base", "motion/skeleton", "motion/skeleton/formats", "render/import"}},
     {"apps/dances",
      {"base", "motion", "motion/**", "engine/setup", "training/figures", "training/hmm"}},
     {"apps/reports",
@@ -124,6 +125,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "render/**",
       "engine/**",
       "training/hmm",
+      "apps/clips",
       "apps/dances",
       "apps/terminal",
       "apps/reports"}},
@@ -137,6 +139,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "engine/setup",
       "engine/offline",
       "training/**",
+      "apps/clips",
       "apps/dances",
       "apps/terminal",
       "apps/reports"}},

@@ -24,10 +24,36 @@ TEST_F(Stick, draws_front_and_side_of_the_whole_clip) {
     const ProcessResult result =
         run({"stick", clip("odd/plain.bvh"), "-o", path("sheet.png"), "--scale", "0.01"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.err, "");
+    EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find("plain.bvh: drawn as it is: no humanoid: legs, arms not found"),
+              std::string::npos)
+        << result.err;
     EXPECT_EQ(result.out,
               path("sheet.png") + ": front and side of frames 0 1 2 3 4 5 6 7 8 9 10 11\n");
     EXPECT_EQ(picture("sheet.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Stick, writes_a_map_of_joints_that_it_reads_again) {
+    ASSERT_EQ(run({"synth", "-o", path("song.wav"), "--duration", "2"}).exit_code, 0);
+    ASSERT_EQ(run({"dance", path("song.wav"), "-o", path("danced.bvh")}).exit_code, 0);
+    const ProcessResult written =
+        run({"stick", path("danced.bvh"), "--write-joints", path("map.toml"), "--scale", "1"});
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_EQ(written.out,
+              path("map.toml") + ": which joint is which bone; mend it and give it to --joints\n");
+    const auto look = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {
+            "stick", path("danced.bvh"), "--write-joints", path("again.toml"), "--scale", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    ASSERT_EQ(look({"--joints", path("map.toml")}).exit_code, 0);
+    EXPECT_EQ(picture("again.toml"), picture("map.toml"));
+    const ProcessResult wrong =
+        look({"--joints", path("map.toml"), "--joint", "head=leftHnd", "--joint", "hips=hips"});
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_TRUE(is_one_error_line(wrong.err)) << wrong.err;
+    EXPECT_NE(wrong.err.find("did you mean \"leftHand\"?"), std::string::npos) << wrong.err;
 }
 
 TEST_F(Stick, draws_one_frame_large_at_the_size_asked_for) {
@@ -90,7 +116,7 @@ TEST_F(Stick, refuses_in_one_line_what_is_no_clip) {
     ASSERT_TRUE(write_file(folder_ / "clip.fbx", "FBX"));
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{path("none.bvh")}, "none.bvh"},
-        {{path("clip.fbx")}, "cannot read this kind of motion; known: .bvh, .toml"},
+        {{path("clip.fbx")}, "is no motion file of a known kind; known: BVH, "},
         {{clip("odd/plain.bvh"), "--frame", "12"}, "has no frame 12, its last is 11"},
         {{clip("odd/plain.bvh"), "-o", path("x.jpg")}, "cannot write this kind of picture"},
         {{clip("bad/frame_time_zero.bvh")}, "give the rate with --fps"},
@@ -132,6 +158,48 @@ TEST_F(Stick, draws_what_is_odd_whether_humanoid_or_not) {
                                           "0"});
         EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
     }
+}
+
+TEST_F(Stick, draws_skeletons_and_points_of_other_formats) {
+    const fs::path tests = fs::path(RAKS_SOURCE_DIR) / "tests";
+    // A skeleton and its motion lie in one file of the fuzzer's.
+    const std::string both = read_file(tests / "fuzz/corpus/acclaim/two_bones.txt").value();
+    const std::size_t cut = both.find("%%\n");
+    ASSERT_TRUE(write_file(folder_ / "x.asf", both.substr(0, cut)));
+    ASSERT_TRUE(write_file(folder_ / "y.amc", both.substr(cut + 3)));
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{path("y.amc"), "--skeleton", path("x.asf")},
+         "says no frame rate: 120 a second are taken (--fps sets it)"},
+        {{(tests / "fuzz/corpus/smpl_npz/amass.npz").string()}, ""},
+        {{(tests / "fuzz/corpus/c3d/intel_float.c3d").string()},
+         "1 of its points are angles, forces or the like and left out"},
+        {{(tests / "data/avatars/kenney_character.glb#walk").string()}, ""},
+    };
+    for (const auto& [arguments, part] : cases) {
+        std::vector<std::string> command = {"stick", "--frame", "1", "-o", path("x.png")};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        const ProcessResult result = run(command);
+        EXPECT_EQ(result.exit_code, 0) << arguments[0] << ": " << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        EXPECT_EQ(picture("x.png").substr(1, 3), "PNG");
+        fs::remove(path("x.png"));
+    }
+    // Points cannot be learnt from.
+    ASSERT_TRUE(write_file(folder_ / "labels.tsv",
+                           "take\trole\tstart\tend\tfigure\tbeats\tconfidence\tsplit\n"
+                           "two\tlead\t0\t2\tbasic\t8\t1\ttrain\n"));
+    const ProcessResult points = run({"train",
+                                      "figure",
+                                      (tests / "fuzz/corpus/trc/two.trc").string(),
+                                      "--labels",
+                                      path("labels.tsv"),
+                                      "-o",
+                                      path("x.json")});
+    EXPECT_EQ(points.exit_code, 1);
+    EXPECT_TRUE(is_one_error_line(points.err)) << points.err;
+    EXPECT_NE(points.err.find("holds 2 points, which must be solved to a body first"),
+              std::string::npos)
+        << points.err;
 }
 
 using Sheet = Stick;

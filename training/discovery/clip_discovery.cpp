@@ -55,10 +55,11 @@ Expected<DiscoveredClips> discover_clips(const FigureTrainingPlan& plan,
     options.music = plan.music;
     DiscoveredClips discovered;
     for (const auto& [take, path] : *files) {
-        Expected<TrainingClip> clip = load_clip(
-            path,
-            {.frames_per_second = plan.frames_per_second, .metres_per_unit = plan.metres_per_unit},
-            discovered.warnings);
+        Expected<TrainingClip> clip = load_clip(path,
+                                                {.reading = plan.reading,
+                                                 .metres_per_unit = plan.metres_per_unit,
+                                                 .joints = plan.joints},
+                                                discovered.warnings);
         if (!clip) {
             return fail(std::move(clip.error()));
         }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/body/joint_finder.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -54,28 +54,33 @@ void move_hips_joint(const MotionClip& motion,
 Expected<TrainingClip> load_clip(const fs::path& path,
                                  const ClipUnits& units,
                                  std::vector<std::string>& warnings) {
-    const Expected<MotionClip> motion =
-        read_bvh(path, {.frames_per_second = units.frames_per_second});
+    Expected<MotionClip> motion = read_skeleton_motion(path, units.reading);
     if (!motion) {
         return fail(motion.error());
     }
     for (const std::string& warning : motion->warnings) {
         warnings.push_back(path.filename().string() + ": " + warning);
     }
+    motion->labels = units.joints;
     // The mapping is needed again for the rest pose, which retarget does not return.
-    const Expected<HumanoidMapping> mapping = map_humanoid(*motion);
-    if (!mapping) {
-        return fail(Error(mapping.error()).in(path.filename().string()));
+    const Expected<FoundJoints> joints = find_joints(*motion);
+    if (!joints) {
+        return fail(Error(joints.error()).in(path.filename().string()));
     }
+    for (const std::string& note : joints->notes) {
+        warnings.push_back(path.filename().string() + ": " + note);
+    }
+    const std::optional<double> metres_per_unit =
+        units.metres_per_unit ? units.metres_per_unit : motion->metres_per_unit;
     // No floor height given: retarget estimates it from the toe tips.
     Expected<RetargetedClip> body =
         retarget(*motion,
                  mannequin_skeleton(),
-                 {.metres_per_unit = units.metres_per_unit, .floor_height = std::nullopt});
+                 {.metres_per_unit = metres_per_unit, .floor_height = std::nullopt});
     if (!body) {
         return fail(std::move(body.error()).in(path.filename().string()));
     }
-    if (!units.metres_per_unit) {
+    if (!metres_per_unit) {
         warnings.push_back(fmt::format("{}: its unit is taken for {:.4g} m, by the body's height",
                                        path.filename().string(),
                                        body->metres_per_unit));
@@ -85,7 +90,7 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     clip.frames_per_second = body->frames_per_second;
     clip.poses = std::move(body->poses);
     clip.feet = std::move(body->source_feet);
-    move_hips_joint(*motion, *mapping, *body, clip);
+    move_hips_joint(*motion, joints->mapping, *body, clip);
     // As a fault these frames are bridged with the first sound pose.
     clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
     return clip;

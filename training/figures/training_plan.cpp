@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/file.hpp"
+#include "motion/skeleton/formats/motion_format.hpp"
 #include "training/figures/label_counts.hpp"
 #include "training/figures/repeat_features.hpp"
 #include "training/figures/training_clip.hpp"
@@ -26,13 +27,13 @@ Expected<std::map<std::string, fs::path>> clips_by_take(const FigureTrainingPlan
             return fail(std::move(listed.error()));
         }
         paths = std::move(*listed);
-        std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".bvh"; });
+        std::erase_if(paths, [](const fs::path& path) { return !is_clip_name(path); });
         if (paths.empty()) {
-            return fail(folder.string() + ": holds no .bvh file");
+            return fail(folder.string() + ": holds no clip (.bvh, .amc, .glb, ...)");
         }
     }
     if (paths.empty()) {
-        return fail("no clips given; name BVH files or their folder");
+        return fail("no clips given; name motion files or their folder");
     }
     std::map<std::string, fs::path> files;
     for (const fs::path& path : paths) {
@@ -225,14 +226,15 @@ class Collector {
         }
         const auto file = files_.find(label.take);
         if (file == files_.end()) {
-            return fail(fmt::format("{}: line {}: no clip named {}.bvh was given",
+            return fail(fmt::format("{}: line {}: no clip named {} was given",
                                     labels_name(plan_),
                                     label.line,
                                     label.take));
         }
         Expected<TrainingClip> clip = load_clip(file->second,
-                                                {.frames_per_second = plan_.frames_per_second,
-                                                 .metres_per_unit = plan_.metres_per_unit},
+                                                {.reading = plan_.reading,
+                                                 .metres_per_unit = plan_.metres_per_unit,
+                                                 .joints = plan_.joints},
                                                 material_.warnings);
         if (!clip) {
             return fail(std::move(clip.error()));

@@ -11,6 +11,7 @@
 #include "base/expected.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/label_tables.hpp"
+#include "motion/skeleton/formats/motion_file.hpp"
 #include "training/figures/figure_trainer.hpp"
 #include "training/figures/label_counts.hpp"
 
@@ -19,7 +20,7 @@ namespace raks::motion {
 
 /// Which files, which labels and how to learn from them.
 struct FigureTrainingPlan {
-    std::vector<std::filesystem::path> clips;  ///< BVH; or one folder: all its *.bvh
+    std::vector<std::filesystem::path> clips;  ///< or one folder: all clips in it
     std::filesystem::path labels;              ///< table of labelled repetitions (label_tables.hpp)
     std::vector<FigureLabel> found;  ///< labels that no table holds; used without `labels`
     /// Table of counts; none: counts lie evenly between a label's start and end.
@@ -38,8 +39,9 @@ struct FigureTrainingPlan {
     /// repeats.)
     double min_confidence = 0.9;
 
-    std::optional<double> frames_per_second;           ///< instead of the file's
+    MotionReadOptions reading;                         ///< of the clips; with another rate
     std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
+    JointLabels joints{};                              ///< which joint of the clips is which bone
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM
     int baum_welch_iterations = 0;                     ///< rounds; see FigureTrainingOptions

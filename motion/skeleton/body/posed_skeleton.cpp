@@ -40,11 +40,16 @@ PosedSkeleton::PosedSkeleton(const MotionClip& clip)
             reach_[at] = std::max(reach_[at], glm::length(*end));
         }
         for (const int child : tree_.children(*joint)) {
-            const double way = length(child) + reach(child);
+            // What travels about the world below a fixed root is on no bone.
+            constexpr double kTravels = 0.1;
+            const bool is_bone = looseness(child, *joint) < kTravels;
+            const double way = (is_bone ? length(child) : 0.0) + reach(child);
             second = std::max(second, std::min(way, reach_[at]));
             reach_[at] = std::max(reach_[at], way);
         }
-        size_ = std::max(size_, reach_[at] + second);
+        if (second > 0.0) {
+            size_ = std::max(size_, reach_[at] + second);
+        }
     }
 }
 
@@ -76,7 +81,7 @@ double PosedSkeleton::way_up(int joint, int above) const {
 
 std::vector<int> PosedSkeleton::longest_way(int joint) const {
     std::vector<int> way = {joint};
-    while (!tree_.children(way.back()).empty()) {
+    while (way.size() < kLongestWay && !tree_.children(way.back()).empty()) {
         const std::vector<int>& next = tree_.children(way.back());
         way.push_back(*std::max_element(next.begin(), next.end(), [this](int a, int b) {
             return length(a) + reach(a) < length(b) + reach(b);
