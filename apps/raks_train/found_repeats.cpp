@@ -27,11 +27,6 @@ std::vector<std::string> remarks_of(const TrainFigureArguments& arguments) {
             " learns from those of 0.9 or more."};
 }
 
-Path page_of(const Path& table) {
-    Path page = table;
-    return page.replace_extension(".html");
-}
-
 /// Seconds, joined by ", "; at most three.
 std::string listed(const std::vector<double>& seconds) {
     std::string text;
@@ -87,6 +82,11 @@ std::string comparison(const std::vector<motion::TakeCheck>& checks, const std::
 }
 
 }  // namespace
+
+Path page_beside(const Path& table) {
+    Path page = table;
+    return page.replace_extension(".html");
+}
 
 Expected<motion::DiscoveredClips> found_in_clips(const TrainFigureArguments& arguments,
                                                  const motion::FigureTrainingPlan& plan) {
@@ -151,7 +151,7 @@ Expected<void> propose(const TrainFigureArguments& arguments,
         return fail(found.error());
     }
     const std::vector<motion::FigureLabel> labels = found->labels(plan);
-    const Path page = page_of(arguments.propose);
+    const Path page = page_beside(arguments.propose);
     if (auto written =
             write_file(arguments.propose, motion::labels_text(labels, remarks_of(arguments)));
         !written) {

@@ -12,6 +12,9 @@ namespace raks::apps {
 [[nodiscard]] Expected<motion::DiscoveredClips> found_in_clips(
     const TrainFigureArguments& arguments, const motion::FigureTrainingPlan& plan);
 
+/// The page beside the table of --propose: the same name with .html.
+[[nodiscard]] Path page_beside(const Path& table);
+
 /// Writes the repeats as labels to `--propose X.tsv` and as a page to X.html, and prints what was
 /// found; with `--labels` also how it compares with these. Errors: of the files.
 [[nodiscard]] Expected<void> propose(const TrainFigureArguments& arguments,

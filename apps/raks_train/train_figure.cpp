@@ -159,8 +159,15 @@ int states_of(const motion::DiscoveredClips& found, bool is_once) {
 ExitCode propose_figure(const TrainFigureArguments& arguments) {
     std::vector<Path> inputs = inputs_of(arguments);
     inputs.push_back(arguments.music);
-    if (auto checked = check_output(arguments.propose, inputs); !checked) {
-        return fail(std::move(checked.error()));
+    const Path page = page_beside(arguments.propose);
+    if (page == arguments.propose) {
+        say("--propose writes a table, and a page beside it: call it X.tsv");
+        return kExitUsage;
+    }
+    for (const Path& output : {arguments.propose, page}) {
+        if (auto checked = check_output(output, inputs); !checked) {
+            return fail(std::move(checked.error()));
+        }
     }
     motion::FigureTrainingPlan plan = figure_plan(arguments, arguments.dance);
     if (!arguments.music.empty()) {
@@ -179,6 +186,10 @@ ExitCode propose_figure(const TrainFigureArguments& arguments) {
 ExitCode train_figure(const TrainFigureArguments& arguments) {
     // A .toml is a written dance, all else is captured.
     if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {
+        if (!arguments.propose.empty() || arguments.once) {
+            say("--propose and --once are for clips; a written dance says where its figures are");
+            return kExitUsage;
+        }
         return train_authored(arguments);
     }
     if (!arguments.propose.empty()) {
