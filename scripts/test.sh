@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-asan=(base models skeleton figures choreography training_figures audio_io audio_evaluate
+asan=(base models skeleton formats figures choreography training_figures audio_io audio_evaluate
     audio_models training_files engine_files apps_plots render_video import avatar_rig fuzz)
 tsan=(base engine engine_live)
 
