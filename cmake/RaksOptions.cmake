@@ -29,6 +29,13 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT RAKS_SANITIZE)
     add_link_options(-Wl,-z,relro -Wl,-z,now)
 endif()
 
+# Tests call what takes the time; compiled as the rest, they take a fifth longer in Release and twice
+# as long under the address sanitizer.
+set(RAKS_TEST_OPTIMIZATION -O1)
+if(RAKS_SANITIZE MATCHES "address")
+    set(RAKS_TEST_OPTIMIZATION -O0)
+endif()
+
 add_library(raks_options INTERFACE)
 target_compile_options(raks_options INTERFACE -ffp-contract=off)
 target_compile_definitions(raks_options INTERFACE $<$<CONFIG:Debug>:RAKS_ASSERTS=1>)

@@ -17,15 +17,17 @@ function(raks_library name)
     add_library(raks::${name} ALIAS ${target})
 endfunction()
 
-# raks_test_program(audio SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT seconds] [SERIAL] [LOCK name])
+# raks_test_program(audio SOURCES ... LIBRARIES ... [LABELS ...] [TIMEOUT seconds] [COST seconds] [SERIAL] [LOCK name])
 # makes the test program raks_tests_audio (GoogleTest, with the real-time guard linked in) and
 # registers each of its suites with ctest. Labels: the room, plus those given. SERIAL: nothing
-# runs beside its tests; LOCK: none of those with the same lock does.
+# runs beside its tests; LOCK: none of those with the same lock does. COST: what its longest suites
+# take, about; on a clean clone ctest starts with the longest, so that no core idles at the end.
 function(raks_test_program name)
-    cmake_parse_arguments(arg "SERIAL" "TIMEOUT;LOCK" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    cmake_parse_arguments(arg "SERIAL" "TIMEOUT;COST;LOCK" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     set(target raks_tests_${name})
     add_executable(${target} ${arg_SOURCES})
     target_link_libraries(${target} PRIVATE raks_test_support ${arg_LIBRARIES} raks_warnings)
+    target_compile_options(${target} PRIVATE ${RAKS_TEST_OPTIMIZATION})
     target_compile_definitions(${target} PRIVATE RAKS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 400)
@@ -33,6 +35,9 @@ function(raks_test_program name)
     list(JOIN arg_LABELS ";" labels)
     set(properties "TIMEOUT ${arg_TIMEOUT} LABELS [=[${name};${labels}]=]")
     string(APPEND properties " WORKING_DIRECTORY [=[${CMAKE_CURRENT_BINARY_DIR}]=]")
+    if(arg_COST)
+        string(APPEND properties " COST ${arg_COST}")
+    endif()
     if(arg_SERIAL)
         string(APPEND properties " RUN_SERIAL TRUE")
     endif()

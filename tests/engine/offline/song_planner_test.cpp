@@ -62,7 +62,7 @@ TEST_F(SongPlannerTest, ends_early_when_told) {
 }
 
 // When the first dancer dances, and how.
-class Watch final : public OfflineDriver::Sink {
+class PoseWatch final : public OfflineDriver::Sink {
  public:
     void on_hop(const PerformedHop& hop) override {
         if (hop.dancer.is_dancing) {
@@ -81,7 +81,7 @@ TEST_F(SongPlannerTest, the_dance_begins_with_the_first_bar_and_ends_with_the_mu
     auto driver =
         OfflineDriver::create(SampleRate(44'100), *plan, StreamTime{}, installed::solo("salsa"));
     ASSERT_TRUE(driver);
-    Watch watch;
+    PoseWatch watch;
     driver->feed(std::vector<float>(24 * 44'100), watch);
     driver->finish(watch);
     const Foresight& ahead = (*plan)->states.front().ahead;
