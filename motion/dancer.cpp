@@ -81,17 +81,20 @@ void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NO
     state.last_hop = music.hop;
     state.commands.run_due(music.time, [&](const DancerCommand& command) { state.apply(command); });
     state.decide(music);
-    const Pose pose =
-        state.smoothed(music.time, Nanos(0), state.next(music.time, Nanos(0), state.feet));
+    state.look_on(music.time);
+    const Pose pose = state.smoothed(
+        music.time, Nanos(0), state.next(music.time, Nanos(0), state.feet, state.looks));
     state.shown_before = state.shown;
     state.shown = pose;
     state.note_swings();
     track.append_final(music.hop, pose);
     PlantedFeet feet = state.feet;
+    Looks looks = state.looks;
     for (int i = 1; i <= PoseTrack::kPredictedPoses; ++i) {
         const Nanos ahead = i * kHop;
-        track.set_predicted(i,
-                            state.smoothed(music.time, ahead, state.next(music.time, ahead, feet)));
+        looks.go_on();
+        const Pose predicted = state.next(music.time, ahead, feet, looks);
+        track.set_predicted(i, state.smoothed(music.time, ahead, predicted));
     }
 }
 
@@ -129,8 +132,9 @@ DancerStatus Dancer::status() const noexcept RAKS_NONBLOCKING {
     status.phase = std::clamp(state.sequence.beat(state.phase.phase()), 0.0, figure.beats - 1e-9);
     status.count = static_cast<int>(status.phase) + 1;
     status.counts = figure.beats;
-    status.octave = state.phase.octave();
-    status.rate = state.phase.rate();
+    status.is_mirrored = state.sequence.is_mirrored();
+    status.octave = state.phase.octave() / state.sequence.stretch();
+    status.rate = state.phase.rate() / state.sequence.stretch();
     status.reanchors = state.reanchors;
     return status;
 }

@@ -48,8 +48,9 @@ struct DancerStatus {
     int count = 0;                  ///< 1..counts of the figure; 0 while standing
     int counts = 8;                 ///< its length in beats
     double phase = 0.0;             ///< beats of the figure danced, [0, length)
-    double octave = 1.0;            ///< dance beats per music beat: 0.5, 1 or 2
+    double octave = 1.0;            ///< dance beats per music beat: 0.25, 0.5, 1 or 2
     double rate = 0.0;              ///< dance beats per second now
+    bool is_mirrored = false;       ///< the figure is danced left for right
     std::uint32_t reanchors = 0;    ///< how often the phase was re-anchored since reset()
 };
 static_assert(std::is_trivially_copyable_v<DancerStatus>);

@@ -6,7 +6,6 @@
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
-#include "motion/dance/dynamics/looks.hpp"
 #include "motion/dance/dynamics/waiting.hpp"
 
 #include <glm/geometric.hpp>
@@ -115,7 +114,7 @@ void Dancer::State::reset() noexcept RAKS_NONBLOCKING {
     take_up(repertoire->first());
     standing.stand(place());
     bars_to_wait = part.bars_late;
-    shown = shown_before = waiting(StreamTime{}, Nanos(0));
+    shown = shown_before = waiting(StreamTime{}, Nanos(0), looks);
 }
 
 /// Whether nothing but the figures is to be seen: with the paper's generator.
@@ -140,7 +139,7 @@ Pose Dancer::State::danced(StreamTime now, Nanos ahead) const noexcept {
 }
 
 /// The pose of one who does not dance.
-Pose Dancer::State::waiting(StreamTime now, Nanos ahead) const noexcept {
+Pose Dancer::State::waiting(StreamTime now, Nanos ahead, const Looks& own) const noexcept {
     const StreamTime time = now + ahead;
     Pose pose = standing.at(skeleton, time);
     if (!has_dynamics()) {
@@ -154,12 +153,15 @@ Pose Dancer::State::waiting(StreamTime now, Nanos ahead) const noexcept {
     moment.bowing = bows_at ? to_seconds(time - *bows_at) : -1.0;
     wait(skeleton, moment, pose);
     hands.apply(skeleton, time, pose);
-    look(skeleton, time, part.ways, {LookFor::wait, LookFor::wait}, pose);
+    own.apply(skeleton, pose);
     return pose;
 }
 
 /// What the dancer does beside the figures.
-Pose Dancer::State::layered(StreamTime now, Nanos ahead, Pose pose) const noexcept {
+Pose Dancer::State::layered(StreamTime now,
+                            Nanos ahead,
+                            const Looks& own,
+                            Pose pose) const noexcept {
     if (still.is_at_rest(now + ahead)) {
         breathe(still.seconds_at_rest(now + ahead), pose);
     }
@@ -167,14 +169,7 @@ Pose Dancer::State::layered(StreamTime now, Nanos ahead, Pose pose) const noexce
     hands.apply(skeleton, now + ahead, pose);
     // One of a couple looks at the other.
     if (has_dynamics() && !part.is_in_couple) {
-        constexpr double kLooksUp = 0.35;  // seconds
-        LookChange change;
-        if (still.is_on()) {
-            change.now = LookFor::pose;
-            change.share =
-                smootherstep(static_cast<float>(still.seconds_on(now + ahead) / kLooksUp));
-        }
-        look(skeleton, now + ahead, part.ways, change, pose);
+        own.apply(skeleton, pose);
     }
     return pose;
 }
@@ -182,20 +177,36 @@ Pose Dancer::State::layered(StreamTime now, Nanos ahead, Pose pose) const noexce
 /// The pose before inertialization, its feet as far from their places as at the last hop.
 Pose Dancer::State::target(StreamTime now, Nanos ahead) const noexcept {
     if (!is_dancing) {
-        return waiting(now, ahead);
+        return waiting(now, ahead, looks);
     }
     const Pose pose = danced(now, ahead);
-    return is_free() ? pose : layered(now, ahead, feet.with_lag(skeleton, pose));
+    return is_free() ? pose : layered(now, ahead, looks, feet.with_lag(skeleton, pose));
 }
 
 /// The same for the hop after the last that `own` has seen.
-Pose Dancer::State::next(StreamTime now, Nanos ahead, PlantedFeet& own) const noexcept {
-    if (!is_dancing || is_free()) {
+Pose Dancer::State::next(StreamTime now,
+                         Nanos ahead,
+                         PlantedFeet& own,
+                         const Looks& looking) const noexcept {
+    if (!is_dancing) {
+        return waiting(now, ahead, looking);
+    }
+    if (is_free()) {
         return target(now, ahead);
     }
     const auto steps =
         still.is_on() ? PlantedFeet::OwnSteps::wait : PlantedFeet::OwnSteps::may_begin;
-    return layered(now, ahead, own.apply(skeleton, danced(now, ahead), steps));
+    return layered(now, ahead, looking, own.apply(skeleton, danced(now, ahead), steps));
+}
+
+/// Where the head turns to, one hop on.
+void Dancer::State::look_on(StreamTime now) noexcept {
+    if (has_dynamics()) {
+        const LookFor what = !is_dancing     ? LookFor::wait
+                             : still.is_on() ? LookFor::pose
+                                             : LookFor::dance;
+        looks.advance(skeleton, now, part.ways, what, shown);
+    }
 }
 
 // The pose with what is left of the last change. Joint rotations and hips decay independently of

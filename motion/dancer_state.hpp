@@ -8,6 +8,7 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/dynamics/hand_rests.hpp"
 #include "motion/dance/dynamics/hits.hpp"
+#include "motion/dance/dynamics/looks.hpp"
 #include "motion/dance/dynamics/manner.hpp"
 #include "motion/dance/dynamics/phrases.hpp"
 #include "motion/dance/dynamics/planted_feet.hpp"
@@ -70,6 +71,7 @@ struct Dancer::Course {
     float felt = 0.0F;                    // [0, 1]: how much of the beat is felt, while waiting
     std::optional<StreamTime> bows_at{};  // a bow begins
     PlantedFeet feet;
+    Looks looks;
 
     Inertialization smoothing;  // decays the jump of the last change
     StreamTime changed_at{};    // hop before the change, at which its difference was measured
@@ -119,11 +121,18 @@ struct Dancer::State : Dancer::Course {
     [[nodiscard]] bool is_free() const noexcept;
     [[nodiscard]] bool has_dynamics() const noexcept;
     [[nodiscard]] Beats shown_phase(StreamTime now, Nanos ahead) const noexcept;
-    [[nodiscard]] Pose waiting(StreamTime now, Nanos ahead) const noexcept;
+    [[nodiscard]] Pose waiting(StreamTime now, Nanos ahead, const Looks& own) const noexcept;
     [[nodiscard]] Pose danced(StreamTime now, Nanos ahead) const noexcept;
-    [[nodiscard]] Pose layered(StreamTime now, Nanos ahead, Pose pose) const noexcept;
+    [[nodiscard]] Pose layered(StreamTime now,
+                               Nanos ahead,
+                               const Looks& own,
+                               Pose pose) const noexcept;
     [[nodiscard]] Pose target(StreamTime now, Nanos ahead) const noexcept;
-    [[nodiscard]] Pose next(StreamTime now, Nanos ahead, PlantedFeet& own) const noexcept;
+    [[nodiscard]] Pose next(StreamTime now,
+                            Nanos ahead,
+                            PlantedFeet& own,
+                            const Looks& looking) const noexcept;
+    void look_on(StreamTime now) noexcept;
     [[nodiscard]] Pose smoothed(StreamTime now, Nanos ahead, Pose pose) const noexcept;
     void change(StreamTime now) noexcept;
     void note_swings() noexcept;

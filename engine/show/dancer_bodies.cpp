@@ -84,7 +84,9 @@ void DancerBodies::move(std::size_t dancer,
         .level_dbfs = music.level_dbfs,
         .loudness_lufs = music.loudness_lufs,
         .gaze_target =
-            is_couple ? head_place(avatar.skeleton, dancers_[1 - dancer].pose) : camera.position()};
+            is_couple ? head_place(avatar.skeleton, dancers_[1 - dancer].pose) : camera.position(),
+        .head = danced.face ? HeadTurn{}
+                            : head_turn_at(danced.tracks[dancer], danced.moment + danced.lead)};
     constexpr float kOwnBody = 1.0F;  // the pose is on this body already
     render::advance(
         *avatar.rig,

@@ -33,11 +33,64 @@ constexpr double kMouthTime = 0.06;  // s; the mouth's own slowness
 constexpr float kGazeLost = 0.26F;  // 75 degrees
 constexpr float kGazeFull = 0.64F;  // 50 degrees
 
+// Eyes go first, and the head comes after.
+constexpr Nanos kEyesLead = std::chrono::milliseconds(120);
+// Cosine of the angle between what is to be looked at and where the head will be: nearer than 22
+// degrees the eyes keep to it, farther than 34 they go with the head.
+constexpr float kGoesWithHead = 0.83F;
+constexpr float kStaysOnTarget = 0.93F;
+// A blink hides a fast turn of the head.
+constexpr float kFarTurn = 0.436F;      // radians, 25 degrees
+constexpr HopIndex kTurnHops = 20;      // in which it is far
+constexpr HopIndex kBlinkAfter = 4;     // hops from its start
+constexpr HopIndex kLongestBlink = 26;  // hops
+constexpr double kTurnShut = 0.05;      // s
+
 // 0 before and long after the blink that begins at 0.
 double lids(double seconds, double closed) noexcept {
     const double fallen = seconds / kLidFall;
     const double risen = (seconds - kLidFall - closed) / kLidRise;
     return std::clamp(std::min(fallen, 1.0 - risen), 0.0, 1.0);
+}
+
+float smooth_lids(double seconds, double closed) noexcept {
+    return smoothstep(0.0F, 1.0F, static_cast<float>(lids(seconds, closed)));
+}
+
+// Where the face looks, a unit vector.
+glm::vec3 ahead_of_head(const motion::Pose& pose) noexcept {
+    using motion::Bone;
+    glm::quat rotation = pose.rotation(Bone::hips);
+    for (const Bone bone : {Bone::spine, Bone::chest, Bone::upper_chest, Bone::neck, Bone::head}) {
+        rotation = rotation * pose.rotation(bone);
+    }
+    return rotation * glm::vec3(0.0F, 0.0F, 1.0F);
+}
+
+float heading_of_head(const motion::Pose& pose) noexcept {
+    const glm::vec3 ahead = ahead_of_head(pose);
+    return std::atan2(ahead.x, ahead.z);
+}
+
+// Whether the head turns far from this hop on.
+bool turns_far(const motion::PoseTrack& track, HopIndex hop) noexcept {
+    const float turn =
+        heading_of_head(track.at_hop(hop + kTurnHops)) - heading_of_head(track.at_hop(hop));
+    return std::abs(std::remainder(turn, 2.0F * static_cast<float>(M_PI))) > kFarTurn;
+}
+
+// What the eyes look at: what they shall, or, as far as the head turns elsewhere, what that will
+// face.
+glm::vec3 gaze_target(const FaceMoment& moment, const glm::vec3& head) noexcept {
+    const glm::vec3 towards = moment.gaze_target - head;
+    const float distance = glm::length(towards);
+    const float soon = glm::length(moment.head.soon);
+    if (!(distance > 0.0F) || !(soon > 0.0F)) {
+        return moment.gaze_target;
+    }
+    const float along = glm::dot(towards, moment.head.soon) / (distance * soon);
+    const float stays = smoothstep(kGoesWithHead, kStaysOnTarget, along);
+    return head + glm::mix((distance / soon) * moment.head.soon, towards, stays);
 }
 
 // -1 (behind) to 1 (straight ahead).
@@ -60,7 +113,28 @@ float blink_at(StreamTime time, std::uint64_t seed) noexcept {
     // Halves of the fall and the rise are more than half shut, too: 0.1 s of the 0.1 to 0.2.
     const double closed = 0.1 * CounterRandom(seed, kBlinkLengths).uniform(cell);
     const double into = static_cast<double>(ns % kBlinkCell) * 1e-9 - start;
-    return smoothstep(0.0F, 1.0F, static_cast<float>(lids(into, closed)));
+    return smooth_lids(into, closed);
+}
+
+// A blink begins where the turn that lies ahead becomes far: once for each turn.
+HeadTurn head_turn_at(const motion::PoseTrack& track, StreamTime moment) noexcept {
+    HeadTurn turn;
+    if (track.is_empty()) {
+        return turn;
+    }
+    turn.soon = ahead_of_head(track.at(moment + kEyesLead));
+    const HopIndex now = moment.time_since_epoch() / kHop;
+    const HopIndex first = std::max(track.oldest_final() + 1, now - kBlinkAfter - kLongestBlink);
+    bool turned = turns_far(track, first - 1);
+    for (HopIndex hop = first; hop + kBlinkAfter <= now; ++hop) {
+        const bool turns = turns_far(track, hop);
+        if (turns && !turned) {
+            const StreamTime starts = time_of_hop(hop + kBlinkAfter);
+            turn.blink = std::max(turn.blink, smooth_lids(to_seconds(moment - starts), kTurnShut));
+        }
+        turned = turns;
+    }
+    return turn;
 }
 
 glm::vec3 head_place(const motion::Skeleton& skeleton, const motion::Pose& pose) noexcept {
@@ -86,7 +160,8 @@ render::Face DancerFace::face_at(const FaceMoment& moment,
                                  const motion::Pose& pose) noexcept {
     render::Face face;
     if (habits_.blinks) {
-        face.weight(render::FaceExpression::blink) = blink_at(moment.time, seed_);
+        face.weight(render::FaceExpression::blink) =
+            std::max(blink_at(moment.time, seed_), moment.head.blink);
     }
     const float mouth = mouth_at(moment);
     if (habits_.moves_mouth) {
@@ -94,8 +169,8 @@ render::Face DancerFace::face_at(const FaceMoment& moment,
     }
     if (habits_.gazes) {
         const motion::WorldPose world = motion::world_pose(skeleton, pose);
-        face.gaze_target = moment.gaze_target;
-        face.gaze = smoothstep(kGazeLost, kGazeFull, facing(world, moment.gaze_target));
+        face.gaze_target = gaze_target(moment, world.position(motion::Bone::head));
+        face.gaze = smoothstep(kGazeLost, kGazeFull, facing(world, face.gaze_target));
     }
     return face;
 }

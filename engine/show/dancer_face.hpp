@@ -6,6 +6,7 @@
 
 #include "base/time.hpp"
 #include "motion/skeleton/pose.hpp"
+#include "motion/skeleton/pose_track.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "render/avatar/face.hpp"
 
@@ -18,18 +19,30 @@ struct FaceHabits {
     bool gazes = true;        ///< to the camera or the partner
 };
 
+/// What the head does around a moment.
+struct HeadTurn {
+    glm::vec3 soon{0.0F};  ///< where the face looks a moment later, a unit vector; 0: not known
+    float blink = 0.0F;    ///< 0..1: how far a blink closes the lids, because the head turns far
+};
+
 /// What a face is made from.
 struct FaceMoment {
     StreamTime time{};              ///< that is seen and heard
     float level_dbfs = -120.0F;     ///< of the music now (MusicState)
     float loudness_lufs = -120.0F;  ///< of the music of late (MusicState)
     glm::vec3 gaze_target{0.0F};    ///< the camera, or the partner's head (head_place); metres
+    HeadTurn head{};                ///< none: the head keeps still
 };
 
 /// How far both eyelids are closed at a moment, 0..1. Blinks are 2 to 6 s apart and keep the eyes
 /// more than half shut for 0.1 to 0.2 s; when they come is the seed's alone.
 /// Threads: any. Real-time: yes.
 [[nodiscard]] float blink_at(StreamTime time, std::uint64_t seed) noexcept;
+
+/// What the head of a dancer does at a moment of its track, which must reach 0.2 s beyond. The eyes
+/// go where the head is 0.12 s later; a turn by more than 25 degrees within 0.2 s makes it blink.
+/// Threads: any. Real-time: yes (some fifty products of rotations).
+[[nodiscard]] HeadTurn head_turn_at(const motion::PoseTrack& track, StreamTime moment) noexcept;
 
 /// Place of the head's joint, in the world.
 [[nodiscard]] glm::vec3 head_place(const motion::Skeleton& skeleton,
@@ -44,8 +57,9 @@ class DancerFace {
 
     void set_habits(FaceHabits habits) noexcept { habits_ = habits; }
 
-    /// The face at a moment. `pose`: the dancer's. The eyes follow a target before them and rest
-    /// where it is beside or behind the head.
+    /// The face at a moment. `pose`: the dancer's. The eyes follow a target before them and go
+    /// ahead of a head that turns elsewhere; they rest where what they look at is beside or behind
+    /// the head.
     [[nodiscard]] render::Face face_at(const FaceMoment& moment,
                                        const motion::Skeleton& skeleton,
                                        const motion::Pose& pose) noexcept;

@@ -86,12 +86,12 @@ double lowest_sole(const motion::Skeleton& skeleton, std::span<const motion::Pos
     return static_cast<double>(lowest);
 }
 
-// Count times of the figures that were danced from count 1 to the next: only those compare as
-// repeats.
+// Count times of the figures that were danced from count 1 to the next, not left for right: only
+// those compare as repeats.
 std::vector<motion::FigureRepeatTimes> whole_repeats(std::span<const DancedFigure> figures) {
     std::vector<motion::FigureRepeatTimes> repeats;
     for (const DancedFigure& figure : figures) {
-        if (figure.is_whole) {
+        if (figure.is_whole && !figure.is_mirrored) {
             repeats.push_back({figure.model->name, figure.count_times});
         }
     }

@@ -147,6 +147,7 @@ std::vector<DancedFigure> danced_figures(std::span<const DancerStatus> hops,
         DancedFigure& figure = figures.emplace_back();
         figure.model = model;
         figure.octave = begin.octave;
+        figure.is_mirrored = begin.is_mirrored;
         figure.from = seconds_of(stretch.first);
         figure.to = seconds_of(stretch.last);
         std::tie(figure.dance_from, figure.dance_to) = dance_around(hops, stretch.first);
@@ -171,7 +172,7 @@ std::vector<motion::AudibleCount> audible_counts(std::span<const DancedFigure> f
                                     time + kWindowEnd * beat < figure.dance_to;
             if (is_danced && is_settled && figure.is_count_audible[k] && time >= window.from &&
                 time < window.to) {
-                counts.push_back({figure.model, k, time, beat});
+                counts.push_back({figure.model, k, time, beat, figure.is_mirrored});
             }
         }
     }

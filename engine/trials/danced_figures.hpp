@@ -21,9 +21,10 @@ struct DancedFigure {
     double octave = 1.0;                         ///< dance beats a beat of the music
     double from = 0.0;                           ///< seconds of the stream
     double to = 0.0;                             ///< seconds of the stream; the hop after the last
-    double dance_from = 0.0;  ///< of the dance, from standing to standing, that it is part of
-    double dance_to = 0.0;    ///< end of that dance
-    bool is_whole = false;    ///< from count 1 to the next one
+    double dance_from = 0.0;   ///< of the dance, from standing to standing, that it is part of
+    double dance_to = 0.0;     ///< end of that dance
+    bool is_whole = false;     ///< from count 1 to the next one
+    bool is_mirrored = false;  ///< left for right
     /// Seconds of the stream at which the music sounded counts 1..beats of the figure and count 1
     /// of the next. The dancer's phase only decides which beat of the music is count 1 (the
     /// nearest, by the median over the figure); the times are those of the music's beats.

@@ -137,7 +137,7 @@ Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
         return fail("is cut short or of another program");
     }
     content.chooser = FigureChooser(grammar, std::move(turns_half));
-    take_holds(grammar, content);
+    take_rules(grammar, content);
     return content;
 }
 

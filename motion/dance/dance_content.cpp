@@ -147,29 +147,11 @@ FloorMove stage_of(const LibraryFigure& figure) {
     return stage;
 }
 
-/// The stance that a figure begins from: midpoint of both balls, mean heading of the feet.
-FloorMove stance_before(const LibraryFigure& figure, const Skeleton& skeleton) {
-    Pose pose;
-    figure.passages.front().at(-FigurePassage::kMargin, pose);
-    const WorldPose world = world_pose(skeleton, pose);
-    FloorMove stance;
-    glm::dvec2 facing{0.0, 0.0};
-    for (const Side side : kSides) {
-        const glm::vec3 ball = foot_point(world, side, skeleton.ball);
-        stance.offset += 0.5 * glm::dvec2(ball.x, ball.z);
-        const double heading =
-            heading_of(glm::dquat(world.rotation(on_side(Bone::left_foot, side))));
-        facing += glm::dvec2(std::sin(heading), std::cos(heading));
-    }
-    stance.heading = std::atan2(facing.x, facing.y);
-    return stance;
-}
-
 /// Moves figures that have a stance of their own so that each begins where the first one would.
 void place_figures(const Skeleton& skeleton, std::vector<LibraryFigure>& figures) {
-    const FloorMove first = stance_before(figures.front(), skeleton);
+    const FloorMove first = stance_before(figures.front().passages.front(), skeleton);
     for (LibraryFigure& figure : figures) {
-        figure.place = first * inverse(stance_before(figure, skeleton));
+        figure.place = first * inverse(stance_before(figure.passages.front(), skeleton));
     }
 }
 
@@ -376,25 +358,41 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     content.stage = stage_of(content.figures.front());
     content.couple = couple_of(figures, grammar);
     if (grammar != nullptr && grammar->couple && grammar->couple->apart) {
-        content.couple = couple_of(*grammar->couple->apart,
-                                   figures.front().role,
-                                   stance_before(content.figures.front(), skeleton));
+        content.couple =
+            couple_of(*grammar->couple->apart,
+                      figures.front().role,
+                      stance_before(content.figures.front().passages.front(), skeleton));
     }
     if (grammar != nullptr) {
-        take_holds(*grammar, content);
+        take_rules(*grammar, content);
     }
     return content;
 }
 
-void take_holds(const FigureGrammar& grammar, DanceContent& content) {
+void take_rules(const FigureGrammar& grammar, DanceContent& content) {
     // Where nothing is said, his left hand holds her right one.
     content.hold = grammar.couple ? grammar.couple->hold : CoupleHold::hands;
     for (std::size_t i = 0; i < std::min(content.figures.size(), grammar.rules.size()); ++i) {
         LibraryFigure& figure = content.figures[i];
         figure.holds = grammar.rules[i].holds;
+        figure.can_slow = grammar.rules[i].can_slow;
         if (!grammar.couple) {
             figure.holds = {{Side::left, Side::right, 0.0, static_cast<double>(figure.beats)}};
         }
+    }
+    // Figures that share one stance are of people, who begin on one foot.
+    const bool are_mirrored = grammar.habits.mirror > 0.0 &&
+                              grammar.starts == FigureGrammar::Starts::own &&
+                              content.generator == Generator::trajectories;
+    if (!are_mirrored) {
+        return;
+    }
+    const FloorMove first =
+        stance_before(content.figures.front().passages.front(), content.skeleton);
+    for (std::size_t i = 0; i < std::min(content.figures.size(), grammar.rules.size()); ++i) {
+        LibraryFigure& figure = content.figures[i];
+        figure.sides = sides_of(figure.passages.front(), first, content.skeleton);
+        figure.sides.can_mirror = grammar.rules[i].can_mirror && figure.middle.comes_back;
     }
 }
 
@@ -467,6 +465,16 @@ Pose pose_of(const DanceContent& content,
              double beat,
              const Manner& manner) noexcept RAKS_NONBLOCKING {
     const LibraryFigure& figure = content.figures[choice.figure];
+    if (choice.is_mirrored) {
+        FigureChoice other = choice;
+        other.is_mirrored = false;
+        Manner own = manner;
+        std::swap(own.steps[0], own.steps[1]);
+        return mirrored(pose_of(content, other, beat, own));
+    }
+    if (beat < -FigurePassage::kMargin && figure.middle.comes_back) {
+        beat += figure.beats;
+    }
     Pose pose = content.rest;
     shape_hands(figure, beat, pose);
     figure.passages[choice.body].at(beat, pose);

@@ -15,6 +15,7 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/dynamics/manner.hpp"
 #include "motion/dance/figure_chooser.hpp"
+#include "motion/dance/figure_sides.hpp"
 #include "motion/dance/generator.hpp"
 
 namespace raks::motion {
@@ -36,6 +37,8 @@ struct LibraryFigure {
     SizeByTempo size_by_tempo;            ///< law of its size at other tempi
     FigureMiddle middle;                  ///< what its movements scale about
     std::vector<HeldHands> holds;         ///< of a couple; as the grammar says
+    FigureSides sides;                    ///< how it is danced left for right
+    bool can_slow = false;                ///< also danced at half the tempo; as the grammar says
 };
 
 /// All that a dancer reads of a library.
@@ -62,8 +65,9 @@ struct DanceContent {
                                                   const FigureGrammar* grammar,
                                                   Generator generator = Generator::trajectories);
 
-/// Sets the holds of the content and of its figures, which are in the order of the grammar's rules.
-void take_holds(const FigureGrammar& grammar, DanceContent& content);
+/// Sets what follows from the grammar alone: the holds of the content and of its figures, which are
+/// in the order of the grammar's rules, and which figures can be danced left for right or slowly.
+void take_rules(const FigureGrammar& grammar, DanceContent& content);
 
 /// How one figure is danced this time.
 struct FigureChoice {
@@ -72,6 +76,7 @@ struct FigureChoice {
     std::array<std::size_t, 2> arms{};  ///< passages that the arms are mixed from
     float arms_share = 0.0F;            ///< of the second
     FigureSize size;                    ///< by tempo
+    bool is_mirrored = false;           ///< left for right
 };
 
 /// Draws the passages of the figure that is the `number`-th of the dance; its size is as learnt.
@@ -81,7 +86,8 @@ struct FigureChoice {
                                        std::uint64_t number) noexcept RAKS_NONBLOCKING;
 
 /// The pose at a beat of a figure danced by `choice`, in the frame of its start. `manner`: of now;
-/// the paper's generator knows none. Threads: any. Real-time: yes.
+/// the paper's generator knows none. A figure that comes back where it began goes on before its
+/// first beat as it ends. Threads: any. Real-time: yes.
 [[nodiscard]] Pose pose_of(const DanceContent& content,
                            const FigureChoice& choice,
                            double beat,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.hpp"
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/curves.hpp"
 #include "motion/dance/body/limb_ik.hpp"
@@ -35,13 +36,28 @@ constexpr double kLongestStep = 0.8;   // a longer step gets slow enough to be d
 constexpr float kStepLift = 0.05F;     // metres, at the middle of the step
 constexpr int kFootSamples = 16;       // samples of both figures over the join
 constexpr float kStillMetres = 0.012F;  // metres between two samples, up to which a foot rests
+// Where a figure begins with the foot that carries, the weight goes back to the other one in time
+// for that step, which leaves the floor 0.6 beats before count 1 or later. A foot that stands in
+// both figures goes over between the last touch, a beat before, and that.
+constexpr std::array<double, 2> kWeightGoesBack = {-1.45, -0.35};  // beats from the change
+constexpr std::array<double, 2> kBothStand = {-1.0, -0.6};         // beats from the change
+constexpr double kLooksAtFeet = -0.7;      // when places are compared; beats from the change
+constexpr float kNearFeet = 0.12F;         // metres that a foot may stand apart then
+constexpr double kShortestToChange = 4.0;  // beats of a figure
+constexpr std::uint64_t kSideStream = 6;   // of random numbers
+// Calm music, in which figures may be danced at half the tempo, and how many of those that can are.
+constexpr double kCalmEnergy = 0.30;
+constexpr double kSlowShare = 0.5;
+constexpr int kLongestSlow = 4;  // beats of a figure: it must be over soon when all comes in
+constexpr std::uint64_t kTempoStream = 7;
 
 /// How far a foot has moved from one figure to the next, and how high it is lifted on the way.
 struct FootShare {
     float share = 0.0F;
     float lift = 0.0F;  // metres
-    // Place of the pivot (x, z) to start from; none: the last figure's
-    std::optional<glm::vec3> held;
+    // Place to start from; none: the last figure's
+    std::optional<FootPlace> held;
+    bool is_planted = false;  // there as a whole; else only over the floor
 };
 
 // Horizontal distance.
@@ -69,8 +85,10 @@ Pose average(const DanceContent& content,
         // The pivot is interpolated, so that a foot that both plant there stays, though its heel be
         // higher in one.
         FootPlace before = foot_place(skeleton, a, side);
-        if (own.held) {
-            before.pivot = {own.held->x, before.pivot.y, own.held->z};
+        if (own.held && own.is_planted) {
+            before = *own.held;
+        } else if (own.held) {
+            before.pivot = {own.held->pivot.x, before.pivot.y, own.held->pivot.z};
         }
         const FootPlace after = foot_place(skeleton, b, side);
         const glm::vec3 place = glm::mix(before.pivot, after.pivot, own.share);
@@ -115,6 +133,9 @@ void FigureSequence::start(const DanceContent& content,
     seed_ = part.seed;
     ways_ = part.ways;
     is_in_couple_ = part.is_in_couple;
+    // Two would have to decide alike, though their feet are not.
+    slows_ = part.dynamics == Dynamics::on;
+    mirrors_ = part.dynamics == Dynamics::on && !part.is_in_couple;
     before_.reset();
     next_.reset();
     current_ = {choose(0, number_), 0.0, stands_turned, {}};
@@ -128,7 +149,7 @@ FigureChoice FigureSequence::choose(std::size_t figure, std::uint64_t number) co
 }
 
 double FigureSequence::end_of(const Danced& danced) const noexcept RAKS_NONBLOCKING {
-    return danced.start + content_->figures[danced.choice.figure].beats;
+    return danced.start + danced.stretch * content_->figures[danced.choice.figure].beats;
 }
 
 bool FigureSequence::turned_after(const Danced& danced) const noexcept {
@@ -148,10 +169,13 @@ void FigureSequence::advance(Beats phase,
             {current_.choice.figure, energy, audience}, wish, seed_, number_ + 1);
         // The next figure is drawn before the feet are planned: how a foot joins depends on both.
         next_ = {choose(figure, number_ + 1), end, is_turned, {}};
+        take_tempo(*next_, energy, wish.is_locked);
+        take_side(*next_, wish.is_locked);
         const std::array<FootState, 2> feet = states_of_feet(current_, *next_);
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);
-            next_->feet[s] = foot_join(current_, *next_, side, feet[s]);
+            next_->feet[s] = next_->changes_foot ? foot_join_to_other_foot(*next_, side, feet[s])
+                                                 : foot_join(current_, *next_, side, feet[s]);
         }
         wish.is_another = false;
         wish.figure.reset();
@@ -179,9 +203,72 @@ void FigureSequence::jump(Beats phase) noexcept RAKS_NONBLOCKING {
 Pose FigureSequence::pose_of(const Danced& danced,
                              double phase,
                              const Manner& manner) const noexcept {
-    const Pose pose = motion::pose_of(*content_, danced.choice, phase - danced.start, manner);
-    const FloorMove& place = content_->figures[danced.choice.figure].place;
+    const double beat = (phase - danced.start) / danced.stretch;
+    const Pose pose = motion::pose_of(*content_, danced.choice, beat, manner);
+    const LibraryFigure& figure = content_->figures[danced.choice.figure];
+    const FloorMove& place = danced.choice.is_mirrored ? figure.sides.mirrored_place : figure.place;
     return (floor_of(*content_, stage_, danced.is_turned) * place)(pose);
+}
+
+std::optional<Side> FigureSequence::leading_foot(const Danced& danced) const noexcept {
+    const std::optional<Side> leads = content_->figures[danced.choice.figure].sides.leads;
+    if (!leads || !danced.choice.is_mirrored) {
+        return leads;
+    }
+    return *leads == Side::left ? Side::right : Side::left;
+}
+
+void FigureSequence::take_tempo(Danced& next, double energy, bool is_locked) const noexcept {
+    const LibraryFigure& figure = content_->figures[next.choice.figure];
+    if (slows_ && !is_locked && figure.can_slow && figure.beats <= kLongestSlow &&
+        energy < kCalmEnergy &&
+        CounterRandom(seed_, kTempoStream).uniform(number_ + 1) < kSlowShare) {
+        next.stretch = 2.0;
+        next.choice.size = figure_size(
+            figure.size_by_tempo, figure.learnt_tempo, Bpm(tempo_.bpm() / next.stretch));
+    }
+}
+
+// The side on which it begins with the free foot, now and then the other one. Where no foot is
+// free, both sides fit.
+void FigureSequence::take_side(Danced& next, bool is_locked) const noexcept {
+    const LibraryFigure& figure = content_->figures[next.choice.figure];
+    if (!mirrors_ || !figure.sides.can_mirror) {
+        return;
+    }
+    const double share = is_locked ? 0.0 : content_->chooser.habits().mirror;
+    const bool wants_other = CounterRandom(seed_, kSideStream).uniform(number_ + 1) < share;
+    const std::optional<Side> foot = leading_foot(current_);
+    if (!foot || !figure.sides.leads) {
+        next.choice.is_mirrored = wants_other != current_.choice.is_mirrored;
+        return;
+    }
+    const bool fits_mirrored = *foot != *figure.sides.leads;
+    next.choice.is_mirrored = fits_mirrored;
+    if (wants_other) {
+        next.choice.is_mirrored = !fits_mirrored;
+        next.changes_foot = can_change_foot(current_, next);
+        next.choice.is_mirrored = next.changes_foot != fits_mirrored;
+    }
+}
+
+bool FigureSequence::can_change_foot(const Danced& before, const Danced& after) const noexcept {
+    for (const Danced* const danced : {&before, &after}) {
+        if (danced->stretch != 1.0 ||
+            content_->figures[danced->choice.figure].beats < kShortestToChange) {
+            return false;
+        }
+    }
+    const double phase = after.start + kLooksAtFeet;
+    const std::array<Pose, 2> poses = {pose_of(before, phase, {}), pose_of(after, phase, {})};
+    const std::array<WorldPose, 2> worlds = {world_pose(content_->skeleton, poses[0]),
+                                             world_pose(content_->skeleton, poses[1])};
+    return std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
+        const auto s = static_cast<std::size_t>(side);
+        return poses[0].foot_contact[s] && poses[1].foot_contact[s] &&
+               over_floor(foot_place(content_->skeleton, worlds[0], side).pivot,
+                          foot_place(content_->skeleton, worlds[1], side).pivot) < kNearFeet;
+    });
 }
 
 double FigureSequence::margin_between(const Danced& before, const Danced& after) const noexcept {
@@ -194,9 +281,9 @@ Pose FigureSequence::joined(const Danced& before,
                             const Danced& after,
                             double phase,
                             const Manner& manner) const noexcept {
-    const double margin = margin_between(before, after);
+    const auto [from, to] = body_join(before, after);
     const float share =
-        smootherstep(static_cast<float>((phase - after.start + margin) / (2.0 * margin)));
+        smootherstep(static_cast<float>((phase - after.start - from) / (to - from)));
     std::array<FootShare, 2> feet{};
     for (std::size_t s = 0; s < feet.size(); ++s) {
         const FootJoin& join = after.feet[s];
@@ -206,30 +293,38 @@ Pose FigureSequence::joined(const Danced& before,
         if (join.to > join.from) {
             const double u = (phase - after.start - join.from) / (join.to - join.from);
             const float own = smootherstep(static_cast<float>(u));
-            feet[s] = {own, join.is_lifted ? kStepLift * 4.0F * own * (1.0F - own) : 0.0F, {}};
+            feet[s].share = own;
+            feet[s].lift = join.is_lifted ? kStepLift * 4.0F * own * (1.0F - own) : 0.0F;
         }
         if (phase > after.start + join.held) {
             const WorldPose world =
                 world_pose(content_->skeleton, pose_of(before, after.start + join.held, manner));
-            feet[s].held = foot_place(content_->skeleton, world, kSides[s]).pivot;
+            feet[s].held = foot_place(content_->skeleton, world, kSides[s]);
+            feet[s].is_planted = join.is_planted;
         }
     }
     return average(
         *content_, pose_of(before, phase, manner), pose_of(after, phase, manner), share, feet);
 }
 
+std::array<double, 2> FigureSequence::body_join(const Danced& before,
+                                                const Danced& after) const noexcept {
+    const double margin = margin_between(before, after);
+    return after.changes_foot ? kWeightGoesBack : std::array<double, 2>{-margin, margin};
+}
+
 double FigureSequence::joined_until(const Danced& before, const Danced& after) const noexcept {
     const auto ends = [](const FootJoin& a, const FootJoin& b) { return a.to < b.to; };
     const FootJoin& last = *std::max_element(after.feet.begin(), after.feet.end(), ends);
-    return std::max(margin_between(before, after), last.to);
+    return std::max(body_join(before, after)[1], last.to);
 }
 
 // Samples the figure's contacts from the join's end on, as finely as the join.
 std::optional<double> FigureSequence::standing_from(const Danced& danced,
                                                     Side side,
                                                     double margin) const noexcept {
-    const double latest = std::min(
-        kLatestSwing, content_->figures[danced.choice.figure].beats - FigurePassage::kMargin);
+    const double latest =
+        std::min(kLatestSwing, end_of(danced) - danced.start - FigurePassage::kMargin);
     const double sample = 2.0 * margin / kFootSamples;
     for (double beat = margin; beat <= latest; beat += sample) {
         const Pose pose = pose_of(danced, danced.start + beat, {});
@@ -318,6 +413,26 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     return {scale * first, scale * (first + kStepFarthest - kStepNearest), true};
 }
 
+// The foot that begins goes over with its own step. The other one, which has come to rest a beat
+// before, stays: at its place where that is about the same in both figures, else until it steps.
+FigureSequence::FootJoin FigureSequence::foot_join_to_other_foot(
+    const Danced& after, Side side, const FootState& foot) const noexcept {
+    const double least = kLeastSwing * content_->metre.learnt_tempo.beats_per_second();
+    const FootJoin& own = foot.swings[1];
+    if (side == leading_foot(after) && own.lasts() >= least) {
+        return own;
+    }
+    FootJoin join{kBothStand[0], kBothStand[1]};
+    const std::optional<double> stands = standing_from(after, side, FigurePassage::kMargin);
+    if (foot.apart > kSeenToSlide && stands) {
+        join = {std::max(kStepNearest, *stands - kLongestStep), *stands};
+        join.is_lifted = own.lasts() <= 0.0;
+        join.held = kBothStand[1];
+        join.is_planted = true;
+    }
+    return join;
+}
+
 // Joins may outlast the margin, so the one before is asked first.
 Pose FigureSequence::at(Beats phase, const Manner& manner) const noexcept RAKS_NONBLOCKING {
     const double at = phase.count();
@@ -327,7 +442,7 @@ Pose FigureSequence::at(Beats phase, const Manner& manner) const noexcept RAKS_N
     if (next_ && at > next_->start + joined_until(current_, *next_)) {
         return pose_of(*next_, at, manner);
     }
-    if (next_ && at > next_->start - margin_between(current_, *next_)) {
+    if (next_ && at > next_->start + body_join(current_, *next_)[0]) {
         return joined(current_, *next_, at, manner);
     }
     return pose_of(current_, at, manner);

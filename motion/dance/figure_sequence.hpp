@@ -18,7 +18,10 @@ namespace raks::motion {
 /// beats on either side of a change (half a figure of one beat) both figures are danced and
 /// averaged (Ofli 2008, 5); feet are averaged by their places. A foot that the two figures plant
 /// apart takes a step over; one that the next figure still has in the air moves over until that
-/// figure plants it. Threads: one. Real-time: yes.
+/// figure plants it. Figures are danced left for right where the dance's habits say so: one goes on
+/// with the foot that is free, or the weight goes back in the last beat of the figure before. To
+/// calm music some figures are danced at half the tempo.
+/// Threads: one. Real-time: yes.
 class FigureSequence {
  public:
     /// Beats before its end at which the next figure is chosen
@@ -55,9 +58,15 @@ class FigureSequence {
         return content_->figures[current_.choice.figure];
     }
     /// Beats since the present figure's count 1.
-    [[nodiscard]] double beat(Beats phase) const noexcept { return phase.count() - current_.start; }
+    [[nodiscard]] double beat(Beats phase) const noexcept {
+        return (phase.count() - current_.start) / current_.stretch;
+    }
+    /// Beats of the phase for each beat of the present figure: 2 at half the tempo, else 1.
+    [[nodiscard]] double stretch() const noexcept { return current_.stretch; }
     /// The phase at which the present figure ends.
     [[nodiscard]] Beats end() const noexcept { return Beats(end_of(current_)); }
+    /// Whether the present figure is danced left for right.
+    [[nodiscard]] bool is_mirrored() const noexcept { return current_.choice.is_mirrored; }
     /// Whether the present figure began half a turn away from the first.
     [[nodiscard]] bool is_turned() const noexcept { return current_.is_turned; }
     /// How many figures were begun before this one.
@@ -72,6 +81,7 @@ class FigureSequence {
         bool is_lifted = false;  // by an added step, as neither figure steps with it then
         // From this beat on the foot keeps the place that the last figure gave it, until `from`.
         double held = std::numeric_limits<double>::infinity();
+        bool is_planted = false;  // it stands there meanwhile, whatever the last figure does
         [[nodiscard]] double lasts() const noexcept { return to - from; }
     };
     /// What one foot does in both figures around the change between them.
@@ -85,8 +95,18 @@ class FigureSequence {
         double start = 0.0;  // phase of its count 1
         bool is_turned = false;
         std::array<FootJoin, 2> feet{};  // how each foot came from the figure before
+        bool changes_foot = false;       // begins on the foot that carried the figure before
+        double stretch = 1.0;            // beats of the phase for each of the figure
     };
     [[nodiscard]] FigureChoice choose(std::size_t figure, std::uint64_t number) const noexcept;
+    /// The foot that its first step is danced with.
+    [[nodiscard]] std::optional<Side> leading_foot(const Danced& danced) const noexcept;
+    /// Decides whether the next figure is danced at half the tempo.
+    void take_tempo(Danced& next, double energy, bool is_locked) const noexcept;
+    /// Decides whether the next figure is danced left for right.
+    void take_side(Danced& next, bool is_locked) const noexcept;
+    /// Whether both feet stand, and near enough in both figures for the weight to go back.
+    [[nodiscard]] bool can_change_foot(const Danced& before, const Danced& after) const noexcept;
     [[nodiscard]] std::array<FootState, 2> states_of_feet(const Danced& before,
                                                           const Danced& after) const noexcept;
     [[nodiscard]] FootJoin foot_join(const Danced& before,
@@ -103,9 +123,16 @@ class FigureSequence {
     [[nodiscard]] Pose pose_of(const Danced& danced,
                                double phase,
                                const Manner& manner) const noexcept;
+    /// How a foot joins where the dancer goes over to the foot that carried.
+    [[nodiscard]] FootJoin foot_join_to_other_foot(const Danced& after,
+                                                   Side side,
+                                                   const FootState& foot) const noexcept;
     /// Beats on either side of a change in which both figures are danced; short enough that two
     /// joins never meet.
     [[nodiscard]] double margin_between(const Danced& before, const Danced& after) const noexcept;
+    /// Beats after a change, from and to which the body goes over.
+    [[nodiscard]] std::array<double, 2> body_join(const Danced& before,
+                                                  const Danced& after) const noexcept;
     /// Beats after a change until which a foot may still be on its way.
     [[nodiscard]] double joined_until(const Danced& before, const Danced& after) const noexcept;
     [[nodiscard]] Pose joined(const Danced& before,
@@ -120,6 +147,8 @@ class FigureSequence {
     std::uint64_t seed_ = 1;
     std::uint64_t ways_ = 1;
     bool is_in_couple_ = false;
+    bool mirrors_ = false;
+    bool slows_ = false;
     std::uint64_t number_ = 0;
     std::optional<Danced> before_;
     Danced current_;

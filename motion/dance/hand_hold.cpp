@@ -70,9 +70,8 @@ void HandHold::advance(const HoldMoment& moment,
     if (moment.hold != CoupleHold::none) {
         is_closed_ = moment.hold == CoupleHold::closed;
     }
-    const float look = !moment.dances                      ? 0.0F
-                       : moment.hold == CoupleHold::closed ? kClosedLook
-                                                           : kLook;
+    const bool stands = moment.hold == CoupleHold::none && moment.rate <= 0.0;
+    const float look = stands ? 0.0F : moment.hold == CoupleHold::closed ? kClosedLook : kLook;
     look_ += kLookStep * (look - look_);
     Stages stages = stages_;
     const HopIndex last = std::min(lead.newest(), follow.newest());

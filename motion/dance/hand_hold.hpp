@@ -15,12 +15,11 @@ namespace raks::motion {
 
 /// What a couple dances at a hop, as far as its hands need to know.
 struct HoldMoment {
-    bool dances = false;                 ///< else it stands
-    CoupleHold hold = CoupleHold::none;  ///< none while it stands
+    CoupleHold hold = CoupleHold::none;  ///< none also while it stands
     std::span<const HeldHands> holds;    ///< of the figure
     double beat = 0.0;                   ///< of the figure
     double beats = 0.0;                  ///< length of the figure
-    double rate = 0.0;                   ///< beats a second
+    double rate = 0.0;                   ///< beats a second; 0 while it stands
 };
 
 /// The hold of a couple over time: hands are taken, held and let go as the figures say, where the

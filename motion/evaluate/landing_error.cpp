@@ -124,8 +124,8 @@ LandingReport landing_errors(const BodyTrack& track,
         }
         std::vector<DueLanding> due;
         for (const AudibleCount& audible : judged) {
-            const LandingOffset& offset =
-                audible.figure->landings[static_cast<std::size_t>(side)][audible.count];
+            const auto learnt_by = static_cast<std::size_t>(side) ^ (audible.is_mirrored ? 1U : 0U);
+            const LandingOffset& offset = audible.figure->landings[learnt_by][audible.count];
             // Only landings that people share have a moment to be compared with.
             if (offset.is_one(least_repeats, audible.figure->repeats)) {
                 due.push_back(

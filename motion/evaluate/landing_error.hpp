@@ -38,6 +38,7 @@ struct AudibleCount {
     std::size_t count = 0;                ///< from 0, < figure->beats
     double time = 0.0;                    ///< seconds from the track's first frame
     double beat = 0.0;                    ///< length of the beat, seconds
+    bool is_mirrored = false;             ///< the figure is danced left for right
 };
 
 /// Detects where each foot comes down (foot_events.hpp: speed under 0.30 m/s after a step over

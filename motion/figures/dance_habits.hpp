@@ -27,6 +27,9 @@ inline constexpr std::array<std::string_view, 8> kHandPlaceNames = {
 struct DanceHabits {
     double pauses = 0.45;  ///< share of the phrases of eight bars that end in a pause; [0, 1]
     double rests = 0.30;   ///< share of the figures in which a hand rests; [0, 1]
+    /// Share of the changes of figure at which a dancer goes over to the other side, left for
+    /// right, where the feet allow it; [0, 1]
+    double mirror = 0.0;
     /// Where hands rest; at least one
     std::vector<HandPlace> rest_at{HandPlace::hip, HandPlace::thigh, HandPlace::chest};
 };

@@ -48,6 +48,9 @@ Expected<void> read_habits(const toml::table& root, DanceHabits& habits) {
     if (auto ok = read_share(root, "rests", habits.rests); !ok) {
         return ok;
     }
+    if (auto ok = read_share(root, "mirror", habits.mirror); !ok) {
+        return ok;
+    }
     return read_places(root, habits.rest_at);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/file.hpp"
 #include "base/plain_name.hpp"
@@ -88,6 +89,7 @@ class GrammarReader {
                                   "pauses",
                                   "rests",
                                   "rest_at",
+                                  "mirror",
                                   "lead",
                                   "follow",
                                   "couple",
@@ -297,8 +299,16 @@ class GrammarReader {
         if (table == nullptr) {
             return fail(where(node) + ": a figure must be a [[figure]] table");
         }
-        if (auto ok = check_keys(
-                *table, {"name", "energy", "seen", "after", "lead_aside", "follow_aside", "holds"});
+        if (auto ok = check_keys(*table,
+                                 {"name",
+                                  "energy",
+                                  "seen",
+                                  "after",
+                                  "lead_aside",
+                                  "follow_aside",
+                                  "holds",
+                                  "mirror",
+                                  "half_tempo"});
             !ok) {
             return ok;
         }
@@ -326,6 +336,14 @@ class GrammarReader {
         rule.seen = (*table)["seen"].value_or(table->contains("seen") ? -1.0 : 1.0);
         if (!(rule.seen > 0.0 && rule.seen <= kLargestWeight)) {
             return fail(where(node) + ": seen must be a number > 0");
+        }
+        for (const auto& [key, value] :
+             {std::pair("mirror", &rule.can_mirror), std::pair("half_tempo", &rule.can_slow)}) {
+            const auto read = (*table)[key].value<bool>();
+            if (table->contains(key) && !read) {
+                return fail(fmt::format("{}: {} must be true or false", where(node), key));
+            }
+            *value = read.value_or(*value);
         }
         for (std::size_t role = 0; role < kRoleNames.size(); ++role) {
             // "lead_aside" and "follow_aside".

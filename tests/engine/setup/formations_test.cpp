@@ -80,7 +80,8 @@ TEST(Formations, that_a_dance_has_not_are_told_once_and_the_dancers_stay) {
     Formations formations = formations_of("belly", "solo");
     formations.ask_for_next();
     EXPECT_EQ(error_when_there(formations),
-              "formation couple: belly is danced alone; a couple dances salsa, waltz");
+              "formation couple: belly is danced alone; a couple dances salsa, house, hiphop, "
+              "rock, waltz");
     EXPECT_EQ(formations.name(), "solo");
     EXPECT_EQ(formations.cast().members.size(), 1U);
     EXPECT_EQ(formations.poll().value(), Formations::Change::none);

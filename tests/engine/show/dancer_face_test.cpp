@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -127,6 +128,48 @@ TEST(DancerFace, the_eyes_follow_what_is_before_them_and_leave_what_is_behind) {
     const float beside = gaze_to({1.9F, 0, 1});
     EXPECT_GT(beside, 0.0F);
     EXPECT_LT(beside, 1.0F);
+}
+
+// A track whose head turns by so many degrees within 0.1 s, from the middle on.
+motion::PoseTrack turning(float degrees) {
+    motion::PoseTrack track;
+    for (HopIndex hop = 0; hop < 60; ++hop) {
+        const float share = std::clamp((static_cast<float>(hop) - 30.0F) / 10.0F, 0.0F, 1.0F);
+        motion::Pose pose = standing();
+        const float half = 0.5F * share * degrees * static_cast<float>(M_PI) / 180.0F;
+        pose.rotation(motion::Bone::head) = {std::cos(half), 0.0F, std::sin(half), 0.0F};
+        track.append_final(hop, pose);
+    }
+    return track;
+}
+
+TEST(DancerFace, the_eyes_go_before_the_head) {
+    const motion::PoseTrack track = turning(60.0F);
+    const glm::vec3 head = head_place(skeleton(), standing());
+    DancerFace face(1);
+    const auto eyes_at = [&](double seconds) {
+        const FaceMoment moment{.time = at(seconds),
+                                .gaze_target = head + glm::vec3(0, 0, 3),
+                                .head = head_turn_at(track, at(seconds))};
+        return face.face_at(moment, skeleton(), track.at(at(seconds))).gaze_target - head;
+    };
+    EXPECT_LT(eyes_at(0.10).x, 0.01F) << "at who watches";
+    EXPECT_GT(eyes_at(0.28).x, 1.5F) << "to the left, while the head is still";
+    EXPECT_EQ(track.at(at(0.28)).rotation(motion::Bone::head), motion::kNoRotation);
+}
+
+TEST(DancerFace, a_far_turn_of_the_head_makes_it_blink_once) {
+    for (const float degrees : {15.0F, 20.0F, 30.0F, 90.0F, 170.0F}) {
+        const motion::PoseTrack track = turning(degrees);
+        int shut = 0;
+        bool was_shut = false;
+        for (int i = 0; i < 390; ++i) {
+            const bool is_shut = head_turn_at(track, at(0.001 * i)).blink > 0.5F;
+            shut += is_shut && !was_shut ? 1 : 0;
+            was_shut = is_shut;
+        }
+        EXPECT_EQ(shut, degrees > 25.0F ? 1 : 0) << degrees;
+    }
 }
 
 TEST(DancerFace, every_habit_can_be_switched_off) {

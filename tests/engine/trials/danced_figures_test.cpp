@@ -102,6 +102,19 @@ TEST(DancedFigures, change_with_the_name_and_with_a_new_anchor) {
     EXPECT_EQ(found[2].dance_from, 2.0) << "one dance";
 }
 
+TEST(DancedFigures, tell_on_which_side_they_are_danced) {
+    std::vector<DancerStatus> hops = dancing(600, 0.0);
+    for (DancerStatus& status : hops) {
+        status.is_mirrored = true;
+    }
+    const auto found = danced_figures(hops, steady_beats(60), models());
+    ASSERT_FALSE(found.empty());
+    EXPECT_TRUE(found[0].is_mirrored);
+    const auto counts = audible_counts(found, {.blend_in = 0.0});
+    ASSERT_FALSE(counts.empty());
+    EXPECT_TRUE(counts[0].is_mirrored);
+}
+
 TEST(DancedFigures, of_a_name_that_no_model_has_are_left_out) {
     std::vector<DancerStatus> hops(800, status_of("waltz", 1.0));
     EXPECT_TRUE(danced_figures(hops, steady_beats(60), models()).empty());

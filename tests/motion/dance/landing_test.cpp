@@ -253,7 +253,8 @@ TEST(Landing, a_step_that_is_under_way_after_a_change_comes_down_with_the_figure
     const std::size_t from = index_of_figure(belly, "shimmy_walk");
     const std::size_t to = index_of_figure(belly, "three_quarter_shimmy");
     for (std::uint64_t ways = 1; ways <= 8; ++ways) {
-        const DancerPart part{.seed = 1, .ways = ways};
+        // As learnt, not now and then left for right.
+        const DancerPart part{.seed = 1, .ways = ways, .dynamics = Dynamics::off};
         const auto landings = landings_at_change(belly, from, to, Side::right, part, 92.0);
         ASSERT_FALSE(landings.empty()) << ways;
         EXPECT_GT(landings.front(), 0.9) << "written: 1.0; " << ways;
@@ -267,7 +268,8 @@ TEST(Landing, a_foot_that_both_figures_step_with_goes_straight_to_where_it_lands
     for (const std::string_view name : {"two_step", "bart_simpson"}) {
         const std::size_t from = index_of_figure(hiphop, name);
         for (std::uint64_t ways = 1; ways <= 8; ++ways) {
-            const DancerPart part{.seed = 1, .ways = ways};
+            // As learnt, not now and then left for right.
+            const DancerPart part{.seed = 1, .ways = ways, .dynamics = Dynamics::off};
             const auto landings = landings_at_change(hiphop, from, to, Side::left, part, 82.0);
             if (!landings.empty()) {
                 EXPECT_NEAR(landings.front(), 0.0, 0.06) << name << " " << ways;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "motion/dance/body/floor_move.hpp"
 #include "motion/dance/standing.hpp"
@@ -20,34 +21,43 @@ double head_heading(const Pose& pose) {
     return std::atan2(static_cast<double>(ahead.x), static_cast<double>(ahead.z));
 }
 
-Pose looking(double heading, double seconds, LookFor what) {
-    const StreamTime time = stream_time_from_seconds(seconds);
-    Pose pose = FloorMove{heading, {}}(idle_pose(body(), StreamTime{}));
-    look(body(), time, 7, {what, what}, pose);
-    return pose;
+/// The poses of a dancer who is about `what`, whose figures have it in these poses.
+std::vector<Pose> looking(const std::vector<Pose>& figures, LookFor what, std::uint64_t seed = 7) {
+    Looks looks;
+    std::vector<Pose> poses;
+    for (std::size_t hop = 0; hop < figures.size(); ++hop) {
+        const Pose& before = hop > 0 ? poses.back() : figures.front();
+        looks.advance(body(), time_of_hop(static_cast<HopIndex>(hop)), seed, what, before);
+        Pose pose = figures[hop];
+        looks.apply(body(), pose);
+        poses.push_back(pose);
+    }
+    return poses;
+}
+
+std::vector<Pose> standing(double heading, std::size_t hops) {
+    return std::vector<Pose>(hops, FloorMove{heading, {}}(idle_pose(body(), StreamTime{})));
 }
 
 TEST(Looks, who_poses_turns_the_head_to_the_audience) {
     for (const double heading : {-0.9, -0.4, 0.0, 0.5, 1.0}) {
-        EXPECT_LT(std::abs(head_heading(looking(heading, 1.0, LookFor::pose))),
-                  0.35 * std::abs(heading) + 0.02)
-            << heading;
+        const Pose pose = looking(standing(heading, 100), LookFor::pose).back();
+        EXPECT_LT(std::abs(head_heading(pose)), 0.35 * std::abs(heading) + 0.02) << heading;
     }
 }
 
 TEST(Looks, nobody_looks_over_the_shoulder) {
-    const Pose away = FloorMove{M_PI - 0.2, {}}(idle_pose(body(), StreamTime{}));
-    EXPECT_NEAR(head_heading(looking(M_PI - 0.2, 1.0, LookFor::pose)), head_heading(away), 1e-3);
+    const std::vector<Pose> away = standing(M_PI - 0.2, 100);
+    EXPECT_NEAR(head_heading(looking(away, LookFor::pose).back()), head_heading(away[0]), 1e-3);
 }
 
 TEST(Looks, who_waits_looks_around_and_never_throws_the_head) {
-    std::vector<Pose> poses;
+    const std::vector<Pose> poses = looking(standing(0.0, 6000), LookFor::wait);
     double left = 0.0;
     double right = 0.0;
-    for (int hop = 0; hop < 6000; ++hop) {
-        poses.push_back(looking(0.0, 0.01 * hop, LookFor::wait));
-        left = std::max(left, head_heading(poses.back()));
-        right = std::min(right, head_heading(poses.back()));
+    for (const Pose& pose : poses) {
+        left = std::max(left, head_heading(pose));
+        right = std::min(right, head_heading(pose));
     }
     EXPECT_GT(left, 0.2);
     EXPECT_LT(right, -0.2);
@@ -55,11 +65,46 @@ TEST(Looks, who_waits_looks_around_and_never_throws_the_head) {
 }
 
 TEST(Looks, a_spin_is_looked_out_of_smoothly) {
-    std::vector<Pose> poses;
+    std::vector<Pose> spin = standing(0.0, 100);
     for (int hop = 0; hop < 100; ++hop) {
-        poses.push_back(looking(2.0 * M_PI * hop / 100.0, 1.0 + 0.01 * hop, LookFor::pose));
+        spin.push_back(standing(2.0 * M_PI * hop / 100.0, 1).front());
     }
-    EXPECT_LT(test::largest_step(poses, 0, 100), test::kFastestStep);
+    EXPECT_LT(test::largest_step(looking(spin, LookFor::pose), 0, 200), test::kFastestStep);
+}
+
+/// Greatest turn of the head to the left, of many looks.
+double farthest_left(const std::vector<Pose>& figures) {
+    double left = 0.0;
+    for (const Pose& pose : looking(figures, LookFor::dance)) {
+        left = std::max(left, head_heading(pose));
+    }
+    return left;
+}
+
+TEST(Looks, a_raised_hand_that_works_is_looked_at_and_one_that_rests_is_not) {
+    const auto with_arm = [](double speed) {
+        std::vector<Pose> poses = standing(0.0, 6000);
+        for (std::size_t hop = 0; hop < poses.size(); ++hop) {
+            // Straight out to the left, level as in the T-pose; its elbow bends and stretches.
+            const double bend = 0.6 * std::sin(speed * 0.01 * static_cast<double>(hop));
+            poses[hop].rotation(Bone::left_shoulder) = kNoRotation;
+            poses[hop].rotation(Bone::left_upper_arm) = kNoRotation;
+            poses[hop].rotation(Bone::left_lower_arm) =
+                turn_about_up(static_cast<float>(-0.6 + bend));
+        }
+        return poses;
+    };
+    EXPECT_GT(farthest_left(with_arm(9.0)), 0.25);
+    EXPECT_LT(farthest_left(with_arm(0.0)), 0.05);
+}
+
+TEST(Looks, who_travels_looks_along_the_way) {
+    std::vector<Pose> walk = standing(0.0, 6000);
+    for (std::size_t hop = 0; hop < walk.size(); ++hop) {
+        walk[hop].hips_position.x = 0.006F * static_cast<float>(hop);
+    }
+    EXPECT_GT(farthest_left(walk), 0.3);
+    EXPECT_LT(farthest_left(standing(0.0, 6000)), 0.05);
 }
 
 }  // namespace

@@ -107,6 +107,24 @@ TEST(LandingErrors, measure_how_late_each_foot_is_against_its_learnt_offset) {
     EXPECT_NEAR(landing_errors(late, two_steps(), counts).mean, on_time.mean + 0.1, 0.003);
 }
 
+TEST(LandingErrors, of_a_mirrored_figure_are_of_the_other_foot) {
+    std::vector<AudibleCount> counts;
+    const FigureModel figure = two_steps();
+    for (std::size_t k = 0; k < 24; ++k) {
+        const double time = 2.0 + 0.5 * static_cast<double>(k);
+        counts.push_back({&figure, k % static_cast<std::size_t>(figure.beats), time, 0.5, true});
+    }
+    BodyTrack track = standing(1000);
+    for (const double figure_start : {2.0, 6.0, 10.0}) {
+        add_step(track, Side::right, figure_start);
+        add_step(track, Side::left, figure_start + 2.0 + 0.125);
+    }
+    const LandingReport report = landing_errors(track, counts);
+    EXPECT_EQ(report.landings.size(), 6U);
+    EXPECT_EQ(report.missing, 0U);
+    EXPECT_EQ(report.unexpected, 0U);
+}
+
 TEST(LandingErrors, count_steps_that_are_missing_or_not_expected) {
     std::vector<double> counts;
     counts.reserve(16);

@@ -67,15 +67,19 @@ TEST(FigureGrammar, reads_what_dancers_do_beside_the_figures) {
     const auto plain = read("");
     ASSERT_TRUE(plain) << plain.error().message;
     EXPECT_EQ(plain->habits.pauses, DanceHabits().pauses) << "as if nothing were said";
-    const auto own = read("pauses = 0.8\nrests = 0\nrest_at = [\"waist\", \"low\"]\n");
+    const auto own =
+        read("pauses = 0.8\nrests = 0\nrest_at = [\"waist\", \"low\"]\nmirror = 0.4\n");
     ASSERT_TRUE(own) << own.error().message;
     EXPECT_EQ(own->habits.pauses, 0.8);
     EXPECT_EQ(own->habits.rests, 0.0);
+    EXPECT_EQ(plain->habits.mirror, 0.0);
+    EXPECT_EQ(own->habits.mirror, 0.4);
     EXPECT_EQ(own->habits.rest_at, (std::vector<HandPlace>{HandPlace::waist, HandPlace::low}));
     for (const auto& [lines, what] : std::vector<std::pair<std::string, std::string>>{
              {"pauses = 1.5\n", "x.toml: pauses must be a number from 0 to 1"},
              {"pauses = nan\n", "x.toml: pauses must be a number from 0 to 1"},
              {"rests = \"often\"\n", "x.toml: rests must be a number from 0 to 1"},
+             {"mirror = true\n", "x.toml: mirror must be a number from 0 to 1"},
              {"rest_at = []\n", "x.toml: rest_at must be a list of one or more places"},
              {"rest_at = \"hip\"\n", "x.toml: rest_at must be a list of one or more places"},
              {"rest_at = [\"hipp\"]\n", "did you mean \"hip\"?"}}) {
@@ -83,6 +87,20 @@ TEST(FigureGrammar, reads_what_dancers_do_beside_the_figures) {
         ASSERT_FALSE(refused) << lines;
         EXPECT_NE(refused.error().message.find(what), std::string::npos) << refused.error().message;
     }
+}
+
+TEST(FigureGrammar, reads_which_figures_stay_on_their_side) {
+    const auto with = [](const std::string& line) {
+        return parse_grammar(replaced("[[figure]]\n", "[[figure]]\n" + line), "x.toml");
+    };
+    const auto one_sided = with("mirror = false\n");
+    ASSERT_TRUE(one_sided) << one_sided.error().message;
+    EXPECT_FALSE(one_sided->rules[0].can_mirror);
+    EXPECT_TRUE(one_sided->rules[1].can_mirror) << "where nothing is said";
+    const auto refused = with("mirror = 0.5\n");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("mirror must be true or false"), std::string::npos)
+        << refused.error().message;
 }
 
 TEST(FigureGrammar, reads_how_a_couple_holds) {
