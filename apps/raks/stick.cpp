@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/clips/clip_reading.hpp"
+#include "apps/raks/clip_document.hpp"
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
@@ -39,28 +40,34 @@ Expected<motion::MotionFile> read_file_of(const StickArguments& arguments) {
     return file;
 }
 
-// Metres a unit: as given, else the file's, else guessed from the body's height, with a line that
-// says so.
-double scale_of(const motion::MotionClip& clip, const StickArguments& arguments) {
-    if (arguments.scale > 0.0) {
-        return arguments.scale;
+// What was taken in doubt, and the unit where nobody gave it.
+void say_what_was_found(const motion::MotionClip& clip,
+                        const render::ClipFigures& figures,
+                        const StickArguments& arguments) {
+    const std::string name = arguments.input.string();
+    for (const std::string& note : figures.notes()) {
+        say(name + ": " + note);
     }
-    if (clip.metres_per_unit) {
-        return *clip.metres_per_unit;
+    if (!arguments.body.has_unit() && !clip.metres_per_unit) {
+        const auto& body = figures.body();
+        say(fmt::format("{}: one unit is taken for {}: {} (--unit, --height or --scale sets it)",
+                        name,
+                        motion::unit_name(figures.metres_per_unit()),
+                        body ? body->size.reason : "by its height at rest"));
     }
-    const double guess = motion::guess_metres_per_unit(clip);
-    say(fmt::format("{}: one unit is taken for {:.4g} m, by the body's height (--scale sets it)",
-                    arguments.input.string(),
-                    guess));
-    return guess;
 }
 
 // What of points is as given, as the file says, or else guessed, with a line that says so.
 render::PointFrame frame_of(const motion::PointClip& clip, const StickArguments& arguments) {
     auto guess = render::guess_point_frame(clip);
-    if (arguments.scale > 0.0) {
-        guess.frame.metres_per_unit = arguments.scale;
+    const motion::BodyOptions given = arguments.body.options();
+    if (given.metres_per_unit) {
+        guess.frame.metres_per_unit = *given.metres_per_unit;
         guess.is_unit_guessed = false;
+    }
+    if (given.up) {
+        guess.frame.up = *given.up;
+        guess.is_up_guessed = false;
     }
     const std::string name = arguments.input.string();
     if (guess.is_unit_guessed) {
@@ -192,9 +199,14 @@ Expected<void> show_recording(const StickArguments& arguments, motion::MotionCli
     if (!arguments.joints_output.empty()) {
         return write_joints(arguments, clip);
     }
-    const auto figures = render::ClipFigures::create(clip, scale_of(clip, arguments));
+    const auto figures = render::ClipFigures::create(clip, arguments.body.options());
     if (!figures) {
         return fail(arguments.input.string() + ": " + figures.error().message);
+    }
+    say_what_was_found(clip, *figures, arguments);
+    if (arguments.as_json) {
+        print_text(clip_document(arguments.input.string(), clip, *figures) + "\n");
+        return {};
     }
     return show(arguments, clip, *figures);
 }
@@ -202,10 +214,10 @@ Expected<void> show_recording(const StickArguments& arguments, motion::MotionCli
 // Points as they are.
 Expected<void> show_recording(const StickArguments& arguments, const motion::PointClip& clip) {
     if (!arguments.joints_output.empty() || !arguments.joints.empty() ||
-        !arguments.joint_map.empty()) {
+        !arguments.joint_map.empty() || arguments.as_json) {
         return fail(arguments.input.string() +
-                    ": holds points, which have no joints; leave --joint, --joints and "
-                    "--write-joints out");
+                    ": holds points, which have no joints; leave --joint, --joints, "
+                    "--write-joints and --json out");
     }
     const auto figures = render::PointFigures::create(clip, frame_of(clip, arguments));
     if (!figures) {

@@ -11,7 +11,7 @@
 #include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "motion/skeleton/formats/motion_format.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/retarget.hpp"
 #include "render/avatar/animation_sampler.hpp"
 #include "render/avatar/joint_tree.hpp"
 #include "render/avatar/node_clip.hpp"

@@ -10,12 +10,16 @@
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "training/figures/figure_trainer.hpp"
 
+#include <glm/vec3.hpp>
+
 namespace raks::motion {
 
 /// Units that a motion file may lack or give wrongly, and how it is to be read.
 struct ClipUnits {
     MotionReadOptions reading = {};         ///< with the rate, instead of the file's
-    std::optional<double> metres_per_unit;  ///< none: the file's, or guessed from the body's height
+    std::optional<double> metres_per_unit;  ///< none: the file's, or found from the body's size
+    std::optional<double> height{};         ///< of the body, metres; none: found with the unit
+    std::optional<glm::dvec3> up{};         ///< axis that points up, unit; none: found
     JointLabels joints{};                   ///< which joint is which bone, as a person said
 };
 

@@ -234,6 +234,8 @@ class Collector {
         Expected<TrainingClip> clip = load_clip(file->second,
                                                 {.reading = plan_.reading,
                                                  .metres_per_unit = plan_.metres_per_unit,
+                                                 .height = plan_.height,
+                                                 .up = plan_.up,
                                                  .joints = plan_.joints},
                                                 material_.warnings);
         if (!clip) {
