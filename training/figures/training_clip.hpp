@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/skeleton/body/joint_labels.hpp"
+#include "motion/skeleton/joint_labels.hpp"
 #include "training/figures/figure_trainer.hpp"
 
 namespace raks::motion {
