@@ -11,7 +11,7 @@
 #include "base/suggest.hpp"
 #include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/bvh.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/retarget.hpp"
 #include "render/avatar/animation_sampler.hpp"
 #include "render/avatar/joint_tree.hpp"
 #include "render/avatar/node_clip.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/retarget.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"

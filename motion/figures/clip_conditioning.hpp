@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/retarget.hpp"
 #include "motion/skeleton/pose.hpp"
 
 /// Clip conditioning: prepares recorded motion for training. Faults are bridged, and noise above

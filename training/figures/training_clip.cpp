@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "motion/skeleton/bvh.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
@@ -62,18 +62,20 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     for (const std::string& warning : motion->warnings) {
         warnings.push_back(path.filename().string() + ": " + warning);
     }
-    // The mapping is needed again for the rest pose, which retarget does not return.
-    const Expected<HumanoidMapping> mapping = map_humanoid(*motion);
-    if (!mapping) {
-        return fail(Error(mapping.error()).in(path.filename().string()));
+    // The rest pose is needed again, which retarget does not return.
+    const Expected<StandingClip> standing = stand(
+        *motion,
+        {.up = units.up, .metres_per_unit = units.metres_per_unit, .height = units.height});
+    if (!standing) {
+        return fail(Error(standing.error()).in(path.filename().string()));
     }
     // No floor height given: retarget estimates it from the toe tips.
-    Expected<RetargetedClip> body =
-        retarget(*motion,
-                 mannequin_skeleton(),
-                 {.metres_per_unit = units.metres_per_unit, .floor_height = std::nullopt});
+    Expected<RetargetedClip> body = retarget(*standing, mannequin_skeleton());
     if (!body) {
         return fail(std::move(body.error()).in(path.filename().string()));
+    }
+    for (const std::string& note : standing->body.notes()) {
+        warnings.push_back(path.filename().string() + ": " + note);
     }
     if (!units.metres_per_unit) {
         warnings.push_back(fmt::format("{}: its unit is taken for {:.4g} m, by the body's height",
@@ -85,7 +87,7 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     clip.frames_per_second = body->frames_per_second;
     clip.poses = std::move(body->poses);
     clip.feet = std::move(body->source_feet);
-    move_hips_joint(*motion, *mapping, *body, clip);
+    move_hips_joint(standing->clip, standing->body.mapping, *body, clip);
     // As a fault these frames are bridged with the first sound pose.
     clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
     return clip;

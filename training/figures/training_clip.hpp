@@ -8,12 +8,16 @@
 #include "base/expected.hpp"
 #include "training/figures/figure_trainer.hpp"
 
+#include <glm/vec3.hpp>
+
 namespace raks::motion {
 
 /// Units that a motion file may lack or give wrongly.
 struct ClipUnits {
     std::optional<double> frames_per_second;  ///< instead of the file's
-    std::optional<double> metres_per_unit;    ///< none: guessed from the body's height
+    std::optional<double> metres_per_unit;    ///< none: found from the body's size
+    std::optional<double> height{};           ///< of the body, metres; none: found with the unit
+    std::optional<glm::dvec3> up{};           ///< axis that points up, unit; none: found
 };
 
 /// Reads a BVH file as motion of the built-in skeleton; the clip's name is the file's. The first

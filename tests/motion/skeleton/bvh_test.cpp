@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/retarget.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
 
