@@ -58,7 +58,7 @@ Expected<BodyTrack> body_track(const MotionClip& recorded, double metres_per_uni
         return tl::unexpected(standing.error());
     }
     const MotionClip& clip = standing->clip;
-    const HumanoidMapping& mapping = standing->body.mapping;
+    const HumanoidMapping& mapping = standing->body.mapping();
     // Metrics sum over all 19 joints, so none may be missing.
     for (const Bone bone : kBodyBones) {
         if (!mapping.joint(bone)) {

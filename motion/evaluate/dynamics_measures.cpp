@@ -290,7 +290,7 @@ Expected<DynamicsTrack> dynamics_track(const MotionClip& recorded, DanceStretch 
         return tl::unexpected(standing.error());
     }
     const MotionClip& clip = standing->clip;
-    const HumanoidMapping& mapping = standing->body.mapping;
+    const HumanoidMapping& mapping = standing->body.mapping();
     std::array<std::size_t, kDynamicsBones.size()> joints{};
     std::array<bool, kDynamicsBones.size()> is_tip{};
     for (std::size_t b = 0; b < kDynamicsBones.size(); ++b) {

@@ -27,9 +27,7 @@ struct HumanoidMapping {
 /// The nearest bone above `bone` that a clip has; none above the hips.
 [[nodiscard]] std::optional<Bone> mapped_parent(const HumanoidMapping& mapping, Bone bone);
 
-/// Maps joints by name. Known are the names of DAZ/Poser (lShldr), CMU/MotionBuilder (LeftArm),
-/// Mixamo (mixamorig:LeftArm), Bandai Namco (UpperArm_L) and VRM (leftUpperArm); case and anything
-/// before ':' do not matter. Errors: not a humanoid (names which of hips, legs, arms are missing).
+/// The mapping that find_joints (body/joint_finder.hpp) finds. Errors: those of find_joints.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<HumanoidMapping> map_humanoid(const MotionClip& clip);
 

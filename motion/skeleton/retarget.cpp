@@ -51,7 +51,7 @@ Expected<RetargetedClip> retarget(const StandingClip& standing,
                                   const Skeleton& target,
                                   std::optional<double> floor_height) {
     const MotionClip& clip = standing.clip;
-    const HumanoidMapping& mapping = standing.body.mapping;
+    const HumanoidMapping& mapping = standing.body.mapping();
     const std::vector<glm::dvec3> rest = rest_positions(clip);
     RetargetedClip result;
     result.frames_per_second = clip.frames_per_second;

@@ -17,29 +17,19 @@ std::vector<int> parents_first(const Model& model) {
     return order;
 }
 
-TreeOrder::TreeOrder(const Model& model)
-    : begin_(model.nodes.size(), 0), size_(model.nodes.size(), 1), depth_(model.nodes.size(), 0) {
-    const std::vector<int> order = parents_first(model);
-    for (auto node = order.rbegin(); node != order.rend(); ++node) {
-        if (const int parent = node_of(model, *node).parent; parent >= 0) {
-            size_[static_cast<std::size_t>(parent)] += size_[static_cast<std::size_t>(*node)];
-        }
+namespace {
+
+std::vector<int> parents_of(const Model& model) {
+    std::vector<int> parents;
+    parents.reserve(model.nodes.size());
+    for (const ModelNode& node : model.nodes) {
+        parents.push_back(node.parent);
     }
-    int root_begin = 0;
-    for (const int node : order) {
-        const auto at = static_cast<std::size_t>(node);
-        if (node_of(model, node).parent < 0) {
-            begin_[at] = root_begin;
-            root_begin += size_[at];
-        }
-        int begin = begin_[at] + 1;
-        for (const int child : node_of(model, node).children) {
-            const auto below = static_cast<std::size_t>(child);
-            begin_[below] = begin;
-            begin += size_[below];
-            depth_[below] = depth_[at] + 1;
-        }
-    }
+    return parents;
 }
+
+}  // namespace
+
+TreeOrder::TreeOrder(const Model& model) : ParentTree(parents_of(model)) {}
 
 }  // namespace raks::render

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "motion/skeleton/body/parent_tree.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::render {
@@ -26,23 +27,9 @@ namespace raks::render {
 [[nodiscard]] std::vector<int> parents_first(const Model& model);
 
 /// The tree as numbers, for many questions about one model.
-class TreeOrder {
+class TreeOrder : public motion::ParentTree {
  public:
     explicit TreeOrder(const Model& model);
-
-    /// The same as is_below above, at once.
-    [[nodiscard]] bool is_below(int node, int ancestor) const {
-        const auto at = static_cast<std::size_t>(node);
-        const auto over = static_cast<std::size_t>(ancestor);
-        return begin_[over] < begin_[at] && begin_[at] < begin_[over] + size_[over];
-    }
-    /// Nodes above.
-    [[nodiscard]] int depth(int node) const { return depth_[static_cast<std::size_t>(node)]; }
-
- private:
-    std::vector<int> begin_;  // by node: its number in the order of a walk into the depth
-    std::vector<int> size_;   // by node: nodes at and below it
-    std::vector<int> depth_;
 };
 
 }  // namespace raks::render

@@ -77,7 +77,7 @@ void ClipFigures::find_bones(const motion::BodyOptions& options) {
     if (body) {
         clip_ = motion::stood_up(std::move(clip_), *body);
         metres_per_unit_ = body->size.metres_per_unit;
-        mapping_ = body->mapping;
+        mapping_ = body->mapping();
         head_ = mapping_.joint(motion::Bone::head);
         notes_ = body->notes();
         body_ = std::move(*body);

@@ -87,7 +87,7 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     clip.frames_per_second = body->frames_per_second;
     clip.poses = std::move(body->poses);
     clip.feet = std::move(body->source_feet);
-    move_hips_joint(standing->clip, standing->body.mapping, *body, clip);
+    move_hips_joint(standing->clip, standing->body.mapping(), *body, clip);
     // As a fault these frames are bridged with the first sound pose.
     clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
     return clip;

@@ -14,7 +14,7 @@ constexpr double kDoubtful = 0.6;  // confidence below which what was taken is s
 }  // namespace
 
 std::vector<std::string> FoundBody::notes() const {
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = joints.notes;
     if (up.confidence < kDoubtful) {
         notes.push_back(fmt::format("{} is taken for up: {} (--up sets it)", axis_name(up.axis), up.reason));
     } else if (up.axis != glm::dvec3(0.0, 1.0, 0.0)) {
@@ -36,13 +36,13 @@ Expected<FoundBody> find_body(const MotionClip& clip, const BodyOptions& options
     if (clip.frame_count == 0) {
         return fail("has no frames");
     }
-    const auto mapping = map_humanoid(clip);
-    if (!mapping) {
-        return fail(mapping.error());
+    auto joints = find_joints(clip, options.joints);
+    if (!joints) {
+        return fail(std::move(joints.error()));
     }
     FoundBody found;
-    found.mapping = *mapping;
-    const PosedBody posed(clip, found.mapping);
+    found.joints = std::move(*joints);
+    const PosedBody posed(clip, found.mapping());
     if (options.up) {
         found.up = {*options.up, turn_to_y(*options.up), 1.0, "given"};
     } else {

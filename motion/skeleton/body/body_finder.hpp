@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/skeleton/body/joint_finder.hpp"
+#include "motion/skeleton/body/joint_labels.hpp"
 #include "motion/skeleton/body/rest_pose.hpp"
 #include "motion/skeleton/body/size_finder.hpp"
 #include "motion/skeleton/body/up_finder.hpp"
@@ -20,6 +22,7 @@ namespace raks::motion {
 
 /// What a person says about a clip; the rest is found.
 struct BodyOptions {
+    JointLabels joints{};                   ///< which joint is which bone
     std::optional<glm::dvec3> up{};         ///< axis of the file that points up; unit
     std::optional<double> metres_per_unit{};///< > 0. (CMU takes 60_xx: 1.267, 61_xx: 1.17.)
     std::optional<double> height{};         ///< of the standing body, metres
@@ -27,18 +30,20 @@ struct BodyOptions {
 
 /// A body in a clip: its joints, how it lies in their frames, and how the clip lies in the world.
 struct FoundBody {
-    HumanoidMapping mapping;
+    FoundJoints joints;
     FoundUp up;
     RestPose rest;
     FoundSize size;
 
+    /// Which joint of the clip is which bone.
+    [[nodiscard]] const HumanoidMapping& mapping() const noexcept { return joints.mapping; }
     /// Lines to say: what was taken in doubt, and the option that sets it.
     [[nodiscard]] std::vector<std::string> notes() const;
 };
 
 /// Finds the body of a clip: joints, then up from where its head and feet are (up_finder.hpp), the
 /// rest pose from its bones (rest_pose.hpp) and the unit from its size (size_finder.hpp). Errors: no
-/// frames, and those of map_humanoid. Cost: linear in joints; 300 frames, all of them only where
+/// frames, and those of find_joints. Cost: linear in joints; 300 frames, all of them only where
 /// jumps must tell the unit. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FoundBody> find_body(const MotionClip& clip, const BodyOptions& options = {});
 

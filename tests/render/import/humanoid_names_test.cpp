@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "motion/skeleton/body/bone_words.hpp"
 #include "render/import/bind_places.hpp"
-#include "render/import/bone_words.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/humanoid_names.hpp"
 #include "render/model/model_survey.hpp"
@@ -15,8 +15,11 @@ namespace {
 
 using namespace raks;
 using namespace raks::render;
+using motion::BodyPart;
 using motion::Bone;
+using motion::read_bone_words;
 using motion::Side;
+using motion::words_of_name;
 
 /// How a tool names bones. `L` in a name stands for the side; trunk names from the hips up.
 struct Scheme {

@@ -10,7 +10,7 @@
 
 #include "motion/skeleton/humanoid.hpp"
 
-namespace raks::render {
+namespace raks::motion {
 
 /// The parts of a body that names speak of. `arm` and `leg` may be upper or lower: the rest of the
 /// names decides. `finger` has a number instead of a name.
@@ -46,7 +46,7 @@ enum class BodyPart : std::uint8_t {
 /// What a name says.
 struct BoneWords {
     BodyPart part = BodyPart::none;
-    std::optional<motion::Side> side;
+    std::optional<Side> side;
     /// 0: the usual word. Above: another would be better ("twist", "palm", a hip on one side).
     int doubt = 0;
     /// `finger`: its number as written (Biped counts from 0, MakeHuman from 1), -1: none.
@@ -68,4 +68,4 @@ struct BoneWords {
 [[nodiscard]] BoneWords read_bone_words(const std::vector<std::string>& words,
                                         const std::unordered_set<std::string>& noise);
 
-}  // namespace raks::render
+}  // namespace raks::motion
