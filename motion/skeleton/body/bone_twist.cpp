@@ -20,6 +20,9 @@ struct Hinge {
     glm::dvec3 axis;
 };
 
+// Of the left elbow.
+const glm::dvec3 kUpward(0.0, -std::cos(0.26), std::sin(0.26));
+
 std::optional<Hinge> hinge_of(Bone bone) {
     const bool is_right = index_of(bone) > index_of(mirrored(bone));
     const Side side = is_right ? Side::right : Side::left;
@@ -32,11 +35,11 @@ std::optional<Hinge> hinge_of(Bone bone) {
                      {1.0, 0.0, 0.0}};
     }
     if (left == Bone::left_upper_arm || left == Bone::left_lower_arm) {
-        // The forearm bends forward.
+        // The forearm bends forward and some 15 degrees up (mean of the dances of eleven people).
         return Hinge{on_side(Bone::left_upper_arm, side),
                      on_side(Bone::left_lower_arm, side),
                      on_side(Bone::left_hand, side),
-                     {0.0, is_right ? 1.0 : -1.0, 0.0}};
+                     is_right ? -kUpward : kUpward};
     }
     return std::nullopt;
 }

@@ -19,6 +19,8 @@ constexpr double kDegree = glm::pi<double>() / 180.0;
 
 // A rest pose was drawn, not recorded, where both sides agree that well.
 constexpr double kSymmetric = 3.0 * kDegree;
+// The trunk of a measured skeleton leans aside by that much (CMU).
+constexpr double kAside = 6.0 * kDegree;
 // A drawn pelvis leans by no more against the mannequin's.
 constexpr double kPelvisLean = 35.0 * kDegree;
 // A frame that points a bone so is taken for right: skeletons differ by that much.
@@ -87,6 +89,12 @@ bool is_upper(Bone bone) {
            bone == Bone::left_upper_leg || bone == Bone::right_upper_leg;
 }
 
+/// The angle between two; the first where they contradict each other.
+double middle_of(double first, double second) {
+    const double off = std::remainder(second - first, glm::two_pi<double>());
+    return std::abs(off) < 2.0 * glm::pi<double>() / 3.0 ? first + 0.5 * off : first;
+}
+
 /// Finds the rotations from the hips down; see RestPose.
 class RestFinder {
  public:
@@ -137,8 +145,8 @@ class RestFinder {
         const glm::dvec3 sockets = cube * across->in_joint;
         const glm::dvec3 trunk = cube * along->in_joint;
         is_drawn_ = angle_between(sockets, {1.0, 0.0, 0.0}) < kSymmetric &&
-                    std::abs(trunk.x) < kSymmetric &&
-                    angle_of(cube * glm::conjugate(hips)) < kPelvisLean;
+                    std::abs(trunk.x) < kAside &&
+                    angle_of(cube * glm::conjugate(hips)) < kPelvisLean && are_limbs_drawn(cube);
         if (is_drawn_) {
             figure_ = cube;
             // Where the pelvis of the file would lean all the time, it was not drawn upright.
@@ -148,6 +156,31 @@ class RestFinder {
                 hips = cube;
             }
         }
+    }
+
+    // Whether all limbs lie as their mirror images, or all along axes: no moment of a motion does.
+    bool are_limbs_drawn(const glm::dquat& figure) const {
+        bool are_mirrored = true;
+        bool are_along_axes = true;
+        for (const Bone left : {Bone::left_upper_leg,
+                                Bone::left_lower_leg,
+                                Bone::left_upper_arm,
+                                Bone::left_lower_arm}) {
+            const auto one = bone_aim(body_, left);
+            const auto other = bone_aim(body_, mirrored(left));
+            if (!one || !other) {
+                continue;
+            }
+            are_mirrored = are_mirrored && are_mirror_images(figure, *one, *other);
+            are_along_axes = are_along_axes && is_along_axis(one->in_joint) &&
+                             is_along_axis(other->in_joint);
+        }
+        return are_mirrored || are_along_axes;
+    }
+
+    static bool are_mirror_images(const glm::dquat& figure, const BoneAim& a, const BoneAim& b) {
+        const glm::dvec3 there = figure * b.in_joint;
+        return angle_between(figure * a.in_joint, {-there.x, there.y, there.z}) < kSymmetric;
     }
 
     glm::dquat of_bone(Bone bone) {
@@ -168,8 +201,10 @@ class RestFinder {
             twist = twist_of(turn_of_pair(*aim, *lateral) * glm::conjugate(straight),
                              aim->in_t_pose);
         } else {
-            twist = turned_.hinge_twist(bone, straight, aim->in_t_pose)
-                        .value_or(twist_of(mean * glm::conjugate(straight), aim->in_t_pose));
+            twist = twist_of(mean * glm::conjugate(straight), aim->in_t_pose);
+            if (const auto hinge = turned_.hinge_twist(bone, straight, aim->in_t_pose)) {
+                twist = middle_of(*hinge, twist);
+            }
         }
         return chosen(bone, *aim, above, mean, straight, twist);
     }
@@ -206,11 +241,28 @@ class RestFinder {
         const glm::dvec3 here = figure_ * aim.in_joint;
         const Bone other = mirrored(bone);
         if (other == bone) {
-            return std::abs(here.x) < kSymmetric;
+            return std::abs(here.x) < kAside;
         }
         const auto there = body_.has(other) ? bone_aim(body_, other) : std::nullopt;
-        return there && angle_between(here, figure_ * there->in_joint * glm::dvec3(-1.0, 1.0, 1.0)) <
-                            kSymmetric;
+        return there && are_mirror_images(figure_, aim, *there);
+    }
+
+    // From where a bone was drawn to the T-pose: about one axis of the figure where that does it
+    // (arms are lowered in the frontal plane, thighs lifted in the sagittal one).
+    glm::dquat drawn_turn(const BoneAim& aim) const {
+        const glm::dvec3 from = figure_ * aim.in_joint;
+        constexpr double kExact = 2.0 * kDegree;
+        for (const glm::dvec3& axis :
+             {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
+            const glm::dvec3 a = from - glm::dot(from, axis) * axis;
+            const glm::dvec3 b = aim.in_t_pose - glm::dot(aim.in_t_pose, axis) * axis;
+            const double angle = std::atan2(glm::dot(axis, glm::cross(a, b)), glm::dot(a, b));
+            const glm::dquat turn = glm::angleAxis(angle, axis);
+            if (angle_between(turn * from, aim.in_t_pose) < kExact) {
+                return glm::normalize(shortest_turn(turn * from, aim.in_t_pose) * turn * figure_);
+            }
+        }
+        return shortest_turn(from, aim.in_t_pose) * figure_;
     }
 
     glm::dquat chosen(Bone bone,
@@ -241,10 +293,10 @@ class RestFinder {
                 return *best;
             }
             if (std::abs(twist) < kTwist) {
-                return straight;
+                return drawn_turn(aim);
             }
         }
-        if (is_along_axis(aim.in_joint)) {
+        if (is_drawn_ && is_along_axis(aim.in_joint)) {
             const double quarter = glm::half_pi<double>();
             return std::abs(twist) < 0.5 * quarter ? straight
                                                    : turned(quarter * std::round(twist / quarter));

@@ -78,21 +78,21 @@ class Check {
 bool TPosedLimbs::has(Bone bone) const {
     const bool is_right = index_of(bone) > index_of(mirrored(bone));
     const Bone left = is_right ? mirrored(bone) : bone;
-    const std::size_t side = is_right ? 1 : 0;
     if (left < Bone::left_upper_leg) {
         return bone != Bone::hips && trunk;
     }
-    return left < Bone::left_shoulder ? legs[side] : arms[side];
+    return left < Bone::left_shoulder ? legs : arms;
 }
 
 TPosedLimbs t_posed_limbs(const PosedBody& body, const glm::dquat& figure) {
     const Check check(body, figure);
     TPosedLimbs limbs;
     limbs.trunk = check.is_trunk_straight();
-    for (const Side side : kSides) {
-        limbs.legs[static_cast<std::size_t>(side)] = check.is_leg_straight(side);
-        limbs.arms[static_cast<std::size_t>(side)] = check.is_arm_straight(side);
-    }
+    // A pair at a time, and arms with the trunk: where all bones lie along one axis, one arm does
+    // lie sideways.
+    limbs.legs = check.is_leg_straight(Side::left) && check.is_leg_straight(Side::right);
+    limbs.arms = limbs.trunk && check.is_arm_straight(Side::left) &&
+                 check.is_arm_straight(Side::right);
     return limbs;
 }
 

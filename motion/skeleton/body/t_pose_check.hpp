@@ -1,8 +1,6 @@
 // T-pose check: which limbs of a file lie as in our T-pose when no joint is rotated.
 #pragma once
 
-#include <array>
-
 #include "motion/skeleton/body/posed_body.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -11,13 +9,13 @@ namespace raks::motion {
 
 /// Limbs whose rest pose is a T-pose's.
 struct TPosedLimbs {
-    bool trunk = false;             ///< with neck and head
-    std::array<bool, 2> legs{};     ///< by Side
-    std::array<bool, 2> arms{};     ///< by Side, with shoulder and fingers
+    bool trunk = false;  ///< with neck and head
+    bool legs = false;   ///< both
+    bool arms = false;   ///< both, with shoulders and fingers
 
     /// Whether all are.
     [[nodiscard]] bool are_all() const {
-        return trunk && legs[0] && legs[1] && arms[0] && arms[1];
+        return trunk && legs && arms;
     }
     /// Whether a bone belongs to one of them.
     [[nodiscard]] bool has(Bone bone) const;
