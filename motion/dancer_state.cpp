@@ -193,7 +193,9 @@ Pose Dancer::State::next(StreamTime now, Nanos ahead, PlantedFeet& own) const no
     if (!is_dancing || is_free()) {
         return target(now, ahead);
     }
-    return layered(now, ahead, own.apply(skeleton, danced(now, ahead)));
+    const auto steps =
+        still.is_on() ? PlantedFeet::OwnSteps::wait : PlantedFeet::OwnSteps::may_begin;
+    return layered(now, ahead, own.apply(skeleton, danced(now, ahead), steps));
 }
 
 // The pose with what is left of the last change. Joint rotations and hips decay independently of

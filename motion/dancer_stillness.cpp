@@ -18,7 +18,8 @@ constexpr Nanos kBowAfter = std::chrono::milliseconds(600);  // after the last p
 // rest after twice the way there.
 constexpr double kNearestKey = 0.12;
 constexpr double kFarthestKey = 0.42;
-constexpr double kBeforeKnownStop = 0.6;  // beats before a stop that is known
+constexpr double kFarthestKeySeconds = 0.18;  // and never farther: slow music stops as fast
+constexpr double kBeforeKnownStop = 0.6;      // beats before a stop that is known
 // A pause at the end of a phrase: beats in which its posture is reached at full speed, seconds at
 // rest, and beats before the count 1 by which the dance goes on, so that the step into it is
 // danced.
@@ -60,6 +61,10 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
     }
     const double rested = still.seconds_at_rest(music.time);
     const bool sounds = music.part != MusicPart::stopped && !music.is_silent;
+    if (cause == Cause::phrase && !sounds) {  // the music has stopped in a pause
+        const bool is_over = music.ahead.is_known && music.time >= music.ahead.ends;
+        cause = is_over ? Cause::ending : Cause::stop;
+    }
     if (is_held || rested > (cause == Cause::ending ? kLongestEnding : kLongestStop)) {
         const bool bows = cause == Cause::ending && !is_held;
         settle(music.time);
@@ -159,6 +164,7 @@ void Dancer::State::stand_still(const MusicState& music,
                                 double earliest,
                                 double latest) noexcept {
     const Beats from = shown_phase(music.time, Nanos(0));
+    latest = std::max(earliest, std::min(latest, kFarthestKeySeconds * phase.rate()));
     // Both of a couple stop at the same moment of their figure.
     const Beats key = part.is_in_couple
                           ? from + Beats(0.5 * (earliest + latest))

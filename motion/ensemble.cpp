@@ -56,6 +56,7 @@ HoldMoment Ensemble::hold_moment() const noexcept {
             return cut(one.name) == std::string_view(status.figure.data());
         });
     if (figure != content.figures.end()) {
+        moment.dances = true;
         moment.hold = content.hold;
         moment.holds = figure->holds;
         moment.beat = status.phase;

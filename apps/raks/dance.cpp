@@ -8,8 +8,8 @@
 #include "base/pending_file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
-#include "motion/skeleton/bvh.hpp"
-#include "motion/skeleton/vrma.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/formats/vrma.hpp"
 
 #include <fmt/format.h>
 

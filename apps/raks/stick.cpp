@@ -11,7 +11,7 @@
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "engine/show/clip_transport.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/text_lines.hpp"
 
 #include <fmt/format.h>

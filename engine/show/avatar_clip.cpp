@@ -10,7 +10,7 @@
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "engine/show/avatar_model.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/retarget.hpp"
 #include "render/avatar/animation_sampler.hpp"
 #include "render/avatar/joint_tree.hpp"

@@ -8,7 +8,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kFit = 2.5;  // how much a figure's energy must fit: exp(-kFit |difference|)
+constexpr double kFit = 5.0;  // how much a figure's energy must fit: exp(-kFit |difference|)
 // Weights by which a soloist prefers to stay facing the audience, and to turn back to it at once.
 // Salsa then shows its face (less than 60 degrees aside) for 0.64 to 0.78 of the time. With 1 and
 // 1: 0.38 to 0.46, and the back for up to four figures in a row; with 4 and 4: 0.67 to 0.79, but

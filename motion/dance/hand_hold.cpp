@@ -70,7 +70,7 @@ void HandHold::advance(const HoldMoment& moment,
     if (moment.hold != CoupleHold::none) {
         is_closed_ = moment.hold == CoupleHold::closed;
     }
-    const float look = moment.hold == CoupleHold::none     ? 0.0F
+    const float look = !moment.dances                      ? 0.0F
                        : moment.hold == CoupleHold::closed ? kClosedLook
                                                            : kLook;
     look_ += kLookStep * (look - look_);

@@ -15,6 +15,7 @@ namespace raks::motion {
 
 /// What a couple dances at a hop, as far as its hands need to know.
 struct HoldMoment {
+    bool dances = false;                 ///< else it stands
     CoupleHold hold = CoupleHold::none;  ///< none while it stands
     std::span<const HeldHands> holds;    ///< of the figure
     double beat = 0.0;                   ///< of the figure

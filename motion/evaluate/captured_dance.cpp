@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "motion/figures/label_tables.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 
 namespace raks::motion {
 namespace {

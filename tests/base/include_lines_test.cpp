@@ -52,8 +52,9 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"audio/music/damage", {"base", "audio/io"}},
 
     {"motion/skeleton", {"base"}},
+    {"motion/skeleton/formats", {"base", "motion/skeleton"}},
     {"motion/figures", {"base", "models", "motion/skeleton"}},
-    {"motion/evaluate", {"base", "motion/skeleton", "motion/figures"}},
+    {"motion/evaluate", {"base", "motion/skeleton", "motion/skeleton/formats", "motion/figures"}},
     {"motion/choreography", {"base", "motion/skeleton", "motion/figures", "motion/evaluate"}},
     {"motion/dance/body", {"base", "motion/skeleton"}},
     {"motion/dance/baking", {"base", "motion/skeleton", "motion/figures", "motion/dance/body"}},

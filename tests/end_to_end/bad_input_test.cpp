@@ -7,7 +7,7 @@
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/end_to_end/program.hpp"
 

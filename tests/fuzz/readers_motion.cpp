@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 #include "motion/skeleton/pose.hpp"

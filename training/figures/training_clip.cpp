@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 

@@ -23,7 +23,7 @@ struct Range {
     [[nodiscard]] float at(float energy) const noexcept {
         // The energies of the calmest, of the usual and of more than the fullest music: a drop
         // still has something to add.
-        constexpr float kCalm = 0.20F;
+        constexpr float kCalm = 0.28F;
         constexpr float kUsualFrom = 0.50F;
         constexpr float kUsualTo = 0.90F;
         constexpr float kFull = 1.25F;
@@ -42,7 +42,7 @@ constexpr Range kSharpness{0.05F, 0.35F, 0.70F};
 constexpr Range kBend{-0.004F, 0.0F, 0.04F};
 
 // What everything coming in at once adds, and the music going on after a stop; it wears off.
-constexpr float kDropLift = 0.60F;
+constexpr float kDropLift = 1.0F;
 constexpr float kEntryLift = 0.40F;
 constexpr double kLiftSeconds = 7.0;
 

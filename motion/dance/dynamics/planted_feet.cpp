@@ -85,7 +85,8 @@ void PlantedFeet::carry_over(const Skeleton& skeleton,
 void PlantedFeet::advance(Foot& foot,
                           const Foot& other,
                           const glm::vec2& place,
-                          bool stands) const noexcept {
+                          bool stands,
+                          OwnSteps steps) const noexcept {
     const float way = foot.is_known ? glm::distance(place, foot.place) : 0.0F;
     foot.place = place;
     foot.is_known = true;
@@ -105,8 +106,8 @@ void PlantedFeet::advance(Foot& foot,
     foot.tilt *= tilt_left;
     const bool is_far =
         glm::length(foot.away) > kStepsBeyond || std::abs(foot.yaw) > kStepsBeyondYaw;
-    if (foot.stepped == 0 && is_far && foot.stood > kStandsBefore && other.stepped == 0 &&
-        other.stood > 0) {
+    if (steps == OwnSteps::may_begin && foot.stepped == 0 && is_far && foot.stood > kStandsBefore &&
+        other.stepped == 0 && other.stood > 0) {
         foot.from = foot.away;
         foot.from_yaw = foot.yaw;
         foot.stepped = 1;
@@ -128,14 +129,17 @@ bool PlantedFeet::has_lag() const noexcept {
     });
 }
 
-Pose PlantedFeet::apply(const Skeleton& skeleton, const Pose& wanted) noexcept RAKS_NONBLOCKING {
+Pose PlantedFeet::apply(const Skeleton& skeleton,
+                        const Pose& wanted,
+                        OwnSteps steps) noexcept RAKS_NONBLOCKING {
     const WorldPose world = world_pose(skeleton, wanted);
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
         advance(feet_[s],
                 feet_[1 - s],
                 floor_place(foot_place(skeleton, world, side).pivot),
-                wanted.foot_contact[s]);
+                wanted.foot_contact[s],
+                steps);
     }
     return with_lag(skeleton, wanted);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "base/realtime.hpp"
 #include "motion/dance/body/limb_ik.hpp"
@@ -15,7 +16,7 @@ namespace raks::motion {
 /// Joins motions whose feet stand apart without a sliding foot. A foot that stands as the motion
 /// changes keeps its place, however far from where the new motion wants it. What it lags is made up
 /// while that motion swings the foot; where it leaves the foot standing, the foot takes a step of
-/// its own. The hips stay between the feet.
+/// its own, unless the dancer holds still. The hips stay between the feet.
 ///
 /// It keeps the lag of one hop; call apply() once for each hop, in order. To look ahead, go on with
 /// a copy. Threads: one. Real-time: yes.
@@ -32,9 +33,13 @@ class PlantedFeet {
                     const Pose& next,
                     const Pose& next_before) noexcept RAKS_NONBLOCKING;
 
+    /// Whether a foot that stands may begin a step of its own.
+    enum class OwnSteps : std::uint8_t { may_begin, wait };
+
     /// One hop on: the pose wanted, with its feet where they are by now.
     [[nodiscard]] Pose apply(const Skeleton& skeleton,
-                             const Pose& wanted) noexcept RAKS_NONBLOCKING;
+                             const Pose& wanted,
+                             OwnSteps steps = OwnSteps::may_begin) noexcept RAKS_NONBLOCKING;
 
     /// The pose wanted with the feet as far from their places as at the last hop. Nothing changes.
     [[nodiscard]] Pose with_lag(const Skeleton& skeleton,
@@ -56,7 +61,11 @@ class PlantedFeet {
         float from_yaw = 0.0F;
     };
     [[nodiscard]] bool has_lag() const noexcept;
-    void advance(Foot& foot, const Foot& other, const glm::vec2& place, bool stands) const noexcept;
+    void advance(Foot& foot,
+                 const Foot& other,
+                 const glm::vec2& place,
+                 bool stands,
+                 OwnSteps steps) const noexcept;
 
     std::array<Foot, 2> feet_{};
 };

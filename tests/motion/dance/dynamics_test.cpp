@@ -83,6 +83,17 @@ TEST(Dynamics, a_dancer_stops_with_the_music_and_goes_on_with_it) {
     EXPECT_LT(test::largest_step(poses, 0, 3000), test::kFastestStep);
 }
 
+// Pauses come where the draw for a phrase says so, so that stops at all beats of many phrases meet
+// some.
+TEST(Dynamics, a_stop_that_comes_in_a_pause_is_stood_out) {
+    for (HopIndex from = 2000; from < 2400; from += 40) {
+        const auto poses =
+            dance([&](HopIndex hop) { return stopping(hop, from, from + 200); }, from + 200);
+        const auto stop = static_cast<std::size_t>(from);
+        EXPECT_LT(speed(poses, stop + 60, stop + 199), 0.25 * speed(poses, 1000, 1990)) << from;
+    }
+}
+
 TEST(Dynamics, a_long_stop_is_waited_out_standing) {
     const auto poses = dance([](HopIndex hop) { return stopping(hop, 2000, 3500); }, 4500);
     const double full = speed(poses, 1000, 1990);

@@ -94,5 +94,19 @@ TEST(PlantedFeet, a_foot_that_is_left_standing_far_off_steps_over_and_does_not_s
     EXPECT_NEAR(before.hips_position.x, stepping(0, {0.0, 0.0}).hips_position.x, 0.01F);
 }
 
+TEST(PlantedFeet, whoever_holds_still_takes_no_step_of_its_own) {
+    PlantedFeet feet = carried_over({0.15, 0.0}, {0.0, 0.0});
+    const Pose wanted = stepping(0, {0.0, 0.0});
+    for (int hop = 1; hop < 195; ++hop) {
+        const Pose pose = feet.apply(body(), wanted, PlantedFeet::OwnSteps::wait);
+        ASSERT_TRUE(pose.foot_contact[0] && pose.foot_contact[1]) << hop;
+    }
+    bool has_stepped = false;
+    for (int hop = 195; hop < 300; ++hop) {
+        has_stepped = has_stepped || !feet.apply(body(), wanted).foot_contact[0];
+    }
+    EXPECT_TRUE(has_stepped) << "afterwards it does";
+}
+
 }  // namespace
 }  // namespace raks::motion::planted_feet_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "tests/support/shared_data.hpp"
 
 namespace raks::motion {

@@ -11,7 +11,7 @@
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/published_metrics.hpp"
 #include "motion/figures/label_tables.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "tests/support/shared_data.hpp"
 
 namespace raks::motion {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/skeleton/vrma.hpp"
+#include "motion/skeleton/formats/vrma.hpp"
 #include "render/avatar/animation_sampler.hpp"
 #include "render/import/model_reader.hpp"
 #include "tests/render/avatar/tiny_model.hpp"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "render/mannequin/mannequin.hpp"
 #include "render/pose_sheet.hpp"
 #include "tests/render/gl/pictures.hpp"

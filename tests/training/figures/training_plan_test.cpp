@@ -8,7 +8,7 @@
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "tests/motion/figures/small_figure.hpp"
 #include "tests/support/temporary_folder.hpp"
 

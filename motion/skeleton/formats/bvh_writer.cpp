@@ -2,7 +2,7 @@
 #include <string>
 
 #include "base/pending_file.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/pending_file.hpp"
-#include "motion/skeleton/vrma.hpp"
+#include "motion/skeleton/formats/vrma.hpp"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>

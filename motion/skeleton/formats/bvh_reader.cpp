@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/file.hpp"
-#include "motion/skeleton/bvh.hpp"
-#include "motion/skeleton/bvh_hierarchy.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/formats/bvh_hierarchy.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/file.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/text_lines.hpp"
 #include "tests/support/shared_data.hpp"
 

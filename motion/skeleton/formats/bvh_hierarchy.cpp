@@ -1,4 +1,4 @@
-#include "motion/skeleton/bvh_hierarchy.hpp"
+#include "motion/skeleton/formats/bvh_hierarchy.hpp"
 
 #include <fmt/format.h>
 

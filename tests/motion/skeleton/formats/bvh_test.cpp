@@ -1,4 +1,4 @@
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 
 #include <gtest/gtest.h>
 
