@@ -235,6 +235,9 @@ struct StickArguments {
     double fps = 0.0;                  ///< frames a second of the clip; 0: the file's
     double scale = 0.0;                ///< metres per unit; 0: guessed
     std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
+    Path joint_map;                    ///< which joint is which bone; empty: none
+    std::vector<std::string> joints;   ///< the same, line by line: "leftUpperArm=bip_l_arm"
+    Path joints_output;                ///< a joint map to write instead of a picture; empty: none
 };
 /// Plays a motion clip's own skeleton as a stick figure; without a display draws a sheet.
 [[nodiscard]] ExitCode stick(const StickArguments& arguments);

@@ -7,6 +7,7 @@
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
+#include "apps/raks/stick_joints.hpp"
 #include "apps/raks/stick_window.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
@@ -129,11 +130,20 @@ ExitCode stick(const StickArguments& arguments) {
     if (motion::lower(arguments.input.extension().string()) == ".toml") {
         return stick_dance(arguments);
     }
-    const auto clip = read_clip(arguments);
+    auto clip = read_clip(arguments);
     if (!clip) {
         return fail(clip.error());
     }
     const std::string name = arguments.input.string();
+    if (auto found = look_for_joints(arguments, *clip); !found) {
+        return fail(found.error());
+    }
+    if (!arguments.joints_output.empty()) {
+        if (auto written = write_joints(arguments, *clip); !written) {
+            return fail(written.error());
+        }
+        return kExitDone;
+    }
     // Frames count from 0.
     if (arguments.frame && *arguments.frame >= clip->frame_count) {
         return fail(fmt::format(

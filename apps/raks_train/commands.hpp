@@ -31,9 +31,11 @@ struct TrainFigureArguments : LabelledClips {
     motion::DanceRole role = motion::DanceRole::lead;  ///< whose motion in the clips
     /// What of the joints is learnt.
     motion::FigureFeatures features = motion::FigureFeatures::angles;
-    double scale = 0.0;  ///< metres per unit; 0: guessed
-    int states = 0;      ///< 0: 16, of a written dance as many as its figures need
-    int iterations = 0;  ///< of Baum-Welch
+    double scale = 0.0;               ///< metres per unit; 0: guessed
+    Path joint_map;                   ///< which joint of the clips is which bone; empty: none
+    std::vector<std::string> joints;  ///< the same, line by line: "leftUpperArm=bip_l_arm"
+    int states = 0;                   ///< 0: 16, of a written dance as many as its figures need
+    int iterations = 0;               ///< of Baum-Welch
     motion::CovarianceKind covariance = motion::CovarianceKind::tied;  ///< of the states' Gaussians
     /// Where the states lie before Baum-Welch.
     motion::StatesStart start = motion::StatesStart::flat;

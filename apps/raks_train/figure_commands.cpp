@@ -38,6 +38,9 @@ void add_train_figure(CommandTable& table) {
     // From a tenth of a millimetre to 10 m: the units of motion files differ that much.
     app->add_option("--scale", a->scale, "metres per unit of the file")
         ->check(in_range(1e-4, 10.0));
+    app->add_option("--joint", a->joints, "BONE=JOINT of the clips; one each time")
+        ->allow_extra_args(false);
+    app->add_option("--joints", a->joint_map, "X.toml: which joint of the clips is which bone");
     // 0, the default, cannot be given: it stands for the number that suits the material.
     app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
     app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/raks_train/destination.hpp"
@@ -165,6 +166,11 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
             return fail(why_no_plain_name(*name));
         }
     }
+    auto joints = motion::joint_labels(arguments.joint_map, arguments.joints);
+    if (!joints) {
+        return fail(std::move(joints.error()));
+    }
+    plan.joints = std::move(*joints);
     if (!arguments.music.empty()) {
         if (auto taken = take_counts(arguments, plan); !taken) {
             return fail(std::move(taken.error()));

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "motion/skeleton/body/joint_labels.hpp"
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
@@ -28,6 +30,7 @@ struct MotionClip {
     std::vector<glm::dquat> rotations;  ///< local; frames x joints, row-major
     std::vector<glm::dvec3> positions;  ///< in the parent's frame; frames x joints, row-major
     std::vector<std::string> warnings;  ///< one line each, without the file's name
+    JointLabels labels;  ///< which joint is which bone, where a person said so; no reader sets it
 
     /// Local rotation of a joint at a frame.
     [[nodiscard]] const glm::dquat& rotation(std::size_t frame, std::size_t joint) const noexcept {

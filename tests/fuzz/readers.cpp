@@ -32,6 +32,7 @@ std::span<const Reader> readers() {
         {"sound", read_sound, {}, 60, Content::bytes},
         {"genre_samples", read_genre_samples, {}, 300, Content::bytes},
         {"bone_labels", read_bone_label_file, {}, 2000},
+        {"joint_map", read_joint_map_file, {}, 2000},
         {"model",
          read_model_file,
          {"tests/data/avatars/SimpleSkin.gltf", "tests/data/avatars/RiggedFigure.glb"},

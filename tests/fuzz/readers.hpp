@@ -52,6 +52,7 @@ bool read_midi(std::string_view bytes);         ///< a file of a pack, and perfo
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
 bool read_genre_samples(std::string_view bytes);   ///< and other files that training keeps
 bool read_bone_label_file(std::string_view text);  ///< labels of avatars
+bool read_joint_map_file(std::string_view text);   ///< of clips; and puts it to one
 bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
 
 }  // namespace raks::fuzz

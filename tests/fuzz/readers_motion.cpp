@@ -2,8 +2,11 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "motion/skeleton/body/joint_finder.hpp"
+#include "motion/skeleton/body/joint_report.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/motion_clip.hpp"
@@ -64,7 +67,47 @@ void learn(const motion::TrainingClip& clip) {
     }
 }
 
+// Whatever is found, the map of it says the same when it is read again.
+void look_for_joints(motion::MotionClip clip) {
+    const auto search = motion::search_joints(clip);
+    must(search.has_value());
+    for (const std::string& note : search->found.notes) {
+        must_be_one_line(note);
+    }
+    if (search->refusal) {
+        must_be_one_line(search->refusal->message);
+    }
+    const auto labels =
+        motion::read_joint_map(motion::joint_map_text(clip, search->found.mapping), "x.toml");
+    must(labels.has_value());
+    clip.labels = *labels;
+    if (const auto again = motion::search_joints(clip); !again) {
+        must_be_one_line(again.error().message);
+    }
+}
+
 }  // namespace
+
+bool read_joint_map_file(std::string_view text) {
+    auto labels = motion::read_joint_map(text, "x.toml");
+    if (!labels) {
+        must_be_one_line(labels.error().message);
+        return false;
+    }
+    motion::MotionClip clip;
+    clip.frame_count = 1;
+    for (const std::string_view bone : motion::kBoneNames) {
+        const std::size_t parent = motion::kBoneParents[clip.joints.size()];
+        clip.joints.push_back({std::string(bone), parent, {0.0, 1.0, 0.0}, std::nullopt});
+        clip.rotations.emplace_back(1.0, 0.0, 0.0, 0.0);
+        clip.positions.emplace_back(0.0, 1.0, 0.0);
+    }
+    clip.labels = std::move(*labels);
+    if (const auto search = motion::search_joints(clip); !search) {
+        must_be_one_line(search.error().message);
+    }
+    return true;
+}
 
 bool read_clip(std::string_view text) {
     const MemoryFile file(text);
@@ -82,6 +125,7 @@ bool read_clip(std::string_view text) {
         must_be_one_line(warning);
     }
     draw(*paced);
+    look_for_joints(*paced);
     static_cast<void>(motion::leading_rest_frames(*paced));
     std::vector<std::string> warnings;
     const auto body = motion::load_clip(

@@ -54,14 +54,14 @@ void move_hips_joint(const MotionClip& motion,
 Expected<TrainingClip> load_clip(const fs::path& path,
                                  const ClipUnits& units,
                                  std::vector<std::string>& warnings) {
-    const Expected<MotionClip> motion =
-        read_bvh(path, {.frames_per_second = units.frames_per_second});
+    Expected<MotionClip> motion = read_bvh(path, {.frames_per_second = units.frames_per_second});
     if (!motion) {
         return fail(motion.error());
     }
     for (const std::string& warning : motion->warnings) {
         warnings.push_back(path.filename().string() + ": " + warning);
     }
+    motion->labels = units.joints;
     // The rest pose is needed again, which retarget does not return.
     const Expected<StandingClip> standing = stand(
         *motion,

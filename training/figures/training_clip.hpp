@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/skeleton/body/joint_labels.hpp"
 #include "training/figures/figure_trainer.hpp"
 
 #include <glm/vec3.hpp>
@@ -18,6 +19,7 @@ struct ClipUnits {
     std::optional<double> metres_per_unit;    ///< none: found from the body's size
     std::optional<double> height{};           ///< of the body, metres; none: found with the unit
     std::optional<glm::dvec3> up{};           ///< axis that points up, unit; none: found
+    JointLabels joints{};                     ///< which joint is which bone, as a person said
 };
 
 /// Reads a BVH file as motion of the built-in skeleton; the clip's name is the file's. The first

@@ -227,7 +227,8 @@ class Collector {
         }
         Expected<TrainingClip> clip = load_clip(file->second,
                                                 {.frames_per_second = plan_.frames_per_second,
-                                                 .metres_per_unit = plan_.metres_per_unit},
+                                                 .metres_per_unit = plan_.metres_per_unit,
+                                                 .joints = plan_.joints},
                                                 material_.warnings);
         if (!clip) {
             return fail(std::move(clip.error()));

@@ -38,6 +38,7 @@ struct FigureTrainingPlan {
 
     std::optional<double> frames_per_second;           ///< instead of the file's
     std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
+    JointLabels joints{};                              ///< which joint of the clips is which bone
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM
     int baum_welch_iterations = 0;                     ///< rounds; see FigureTrainingOptions

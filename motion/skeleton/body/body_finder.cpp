@@ -36,7 +36,7 @@ Expected<FoundBody> find_body(const MotionClip& clip, const BodyOptions& options
     if (clip.frame_count == 0) {
         return fail("has no frames");
     }
-    auto joints = find_joints(clip, options.joints);
+    auto joints = find_joints(clip);
     if (!joints) {
         return fail(std::move(joints.error()));
     }

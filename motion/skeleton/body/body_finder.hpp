@@ -8,7 +8,6 @@
 
 #include "base/expected.hpp"
 #include "motion/skeleton/body/joint_finder.hpp"
-#include "motion/skeleton/body/joint_labels.hpp"
 #include "motion/skeleton/body/rest_pose.hpp"
 #include "motion/skeleton/body/size_finder.hpp"
 #include "motion/skeleton/body/up_finder.hpp"
@@ -20,9 +19,9 @@
 
 namespace raks::motion {
 
-/// What a person says about a clip; the rest is found.
+/// What a person says about a clip (beside its MotionClip::labels); then what the clip's format
+/// knows for certain counts, and the rest is found.
 struct BodyOptions {
-    JointLabels joints{};                   ///< which joint is which bone
     std::optional<glm::dvec3> up{};         ///< axis of the file that points up; unit
     std::optional<double> metres_per_unit{};///< > 0. (CMU takes 60_xx: 1.267, 61_xx: 1.17.)
     std::optional<double> height{};         ///< of the standing body, metres

@@ -12,10 +12,11 @@ namespace {
 
 constexpr double kAlike = 0.12;         // two limbs differ by less of the longer one
 constexpr double kShortestLimb = 0.15;  // of the way between the two farthest ends
-// What it costs to look has a bound: no body has more limbs at one joint, or joints in a limb.
+// What it costs to look has a bound: no body has more limbs at one joint, or joints in its trunk.
 constexpr std::size_t kMostBranches = 24;
-constexpr std::size_t kMostWay = 14;
 constexpr std::size_t kMostPairs = 48;
+constexpr int kLongestTrunk = 32;
+constexpr double kHead = 0.3;  // what a head counts of a body's score
 
 /// Two limbs that begin at one joint.
 struct LimbPair {
@@ -52,9 +53,13 @@ class ShapeSearch {
         BodyPlan best;
         for (const LimbPair& legs : pairs_) {
             for (const LimbPair& arms : pairs_) {
-                const BodyPlan plan = plan_of(legs, arms);
-                if (plan.hips >= 0 && plan.score > best.score &&
-                    !(taken && overlaps(plan, *taken))) {
+                BodyPlan plan = plan_of(legs, arms);
+                if (plan.hips < 0 || plan.score + kHead <= best.score ||
+                    (taken && overlaps(plan, *taken))) {
+                    continue;
+                }
+                plan.score += head_of(plan) >= 0 ? kHead : 0.0;
+                if (plan.score > best.score) {
                     best = plan;
                 }
             }
@@ -144,8 +149,7 @@ class ShapeSearch {
         }
         plan.hips = hips;
         const double size = body_.size();
-        plan.score = (legs.reach + arms.reach) / size - (trunk + 2.0 * below) / size +
-                     (head_of(plan) >= 0 ? 0.3 : 0.0);
+        plan.score = (legs.reach + arms.reach) / size - (trunk + 2.0 * below) / size;
         return plan;
     }
 
@@ -157,28 +161,35 @@ class ShapeSearch {
     /// The first joint of the way to the head: on the arms' hub, or between it and the hips, that
     /// leads farthest away from the hips. -1: none does.
     int head_of(const BodyPlan& plan) const {
-        for (int from = plan.arms.hub; from >= 0 && from != plan.hips; from = tree_.parent(from)) {
-            int best = -1;
-            double farthest = body_.distance(from, plan.hips);
-            for (const int child : tree_.children(from)) {
-                const bool is_trunk =
-                    child == plan.arms.hub || tree_.is_below(plan.arms.hub, child);
-                if (is_in(child, plan.arms) || is_trunk) {
-                    continue;
-                }
-                const std::vector<int> way = body_.longest_way(child);
-                const double away = std::max(body_.distance(way.back(), plan.hips),
-                                             body_.distance(child, plan.hips));
-                if (away >= farthest) {
-                    farthest = away;
-                    best = child;
-                }
+        int from = plan.arms.hub;
+        for (int step = 0; step < kLongestTrunk && from >= 0 && from != plan.hips; ++step) {
+            if (const int head = head_at(plan, from); head >= 0) {
+                return head;
             }
-            if (best >= 0) {
-                return best;
-            }
+            from = tree_.parent(from);
         }
         return -1;
+    }
+
+    int head_at(const BodyPlan& plan, int from) const {
+        const std::vector<int>& children = tree_.children(from);
+        const std::size_t count = std::min(children.size(), kMostBranches);
+        int best = -1;
+        double farthest = body_.distance(from, plan.hips);
+        for (std::size_t i = 0; i < count; ++i) {
+            const int child = children[i];
+            const bool is_trunk = child == plan.arms.hub || tree_.is_below(plan.arms.hub, child);
+            if (is_trunk || is_in(child, plan.arms)) {
+                continue;
+            }
+            const double away = std::max(body_.distance(body_.longest_way(child).back(), plan.hips),
+                                         body_.distance(child, plan.hips));
+            if (away >= farthest) {
+                farthest = away;
+                best = child;
+            }
+        }
+        return best;
     }
 
     /// How badly three joints of a way are upper, lower and last joint of a limb: about 0.5 for
@@ -212,7 +223,7 @@ class ShapeSearch {
 
     Limb limb_of(int first, double usual_ratio) const {
         Limb limb{.way = body_.longest_way(first)};
-        const std::size_t count = std::min(limb.way.size(), kMostWay);
+        const std::size_t count = limb.way.size();
         for (std::size_t upper = 0; upper + 2 < count; ++upper) {
             for (std::size_t lower = upper + 1; lower + 1 < count; ++lower) {
                 for (std::size_t last = lower + 1; last < count; ++last) {
@@ -278,7 +289,7 @@ class ShapeSearch {
             return;
         }
         std::vector<int> way = {first};
-        while (tree_.children(way.back()).size() == 1) {
+        while (way.size() < PosedSkeleton::kLongestWay && tree_.children(way.back()).size() == 1) {
             way.push_back(tree_.children(way.back()).front());
         }
         while (way.size() > 2 && (is_end(way.back()) || is_stiffer(way.back()))) {

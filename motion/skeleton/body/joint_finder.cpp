@@ -388,9 +388,9 @@ class Finder {
 
 }  // namespace
 
-Expected<JointSearch> search_joints(const MotionClip& clip, const JointLabels& labels) {
+Expected<JointSearch> search_joints(const MotionClip& clip) {
     Finder finder(clip);
-    if (const Expected<void> taken = finder.take_labels(labels); !taken) {
+    if (const Expected<void> taken = finder.take_labels(clip.labels); !taken) {
         return fail(taken.error());
     }
     finder.take_names();
@@ -402,8 +402,8 @@ Expected<JointSearch> search_joints(const MotionClip& clip, const JointLabels& l
     return std::move(finder).result();
 }
 
-Expected<FoundJoints> find_joints(const MotionClip& clip, const JointLabels& labels) {
-    Expected<JointSearch> search = search_joints(clip, labels);
+Expected<FoundJoints> find_joints(const MotionClip& clip) {
+    Expected<JointSearch> search = search_joints(clip);
     if (!search) {
         return fail(search.error());
     }

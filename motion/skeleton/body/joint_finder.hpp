@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/skeleton/body/joint_labels.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 
@@ -29,7 +28,7 @@ struct JointSearch {
 };
 
 /// Looks for the joints of a body. Three kinds of evidence are weighed:
-/// - labels, where a person said so: always right;
+/// - the labels of the clip (MotionClip::labels), where a person said so: always right;
 /// - names (bones_by_name.hpp), checked against the tree;
 /// - tree and motion (bones_by_shape.hpp), for what names leave open or where there are none.
 /// Whatever it is called, the trunk is counted in its chain from hips to arms: its first joint that
@@ -39,13 +38,11 @@ struct JointSearch {
 /// bone of each limb; refused are also two people in one clip and what goes on four legs.
 /// Errors: labels that name no joint of the clip, two joints of one name, or a child above its
 /// parent. Threads: workers. Real-time: no.
-[[nodiscard]] Expected<JointSearch> search_joints(const MotionClip& clip,
-                                                  const JointLabels& labels = {});
+[[nodiscard]] Expected<JointSearch> search_joints(const MotionClip& clip);
 
 /// The same for who needs a body. Errors: those of search_joints, and its refusal: one line with
 /// what was found, what is missing and the joints of the clip.
-[[nodiscard]] Expected<FoundJoints> find_joints(const MotionClip& clip,
-                                                const JointLabels& labels = {});
+[[nodiscard]] Expected<FoundJoints> find_joints(const MotionClip& clip);
 
 /// Exchanges left and right: mapping, reasons and confidence.
 void swap_sides(FoundJoints& found);

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
+#include "base/file.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 
@@ -102,6 +104,31 @@ Expected<void> add_joint_label(std::string_view text, JointLabels& labels) {
     }
     labels.joints.push_back({*bone, joint});
     return {};
+}
+
+Expected<JointLabels> joint_labels(const std::filesystem::path& map,
+                                   std::span<const std::string> lines) {
+    JointLabels labels;
+    if (!map.empty()) {
+        const Expected<std::string> text = read_text_file(map, kLongestToml);
+        if (!text) {
+            return fail(text.error());
+        }
+        Expected<JointLabels> read = read_joint_map(*text, map.string());
+        if (!read) {
+            return read;
+        }
+        labels = std::move(*read);
+    }
+    for (const std::string& line : lines) {
+        if (const Expected<void> added = add_joint_label(line, labels); !added) {
+            return fail(Error(added.error()).in("--joint"));
+        }
+    }
+    if (!lines.empty()) {
+        labels.source += labels.source.empty() ? "--joint" : ", --joint";
+    }
+    return labels;
 }
 
 }  // namespace raks::motion

@@ -1,6 +1,8 @@
 // Joint labels: which joint of a clip is which bone, said by a person.
 #pragma once
 
+#include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,5 +39,10 @@ struct JointLabels {
 /// Adds one `leftUpperArm=bip_l_arm` to `labels`; it takes the place of what they say of that bone.
 /// Errors: no '=', an unknown bone (with the nearest), a joint that another bone has already.
 [[nodiscard]] Expected<void> add_joint_label(std::string_view text, JointLabels& labels);
+
+/// What a person said on the command line: `map`, a joint map (none: empty), and `lines` of the
+/// form above, which win. Errors: as of both, and of reading the file.
+[[nodiscard]] Expected<JointLabels> joint_labels(const std::filesystem::path& map,
+                                                 std::span<const std::string> lines);
 
 }  // namespace raks::motion

@@ -31,6 +31,14 @@ bool is_finger(Bone bone) {
     return mirrored(bone) != bone && left > index_of(Bone::left_hand);
 }
 
+/// Whether a map can name a joint: no other has its name, and it is printable.
+bool is_sayable(const MotionClip& clip, std::size_t joint) {
+    const std::string& name = clip.joints[joint].name;
+    const auto is_alike = [&](const ClipJoint& other) { return other.name == name; };
+    return !name.empty() && printable(name, name.size()) == name &&
+           std::count_if(clip.joints.begin(), clip.joints.end(), is_alike) == 1;
+}
+
 }  // namespace
 
 std::string shown_joint(const MotionClip& clip, std::size_t joint) {
@@ -78,8 +86,9 @@ std::optional<Error> missing_joints(const MotionClip& clip, const HumanoidMappin
         clip.joints.size(),
         clip.joints.size() == 1 ? "" : "s",
         shown_joints(clip),
-        has_legs ? "half a body teaches no dance; if it has arms, say which joints they are"
-                 : "say which joint is which bone")};
+        has_legs ? "half a body teaches no dance; if it has arms, say so with --joint or --joints"
+                 : "--joint or --joints says which joint is which bone, and raks stick CLIP "
+                   "--write-joints X.toml writes a map to start from")};
 }
 
 std::string joint_map_text(const MotionClip& clip, const HumanoidMapping& mapping) {
@@ -90,9 +99,14 @@ std::string joint_map_text(const MotionClip& clip, const HumanoidMapping& mappin
         const Bone bone = static_cast<Bone>(i);
         const auto joint = mapping.joint(bone);
         if (joint || !is_finger(bone)) {
-            text += fmt::format("{} = {}\n",
+            const bool can_be_said = joint && is_sayable(clip, *joint);
+            text += fmt::format("{} = {}{}\n",
                                 kBoneNames[index_of(bone)],
-                                toml_quoted(joint ? clip.joints[*joint].name : std::string()));
+                                toml_quoted(can_be_said ? clip.joints[*joint].name : std::string()),
+                                joint && !can_be_said
+                                    ? fmt::format("  # found; its name is not its own: {}",
+                                                  shown_joint(clip, *joint))
+                                    : "");
         }
     }
     text += "\n# Joints of the clip, parents first:\n";

@@ -76,7 +76,7 @@ double PosedSkeleton::way_up(int joint, int above) const {
 
 std::vector<int> PosedSkeleton::longest_way(int joint) const {
     std::vector<int> way = {joint};
-    while (!tree_.children(way.back()).empty()) {
+    while (way.size() < kLongestWay && !tree_.children(way.back()).empty()) {
         const std::vector<int>& next = tree_.children(way.back());
         way.push_back(*std::max_element(next.begin(), next.end(), [this](int a, int b) {
             return length(a) + reach(a) < length(b) + reach(b);

@@ -53,7 +53,8 @@ class PosedSkeleton {
     [[nodiscard]] double reach(int joint) const { return reach_[static_cast<std::size_t>(joint)]; }
     /// Length of the way from a joint up to one above it.
     [[nodiscard]] double way_up(int joint, int above) const;
-    /// The joints of the longest way down from a joint, itself first.
+    static constexpr std::size_t kLongestWay = 16;  ///< joints; no limb has more
+    /// The joints of the longest way down from a joint, itself first; at most kLongestWay.
     [[nodiscard]] std::vector<int> longest_way(int joint) const;
     /// Length of the longest way between two ends: the size of the whole.
     [[nodiscard]] double size() const noexcept { return size_; }

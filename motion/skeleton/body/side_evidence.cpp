@@ -1,6 +1,7 @@
 #include "motion/skeleton/body/side_evidence.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/statistics.hpp"
@@ -65,7 +66,9 @@ struct Voice {
     double says() const { return all > 0.0 ? forward / all : 0.0; }
 };
 
+/// Of the finite ones; files may hold numbers whose squares are not.
 double median(std::vector<double> values) {
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
     return values.empty() ? 0.0 : nth_value(values, values.size() / 2);
 }
 
@@ -123,7 +126,7 @@ bool goes_on_four(const PosedSkeleton& skeleton, const HumanoidMapping& mapping)
     constexpr double kLeastUpright =
         0.4;                            // cosine: the trunk 66 degrees or more off the legs' line
     constexpr double kBothDown = 0.7;   // cosine between arms and legs
-    constexpr double kSameFloor = 0.3;  // of the legs: hands and feet at one height
+    constexpr double kSameFloor = 0.4;  // of the legs: hands and feet at one height
     std::vector<double> upright;
     std::vector<double> alike;
     std::vector<double> apart;

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "motion/skeleton/body/bone_words.hpp"
 #include "render/import/bind_places.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/humanoid_names.hpp"
@@ -15,11 +14,8 @@ namespace {
 
 using namespace raks;
 using namespace raks::render;
-using motion::BodyPart;
 using motion::Bone;
-using motion::read_bone_words;
 using motion::Side;
-using motion::words_of_name;
 
 /// How a tool names bones. `L` in a name stands for the side; trunk names from the hips up.
 struct Scheme {
@@ -337,30 +333,6 @@ TEST(HumanoidNames, hips_are_what_carries_legs_and_trunk) {
     EXPECT_EQ(map.nodes[motion::index_of(Bone::hips)], body);
     EXPECT_EQ(map.nodes[motion::index_of(Bone::spine)], abdomen);
     EXPECT_EQ(map.nodes[motion::index_of(Bone::head)], head);
-}
-
-TEST(BoneWords, names_are_split_as_they_are_read) {
-    using Words = std::vector<std::string>;
-    EXPECT_EQ(words_of_name("mixamorig:LeftForeArm"), (Words{"left", "fore", "arm"}));
-    EXPECT_EQ(words_of_name("LThumb"), (Words{"l", "thumb"}));
-    EXPECT_EQ(words_of_name("f_index03L"), (Words{"f", "index", "03", "l"}));
-    EXPECT_EQ(words_of_name("bras gauche.001"), (Words{"bras", "gauche", "001"}));
-    EXPECT_EQ(words_of_name("左足首"), (Words{"left", "foot"}));
-    EXPECT_EQ(words_of_name(""), Words{});
-    EXPECT_EQ(words_of_name("\xff\x80:"), Words{});
-}
-
-TEST(BoneWords, what_is_no_bone_is_nothing) {
-    for (const char* const name : {"LeftHandBag",
-                                   "Hair_Front_1",
-                                   "PoleTarget.L",
-                                   "IK_Hand_L",
-                                   "LeftHandThumb4_end",
-                                   "HeadTop_End",
-                                   "socket_hand_L",
-                                   "Cube"}) {
-        EXPECT_EQ(read_bone_words(words_of_name(name), {}).part, BodyPart::none) << name;
-    }
 }
 
 }  // namespace
