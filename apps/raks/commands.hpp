@@ -233,7 +233,8 @@ struct StickArguments {
     std::string figure;                ///< of a written dance; empty: all
     double bpm = 0.0;                  ///< to dance it at; 0: as it is written
     double fps = 0.0;                  ///< frames a second of the clip; 0: the file's
-    double scale = 0.0;                ///< metres per unit; 0: guessed
+    BodyArguments body;                ///< how the clip's body lies in its file
+    bool as_json = false;              ///< says what was found instead of drawing
     std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
     Path joint_map;                    ///< which joint is which bone; empty: none
     std::vector<std::string> joints;   ///< the same, line by line: "leftUpperArm=bip_l_arm"

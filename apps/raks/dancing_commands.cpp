@@ -190,8 +190,8 @@ void add_stick(RaksCommands& table) {
     app->add_option("--tempo", a->bpm, "BPM to dance it at")->check(in_range(30.0, 300.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
-    app->add_option("--scale", a->scale, "metres per unit of the file")
-        ->check(in_range(1e-4, 10.0));
+    add_body_options(*app, a->body);
+    app->add_flag("--json", a->as_json, "what was found of the clip, as one JSON document");
     app->add_option_function<std::int64_t>(
            "--frame",
            [arguments = a](const std::int64_t& frame) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/raks/clip_document.hpp"
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
@@ -42,16 +43,19 @@ Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
     return clip;
 }
 
-// Metres a unit: as given, else guessed from the body's height, with a line that says so.
-double scale_of(const motion::MotionClip& clip, const StickArguments& arguments) {
-    if (arguments.scale > 0.0) {
-        return arguments.scale;
+// What was taken in doubt, and the unit where nobody gave it.
+void say_what_was_found(const render::ClipFigures& figures, const StickArguments& arguments) {
+    const std::string name = arguments.input.string();
+    for (const std::string& note : figures.notes()) {
+        say(name + ": " + note);
     }
-    const double guess = motion::guess_metres_per_unit(clip);
-    say(fmt::format("{}: one unit is taken for {:.4g} m, by the body's height (--scale sets it)",
-                    arguments.input.string(),
-                    guess));
-    return guess;
+    if (!arguments.body.has_unit()) {
+        const bool is_body = figures.body().has_value();
+        say(fmt::format("{}: one unit is taken for {}: {} (--unit, --height or --scale sets it)",
+                        name,
+                        motion::unit_name(figures.metres_per_unit()),
+                        is_body ? figures.body()->size.reason : "by its height at rest"));
+    }
 }
 
 // The frames to draw: the one asked for, or up to 24 evenly over the clip, with the first and last.
@@ -149,9 +153,14 @@ ExitCode stick(const StickArguments& arguments) {
         return fail(fmt::format(
             "{}: has no frame {}, its last is {}", name, *arguments.frame, clip->frame_count - 1));
     }
-    const auto figures = render::ClipFigures::create(*clip, scale_of(*clip, arguments));
+    const auto figures = render::ClipFigures::create(*clip, arguments.body.options());
     if (!figures) {
         return fail(name + ": " + figures.error().message);
+    }
+    say_what_was_found(*figures, arguments);
+    if (arguments.as_json) {
+        print_text(clip_document(name, *clip, *figures) + "\n");
+        return kExitDone;
     }
     auto look = open_look(arguments.settings);
     if (!look) {

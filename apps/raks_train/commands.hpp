@@ -31,7 +31,7 @@ struct TrainFigureArguments : LabelledClips {
     motion::DanceRole role = motion::DanceRole::lead;  ///< whose motion in the clips
     /// What of the joints is learnt.
     motion::FigureFeatures features = motion::FigureFeatures::angles;
-    double scale = 0.0;               ///< metres per unit; 0: guessed
+    BodyArguments body;               ///< how bodies lie in the clips' files
     Path joint_map;                   ///< which joint of the clips is which bone; empty: none
     std::vector<std::string> joints;  ///< the same, line by line: "leftUpperArm=bip_l_arm"
     int states = 0;                   ///< 0: 16, of a written dance as many as its figures need

@@ -35,9 +35,7 @@ void add_train_figure(CommandTable& table) {
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
-    // From a tenth of a millimetre to 10 m: the units of motion files differ that much.
-    app->add_option("--scale", a->scale, "metres per unit of the file")
-        ->check(in_range(1e-4, 10.0));
+    add_body_options(*app, a->body);
     app->add_option("--joint", a->joints, "BONE=JOINT of the clips; one each time")
         ->allow_extra_args(false);
     app->add_option("--joints", a->joint_map, "X.toml: which joint of the clips is which bone");

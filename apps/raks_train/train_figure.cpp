@@ -36,9 +36,10 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
     plan.role = arguments.role;
     plan.features = arguments.features;
     // 0 and empty stand for "not given" in the arguments.
-    if (arguments.scale > 0.0) {
-        plan.metres_per_unit = arguments.scale;
-    }
+    const motion::BodyOptions body = arguments.body.options();
+    plan.up = body.up;
+    plan.metres_per_unit = body.metres_per_unit;
+    plan.height = body.height;
     if (arguments.states > 0) {
         plan.states = arguments.states;
     }

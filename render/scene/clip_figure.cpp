@@ -83,7 +83,6 @@ void ClipFigures::find_bones(const motion::BodyOptions& options) {
         body_ = std::move(*body);
         return;
     }
-    notes_.push_back(body.error().message + "; drawn all the same");
     stand_up_other(options);
     for (std::size_t joint = 0; joint < clip_.joints.size() && !head_; ++joint) {
         if (is_named_head(clip_.joints[joint].name)) {

@@ -45,7 +45,7 @@ class ClipFigures {
 
     /// The body, where it is a humanoid's.
     [[nodiscard]] const std::optional<motion::FoundBody>& body() const noexcept { return body_; }
-    /// What was taken in doubt, and why it is no humanoid; one line each.
+    /// What was taken in doubt; one line each.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
     /// Metres a unit of the file that was taken.
     [[nodiscard]] double metres_per_unit() const noexcept { return metres_per_unit_; }

@@ -28,7 +28,7 @@ bool is_finite(const glm::vec3& v) {
 
 // The first, a middle and the last frame, as `raks stick` draws them.
 void draw(const motion::MotionClip& clip) {
-    const auto figures = render::ClipFigures::create(clip, motion::guess_metres_per_unit(clip));
+    const auto figures = render::ClipFigures::create(clip);
     if (!figures) {
         must_be_one_line(figures.error().message);
         return;

@@ -74,13 +74,17 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     if (!body) {
         return fail(std::move(body.error()).in(path.filename().string()));
     }
-    for (const std::string& note : standing->body.notes()) {
+    std::vector<std::string> notes = standing->body.joints.notes;
+    const std::vector<std::string> doubts = standing->body.notes();
+    notes.insert(notes.end(), doubts.begin(), doubts.end());
+    for (const std::string& note : notes) {
         warnings.push_back(path.filename().string() + ": " + note);
     }
-    if (!units.metres_per_unit) {
-        warnings.push_back(fmt::format("{}: its unit is taken for {:.4g} m, by the body's height",
+    if (!units.metres_per_unit && !units.height) {
+        warnings.push_back(fmt::format("{}: its unit is taken for {}: {}",
                                        path.filename().string(),
-                                       body->metres_per_unit));
+                                       unit_name(body->metres_per_unit),
+                                       standing->body.size.reason));
     }
     TrainingClip clip;
     clip.name = path.stem().string();

@@ -228,6 +228,8 @@ class Collector {
         Expected<TrainingClip> clip = load_clip(file->second,
                                                 {.frames_per_second = plan_.frames_per_second,
                                                  .metres_per_unit = plan_.metres_per_unit,
+                                                 .height = plan_.height,
+                                                 .up = plan_.up,
                                                  .joints = plan_.joints},
                                                 material_.warnings);
         if (!clip) {

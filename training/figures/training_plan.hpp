@@ -37,7 +37,9 @@ struct FigureTrainingPlan {
     double min_confidence = 0.9;
 
     std::optional<double> frames_per_second;           ///< instead of the file's
-    std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
+    std::optional<double> metres_per_unit;             ///< none: found from the body's size
+    std::optional<double> height{};                    ///< of the body, metres; none: found
+    std::optional<glm::dvec3> up{};                    ///< axis that points up; none: found
     JointLabels joints{};                              ///< which joint of the clips is which bone
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM

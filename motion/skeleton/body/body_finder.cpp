@@ -14,7 +14,7 @@ constexpr double kDoubtful = 0.6;  // confidence below which what was taken is s
 }  // namespace
 
 std::vector<std::string> FoundBody::notes() const {
-    std::vector<std::string> notes = joints.notes;
+    std::vector<std::string> notes;
     if (up.confidence < kDoubtful) {
         notes.push_back(fmt::format("{} is taken for up: {} (--up sets it)", axis_name(up.axis), up.reason));
     } else if (up.axis != glm::dvec3(0.0, 1.0, 0.0)) {

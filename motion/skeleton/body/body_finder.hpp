@@ -36,7 +36,7 @@ struct FoundBody {
 
     /// Which joint of the clip is which bone.
     [[nodiscard]] const HumanoidMapping& mapping() const noexcept { return joints.mapping; }
-    /// Lines to say: what was taken in doubt, and the option that sets it.
+    /// Lines to say: what was taken in doubt, and the option that sets it; those of `joints` apart.
     [[nodiscard]] std::vector<std::string> notes() const;
 };
 

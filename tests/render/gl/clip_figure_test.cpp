@@ -40,7 +40,7 @@ motion::MotionClip chain(std::size_t joints) {
 
 TEST(ClipFigures, stand_on_the_floor_in_the_middle_of_their_way) {
     const motion::MotionClip clip = clip_of("plain.bvh");  // 9 joints, centimetres
-    const auto figures = ClipFigures::create(clip, 0.01);
+    const auto figures = ClipFigures::create(clip, {.metres_per_unit = 0.01});
     ASSERT_TRUE(figures) << figures.error().message;
     float lowest = 1e9F;
     float highest = -1e9F;
@@ -65,7 +65,7 @@ TEST(ClipFigures, stand_on_the_floor_in_the_middle_of_their_way) {
 
 TEST(ClipFigures, tell_left_from_right_and_know_a_head) {
     const motion::MotionClip clip = clip_of("plain.bvh");
-    const ClipFigure figure = ClipFigures::create(clip, 0.01)->at(0);
+    const ClipFigure figure = ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0);
     const auto colours = [&](auto wanted) {
         return std::count_if(figure.shape.vertices.begin(), figure.shape.vertices.end(), wanted);
     };
@@ -77,25 +77,25 @@ TEST(ClipFigures, tell_left_from_right_and_know_a_head) {
         joint.name = "joint";
     }
     EXPECT_GT(figure.shape.vertices.size(),
-              ClipFigures::create(headless, 0.01)->at(0).shape.vertices.size() + 400)
+              ClipFigures::create(headless, {.metres_per_unit = 0.01})->at(0).shape.vertices.size() + 400)
         << "the egg and the nose";
 }
 
 TEST(ClipFigures, of_many_joints_fit_one_mesh_or_are_refused) {
     const motion::MotionClip most = chain(ClipFigures::kMaxJoints);
-    const auto figures = ClipFigures::create(most, 1.0);
+    const auto figures = ClipFigures::create(most, {.metres_per_unit = 1.0});
     ASSERT_TRUE(figures);
     EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
     const motion::MotionClip more = chain(ClipFigures::kMaxJoints + 1);
-    const auto refused = ClipFigures::create(more, 1.0);
+    const auto refused = ClipFigures::create(more, {.metres_per_unit = 1.0});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message, "has 201 joints; at most 200 can be drawn");
-    EXPECT_FALSE(ClipFigures::create(motion::MotionClip{}, 1.0));
+    EXPECT_FALSE(ClipFigures::create(motion::MotionClip{}));
 }
 
 TEST(ClipFigures, without_any_height_are_drawn_all_the_same) {
     motion::MotionClip flat = chain(1);
-    const ClipFigure figure = ClipFigures::create(flat, 1.0)->at(0);
+    const ClipFigure figure = ClipFigures::create(flat, {.metres_per_unit = 1.0})->at(0);
     ASSERT_FALSE(figure.shape.vertices.empty());
     for (const StickVertex& vertex : figure.shape.vertices) {
         EXPECT_TRUE(std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z));
@@ -108,7 +108,7 @@ TEST_F(ClipPicture, shows_the_body_where_the_avatar_would_be_and_the_avatar_agai
     auto renderer = Renderer::create(build_mannequin(), {.quality = Quality::fast});
     ASSERT_TRUE(renderer) << renderer.error().message;
     const motion::MotionClip clip = clip_of("plain.bvh");
-    const std::vector<ClipFigure> figures = {ClipFigures::create(clip, 0.01)->at(0)};
+    const std::vector<ClipFigure> figures = {ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0)};
     const std::vector<motion::Pose> poses = {standing_pose()};
     PoseSheetConfig config;
     config.columns = 1;
